@@ -6,7 +6,7 @@ import threading
 import time
 import urllib.error
 import urllib.request
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -44,8 +44,8 @@ class Client:
     def __init__(self, address: str) -> None:
         self._address = address
 
-    def post(self, path: str, document: object) -> tuple[int, Any]:
-        return self._ask(path, json.dumps(document).encode())
+    def post(self, path: str, document: object, **headers: str) -> tuple[int, Any]:
+        return self._ask(path, json.dumps(document).encode(), headers)
 
     def get(self, path: str) -> tuple[int, Any]:
         return self._ask(path, None)
@@ -55,8 +55,16 @@ class Client:
         assert status == 200, answer
         return answer
 
-    def _ask(self, path: str, body: bytes | None) -> tuple[int, Any]:
-        headers = {"Content-Type": "application/json"}
+    def as_page(self, path: str, *commands: object) -> Any:
+        """As `post`, by a web page of this PC."""
+        status, answer = self.post(path, list(commands), Origin="http://localhost:8000")
+        assert status == 200, answer
+        return answer
+
+    def _ask(
+        self, path: str, body: bytes | None, more: Mapping[str, str] | None = None
+    ) -> tuple[int, Any]:
+        headers = {"Content-Type": "application/json", **(more or {})}
         request = urllib.request.Request(self._address + path, body, headers)
         try:
             with urllib.request.urlopen(request, timeout=WAIT_S) as answer:
@@ -142,7 +150,7 @@ def test_calls_that_follow_one_another_are_one_run_that_can_be_repeated(bridged:
         "condition": "result == 'A'",
         "commands": [SIDE, {"action": "turn", "angle": 120}] * 3,
     }
-    assert client.get("/get_last_gesture_result") == (200, {"resultado": ""})
+    assert client.get("/get_last_gesture_result") == (200, {"resultado": None})
     classify = {"action": "classificar_gestos", "status": "pending"}
     assert bridged.sign("B", lambda: client.execute(classify)) == {"status": "ok", "n_executed": 1}
     run = bridged.live_run()
@@ -231,7 +239,43 @@ def test_a_call_that_fails_says_why_and_the_next_one_begins_anew(bridged: Bridge
     assert answer["error"]["remedy"]
     assert client.get("/get_last_gesture_result") == (200, {"resultado": "B"})
     assert client.execute(SIDE)["status"] == "ok"
-    assert client.get("/get_last_gesture_result") == (200, {"resultado": ""})
+    assert client.get("/get_last_gesture_result") == (200, {"resultado": "B"})
+
+
+def test_a_page_reads_one_object_for_each_command(bridged: Bridged) -> None:
+    client = bridged.client
+    assert client.as_page("/execute", SIDE) == [{**SIDE, "status": "ok"}]
+    sent = {"action": "set_gesture_result", "resultado": "B"}
+    assert client.as_page("/execute", sent) == [{**sent, "status": "ok"}]
+    seen = bridged.sign("A", lambda: client.as_page("/execute", {"action": "classificar_gestos"}))
+    assert seen == [{"action": "classificar_gestos", "status": "ok", "resultado": "A"}]
+    is_a = {"action": "conditional_execution", "condition": "resultado == 'A'", "commands": [SIDE]}
+    unset = {"action": "move_forward", "distance": {"var": "side"}}
+    done, broken, never = client.as_page("/execute", is_a, unset, SIDE)
+    assert done == {"action": is_a["action"], "condition": is_a["condition"], "status": "ok"}
+    assert (broken["status"], broken["error"]["code"]) == ("failed", "unset_variable")
+    assert never == {**SIDE, "status": "not_executed"}
+    assert client.as_page("/execute") == []
+
+
+def test_after_a_stop_nothing_more_of_a_page_s_batch_is_driven(bridged: Bridged) -> None:
+    """The page itself would go on with its next command."""
+    client = bridged.client
+    assert client.post("/bridge/run_start", None) == (200, {"ok": True})
+    thread, answers = bridged.in_background(lambda: client.as_page("/execute", *FAR))
+    until(lambda: bridged.live_run() is not None)
+    bridged.stop()
+    thread.join()
+    assert [one["status"] for one in answers[0]] == ["stopped"]
+    (refused,) = client.as_page("/execute", SIDE)
+    assert (refused["status"], refused["error"]["code"]) == ("stopped", "stopped_by_person")
+    assert bridged.live_run() is None
+    for path in ("run_end", "run_end", "run_start"):
+        assert client.post(f"/bridge/{path}", None) == (200, {"ok": True})
+    assert client.as_page("/execute", SIDE)[0]["status"] == "ok"
+    assert client.post("/bridge/run_end", None) == (200, {"ok": True})
+    assert bridged.live_run() is not None  # it waits for a next call as ever
+    assert client.as_page("/execute", SIDE)[0]["status"] == "ok"
 
 
 def test_a_caller_who_hangs_up_stops_the_robot(bridged: Bridged) -> None:
@@ -241,7 +285,10 @@ def test_a_caller_who_hangs_up_stops_the_robot(bridged: Bridged) -> None:
     run = bridged.live_run()
     caller.close()
     assert run
-    assert bridged.kept(run)["state"] == "stopped"
+    kept = bridged.kept(run)
+    assert (kept["state"], kept["reason"]) == ("stopped", "caller_left")
+    store = bridged.app._store
+    assert verify_run(store, store.runs.get(run)).outcome == "identical"
 
 
 def test_after_a_minute_of_silence_the_run_has_finished(
@@ -261,9 +308,19 @@ def test_after_a_minute_of_silence_the_run_has_finished(
     assert (runs[0]["state"], runs[0]["n_executed"]) == ("finished", 1)
 
 
-def test_without_a_camera_the_stream_says_so(bridged: Bridged) -> None:
-    status, answer = bridged.client.get("/classify_stream")
+def test_without_a_camera_the_stream_says_so_and_a_person_can_answer(bridged: Bridged) -> None:
+    client = bridged.client
+
+    def watch_and_ask() -> Any:
+        refused = client.get("/classify_stream?t=1")
+        until(lambda: client.get("/get_last_gesture_result")[1]["resultado"] == "C")
+        return refused
+
+    client.execute({"action": "set_gesture_result", "result": "A"})
+    status, answer = bridged.sign("C", watch_and_ask)
     assert (status, answer["error"]["code"]) == (503, "camera_missing")
+    assert client.execute(SIDE)["status"] == "ok"
+    assert client.get("/get_last_gesture_result") == (200, {"resultado": "C"})
 
 
 def test_the_camera_answers_a_capture_while_its_picture_shows_the_hand_in_a_box(
@@ -281,6 +338,33 @@ def test_the_camera_answers_a_capture_while_its_picture_shows_the_hand_in_a_box(
         shown = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR).astype(int)
         blue, green, red = shown.transpose(2, 0, 1)
         assert np.count_nonzero((green > 120) & (red < 80) & (blue < 120)) > 300  # a sure sign
+
+
+def test_the_stream_is_a_capture_that_ends_by_itself_and_keeps_its_result(
+    tmp_path: Path,
+) -> None:
+    choice = BridgeChoice(BridgeRecord(port=free_port()))
+    with App(tmp_path / "pinel.db", bridge=choice, camera=str(RECORDINGS / "b.npz")) as app:
+        address = app.wait_for_bridge()
+        assert address
+        client = Client(address)
+        assert client.get("/get_last_gesture_result") == (200, {"resultado": None})
+        with urllib.request.urlopen(f"{address}/classify_stream?t=1", timeout=WAIT_S) as stream:
+            whole = stream.read()  # to its end
+        assert whole.count(b"--frame\r\n") > 1
+        assert client.get("/get_last_gesture_result") == (200, {"resultado": "B"})
+        assert client.execute({"action": "set_gesture_result", "resultado": "B"}, SIDE) == {
+            "status": "ok",
+            "n_executed": 2,
+        }
+        assert client.get("/get_last_gesture_result") == (200, {"resultado": "B"})
+        # who watches while a call drives watches only
+        driving, answers = Bridged.in_background(lambda: client.execute(*FAR))
+        until(lambda: client.post("/execute", [SIDE])[0] == 409)
+        assert len(_pictures(address, 2)) == 2
+        Bridged(app).stop()
+        driving.join()
+        assert answers[0]["status"] == "stopped"
 
 
 def _pictures(address: str, count: int) -> list[bytes]:

@@ -10,12 +10,12 @@ from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
 
 _SURE, _UNSURE = (0, 160, 60), (230, 140, 0)  # RGB
-_WHITE = (255, 255, 255)
+_WHITE, _INK = (255, 255, 255), (32, 32, 32)
 _MARGIN = 0.03  # of the picture's height, around the landmarks
 _FONT, _SCALE, _THICKNESS = cv2.FONT_HERSHEY_SIMPLEX, 0.6, 2
 
 
-def annotated(picture: Picture, hands: Sequence[Mapping[str, Any]]) -> Picture:
+def annotated(picture: Picture, hands: Sequence[Mapping[str, Any]], caption: str = "") -> Picture:
     """A copy with the hands drawn into it, as `camera_sight` tells of them: landmarks as fractions of the picture.
 
     A sign that is sure has a green box, a doubtful one an orange box and a question mark.
@@ -25,7 +25,19 @@ def annotated(picture: Picture, hands: Sequence[Mapping[str, Any]]) -> Picture:
         drawn = picture.copy()
     for hand in hands:
         _draw(drawn, hand)
+    if caption:
+        _write(drawn, caption)
     return drawn
+
+
+def _write(picture: Picture, caption: str) -> None:
+    """A line at the foot of the picture, as wide as that at most."""
+    height, width = picture.shape[:2]
+    text = _ascii(caption)
+    (text_width, text_height), _ = cv2.getTextSize(text, _FONT, _SCALE, _THICKNESS)
+    scale = _SCALE * min(1.0, (width - 16) / max(text_width, 1))
+    cv2.rectangle(picture, (0, height - text_height - 16), (width, height), _INK, -1)
+    cv2.putText(picture, text, (8, height - 9), _FONT, scale, _WHITE, _THICKNESS)
 
 
 def _draw(picture: Picture, hand: Mapping[str, Any]) -> None:

@@ -198,6 +198,11 @@ class Camera:
             with self._lock:
                 self._want(**{wanted: preview.leave()})
 
+    def caption(self, text: str) -> None:
+        """What stands in annotated pictures from now on; "" for nothing."""
+        with self._lock:
+            self._want(caption=text)
+
     def close(self) -> None:
         """Ends the process and all previews."""
         self._closing.set()

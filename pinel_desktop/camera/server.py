@@ -226,7 +226,7 @@ class _Session:
         if self._wanted.preview:
             self._send({"type": "preview", "jpeg": _base64(self._shown(picture))})
         if self._wanted.annotated:
-            shown = annotated(self._shown(picture), told)
+            shown = annotated(self._shown(picture), told, self._wanted.caption)
             self._send({"type": "annotated", "jpeg": _base64(shown)})
 
     def _shown(self, picture: Picture) -> Picture:

@@ -16,6 +16,7 @@ class Wanted:
         capture: id of the run whose capture waits for a sign; None while none does.
         preview: whether somebody watches the picture.
         annotated: whether somebody watches it with the hands and their signs drawn into it.
+        caption: a line that stands in that picture.
         record: id of the recording that waits for hands; None while none does.
         record_moving: whether it waits for movements, not for hands at rest.
     """
@@ -25,6 +26,7 @@ class Wanted:
     capture: str | None = None
     preview: bool = False
     annotated: bool = False
+    caption: str = ""
     record: str | None = None
     record_moving: bool = False
 

@@ -47,6 +47,13 @@ if TYPE_CHECKING:
     help="What each request to it must bring, in the header X-PINEL-Key or as ?key=KEY.",
 )
 @click.option(
+    "--bridge-file-pages",
+    is_flag=True,
+    help="Let block pages that were opened as a file drive the robot, too; pages of this PC over http may anyway. "
+    "A page of any web site that hides in a frame without an origin looks alike and could then drive it: "
+    "close other sites meanwhile. --bridge-key lets in nobody without the key.",
+)
+@click.option(
     "--robot",
     type=click.Choice(LINK_NAMES),
     default="sim",
@@ -61,6 +68,7 @@ def command(
     camera: str | None,
     bridge: str | None,
     bridge_key: str | None,
+    bridge_file_pages: bool,
     robot: str,
 ) -> None:
     """Serve the page without a window and print its address.
@@ -69,10 +77,10 @@ def command(
     Exit status: 0, or 1 if the page or the bridge cannot be served, or there is no video and no folder of that path.
     """
     try:
-        choice = _bridge(bridge, bridge_key, robot)
+        choice = _bridge(bridge, bridge_key, robot, file_pages=bridge_file_pages)
         if camera is not None:
             check_address(camera)
-        _serve(App(chosen_database(ctx), port=port, camera=camera, bridge=choice), robot)
+        _serve(App(chosen_database(ctx), port=port, camera=camera, bridge=choice), choice)
     except AlreadyRunningError as first:
         print_problem(first)
         click.echo(first.running.fresh_link())
@@ -80,28 +88,32 @@ def command(
         raise Failure(error) from error
 
 
-def _bridge(bridge: str | None, key: str | None, robot: str) -> "BridgeChoice | None":
+def _bridge(
+    bridge: str | None, key: str | None, robot: str, *, file_pages: bool
+) -> "BridgeChoice | None":
     """What stands beside the page. Raises PinelError for options that do not fit."""
     if bridge is None:
-        if key is not None or robot != "sim":
+        if key is not None or robot != "sim" or file_pages:
             raise PinelError("bridge_option_missing")
         return None
     from pinel_desktop.web.legacy.api import BridgeChoice  # noqa: PLC0415 - for who wants one
 
     record = chosen_robot("bridge", (), bridge, key)
     assert isinstance(record, BridgeRecord)
-    return BridgeChoice(record, robot)
+    return BridgeChoice(record, robot, file_pages)
 
 
-def _serve(app: App, robot: str) -> None:
+def _serve(app: App, choice: "BridgeChoice | None") -> None:
     with _signals() as signals, app:
         if app.notice is not None:
             print_problem(app.notice, app.language)
         click.echo(describe("serving", {}, app.language).line, err=True)
         click.echo(app.address)
-        if (address := app.wait_for_bridge()) is not None:
-            told = {"address": address, "robot": robot}
+        if choice is not None:
+            told = {"address": app.wait_for_bridge(), "robot": choice.robot}
             click.echo(describe("bridge_serving", told, app.language).line, err=True)
+            if choice.file_pages:
+                click.echo(describe("bridge_file_pages", {}, app.language).line, err=True)
         signals.recv(1)
 
 

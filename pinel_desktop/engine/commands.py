@@ -9,7 +9,14 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import BaseModel, ConfigDict, Field, RootModel
 
 from pinel_desktop.events.model import CaptureBy
-from pinel_desktop.execution.control import GREATEST_SPEED, LEAST_SPEED, Reply, RunControl, StepMode
+from pinel_desktop.execution.control import (
+    CALLER_LEFT,
+    GREATEST_SPEED,
+    LEAST_SPEED,
+    Reply,
+    RunControl,
+    StepMode,
+)
 from pinel_desktop.execution.inputs import Capture
 
 # The app's start imports this module; a model is built when it is first used.
@@ -64,6 +71,16 @@ class Stop(_Command):
 
     def apply(self, control: RunControl, reply: Reply) -> None:
         control.stop()
+        reply(None, None)
+
+
+class Abandon(_Command):
+    """Stops the robot: the program that asked for the run over HTTP has hung up. The app alone sends it."""
+
+    do: Literal["abandon"] = "abandon"
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.stop(CALLER_LEFT)
         reply(None, None)
 
 
@@ -179,7 +196,7 @@ PageCommand = (
     | AnswerCapture
     | Answer
 )
-Command = PageCommand | Append | Finish
+Command = PageCommand | Append | Finish | Abandon
 # those of a page
 COMMANDS: dict[str, type[PageCommand]] = {
     model.model_fields["do"].default: model for model in get_args(PageCommand)

@@ -13,6 +13,8 @@ StepMode = Literal["into", "over", "out"]
 LEAST_SPEED, GREATEST_SPEED = 0.1, 10.0
 # with a tick and the way to the robot it stands within 0.3 s
 APP_SILENT_S = 0.2
+# reasons of runs that were stopped
+BY_PERSON, CALLER_LEFT = "stopped_by_person", "caller_left"
 
 # receives a value, or the error
 Reply = Callable[[Any, PinelError | None], None]
@@ -39,10 +41,12 @@ class RunControl:
         evaluations: expressions to evaluate while the run is paused.
         inputs: receive people's answers to captures and questions.
         is_open: whether the run waits at its end for more commands.
+        stop_reason: code that a run which is stopped has as its reason.
     """
 
     def __init__(self) -> None:
         self.stop_requested = False
+        self.stop_reason = BY_PERSON
         self.pause_requested = False
         self.breakpoints: frozenset[str] = frozenset()
         self.step: StepMode | None = None
@@ -70,7 +74,10 @@ class RunControl:
         """`speed`, but at least 1 after Stop: stopping must not happen in slow motion."""
         return max(self.speed, 1.0) if self.stop_requested else self.speed
 
-    def stop(self) -> None:
+    def stop(self, reason: str | None = None) -> None:
+        """Ends the run; the first reason counts."""
+        if reason is not None and not self.stop_requested:
+            self.stop_reason = reason
         self.stop_requested = True
 
     def pause(self) -> None:

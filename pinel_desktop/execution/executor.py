@@ -158,7 +158,7 @@ class _Run:
             self._connect()
             self._run()
         except _Stopped:
-            return "stopped", "stopped_by_person", {"tick": self._tick}
+            return "stopped", self._control.stop_reason, {"tick": self._tick}
         except PinelError as error:
             return "failed", error.code, error.params
         except Exception as error:

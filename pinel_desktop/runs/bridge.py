@@ -2,14 +2,15 @@
 
 From the owner:
 
-- `bridge_listen` with `record` and `routes` (of each path `method` and `max_body`);
+- `bridge_listen` with `record`, `routes` (of each path `method` and `max_body`) and `file_pages`;
 - `bridge_answer` with `question`, `status`, and `document` or `jpeg`;
 - `bridge_alive`, once a second while a question is open.
 
 To the owner:
 
 - `bridge_listens` with `port`, or `bridge_refused` with `code` and `params`;
-- `bridge_asked` with `question`, `method`, `path` and `body`;
+- `bridge_asked` with `question`, `method`, `path`, `body`, `request` (of one stream the same), `batch` (of the page;
+  null between two) and `of_page` (whether a web page asks);
 - `bridge_withdrawn` with `question`: the client hung up, or the owner was silent for too long.
 """
 
@@ -58,7 +59,9 @@ class OwnedBridge:
         try:
             record = record_from(message["record"])
             assert isinstance(record, BridgeRecord)
-            self._bridge = StandingBridge(record, routes, self._questions.ask)
+            self._bridge = StandingBridge(
+                record, routes, self._questions.ask, file_pages=message["file_pages"]
+            )
         except PinelError as error:
             self._send({"type": "bridge_refused", "code": error.code, "params": error.params})
             return

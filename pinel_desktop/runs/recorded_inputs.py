@@ -74,6 +74,8 @@ class RecordedInputs:
     def attach(self, control: RunControl) -> Callable[[int, Event], None]:
         """Gives recorded requests to `control`; returns what must observe the replay."""
         self._control = control
+        if self._ended.get("state") == "stopped":
+            control.stop_reason = self._ended["reason"]
         return self._observe
 
     def is_requested_before(self, place: float) -> bool:

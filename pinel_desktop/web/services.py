@@ -92,6 +92,8 @@ class Camera(Protocol):
 
     def previews(self, *, annotated: bool = False) -> Generator[bytes]: ...
 
+    def caption(self, text: str) -> None: ...
+
 
 class KnownSign(Protocol):
     """A sign that captures can answer."""

@@ -29,11 +29,13 @@ FOREIGN = {"Origin": "http://evil.example"}
 class Standing:
     """A standing bridge, and the owner who answers."""
 
-    def __init__(self, *, key: str = "", silent_s: float = WAIT_S) -> None:
+    def __init__(
+        self, *, key: str = "", silent_s: float = WAIT_S, file_pages: bool = False
+    ) -> None:
         self.told: queue.Queue[dict[str, Any]] = queue.Queue()
         self.questions = Questions(self.told.put, silent_s)
         self.record = BridgeRecord(port=free_port(), key=key)
-        self.bridge = StandingBridge(self.record, HANDED, self.questions.ask)
+        self.bridge = StandingBridge(self.record, HANDED, self.questions.ask, file_pages=file_pages)
         self.bridge.start()
 
     def connect(self) -> http.client.HTTPConnection:
@@ -73,9 +75,34 @@ def test_without_a_run_a_client_that_loops_stands_still(standing: Standing) -> N
     assert (status, velocity["linear_x"], velocity["angular_z"]) == (200, 0.0, 0.0)
     assert standing.ask("POST", "/bridge/pose", json.dumps(POSE)) == (200, {"ok": True})
     assert standing.ask("GET", "/bridge/status") == (200, {"active": False})
-    assert standing.ask("POST", "/bridge/run_start") == (200, {"ok": True, "active": False})
-    assert standing.ask("POST", "/bridge/run_end")[0] == 409
     assert standing.ask("GET", "/other")[0] == 404
+
+
+def test_the_status_tells_the_flag_of_the_page_also_across_runs(standing: Standing) -> None:
+    active, inactive = (200, {"active": True}), (200, {"active": False})
+    for _ in range(2):
+        assert standing.ask("POST", "/bridge/run_start") == (200, {"ok": True})
+        assert standing.ask("GET", "/bridge/status") == active
+    transport = BridgeTransport(standing.record)
+    transport.open(Robot(), lambda: True)
+    transport.close()
+    assert standing.ask("GET", "/bridge/status") == active
+    for _ in range(2):
+        assert standing.ask("POST", "/bridge/run_end") == (200, {"ok": True})
+        assert standing.ask("GET", "/bridge/status") == inactive
+
+
+def test_a_call_tells_its_batch_and_whether_a_page_asks(standing: Standing) -> None:
+    told = []
+    for path in ("run_start", "run_start", "run_end"):
+        standing.ask("POST", f"/bridge/{path}")
+        client = standing.connect()
+        client.request("POST", "/execute", "[]", LOCAL if path == "run_end" else {})
+        question = standing.told.get(timeout=WAIT_S)
+        told.append((question["batch"], question["of_page"]))
+        client.close()
+        standing.told.get(timeout=WAIT_S)  # withdrawn
+    assert told == [(1, False), (2, False), (None, True)]
 
 
 def test_a_run_at_its_address_uses_it_and_leaves_it_standing(standing: Standing) -> None:
@@ -187,6 +214,86 @@ def test_without_a_key_a_page_of_this_pc_may_ask_and_no_other(standing: Standing
     assert standing.told.empty()
 
 
+PAGE_ROUTES = {
+    "/bridge/run_start": "POST",
+    "/bridge/run_end": "POST",
+    "/bridge/status": "GET",
+    "/execute": "POST",
+    "/stream": "GET",
+}
+ROBOT_ROUTES = {"/bridge/cmd_vel": "GET", "/bridge/pose": "POST"}
+FILE = {"Origin": "null", "Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "cors"}
+FILE_PICTURE = {
+    "Sec-Fetch-Site": "cross-site",
+    "Sec-Fetch-Mode": "no-cors",
+    "Sec-Fetch-Dest": "image",
+}
+
+
+def preflight(standing: Standing, path: str, page: dict[str, str]) -> tuple[int, str | None]:
+    status, headers = standing.ask("OPTIONS", path, **page)
+    return status, headers.get("Access-Control-Allow-Origin")
+
+
+def test_a_page_of_this_pc_may_ask_all_routes_of_a_page(standing: Standing) -> None:
+    for path, method in PAGE_ROUTES.items():
+        assert preflight(standing, path, LOCAL) == (204, LOCAL["Origin"])
+        assert preflight(standing, path, FILE)[0] == 403
+        if path.startswith("/bridge/"):
+            assert standing.ask(method, path, **LOCAL)[0] == 200
+            assert standing.ask(method, path, **FILE)[0] == 403
+            assert standing.ask(method, path, **FOREIGN)[0] == 403
+
+
+def test_an_option_lets_in_pages_that_were_opened_as_a_file_and_no_site_by_its_name() -> None:
+    standing = Standing(file_pages=True)
+    for path in PAGE_ROUTES | ROBOT_ROUTES:
+        assert preflight(standing, path, FILE) == (204, "null")
+        assert preflight(standing, path, LOCAL) == (204, LOCAL["Origin"])
+        assert preflight(standing, path, FOREIGN)[0] == 403
+    assert standing.ask("POST", "/bridge/run_start", **FILE) == (200, {"ok": True})
+    standing.answer_next(document={"a": 1})
+    assert standing.ask("POST", "/execute", "[]", **FILE) == (200, {"a": 1})
+    standing.answer_next(document={"a": 2})
+    assert standing.ask("GET", "/stream?t=1", **FILE_PICTURE) == (200, {"a": 2})
+    standing.close()
+
+
+@pytest.mark.parametrize(
+    ("method", "page"),
+    [
+        # a form, a link, or a frame of another site; it withholds its origin
+        ("POST", {"Origin": "null", "Sec-Fetch-Mode": "navigate"}),
+        ("GET", {"Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "navigate"}),
+        # sent without asking whether it may
+        ("POST", {"Origin": "null", "Sec-Fetch-Mode": "no-cors", "Sec-Fetch-Dest": "empty"}),
+        # a browser that tells of a page of the internet that it is one
+        ("OPTIONS", FILE | {"Access-Control-Request-Private-Network": "true"}),
+        ("GET", FILE_PICTURE | {"Referer": "https://evil.example/"}),
+    ],
+)
+def test_requests_that_no_page_opened_as_a_file_sends_are_refused(
+    method: str, page: dict[str, str]
+) -> None:
+    standing = Standing(file_pages=True)
+    path = "/stream" if method == "GET" else "/execute"
+    status, answer = standing.ask(method, path, "[]", **page)
+    assert (status, answer["error"]["code"]) == (403, "bridge_page_foreign")
+    assert standing.told.empty()
+    standing.close()
+
+
+def test_a_page_reads_why_it_is_refused(standing: Standing) -> None:
+    client = standing.connect()
+    for method, path, status in (("GET", "/execute", 405), ("GET", "/bridge/other", 404)):
+        client.request(method, path, headers=LOCAL)
+        answer = client.getresponse()
+        answer.read()
+        assert answer.status == status
+        assert answer.headers["Access-Control-Allow-Origin"] == LOCAL["Origin"]
+    client.close()
+
+
 def test_with_a_key_any_page_that_has_it_may_ask() -> None:
     standing = Standing(key="k")
     assert standing.ask("OPTIONS", "/execute", **FOREIGN)[0] == 204
@@ -196,4 +303,19 @@ def test_with_a_key_any_page_that_has_it_may_ask() -> None:
     assert standing.ask("POST", "/execute?key=k", "[]", **FOREIGN)[0] == 200
     standing.answer_next(document={})
     assert standing.ask("POST", "/execute", "[]", **{"X-PINEL-Key": "k"}, **FOREIGN)[0] == 200
+    for path, method in (PAGE_ROUTES | ROBOT_ROUTES).items():
+        assert preflight(standing, path, FOREIGN) == (204, FOREIGN["Origin"])
+        assert standing.ask(method, path, **FOREIGN)[0] == 401
     standing.close()
+
+
+def test_a_tunnel_under_another_name_needs_the_key(standing: Standing) -> None:
+    tunnel = {"Host": "a1b2.tunnel.example"}
+    assert standing.ask("GET", "/bridge/cmd_vel", **tunnel)[0] == 403
+    keyed = Standing(key="k")
+    for path in ("/bridge/cmd_vel", "/bridge/status"):
+        assert keyed.ask("GET", path, **tunnel)[0] == 401
+        assert keyed.ask("GET", f"{path}?key=k", **tunnel)[0] == 200
+    keyed.answer_next(document={"a": 1})
+    assert keyed.ask("POST", "/execute?key=k", "[]", **tunnel) == (200, {"a": 1})
+    keyed.close()

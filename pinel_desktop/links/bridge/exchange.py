@@ -34,7 +34,7 @@ class Exchange:
 
     Attributes:
         asked: set once somebody has asked for a velocity.
-        active: what `/bridge/status` tells: true from the opening of the link until it is closed.
+        active: whether PINEL holds the robot: true from the opening of the link until it is closed.
     """
 
     def __init__(self, receiver: Receiver) -> None:
@@ -84,28 +84,6 @@ class Exchange:
             self._knows_end.set()
         return {"active": self.active}
 
-    def begin(self, client: str) -> dict[str, Any]:
-        """The client begins: of no effect before its first pose, later it has begun anew and its pose may be another.
-
-        Raises PinelError `bridge_client_restarted`, and stops the robot, or `bridge_other_client`.
-        """
-        self._hear(client)
-        if self._robot is not None and self.active:
-            problem = PinelError("bridge_client_restarted")
-            self._receiver.on_problem(problem)
-            raise problem
-        return self._flag()
-
-    def end(self, client: str) -> dict[str, Any]:
-        """The client leaves: the robot is stopped. Raises PinelError `bridge_not_running`, `bridge_other_client`."""
-        self._hear(client)
-        if self._robot is None:
-            raise PinelError("bridge_not_running")
-        if self.active and not self._ending:
-            self._receiver.on_problem(PinelError("bridge_run_ended"))
-        self.active = False
-        return self._flag()
-
     def finish(self, timeout_s: float) -> None:
         """Tells the client that PINEL stops, first by zeros, then by the flag; waits only if a client is there."""
         self._ending = True
@@ -121,9 +99,6 @@ class Exchange:
         if self._robot is not None and client != self._robot:
             raise PinelError("bridge_other_client", robot=self._robot)
         self._heard_s = time.monotonic()
-
-    def _flag(self) -> dict[str, Any]:
-        return {"ok": True, "active": self.active}
 
 
 def _number(document: object, name: str) -> float:

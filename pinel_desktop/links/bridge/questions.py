@@ -48,8 +48,10 @@ class Questions:
         for work in (self._write, self._watch):
             threading.Thread(target=work, name="bridge-questions", daemon=True).start()
 
-    def ask(self, request: Request) -> "Future[Answer]":
-        """The answer to come; cancelling it withdraws the question."""
+    def ask(
+        self, request: Request, batch: int | None = None, of_page: bool = False
+    ) -> "Future[Answer]":
+        """The answer to come; cancelling it withdraws the question. Further arguments as `StandingBridge` has them."""
         answer: Future[Answer] = Future()
         path = request.target.partition("?")[0]
         with self._lock:
@@ -66,6 +68,10 @@ class Questions:
                 "question": number,
                 "method": request.method,
                 "path": path,
+                # one and the same for all pictures of a stream
+                "request": f"{os.getpid()}-{request.number}",
+                "batch": batch,
+                "of_page": of_page,
                 "body": request.body.decode("utf-8", "surrogateescape"),
             }
         )

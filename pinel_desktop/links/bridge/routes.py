@@ -4,13 +4,13 @@ import contextlib
 import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from itertools import count
 from typing import Any, NoReturn, Protocol
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.bridge.callers import Callers
 from pinel_desktop.links.bridge.exchange import POSE_EXAMPLE
 from pinel_desktop.messages import explain
-from pinel_desktop.robot.record import BridgeRecord
 
 STATUS = {
     "bridge_request_wrong": 400,
@@ -21,8 +21,6 @@ STATUS = {
     "bridge_path_unknown": 404,
     "bridge_method_wrong": 405,
     "bridge_other_client": 409,
-    "bridge_client_restarted": 409,
-    "bridge_not_running": 409,
     "bridge_too_large": 413,
     "bridge_json_invalid": 422,
     "bridge_pose_invalid": 422,
@@ -33,13 +31,18 @@ STATUS = {
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """A request as it came. `headers` have names in lower case; `client` is the sender's IP address."""
+    """A request as it came. `headers` have names in lower case; `client` is the sender's IP address.
+
+    Attributes:
+        number: of this request alone; a stream makes the same request again and again.
+    """
 
     method: str
     target: str
     headers: Mapping[str, str]
     body: bytes
     client: str
+    number: int = field(default_factory=count().__next__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +54,7 @@ class Answer:
     """
 
     status: int
-    document: Mapping[str, Any] | None
+    document: Mapping[str, Any] | list[Any] | None
     headers: Mapping[str, str] = field(default_factory=dict)
     jpeg: bytes | None = None
 
@@ -65,49 +68,121 @@ class Conversation(Protocol):
 
     def status(self) -> dict[str, Any]: ...
 
-    def begin(self, client: str) -> dict[str, Any]: ...
 
-    def end(self, client: str) -> dict[str, Any]: ...
+class Batch:
+    """The flag that a block page sets before its first command and clears after its last one.
+
+    It says nothing about a run, and does nothing to one.
+    """
+
+    def __init__(self) -> None:
+        self._number = 0
+        self._is_on = False
+
+    @property
+    def number(self) -> int | None:
+        """Which batch it is; None between two of them."""
+        return self._number if self._is_on else None
+
+    def begin(self) -> dict[str, Any]:
+        self._number += 1
+        self._is_on = True
+        return {"ok": True}
+
+    def end(self) -> dict[str, Any]:
+        self._is_on = False
+        return {"ok": True}
+
+
+@dataclass(frozen=True, slots=True)
+class Door:
+    """Who may ask for a route, and how.
+
+    Attributes:
+        for_robots: it is the route of a robot; web pages of this PC are not robots.
+    """
+
+    method: str
+    for_robots: bool = False
 
 
 class Routes:
-    """Answers requests for the record's address and key."""
+    """Answers requests to `/bridge/*`.
 
-    def __init__(self, record: BridgeRecord, exchange: Conversation) -> None:
-        self._callers = Callers(record)
-        self._routes: dict[str, tuple[str, Callable[[Request], dict[str, Any]]]] = {
-            "/bridge/cmd_vel": ("GET", lambda request: exchange.velocity(request.client)),
-            "/bridge/pose": (
-                "POST",
-                lambda request: _take_pose(exchange, request),
-            ),
-            "/bridge/status": ("GET", lambda request: exchange.status()),
-            "/bridge/run_start": ("POST", lambda request: exchange.begin(request.client)),
-            "/bridge/run_end": ("POST", lambda request: exchange.end(request.client)),
+    Attributes:
+        conversation: who answers the robot; another one with each run.
+        batch: the flag of a block page.
+    """
+
+    def __init__(self, conversation: Conversation, callers: Callers) -> None:
+        self.conversation, self.batch = conversation, Batch()
+        self._callers = callers
+        self._routes: dict[str, tuple[Door, Callable[[Request], dict[str, Any]]]] = {
+            "/bridge/cmd_vel": (Door("GET", for_robots=True), self._velocity),
+            "/bridge/pose": (Door("POST", for_robots=True), self._pose),
+            "/bridge/status": (Door("GET"), self._status),
+            "/bridge/run_start": (Door("POST"), lambda request: self.batch.begin()),
+            "/bridge/run_end": (Door("POST"), lambda request: self.batch.end()),
         }
+        self._doors = {path: door for path, (door, _) in self._routes.items()}
 
-    @property
-    def paths(self) -> list[str]:
-        """All paths that are answered here."""
-        return list(self._routes)
+    def add(self, doors: Mapping[str, Door]) -> None:
+        """Lets `enter` decide about further routes, which somebody else answers."""
+        self._doors |= doors
+
+    def enter(self, request: Request) -> tuple[Answer | None, dict[str, str]]:
+        """What is answered at the door, None for who may enter; and the headers that let a web page read the answer."""
+        path, _, query = request.target.partition("?")
+        door = self._doors.get(path)
+        try:
+            for_robots = door is not None and door.for_robots
+            origin = self._callers.page_origin(request.headers, for_robots=for_robots)
+        except PinelError as error:
+            return refusal(error), {}
+        shared = _shared_with(origin)
+        if request.method == "OPTIONS" and origin and door:
+            return Answer(204, None, {**shared, **_preflight(door.method)}), {}
+        try:
+            self._callers.require_key(request.headers, query)
+            if door is None:
+                raise PinelError("bridge_path_unknown", path=path, known=list(self._doors))
+            if request.method != door.method:
+                allowed = door.method
+                raise PinelError("bridge_method_wrong", method=request.method, allowed=allowed)
+        except PinelError as error:
+            return with_headers(refusal(error), shared), {}
+        return None, shared
 
     def answer(self, request: Request) -> Answer:
         """The answer to any request; what is wrong with it is said in words."""
+        refused, shared = self.enter(request)
+        return refused or with_headers(self.reply(request), shared)
+
+    def reply(self, request: Request) -> Answer:
+        """The answer to a request to `/bridge/*` that may enter."""
+        _, handle = self._routes[request.target.partition("?")[0]]
         try:
-            return Answer(200, self._answer(request))
+            return Answer(200, handle(request))
         except PinelError as error:
             return refusal(error)
 
-    def _answer(self, request: Request) -> dict[str, Any]:
-        path, _, query = request.target.partition("?")
-        self._callers.require_program(request.headers)
-        self._callers.require_key(request.headers, query)
-        if path not in self._routes:
-            raise PinelError("bridge_path_unknown", path=path, known=self.paths)
-        method, handle = self._routes[path]
-        if request.method != method:
-            raise PinelError("bridge_method_wrong", method=request.method, allowed=method)
-        return handle(request)
+    def _velocity(self, request: Request) -> dict[str, Any]:
+        return self.conversation.velocity(request.client)
+
+    def _pose(self, request: Request) -> dict[str, Any]:
+        try:
+            document = _document(request.body)
+        except PinelError:
+            # counts as an impossible pose: the link names a robot that posts nothing else
+            with contextlib.suppress(PinelError):
+                self.conversation.take_pose(request.client, None)
+            raise
+        return self.conversation.take_pose(request.client, document)
+
+    def _status(self, request: Request) -> dict[str, Any]:
+        """Active while a run holds the robot, and in a batch of the page: a robot side leaves when it is not."""
+        status = self.conversation.status()
+        return {"active": status["active"] or self.batch.number is not None}
 
 
 def refusal(error: PinelError) -> Answer:
@@ -125,19 +200,27 @@ def refusal(error: PinelError) -> Answer:
     return Answer(STATUS[error.code], document, {"Allow": str(allowed)} if allowed else {})
 
 
+def with_headers(answer: Answer, headers: Mapping[str, str]) -> Answer:
+    """The answer with more headers."""
+    return Answer(answer.status, answer.document, {**answer.headers, **headers}, answer.jpeg)
+
+
+def _shared_with(origin: str | None) -> dict[str, str]:
+    """Lets a web page of that origin read the answer."""
+    return {"Access-Control-Allow-Origin": origin, "Vary": "Origin"} if origin else {}
+
+
+def _preflight(method: str) -> dict[str, str]:
+    """What a browser asks before it sends a page's request."""
+    return {
+        "Access-Control-Allow-Methods": method,
+        "Access-Control-Allow-Headers": "Content-Type, X-PINEL-Key",
+        "Access-Control-Allow-Private-Network": "true",
+    }
+
+
 def _plain(value: object) -> object:
     return value if isinstance(value, list) else str(value)
-
-
-def _take_pose(exchange: Conversation, request: Request) -> dict[str, Any]:
-    try:
-        document = _document(request.body)
-    except PinelError:
-        # counts as an impossible pose: the link names a robot that posts nothing else
-        with contextlib.suppress(PinelError):
-            exchange.take_pose(request.client, None)
-        raise
-    return exchange.take_pose(request.client, document)
 
 
 def _document(body: bytes) -> Any:

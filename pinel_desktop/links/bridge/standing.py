@@ -10,10 +10,16 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any
 
-from pinel_desktop.errors import PinelError
 from pinel_desktop.links.bridge.callers import Callers
 from pinel_desktop.links.bridge.listener import MAX_BODY_BYTES, Answered, Listener
-from pinel_desktop.links.bridge.routes import Answer, Request, Routes, refusal
+from pinel_desktop.links.bridge.routes import (
+    Answer,
+    Conversation,
+    Door,
+    Request,
+    Routes,
+    with_headers,
+)
 from pinel_desktop.robot.record import BridgeRecord
 
 _EVERYWHERE = ("0.0.0.0", "::")
@@ -46,19 +52,15 @@ class _Idle:
     def status(self) -> dict[str, Any]:
         return {"active": False}
 
-    def begin(self, client: str) -> dict[str, Any]:
-        return {"ok": True, "active": False}
-
-    def end(self, client: str) -> dict[str, Any]:
-        raise PinelError("bridge_not_running")
-
 
 class StandingBridge:
     """Listens once constructed, answers after `start`.
 
     Args:
         handed: the routes that `ask` answers.
-        ask: called on the listener's thread; must not wait. The future is cancelled when the client hangs up.
+        ask: takes the request, the number of the page's batch (None between two), and whether a web page asks; called
+            on the listener's thread; must not wait. The future is cancelled when the client hangs up.
+        file_pages: as in `Callers`.
 
     Raises:
         PinelError: `bridge_port_busy`, `bridge_address_wrong`.
@@ -68,11 +70,14 @@ class StandingBridge:
         self,
         record: BridgeRecord,
         handed: Mapping[str, HandedRoute],
-        ask: Callable[[Request], Future[Answer]],
+        ask: Callable[[Request, int | None, bool], Future[Answer]],
+        *,
+        file_pages: bool = False,
     ) -> None:
         self._host, self._handed, self._ask = record.host, handed, ask
-        self._callers = Callers(record)
-        self._idle = self._routes = Routes(record, _Idle())
+        self._idle = _Idle()
+        self._routes = Routes(self._idle, Callers(record, file_pages=file_pages))
+        self._routes.add({path: Door(route.method) for path, route in handed.items()})
         self._listener = Listener(record.host, record.port, self._answer, self._max_body)
         self.port = self._listener.port
 
@@ -92,44 +97,27 @@ class StandingBridge:
         """Whether it listens where the record says."""
         return record.port == self.port and self._host in (record.host, *_EVERYWHERE)
 
-    def attach(self, routes: Routes) -> None:
+    def attach(self, conversation: Conversation) -> None:
         """`/bridge/*` is a run's until `detach`."""
-        self._routes = routes
+        self._routes.conversation = conversation
 
-    def detach(self, routes: Routes) -> None:
-        """The run that attached these drives no more."""
-        if self._routes is routes:
-            self._routes = self._idle
+    def detach(self, conversation: Conversation) -> None:
+        """The run that attached this drives no more."""
+        if self._routes.conversation is conversation:
+            self._routes.conversation = self._idle
 
     def _max_body(self, target: str) -> int:
         route = self._handed.get(target.partition("?")[0])
         return route.max_body if route else MAX_BODY_BYTES
 
     def _answer(self, request: Request) -> Answered:
-        path, _, query = request.target.partition("?")
-        if path in self._handed:
-            return self._hand_on(request, self._handed[path], query)
-        if path in self._routes.paths:
-            return self._routes.answer(request)
-        known = [*self._routes.paths, *self._handed]
-        return refusal(PinelError("bridge_path_unknown", path=path, known=known))
-
-    def _hand_on(self, request: Request, route: HandedRoute, query: str) -> Answered:
-        try:
-            origin = self._callers.require_program_or_own_page(request.headers)
-        except PinelError as error:
-            return refusal(error)
-        shared = _shared_with(origin)
-        try:
-            if request.method == "OPTIONS" and origin:
-                return Answer(204, None, {**shared, **_preflight(route)})
-            self._callers.require_key(request.headers, query)
-            if request.method != route.method:
-                allowed = route.method
-                raise PinelError("bridge_method_wrong", method=request.method, allowed=allowed)
-        except PinelError as error:
-            return _with(refusal(error), shared)
-        return _when_done(self._ask(request), shared)
+        refused, shared = self._routes.enter(request)
+        if refused is not None:
+            return refused
+        if request.target.partition("?")[0] not in self._handed:
+            return with_headers(self._routes.reply(request), shared)
+        is_of_page = "Access-Control-Allow-Origin" in shared
+        return _when_done(self._ask(request, self._routes.batch.number, is_of_page), shared)
 
 
 def standing_bridge(record: BridgeRecord) -> StandingBridge | None:
@@ -139,31 +127,13 @@ def standing_bridge(record: BridgeRecord) -> StandingBridge | None:
     return bridge if bridge and bridge.serves(record) else None
 
 
-def _shared_with(origin: str | None) -> dict[str, str]:
-    """Lets a web page of that origin read the answer."""
-    return {"Access-Control-Allow-Origin": origin, "Vary": "Origin"} if origin else {}
-
-
-def _preflight(route: HandedRoute) -> dict[str, str]:
-    """What a browser wants to know before it sends a page's request."""
-    return {
-        "Access-Control-Allow-Methods": route.method,
-        "Access-Control-Allow-Headers": "Content-Type, X-PINEL-Key",
-        "Access-Control-Allow-Private-Network": "true",
-    }
-
-
-def _with(answer: Answer, headers: Mapping[str, str]) -> Answer:
-    return Answer(answer.status, answer.document, {**answer.headers, **headers}, answer.jpeg)
-
-
 def _when_done(asked: "Future[Answer]", headers: Mapping[str, str]) -> "Future[Answer]":
     """The answer with more headers; cancelling it cancels what was asked."""
     told: Future[Answer] = Future()
 
     def settle(answer: "Future[Answer]") -> None:
         if not answer.cancelled() and told.set_running_or_notify_cancel():
-            told.set_result(_with(answer.result(), headers))
+            told.set_result(with_headers(answer.result(), headers))
 
     told.add_done_callback(lambda done: asked.cancel() if done.cancelled() else None)
     asked.add_done_callback(settle)

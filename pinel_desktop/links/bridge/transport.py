@@ -4,6 +4,7 @@ import time
 from typing import Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.links.bridge.callers import Callers
 from pinel_desktop.links.bridge.exchange import Exchange
 from pinel_desktop.links.bridge.listener import Listener
 from pinel_desktop.links.bridge.routes import Routes
@@ -34,12 +35,12 @@ class BridgeTransport:
         self._exchange: Exchange | None = None
         self._listener: Listener | None = None
         self._standing: StandingBridge | None = None
-        self._routes: Routes | None = None
+        self._answering: Exchange | None = None
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
         record = self._record
         self._exchange = exchange = Exchange(receiver)
-        self._answer(Routes(record, exchange))
+        self._answer(exchange)
         due_s = time.monotonic() + record.wait_s
         while not exchange.asked.wait(_POLL_S) and not cancelled():
             if time.monotonic() > due_s:
@@ -47,14 +48,15 @@ class BridgeTransport:
 
     def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
         """Takes poses and hands out zeros; a client that comes later is heard, too."""
-        self._answer(Routes(self._record, Exchange(receiver)))
+        self._answer(Exchange(receiver))
 
-    def _answer(self, routes: Routes) -> None:
+    def _answer(self, exchange: Exchange) -> None:
         """Answers clients from now on."""
-        self._routes, self._standing = routes, standing_bridge(self._record)
+        self._answering, self._standing = exchange, standing_bridge(self._record)
         if self._standing is not None:
-            self._standing.attach(routes)
+            self._standing.attach(exchange)
             return
+        routes = Routes(exchange, Callers(self._record))
         self._listener = Listener(self._record.host, self._record.port, routes.answer)
         self.port = self._listener.port
         self._listener.start()
@@ -71,8 +73,8 @@ class BridgeTransport:
             self._exchange.finish(_FAREWELL_S)
         if self._listener is not None:
             self._listener.close()
-        if self._standing is not None and self._routes is not None:
-            self._standing.detach(self._routes)
+        if self._standing is not None and self._answering is not None:
+            self._standing.detach(self._answering)
 
 
 def bridge_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:

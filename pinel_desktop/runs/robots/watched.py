@@ -187,4 +187,4 @@ class WatchedRobot:
 
 
 # After these nobody knows where the robot is.
-_LOST = frozenset({"reference_lost", "odometry_frame_changed", "bridge_client_restarted"})
+_LOST = frozenset({"reference_lost", "odometry_frame_changed"})

@@ -1,6 +1,7 @@
 """Answers the requests that the engine hands on: the routes of the original PINEL."""
 
 import base64
+import json
 import logging
 import threading
 from collections.abc import Callable
@@ -14,9 +15,10 @@ from pinel_desktop.robot.record import BridgeRecord
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.legacy import open_run
+from pinel_desktop.web.legacy.execute_answers import for_each
 from pinel_desktop.web.legacy.keeping import Commands, Keeping
 from pinel_desktop.web.legacy.open_run import Event, OpenRun, Outcome
-from pinel_desktop.web.legacy.pictures import Pictures
+from pinel_desktop.web.legacy.streams import STREAM_S, Streams
 from pinel_desktop.web.responses import describe_faults, error_body, json_safe, plain, status_of
 from storage import SIMULATOR, StoreError
 
@@ -48,10 +50,12 @@ class BridgeChoice:
 
     Attributes:
         robot: name of the link; `bridge` is the program that asks this bridge for velocities.
+        file_pages: whether pages that were opened as a file are answered without a key.
     """
 
     record: BridgeRecord
     robot: str = SIMULATOR
+    file_pages: bool = False
 
 
 class LegacyApi:
@@ -67,8 +71,9 @@ class LegacyApi:
         self._parts, self._engine, self._choice = parts, engine, choice
         keeping = Keeping(parts.store, parts.app_version, lambda: parts.preferences.language)
         self._run = OpenRun(engine, keeping, self._spec, self._check, later)
-        self._pictures = Pictures(parts.camera)
-        self._routes: dict[str, tuple[str, int, Callable[[bytes, threading.Event], Message]]] = {
+        self._streams = Streams(self._run, parts.camera, self._caption)
+        self._batch: int | None = None
+        self._routes: dict[str, tuple[str, int, Callable[[Message, threading.Event], Message]]] = {
             "/execute": ("POST", MAX_BYTES, self._execute),
             "/classify_gestures": ("POST", MAX_BYTES, self._classify),
             "/get_last_gesture_result": ("GET", 0, self._last_result),
@@ -86,7 +91,13 @@ class LegacyApi:
             for path, (method, max_body, _) in self._routes.items()
         }
         record = self._choice.record.as_message()
-        listen = {"type": "bridge_listen", "record": record, "routes": routes}
+        listen = {
+            "type": "bridge_listen",
+            "record": record,
+            "routes": routes,
+            "file_pages": self._choice.file_pages,
+        }
+        self._parts.camera.wake()  # a page waits 10 s for a sign, no longer
         self._engine.keep_bridge(listen, self.receive)
         threading.Thread(target=self._say_alive, name="bridge-alive", daemon=True).start()
 
@@ -130,9 +141,8 @@ class LegacyApi:
         number = message["question"]
         withdrawn = self._open[number]
         _, _, work = self._routes[message["path"]]
-        body = message["body"].encode("utf-8", "surrogateescape")
         try:
-            answer = work(body, withdrawn)
+            answer = work(message, withdrawn)
         except (PinelError, StoreError) as error:
             answer = self._refusal(error)
         except Exception as error:
@@ -147,20 +157,58 @@ class LegacyApi:
             if self._open:
                 self._engine.tell_bridge({"type": "bridge_alive"})
 
-    def _execute(self, body: bytes, withdrawn: threading.Event) -> Message:
-        return _answered(self._told(self._run.call(self._commands(body), withdrawn)))
+    def _execute(self, message: Message, withdrawn: threading.Event) -> Message:
+        body = message["body"].encode("utf-8", "surrogateescape")
+        commands = self._commands(body)
+        outcome = self._call(commands, message, withdrawn)
+        told = self._told(outcome)
+        if message["of_page"] and outcome is not None:
+            return _answered(for_each(json.loads(body), outcome, told.get("error")))
+        return _answered(told)
 
-    def _classify(self, body: bytes, withdrawn: threading.Event) -> Message:
-        outcome = self._run.call(_CAPTURE, withdrawn)
+    def _classify(self, message: Message, withdrawn: threading.Event) -> Message:
+        outcome = self._call(_CAPTURE, message, withdrawn)
         told = self._told(outcome)
         is_done = outcome is not None and outcome.state == "ok"
-        return _answered({"result": self._run.result} if is_done else told)
+        return _answered({"result": self._run.result or ""} if is_done else told)
 
-    def _last_result(self, body: bytes, withdrawn: threading.Event) -> Message:
+    def _call(
+        self, commands: Commands, message: Message, withdrawn: threading.Event
+    ) -> Outcome | None:
+        """How a call goes; a capture that a stream has begun already is that of a call for one."""
+        if (capture := self._streams.current()) is not None:
+            capture.over.wait(STREAM_S)
+            is_joined = len(commands) == 1 and commands[0]["action"] == _CAPTURE[0]["action"]
+            if is_joined and capture.outcome is not None:
+                return capture.outcome
+        if ended := self._ended_in(message["batch"] if message["of_page"] else None):
+            return ended
+        return self._run.call(commands, withdrawn)
+
+    def _ended_in(self, batch: int | None) -> Outcome | None:
+        """Why nothing more of a page's batch is driven: the page itself goes on after a Stop."""
+        ended = self._run.cut_short
+        if batch is None or batch != self._batch:
+            self._batch, self._run.cut_short = batch, None
+        elif ended is not None:
+            return Outcome(ended.state, 0, ended.code, ended.params)
+        return None
+
+    def _last_result(self, message: Message, withdrawn: threading.Event) -> Message:
+        self._streams.settle()
         return _answered({"resultado": self._run.result})
 
-    def _picture(self, body: bytes, withdrawn: threading.Event) -> Message:
-        return {"status": 200, "jpeg": base64.b64encode(self._pictures.next()).decode("ascii")}
+    def _picture(self, message: Message, withdrawn: threading.Event) -> Message:
+        may_capture = self._ended_in(message["batch"]) is None
+        picture = self._streams.picture(message["request"], may_capture=may_capture)
+        if picture is None:
+            return _answered({})
+        return {"status": 200, "jpeg": base64.b64encode(picture).decode("ascii")}
+
+    def _caption(self, result: str | None) -> str:
+        code = "bridge_capture" if result is None else "bridge_sign" if result else "bridge_no_sign"
+        values = {"sign": result} if result else {}
+        return describe(code, values, self._parts.preferences.language).message
 
     def _commands(self, body: bytes) -> Commands:
         """The commands of a call. Raises PinelError `invalid_program`, with all faults, and `bridge_list_needed`."""
@@ -223,5 +271,5 @@ class LegacyApi:
         return {"status": status, "document": {"error": plain(body)}}
 
 
-def _answered(document: dict[str, Any]) -> Message:
+def _answered(document: dict[str, Any] | list[dict[str, Any]]) -> Message:
     return {"status": 200, "document": document}

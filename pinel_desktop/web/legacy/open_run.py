@@ -6,8 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, Protocol
 
-from pinel_desktop.engine.commands import Append, Command, Finish, Stop
+from pinel_desktop.engine.commands import Abandon, AnswerCapture, Append, Command, Finish
 from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.control import BY_PERSON
 from pinel_desktop.robot.record import ROOM
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.web.legacy.keeping import Commands, Keeping, with_blocks
@@ -37,14 +38,16 @@ class Outcome(NamedTuple):
     """How a call went.
 
     Attributes:
-        n_executed: how many of its commands were executed.
+        n_executed: how many of its commands were executed, those inside others counted.
         code, params: why it did not go to its end; None if it did.
+        results: the gesture result after each command of the call that is done, by its index.
     """
 
     state: Literal["ok", "stopped", "failed"]
     n_executed: int
     code: str | None = None
     params: Mapping[str, Any] = MappingProxyType({})
+    results: Mapping[int, str] = MappingProxyType({})
 
 
 def by_timer(delay_s: float, call: Callable[[], None]) -> Cancel:
@@ -64,7 +67,8 @@ class OpenRun:
         later: as `by_timer`.
 
     Attributes:
-        result: the last gesture result of the run, or of the last one; "" before any.
+        result: the last gesture result of all runs; "" if nothing was recognised, None before any.
+        cut_short: how the last run ended if it was stopped or failed; None while another one is open.
     """
 
     def __init__(
@@ -75,7 +79,8 @@ class OpenRun:
         check: Callable[[Commands], None],
         later: Callable[[float, Callable[[], None]], Cancel] = by_timer,
     ) -> None:
-        self.result = ""
+        self.result: str | None = None
+        self.cut_short: Outcome | None = None
         self._engine, self._keeping = engine, keeping
         self._make_spec, self._check, self._later = make_spec, check, later
         self._changed = threading.Condition()
@@ -86,6 +91,8 @@ class OpenRun:
         self._run: str | None = None
         self._commands: Commands = []
         self._n_executed = self._n_blocks = self._n_before_call = 0
+        self._results: dict[int, str] = {}
+        self._run_result, self._is_capturing = "", False
 
     @property
     def is_watched(self) -> bool:
@@ -97,12 +104,20 @@ class OpenRun:
     def call(self, commands: Commands, withdrawn: threading.Event) -> Outcome | None:
         """Carries out the commands; None when the caller has left meanwhile, which stops the robot.
 
+        Raises what `begin` raises.
+        """
+        if not commands:
+            return Outcome("ok", 0)
+        self.begin(commands)
+        return self.wait(withdrawn.is_set)
+
+    def begin(self, commands: Commands) -> None:
+        """Has the commands carried out; `wait` must follow.
+
         Raises:
             PinelError: `bridge_busy`, `run_in_progress`, `engine_not_ready`, and what `make_spec` and `check` raise.
             StoreError: why the run cannot be kept.
         """
-        if not commands:
-            return Outcome("ok", 0)
         self._take_turn()
         before = self._commands, self._n_blocks
         try:
@@ -110,15 +125,28 @@ class OpenRun:
         except BaseException:
             self._give_turn_back(*before)
             raise
-        return self._wait(withdrawn)
+
+    def end_capture(self) -> bool:
+        """Ends the capture that is under way, as if nothing was seen; False if none is."""
+        run = self._run
+        if run is None or not self._is_capturing:
+            return False
+        with contextlib.suppress(PinelError):  # it has just ended
+            self._engine.command(run, AnswerCapture(result="", by="camera"))
+        return True
 
     def observe(self, event: Event) -> None:
         """To be called with every event of live runs, in order, when the store has it."""
         if event["run"] != self._run:
             return
         match event["type"]:
+            case "capture_started":
+                self._is_capturing = True
             case "gesture_result":
-                self.result = event["result"]
+                self._is_capturing = False
+                self.result = self._run_result = event["result"]
+            case "block_ended":
+                self._command_done(event["pointer"])
             case "commands_awaited":
                 self._calls_done(event)
             case "run_ended":
@@ -137,6 +165,7 @@ class OpenRun:
                 raise PinelError("run_in_progress")
             self._cancel_end()
             self._state, self._outcome, self._caller_left = "busy", None, False
+            self._results = {}
 
     def _is_up_to_date(self) -> bool:
         """Whether the end of the run, if it has ended, has been observed."""
@@ -165,7 +194,7 @@ class OpenRun:
     def _begin(self, commands: Commands) -> None:
         spec = self._make_spec(self._keeping.document(commands))
         run = self._keeping.begin(spec, ROOM if spec.robot else str(spec.world["name"]))  # type: ignore[index] # a document
-        self._run, self.result = run, ""
+        self._run, self.cut_short = run, None
         try:
             self._engine.run(run, spec, [Append(commands=[])])
         except PinelError:
@@ -173,23 +202,32 @@ class OpenRun:
             self._keeping.discard(run)
             raise
 
-    def _wait(self, withdrawn: threading.Event) -> Outcome | None:
+    def wait(self, has_left: Callable[[], bool]) -> Outcome | None:
+        """How the call went that `begin` began; None when the caller has left, which stops the robot."""
         with self._changed:
             while self._outcome is None:
-                if withdrawn.is_set():
+                if has_left():
                     self._caller_left = True
                     break
                 self._changed.wait(_LOOK_S)
             outcome, run = self._outcome, self._run
         if outcome is None and run is not None:
             with contextlib.suppress(PinelError):  # it has just ended
-                self._engine.command(run, Stop())
+                self._engine.command(run, Abandon())
         return outcome
+
+    def _command_done(self, pointer: str) -> None:
+        """Notes the gesture result after a command of the call itself, not of one inside another."""
+        _, _, place = pointer.partition("/commands/")
+        if place.isdecimal():
+            self._results[int(place) - self._n_before_call] = self.result or ""
 
     def _calls_done(self, event: Event) -> None:
         with self._changed:
-            self.result = event["result"]
-            self._outcome = Outcome("ok", event["n_executed"] - self._n_executed)
+            if event["result"] != self._run_result:  # set by a command, not yet told as an event
+                self.result = self._run_result = event["result"]
+            n_executed = event["n_executed"] - self._n_executed
+            self._outcome = Outcome("ok", n_executed, results=self._results)
             self._n_executed = event["n_executed"]
             self._await_next_call()
             self._changed.notify_all()
@@ -211,6 +249,8 @@ class OpenRun:
         with self._changed:
             self._cancel_end()
             run, commands, outcome = self._run, self._commands, self._outcome_of(event)
+            # a run that waited in vain has finished; one that a person ended while it waited says so, too
+            self.cut_short = None if self._state == "ending" else outcome
             if self._state == "busy" and event["state"] == "finished":
                 # somebody stopped it between two calls, before it had taken the commands of this one
                 commands = commands[: self._n_before_call]
@@ -226,11 +266,13 @@ class OpenRun:
     def _outcome_of(self, event: Event) -> Outcome:
         n_executed = (event["n_executed"] or self._n_executed) - self._n_executed
         if event["state"] == "failed":
-            return Outcome("failed", n_executed, event["reason"], event["params"])
-        return Outcome("stopped", n_executed, "stopped_by_person")
+            reason = event["reason"], event["params"]
+            return Outcome("failed", n_executed, *reason, results=self._results)
+        return Outcome("stopped", n_executed, event["reason"] or BY_PERSON, results=self._results)
 
     def _forget(self) -> None:
         self._run, self._commands = None, []
+        self._run_result, self._is_capturing = "", False
         self._n_executed = self._n_blocks = self._n_before_call = 0
 
 

@@ -1,0 +1,157 @@
+"""`GET /classify_stream`: a capture that begins with the request, and the pictures in which people follow it."""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.web.legacy.keeping import Commands
+from pinel_desktop.web.legacy.open_run import OpenRun, Outcome
+from pinel_desktop.web.legacy.pictures import Pictures
+from pinel_desktop.web.services import Camera
+
+# The original's page looks for 10 s and then asks for the result: it is there before.
+STREAM_S = 9.5
+_END_CAPTURE_S = 9.0
+CAPTURE: Commands = [{"action": "classify_gestures", "timeout": 8}]
+_RESULT_S = 2.0
+# So long without a request for the next picture: nobody watches any more.
+_UNWATCHED_S = 3.0
+_BUSY = ("bridge_busy", "run_in_progress")
+
+
+@dataclass(slots=True)
+class _Capture:
+    """A capture that is watched.
+
+    Attributes:
+        started_s, watched_s: when it began, and when a picture was last asked for or shown.
+        n_waiting: requests that wait for a picture.
+        result_s: when its result was there.
+        has_camera: whether there was a picture.
+        over: set when it has a result.
+    """
+
+    started_s: float
+    watched_s: float
+    n_waiting: int = 0
+    result_s: float | None = None
+    has_camera: bool = True
+    outcome: Outcome | None = None
+    over: threading.Event = field(default_factory=threading.Event)
+
+
+@dataclass(frozen=True, slots=True)
+class _Stream:
+    """One connection; without a capture it only shows the camera."""
+
+    started_s: float
+    capture: _Capture | None
+
+
+class Streams:
+    """Thread-safe.
+
+    Args:
+        caption: the line in the pictures: of a capture that waits (None), or of its result.
+    """
+
+    def __init__(self, run: OpenRun, camera: Camera, caption: Callable[[str | None], str]) -> None:
+        self._run, self._camera, self._caption = run, camera, caption
+        self._pictures = Pictures(camera)
+        self._lock = threading.Lock()
+        self._streams: dict[str, _Stream] = {}
+        self._capture: _Capture | None = None
+
+    def picture(self, request: str, *, may_capture: bool) -> bytes | None:
+        """The next picture of a stream, None at its end; the first one begins a capture unless something runs.
+
+        Args:
+            request: which stream.
+
+        Raises:
+            PinelError: what is wrong with the camera, such as `camera_missing`; why no capture can begin.
+            StoreError: why the run cannot be kept.
+        """
+        with self._lock:
+            stream = self._streams.get(request) or self._begin(request, may_capture)
+            is_over = _is_over(stream)
+            if is_over:
+                del self._streams[request]
+        if is_over:
+            return None
+        return self._next_picture(stream.capture)
+
+    def current(self) -> _Capture | None:
+        """The capture that has no result yet."""
+        capture = self._capture
+        return capture if capture and not capture.over.is_set() else None
+
+    def settle(self) -> None:
+        """Waits for the result of a capture whose time is up."""
+        capture = self.current()
+        if capture and time.monotonic() - capture.started_s > _END_CAPTURE_S:
+            capture.over.wait(STREAM_S - _END_CAPTURE_S + _UNWATCHED_S)
+
+    def _next_picture(self, capture: _Capture | None) -> bytes:
+        if capture is None:
+            return self._pictures.next()
+        capture.n_waiting += 1
+        try:
+            return self._pictures.next()
+        except PinelError:
+            capture.has_camera = False  # a person can answer on the page meanwhile
+            raise
+        finally:
+            capture.n_waiting -= 1
+            capture.watched_s = time.monotonic()
+
+    def _begin(self, request: str, may_capture: bool) -> _Stream:
+        now_s = time.monotonic()
+        old = [one for one, it in self._streams.items() if now_s - it.started_s > 2 * STREAM_S]
+        for one in old:
+            del self._streams[one]
+        capture = self.current() or (self._begin_capture(now_s) if may_capture else None)
+        if capture is None:
+            self._camera.caption("")
+        stream = self._streams[request] = _Stream(now_s, capture)
+        return stream
+
+    def _begin_capture(self, now_s: float) -> _Capture | None:
+        """None where something else runs: who watches then only watches."""
+        try:
+            self._run.begin(CAPTURE)
+        except PinelError as error:
+            if error.code in _BUSY:
+                return None
+            raise
+        self._capture = capture = _Capture(now_s, now_s)
+        self._camera.caption(self._caption(None))
+        threading.Thread(target=self._follow, args=(capture,), daemon=True).start()
+        return capture
+
+    def _follow(self, capture: _Capture) -> None:
+        capture.outcome = self._run.wait(lambda: self._is_given_up(capture))
+        capture.result_s = time.monotonic()
+        self._camera.caption(self._caption(self._run.result or ""))
+        capture.over.set()
+
+    def _is_given_up(self, capture: _Capture) -> bool:
+        """Ends a capture whose time is up, or that nobody watches; True where none has begun in that time."""
+        now_s = time.monotonic()
+        is_watched = (
+            capture.n_waiting > 0
+            or not capture.has_camera
+            or now_s - capture.watched_s < _UNWATCHED_S
+        )
+        if is_watched and now_s - capture.started_s < _END_CAPTURE_S:
+            return False
+        return not self._run.end_capture()
+
+
+def _is_over(stream: _Stream) -> bool:
+    now_s, capture = time.monotonic(), stream.capture
+    shown_s = capture.result_s if capture else None
+    is_shown = shown_s is not None and now_s - shown_s > _RESULT_S
+    return is_shown or now_s - stream.started_s > STREAM_S
