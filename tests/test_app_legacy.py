@@ -258,9 +258,12 @@ def test_a_page_reads_one_object_for_each_command(bridged: Bridged) -> None:
     assert client.as_page("/execute") == []
 
 
-def test_after_a_stop_nothing_more_of_a_page_s_batch_is_driven(bridged: Bridged) -> None:
+def test_after_a_stop_nothing_more_of_a_page_s_batch_is_driven(
+    bridged: Bridged, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The page itself would go on with its next command."""
     client = bridged.client
+    monkeypatch.setattr(open_run, "BATCH_SILENCE_S", 600.0)
     assert client.post("/bridge/run_start", None) == (200, {"ok": True})
     thread, answers = bridged.in_background(lambda: client.as_page("/execute", *FAR))
     until(lambda: bridged.live_run() is not None)
@@ -274,8 +277,26 @@ def test_after_a_stop_nothing_more_of_a_page_s_batch_is_driven(bridged: Bridged)
         assert client.post(f"/bridge/{path}", None) == (200, {"ok": True})
     assert client.as_page("/execute", SIDE)[0]["status"] == "ok"
     assert client.post("/bridge/run_end", None) == (200, {"ok": True})
-    assert bridged.live_run() is not None  # it waits for a next call as ever
+    run = bridged.live_run()
     assert client.as_page("/execute", SIDE)[0]["status"] == "ok"
+    assert bridged.live_run() == run
+
+
+def test_soon_after_the_batch_of_a_page_its_run_has_finished(bridged: Bridged) -> None:
+    client = bridged.client
+    for path in ("run_start", "run_end", "run_start"):
+        client.post(f"/bridge/{path}", None)
+    thread, answers = bridged.in_background(lambda: client.as_page("/execute", SIDE))
+    until(lambda: bridged.live_run() is not None)
+    run = bridged.live_run()
+    assert run
+    client.post("/bridge/run_end", None)  # in the middle of a command: of no effect on it
+    thread.join()
+    assert answers == [[{**SIDE, "status": "ok"}]]
+    client.post("/bridge/run_end", None)
+    until(lambda: bridged.live_run() is None)
+    kept = bridged.kept(run)
+    assert (kept["state"], kept["reason"], kept["n_executed"]) == ("finished", None, 1)
 
 
 def test_a_caller_who_hangs_up_stops_the_robot(bridged: Bridged) -> None:

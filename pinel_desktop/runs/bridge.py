@@ -11,6 +11,7 @@ To the owner:
 - `bridge_listens` with `port`, or `bridge_refused` with `code` and `params`;
 - `bridge_asked` with `question`, `method`, `path`, `body`, `request` (of one stream the same), `batch` (of the page;
   null between two) and `of_page` (whether a web page asks);
+- `bridge_batch_ended`: a block page says that it has sent its last command;
 - `bridge_withdrawn` with `question`: the client hung up, or the owner was silent for too long.
 """
 
@@ -60,7 +61,11 @@ class OwnedBridge:
             record = record_from(message["record"])
             assert isinstance(record, BridgeRecord)
             self._bridge = StandingBridge(
-                record, routes, self._questions.ask, file_pages=message["file_pages"]
+                record,
+                routes,
+                self._questions.ask,
+                file_pages=message["file_pages"],
+                on_batch_end=lambda: self._questions.tell({"type": "bridge_batch_ended"}),
             )
         except PinelError as error:
             self._send({"type": "bridge_refused", "code": error.code, "params": error.params})

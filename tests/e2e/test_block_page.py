@@ -16,7 +16,6 @@ from playwright.sync_api import Page
 
 from tests.e2e.app_process import AppProcess
 from tests.links.aurora import Aurora, free_port
-from tests.live_runs import command
 from tests.web.browser import Browser
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(240)]
@@ -65,9 +64,7 @@ class Served:
             time.sleep(0.1)
 
     def only_run(self) -> dict[str, Any]:
-        """The record of the run, which is ended as on the page if it waits for more."""
-        if run := self.browser.get("/api/status").data["run"]:
-            command(self.browser, run, "stop")
+        """The record of the run, which ends by itself soon after the batch of the page."""
         due_s = time.monotonic() + WAIT_S
         while True:
             (group,) = self.browser.get("/api/groups").data["groups"]
@@ -122,6 +119,8 @@ def test_a_page_of_this_pc_plays_a_program_with_a_gesture(
         opened(page, origins[origin], served.port, flags=True)
         assert played(page) == conversation(flags=True)
         run = served.only_run()
+        if served.aurora:  # it leaves when nothing is active any more and it has moved
+            assert served.aurora.has_ended(within_s=WAIT_S)
     finally:
         page.close()
         served.close()

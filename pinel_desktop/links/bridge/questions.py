@@ -77,6 +77,10 @@ class Questions:
         )
         return answer
 
+    def tell(self, message: Message) -> None:
+        """Sends the process a message that it does not answer."""
+        self._outbox.put(message)
+
     def hear(self) -> None:
         """The process is there."""
         self._heard_s = time.monotonic()

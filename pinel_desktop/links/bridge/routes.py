@@ -72,10 +72,12 @@ class Conversation(Protocol):
 class Batch:
     """The flag that a block page sets before its first command and clears after its last one.
 
-    It says nothing about a run, and does nothing to one.
+    Args:
+        on_end: called each time it is cleared; must not wait.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, on_end: Callable[[], None]) -> None:
+        self._on_end = on_end
         self._number = 0
         self._is_on = False
 
@@ -91,6 +93,7 @@ class Batch:
 
     def end(self) -> dict[str, Any]:
         self._is_on = False
+        self._on_end()
         return {"ok": True}
 
 
@@ -114,8 +117,13 @@ class Routes:
         batch: the flag of a block page.
     """
 
-    def __init__(self, conversation: Conversation, callers: Callers) -> None:
-        self.conversation, self.batch = conversation, Batch()
+    def __init__(
+        self,
+        conversation: Conversation,
+        callers: Callers,
+        on_batch_end: Callable[[], None] = lambda: None,
+    ) -> None:
+        self.conversation, self.batch = conversation, Batch(on_batch_end)
         self._callers = callers
         self._routes: dict[str, tuple[Door, Callable[[Request], dict[str, Any]]]] = {
             "/bridge/cmd_vel": (Door("GET", for_robots=True), self._velocity),

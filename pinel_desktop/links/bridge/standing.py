@@ -61,6 +61,7 @@ class StandingBridge:
         ask: takes the request, the number of the page's batch (None between two), and whether a web page asks; called
             on the listener's thread; must not wait. The future is cancelled when the client hangs up.
         file_pages: as in `Callers`.
+        on_batch_end: as in `Batch`.
 
     Raises:
         PinelError: `bridge_port_busy`, `bridge_address_wrong`.
@@ -73,10 +74,12 @@ class StandingBridge:
         ask: Callable[[Request, int | None, bool], Future[Answer]],
         *,
         file_pages: bool = False,
+        on_batch_end: Callable[[], None] = lambda: None,
     ) -> None:
         self._host, self._handed, self._ask = record.host, handed, ask
         self._idle = _Idle()
-        self._routes = Routes(self._idle, Callers(record, file_pages=file_pages))
+        callers = Callers(record, file_pages=file_pages)
+        self._routes = Routes(self._idle, callers, on_batch_end)
         self._routes.add({path: Door(route.method) for path, route in handed.items()})
         self._listener = Listener(record.host, record.port, self._answer, self._max_body)
         self.port = self._listener.port

@@ -130,6 +130,8 @@ class LegacyApi:
             case "bridge_withdrawn":
                 if withdrawn := self._open.get(message["question"]):
                     withdrawn.set()
+            case "bridge_batch_ended":
+                self._run.wait_less()
             case "bridge_listens":
                 self._port = message["port"]
                 self._listening.set()

@@ -19,6 +19,8 @@ Cancel = Callable[[], None]
 
 # From the end of a call to the beginning of the next; after that it begins another run.
 SILENCE_S = 60.0
+# The same once a page has said that its batch is over: then the robot side may leave, as with the original.
+BATCH_SILENCE_S = 3.0
 _END_S = 10.0
 _LOOK_S = 0.2
 
@@ -231,6 +233,13 @@ class OpenRun:
             self._n_executed = event["n_executed"]
             self._await_next_call()
             self._changed.notify_all()
+
+    def wait_less(self) -> None:
+        """No call is expected soon; one that is being carried out goes on."""
+        with self._changed:
+            if self._state == "waiting":
+                self._cancel_end()
+                self._cancel_end = self._later(BATCH_SILENCE_S, self._end)
 
     def _await_next_call(self) -> None:
         self._state = "waiting"
