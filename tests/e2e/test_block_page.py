@@ -24,13 +24,13 @@ PAGE = Path(__file__).with_name("block_page.html")
 B = Path(__file__).parents[1] / "camera" / "recordings" / "b.npz"
 OVER_MS = 180_000
 WAIT_S = 60.0
-SIDE = {"action": "move_forward", "distance": 0.2}
-CORNER = {"action": "turn", "angle": -90}
+SIDE: dict[str, Any] = {"action": "move_forward", "distance": 0.2}
+CORNER: dict[str, Any] = {"action": "turn", "angle": -90}
 BRANCH = {"action": "conditional_execution", "sign": "B", "commands": [SIDE, CORNER]}
 OTHER = {"action": "conditional_execution", "sign": "A", "commands": [SIDE] * 9}
 PROGRAM = [{"action": "classificar_gestos"}, OTHER, BRANCH, {"action": "stop"}]
-SENT = {"action": "set_gesture_result", "resultado": "B"}
-DRIVEN = [SENT, SIDE, CORNER, {"action": "stop"}]
+SENT: dict[str, Any] = {"action": "set_gesture_result", "resultado": "B"}
+DRIVEN: list[dict[str, Any]] = [SENT, SIDE, CORNER, {"action": "stop"}]
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
