@@ -13,6 +13,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from cyclonedds.core import Policy, Qos
+from cyclonedds.idl import IdlStruct
+from cyclonedds.sub import DataReader
+from cyclonedds.topic import Topic
+from cyclonedds.util import duration
+
 from pinel_desktop.links.dds import messages as m
 from pinel_desktop.links.dds.session import Session, delete
 from pinel_desktop.robot import Twist2D
@@ -34,7 +40,9 @@ class Behaviour:
         broken: `nan`, `quaternion`, `jump`, `frame`, `clock` or `ahead`: what is wrong with the odometry.
         period_s: from one message to the next.
         publishes_commands: somebody else's participant publishes commands, too.
-        relays: the robot's own one does, as a bridge to ROS 1.
+        listens_to_commands: that one hears commands, too.
+        relays: the robot's own one publishes commands, as a bridge to ROS 1.
+        asks_for_last: it hears only who keeps the last command for it.
     """
 
     domain: int
@@ -47,6 +55,8 @@ class Behaviour:
     broken: str = ""
     period_s: float = PERIOD_S
     publishes_commands: bool = False
+    listens_to_commands: bool = False
+    asks_for_last: bool = False
     relays: bool = False
 
 
@@ -66,7 +76,11 @@ class DdsRobot:
         }
 
     def _reader(self, topic: str, name: str) -> Any:
-        return self._session.reader(self._prefix + topic, getattr(m, name)) if name else None
+        if not name:
+            return None
+        if self.behaviour.asks_for_last:
+            return reader_of_last(self._session, self._prefix + topic, getattr(m, name))
+        return self._session.reader(self._prefix + topic, getattr(m, name))
 
     def _writer(self, topic: str, name: str) -> Any:
         return self._session.writer(self._prefix + topic, getattr(m, name)) if name else None
@@ -109,6 +123,8 @@ class DdsRobot:
         wanted = self.behaviour.publishes_commands
         if wanted and self._others is None:
             self._others = Session(self.behaviour.domain, ("127.0.0.1",))
+            if self.behaviour.listens_to_commands:
+                self._others.reader(self._prefix + "cmd_vel", m.Twist)
             self._others.writer(self._prefix + "cmd_vel", m.Twist)
         elif not wanted and self._others is not None:
             self._others.close()
@@ -128,6 +144,13 @@ class DdsRobot:
         twist = m.Twist(m.Vector3(now.v_mps or 0.0), m.Vector3(z=now.omega_radps or 0.0))
         covariances = m.PoseWithCovariance(pose), m.TwistWithCovariance(twist)
         return m.Odometry(header, "base_link", *covariances)
+
+
+def reader_of_last(session: Session, topic: str, message: type[IdlStruct]) -> "DataReader[Any]":
+    """Hears only publishers that keep their last message for it, as a transient-local subscription of ROS."""
+    reliable = Policy.Reliability.Reliable(duration(milliseconds=100))
+    qos = Qos(reliable, Policy.Durability.TransientLocal, Policy.History.KeepLast(10))
+    return DataReader(session.participant, Topic(session.participant, f"rt/{topic}", message), qos)
 
 
 SCAN = m.LaserScan(

@@ -1,7 +1,15 @@
-"""A robot on a real rclpy, run by the Python of an installed ROS 2: `python3 rclpy_robot.py DOMAIN`.
+"""A program on a real rclpy, run by the Python of an installed ROS 2: `python3 rclpy_robot.py DOMAIN JSON`.
 
-A unicycle that follows `cmd_vel` at once and publishes `odom`, `scan` and `battery_state`. It prints a line for each
-velocity, and ends with its input.
+JSON says what it does; without any it is a robot:
+    node: its name; "" for that of the node which publishes `cmd_vel` now.
+    hears: subscribes to `cmd_vel`, and follows it at once as a unicycle.
+    durability: of that subscription, `volatile` or `transient_local`.
+    tells: publishes `odom`, `scan` and `battery_state`.
+    drives: publishes this velocity on `cmd_vel`, m/s and rad/s, ten times a second.
+    offers: has a publisher of `cmd_vel` that says nothing.
+    turned_rad: what its odometry says of its heading beside the truth.
+
+It prints a line for each velocity that comes. A line on its standard input changes what it does; it ends with its input.
 """
 
 import json
@@ -15,26 +23,50 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
+from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import BatteryState, LaserScan
 
 PERIOD_S = 0.02
+SEARCH_S = 10.0
+ROBOT = {
+    "node": "robot",
+    "hears": True,
+    "durability": "volatile",
+    "tells": True,
+    "drives": None,
+    "offers": False,
+    "turned_rad": 0.0,
+}
 
 
 class Robot:
-    def __init__(self, node):
-        self._node = node
+    def __init__(self, node, behaviour):
+        self._node, self.behaviour = node, behaviour
         self._x = self._y = self._yaw = self._v = self._omega = 0.0
         self._at_s = time.monotonic()
-        self._odometry = node.create_publisher(Odometry, "odom", 10)
-        self._scan = node.create_publisher(LaserScan, "scan", 10)
-        self._battery = node.create_publisher(BatteryState, "battery_state", 10)
-        node.create_subscription(Twist, "cmd_vel", self._hear, 10)
-        node.create_timer(PERIOD_S, self._report)
+        if behaviour["tells"]:
+            self._odometry = node.create_publisher(Odometry, "odom", 10)
+            self._scan = node.create_publisher(LaserScan, "scan", 10)
+            self._battery = node.create_publisher(BatteryState, "battery_state", 10)
+            node.create_timer(PERIOD_S, self._report)
+        if behaviour["hears"]:
+            durability = DurabilityPolicy[behaviour["durability"].upper()]
+            quality = QoSProfile(depth=10, durability=durability)
+            node.create_subscription(Twist, "cmd_vel", self._hear, quality)
+        if behaviour["drives"] or behaviour["offers"]:
+            self._commands = node.create_publisher(Twist, "cmd_vel", 10)
+            node.create_timer(0.1, self._drive)
 
     def _hear(self, message):
         self._go_on()
         self._v, self._omega = message.linear.x, message.angular.z
         print(json.dumps([time.monotonic(), self._v, self._omega]), flush=True)
+
+    def _drive(self):
+        if self.behaviour["drives"]:
+            message = Twist()
+            message.linear.x, message.angular.z = self.behaviour["drives"]
+            self._commands.publish(message)
 
     def _go_on(self):
         now_s = time.monotonic()
@@ -46,12 +78,13 @@ class Robot:
 
     def _report(self):
         self._go_on()
+        yaw = self._yaw + self.behaviour["turned_rad"]
         message = Odometry()
         message.header.frame_id = "odom"
         message.header.stamp = self._node.get_clock().now().to_msg()
         message.pose.pose.position.x, message.pose.pose.position.y = self._x, self._y
-        message.pose.pose.orientation.z = math.sin(self._yaw / 2)
-        message.pose.pose.orientation.w = math.cos(self._yaw / 2)
+        message.pose.pose.orientation.z = math.sin(yaw / 2)
+        message.pose.pose.orientation.w = math.cos(yaw / 2)
         message.twist.twist.linear.x, message.twist.twist.angular.z = self._v, self._omega
         self._odometry.publish(message)
         scan = LaserScan()
@@ -62,17 +95,30 @@ class Robot:
         self._battery.publish(BatteryState(percentage=0.75))
 
 
+def name_of_the_driver(context):
+    """The name of the node that publishes commands now."""
+    node = rclpy.create_node("looks", context=context)
+    due_s = time.monotonic() + SEARCH_S
+    while not (found := node.get_publishers_info_by_topic("/cmd_vel")):
+        assert time.monotonic() < due_s, "nobody drives"
+        time.sleep(0.05)
+    node.destroy_node()
+    return found[0].node_name
+
+
 def main():
+    behaviour = {**ROBOT, **json.loads(sys.argv[2])}
     context = Context()
     rclpy.init(context=context, domain_id=int(sys.argv[1]))
-    node = rclpy.create_node("robot", context=context)
-    robot = Robot(node)
+    node = rclpy.create_node(behaviour["node"] or name_of_the_driver(context), context=context)
+    robot = Robot(node, behaviour)
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(node)
     spinning = threading.Thread(target=executor.spin)
     spinning.start()
     print("ready", flush=True)
-    sys.stdin.read()
+    for line in sys.stdin:
+        behaviour.update(json.loads(line))
     executor.shutdown()
     spinning.join()
     del robot

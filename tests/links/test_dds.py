@@ -18,12 +18,13 @@ from pinel_desktop.links import open_link
 from pinel_desktop.links.dds import session
 from pinel_desktop.links.dds.finding import find_robots
 from pinel_desktop.links.dds.graph import Graph
-from pinel_desktop.links.dds.messages import Twist
+from pinel_desktop.links.dds.messages import Twist, Vector3
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.robot import RobotLink, Twist2D
 from pinel_desktop.robot.record import RobotRecord, RosRecord
 from tests.links.dds_domains import local_record, own_domain
 from tests.links.dds_peer import DdsPeer
+from tests.links.dds_robot import reader_of_last
 from tests.links.real_link_contract import RealLinkContract
 
 pytestmark = pytest.mark.waits
@@ -374,6 +375,62 @@ def test_a_robot_that_somebody_else_drives_is_refused(
     assert (problem.code, problem.params["holder"]) == ("robot_held", platform.node())
     robot.change(publishes_commands=False)
     assert connect().read().pose.x_m == 0.0
+
+
+def test_somebody_else_who_listens_to_commands_and_gives_some_is_not_the_robot(
+    start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink]
+) -> None:
+    robot = start_robot(listens_to_commands=True)
+    link = connect()
+    robot.change(publishes_commands=True)
+    assert problem_of(link) == "robot_held"
+    wait_for(lambda: robot.stood_from_s() is not None)
+
+
+@pytest.mark.parametrize("asks_for_last", [False, True])
+def test_the_last_command_is_kept_for_a_robot_that_asks_for_it_and_for_no_other(
+    start_robot: Callable[..., DdsPeer],
+    connect: Callable[..., RobotLink],
+    domain: int,
+    asks_for_last: bool,
+) -> None:
+    robot = start_robot(asks_for_last=asks_for_last)
+    link, looking = connect(), session.Session(domain, ("127.0.0.1",))
+    wait_for(lambda: commanded(link, Twist2D(0.3, 0.0)) in [twist for _, twist in robot.heard])
+    graph = Graph(looking)
+    wait_for(lambda: bool(graph.publishers("cmd_vel")))
+    assert [found.is_transient_local for found in graph.publishers("cmd_vel")] == [asks_for_last]
+    looking.close()
+
+
+def test_a_robot_that_comes_late_is_not_told_an_old_velocity(domain: int) -> None:
+    pc, robot = (session.Session(domain, ("127.0.0.1",)) for _ in range(2))
+    writer = pc.writer("cmd_vel", Twist, is_transient_local=True)
+    writer.write(Twist(Vector3(x=0.3)))
+    time.sleep(0.5)  # as a PC that was frozen: what it said has expired
+    reader = reader_of_last(robot, "cmd_vel", Twist)
+    wait_for(lambda: bool(writer.get_matched_subscriptions()))
+    writer.write(Twist())
+    heard: list[Any] = []
+    wait_for(lambda: bool(heard.extend(reader.take(10)) or heard))
+    assert [twist.linear.x for twist in heard] == [0.0]
+    for each in (pc, robot):
+        each.close()
+
+
+def test_a_robot_that_is_silent_at_the_end_is_told_for_a_while_to_stand(
+    start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink]
+) -> None:
+    """It may have been out of reach, and drive on with the last velocity that it heard."""
+    robot = start_robot()
+    link = connect()
+    wait_for(lambda: commanded(link, Twist2D(0.3, 0.0)) in [twist for _, twist in robot.heard])
+    robot.is_mute = True
+    assert problem_of(link) == "link_lost"
+    closing_s = time.monotonic()
+    link.close()
+    wait_for(lambda: robot.heard[-1][0] > closing_s + 0.3)
+    assert robot.stood_from_s() is not None
 
 
 def test_a_bridge_to_ros_1_that_publishes_commands_too_is_the_robot(

@@ -44,7 +44,7 @@ def graph() -> WrittenGraph:
 
 @pytest.fixture
 def holds(graph: WrittenGraph) -> Holding:
-    held = Holding(cast("Graph", graph), "cmd_vel")
+    held = Holding(cast("Graph", graph), "cmd_vel", "odom")
     held.began()
     return held
 

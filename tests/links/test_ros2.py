@@ -174,6 +174,29 @@ def drive_until(link: RobotLink, is_so: Callable[[], bool]) -> None:
     wait_for(drives)
 
 
+def test_another_node_with_the_name_of_the_robot_stops_the_run(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    use_fake_ros(monkeypatch, robot)
+    with connected() as link:
+        robot.let_drive(["robot#2"])
+        wait_for(lambda: problem_of(link) == "robot_held")
+
+
+def test_a_robot_that_is_silent_at_the_end_is_told_for_a_while_to_stand(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It may have been out of reach, and drive on with the last velocity that it heard."""
+    use_fake_ros(monkeypatch, robot)
+    with connected() as link:
+        drive_until(link, lambda: robot.unicycle.twist.v_mps > 0.0)
+        robot.unicycle.is_mute = True
+        wait_for(lambda: problem_of(link) == "link_lost")
+        closing_s = time.monotonic()
+    assert robot.unicycle.heard[-1][0] > closing_s + 0.3
+    assert robot.unicycle.stood_from_s() is not None
+
+
 def test_a_node_that_also_listens_to_commands_is_the_robot(
     robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
 ) -> None:

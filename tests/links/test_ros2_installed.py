@@ -1,62 +1,79 @@
-"""The node of the link over ROS 2, and the direct connection, against a robot on a real rclpy, where there is one."""
+"""Both ways to ROS 2 with nodes of a real rclpy: of the ROS of this PC, else the one that `make setup` installs."""
 
-import json
-import subprocess
-from collections.abc import Iterator
-from pathlib import Path
+import contextlib
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 
 from pinel_desktop.links import open_link
 from pinel_desktop.links.real import RealLink
-from pinel_desktop.links.ros2 import installed
+from pinel_desktop.robot import STANDSTILL
 from pinel_desktop.robot.record import DdsRecord, RobotRecord, Room, Ros2Record
 from pinel_desktop.runs.spec import RunSpec
 from tests.links.dds_domains import own_domain
+from tests.links.rclpy_process import RclpyProgram, use_real_ros
 from tests.links.real_link_contract import LiveRun
 from tests.links.test_dds import eventually, wait_for
+from tests.links.two_pcs import FOR_EVER
 
 pytestmark = pytest.mark.waits
 
-ROBOT = Path(__file__).parent / "rclpy_robot.py"
 NEAR = [{"action": "move_forward", "distance": 0.3}]
+# What a person drives by hand beside PINEL: enough to lead it astray, and never told as an obstacle.
+SLOWLY = [0.05, 0.1]
+COMMANDER = {"hears": False, "tells": False, "drives": SLOWLY}
+
+both_links = pytest.mark.parametrize("kind", [Ros2Record, DdsRecord])
+Start = Callable[..., RclpyProgram]
 
 
-def robot_command(domain: int) -> list[str]:
-    """Runs the robot by the Python of the ROS that the link would take. Skips where there is none."""
-    command = installed.node_command(str(domain))
-    ours = str(installed.NODE)
-    command = command and [str(ROBOT) if part == ours else part for part in command]
-    needs = "import rclpy, nav_msgs.msg, sensor_msgs.msg"
-    if command:
-        python = [*command[: command.index(str(ROBOT))], "-c", needs]
-        if subprocess.run(python, capture_output=True, check=False).returncode == 0:
-            return command
-    pytest.skip("this PC has no ROS 2 with rclpy: its node is tested with a fake one only")
+@pytest.fixture(autouse=True)
+def _ros(monkeypatch: pytest.MonkeyPatch) -> None:
+    use_real_ros(monkeypatch)
 
 
 @pytest.fixture
-def robot() -> Iterator[tuple[int, "subprocess.Popen[str]"]]:
-    """The domain of a robot, and its process."""
-    with own_domain() as domain:
-        command = robot_command(domain)
-        with subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        ) as process:
-            assert process.stdout is not None
-            assert process.stdout.readline() == "ready\n"
-            yield domain, process
+def domain() -> Iterator[int]:
+    with own_domain() as free:
+        yield free
 
 
-@pytest.mark.parametrize("kind", [Ros2Record, DdsRecord])
-def test_a_robot_on_a_real_rclpy_is_driven_and_its_sensors_are_read(
-    robot: tuple[int, "subprocess.Popen[str]"], kind: type[RobotRecord]
-) -> None:
-    domain, process = robot
-    record = kind.model_validate({"domain": domain, "room": Room(width_m=20.0, depth_m=20.0)})
-    run = LiveRun(RunSpec(NEAR, "empty_room", link=record.link, robot=record))
+@pytest.fixture
+def begin(domain: int) -> Iterator[Start]:
+    """Starts a robot, or what it is told to be."""
+    with contextlib.ExitStack() as ending:
+
+        def start(**behaviour: Any) -> RclpyProgram:
+            program = RclpyProgram(domain, **behaviour)
+            ending.callback(program.close)
+            return program
+
+        yield start
+
+
+def record_of(kind: type[RobotRecord], domain: int) -> RobotRecord:
+    return kind.model_validate({"domain": domain, "room": Room(width_m=20.0, depth_m=20.0)})
+
+
+def run_of(record: RobotRecord, document: list[dict[str, Any]]) -> LiveRun:
+    run = LiveRun(RunSpec(document, "empty_room", link=record.link, robot=record))
     run.thread.start()
-    assert run.result().ended.state == "finished", run.result().ended
+    return run
+
+
+def moves(robot: RclpyProgram) -> bool:
+    return any(twist != STANDSTILL for _, twist in robot.heard[-3:])
+
+
+@both_links
+def test_a_robot_is_driven_and_its_sensors_are_read(
+    begin: Start, domain: int, kind: type[RobotRecord]
+) -> None:
+    robot, record = begin(), record_of(kind, domain)
+    ended = run_of(record, NEAR).result().ended
+    assert ended.state == "finished", ended
     link = open_link(record.link, world="empty_room", robot=record)
     link.connect()
     assert isinstance(link, RealLink)
@@ -64,7 +81,68 @@ def test_a_robot_on_a_real_rclpy_is_driven_and_its_sensors_are_read(
     assert link.read().pose.x_m == pytest.approx(0.3, abs=0.05)
     wait_for(lambda: link.battery == 0.75)
     link.close()
-    heard, _ = process.communicate(timeout=20)
-    velocities = [json.loads(line)[1:] for line in heard.splitlines()]
-    assert max(v for v, _ in velocities) > 0.1
-    assert velocities[-1] == [0.0, 0.0]
+    wait_for(lambda: robot.stood_from_s() is not None)
+    assert max(twist.v_mps for _, twist in robot.heard) > 0.1
+
+
+@both_links
+@pytest.mark.parametrize(
+    "who",
+    [
+        pytest.param({"node": "robot"}, id="the name of the robot"),
+        pytest.param({"node": ""}, id="the name of who drives"),
+        pytest.param({"node": "teleop", "hears": True}, id="listens too"),
+    ],
+)
+def test_another_program_that_begins_to_command_the_robot_ends_the_run(
+    begin: Start, domain: int, kind: type[RobotRecord], who: dict[str, Any]
+) -> None:
+    robot = begin()
+    run = run_of(record_of(kind, domain), FOR_EVER)
+    wait_for(lambda: moves(robot))
+    begin(**{**COMMANDER, **who})
+    ended = run.result().ended
+    assert (ended.state, ended.reason) == ("failed", "robot_held")
+
+
+@both_links
+def test_a_robot_that_another_program_commands_is_refused_whatever_its_name(
+    begin: Start, domain: int, kind: type[RobotRecord]
+) -> None:
+    begin()
+    begin(**{**COMMANDER, "node": "robot", "hears": True, "drives": None, "offers": True})
+    ended = run_of(record_of(kind, domain), NEAR).result().ended
+    assert (ended.state, ended.reason) == ("failed", "robot_held")
+
+
+@both_links
+def test_programs_that_only_listen_and_a_robot_that_passes_commands_on_hold_nobody_up(
+    begin: Start, domain: int, kind: type[RobotRecord]
+) -> None:
+    begin(offers=True)  # as a bridge to ROS 1
+    begin(node="recorder", tells=False)
+    ended = run_of(record_of(kind, domain), NEAR).result().ended
+    assert ended.state == "finished", ended
+
+
+@both_links
+def test_a_robot_that_asks_for_the_last_command_is_driven(
+    begin: Start, domain: int, kind: type[RobotRecord]
+) -> None:
+    robot = begin(durability="transient_local")
+    ended = run_of(record_of(kind, domain), NEAR).result().ended
+    assert ended.state == "finished", ended
+    assert max(twist.v_mps for _, twist in robot.heard) > 0.1
+
+
+@both_links
+def test_a_robot_whose_heading_jumps_ends_the_run_as_one_that_was_carried(
+    begin: Start, domain: int, kind: type[RobotRecord]
+) -> None:
+    robot = begin()
+    run = run_of(record_of(kind, domain), FOR_EVER)
+    wait_for(lambda: moves(robot))
+    robot.change(turned_rad=math.pi / 2)
+    ended = run.result().ended
+    assert (ended.state, ended.reason) == ("failed", "reference_lost")
+    wait_for(lambda: robot.stood_from_s() is not None)

@@ -56,7 +56,7 @@ def _robots(graph: Graph) -> list[FoundRobot]:
     for listens in graph.subscribers():
         pose = _pose_of(listens, poses) if listens.type_name in _COMMANDS else None
         if pose is not None:
-            holder = Holding(graph, listens.topic).holder()
+            holder = Holding(graph, listens.topic, pose.topic).holder()
             found[listens.topic] = _named(
                 listens.topic, pose.topic, holder.name if holder else None
             )

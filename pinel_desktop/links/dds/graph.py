@@ -31,12 +31,14 @@ class Endpoint:
         topic: full name, without the first slash.
         type_name: as on the network.
         user_data: what it tells of itself, such as a type hash.
+        is_transient_local: it hears only publishers that keep their last message for it.
     """
 
     topic: str
     type_name: str
     participant: uuid.UUID
     user_data: str
+    is_transient_local: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +92,8 @@ class Graph:
                 continue
             name = name.removeprefix(TOPIC_PREFIX)
             if topic in {"", name}:
-                yield Endpoint(name, found.type_name, found.participant_key, _user_data(found.qos))
+                who, told = found.participant_key, _user_data(found.qos)
+                yield Endpoint(name, found.type_name, who, told, _is_transient_local(found.qos))
 
 
 class _Collected:
@@ -112,6 +115,10 @@ class _Collected:
 def _user_data(qos: Qos) -> str:
     told = qos[Policy.Userdata] if Policy.Userdata in qos else None  # noqa: SIM401 - no dictionary
     return told.data.decode("utf-8", "replace") if told else ""
+
+
+def _is_transient_local(qos: Qos) -> bool:
+    return Policy.Durability.TransientLocal in qos
 
 
 def _host(qos: Qos) -> str:

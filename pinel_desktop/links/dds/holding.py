@@ -1,9 +1,11 @@
 """Whether somebody else drives the robot: two publishers of one command topic would pull it to and fro."""
 
 import time
+import uuid
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.dds.graph import Endpoint, Graph, Participant
+from pinel_desktop.links.ros2.node.drivers import drivers
 
 # Others in the domain have answered by then: they are known before the first command.
 _LISTENING_S = 1.0
@@ -21,8 +23,8 @@ class Holding:
         is_disputed: somebody else was there at the last look; this PC sends zeros only.
     """
 
-    def __init__(self, graph: Graph, topic: str) -> None:
-        self._graph, self._topic = graph, topic
+    def __init__(self, graph: Graph, topic: str, odometry_topic: str) -> None:
+        self._graph, self._topic, self._odometry_topic = graph, topic, odometry_topic
         self._began_s = time.monotonic()
         self._since_s: float | None = None  # another PINEL has been there
         self._n_looks = 0
@@ -30,7 +32,7 @@ class Holding:
 
     def holder(self) -> Participant | None:
         """Somebody else who publishes commands now; the one that cannot withdraw first."""
-        owners = (self._graph.participant(found.participant) for found in self._publishers())
+        owners = map(self._graph.participant, self._drivers())
         there = [owner for owner in owners if not owner.is_gone]
         return min(there, key=lambda owner: owner.is_pinel, default=None)
 
@@ -73,8 +75,14 @@ class Holding:
             "robot_held", holder=holder.name if holder else "?", topic=f"/{self._topic}"
         )
 
-    def _publishers(self) -> list[Endpoint]:
-        """Publishers in other programs than the robot's own, which a bridge to ROS 1 is: it passes on both ways."""
-        robots = {found.participant for found in self._graph.subscribers(self._topic)}
-        found = self._graph.publishers(self._topic)
-        return [publisher for publisher in found if publisher.participant not in robots]
+    def _drivers(self) -> set[uuid.UUID]:
+        graph = self._graph
+        return drivers(
+            _participants(graph.publishers(self._topic)),
+            _participants(graph.subscribers(self._topic)),
+            _participants(graph.publishers(self._odometry_topic)),
+        )
+
+
+def _participants(endpoints: list[Endpoint]) -> set[uuid.UUID]:
+    return {endpoint.participant for endpoint in endpoints}

@@ -58,6 +58,9 @@ class Receiving:
 
     Args:
         watch: called five times a second on this thread; what it raises stops the robot.
+
+    Attributes:
+        heard_s: when the newest message about its pose came (monotonic); None before the first.
     """
 
     def __init__(
@@ -70,6 +73,7 @@ class Receiving:
         self._clock = RobotClock()
         self._session, self._receiver, self._sensors = session, receiver, sensors
         self._watch = watch
+        self.heard_s: float | None = None
         self._handlers: list[tuple[DataReader[Any], ReadCondition, Handler]] = []
         self._waitset = WaitSet(session.participant)
         self._ending = threading.Event()
@@ -145,6 +149,7 @@ class Receiving:
     def _hand_on(
         self, header: messages.Header, pose: messages.Pose, v: float | None, omega: float | None
     ) -> None:
+        self.heard_s = time.monotonic()
         stamp_s = header.stamp.sec + header.stamp.nanosec * 1e-9 or None
         self._clock.set(stamp_s)
         at, turned = pose.position, pose.orientation

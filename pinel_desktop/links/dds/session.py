@@ -32,6 +32,9 @@ _own_numbers = itertools.count(1000)
 _XCDR1 = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
 # A robot with a ring of sonars tells all of them at once on one topic.
 _SONARS = 32
+# Of a velocity that is older than this, a robot that comes late must not hear.
+_FRESH = duration(milliseconds=300)
+_KEEPS_LAST = (Policy.Durability.TransientLocal, Policy.Lifespan(_FRESH))
 _E = TypeVar("_E", bound=Entity)
 
 
@@ -56,19 +59,22 @@ class Session:
             raise PinelError("network_missing", detail=str(error)) from error
         self._made.append(self.participant)
 
-    def writer(self, topic: str, message: type[IdlStruct]) -> "DataWriter[Any]":
-        """A writer that no peer can hold up."""
+    def writer(
+        self, topic: str, message: type[IdlStruct], *, is_transient_local: bool = False
+    ) -> "DataWriter[Any]":
+        """A writer that no peer can hold up.
+
+        Args:
+            is_transient_local: readers that ask for the last message hear it, too; while it is fresh, a late one gets it.
+        """
         reliable = Policy.Reliability.Reliable(duration(milliseconds=10))
-        return self._keep(
-            DataWriter(
-                self.participant, self._topic(topic, message), qos=_endpoint_qos(message, reliable)
-            )
-        )
+        qos = _endpoint_qos(message, reliable, *(_KEEPS_LAST if is_transient_local else ()))
+        return self._keep(DataWriter(self.participant, self._topic(topic, message), qos=qos))
 
     def reader(self, topic: str, message: type[IdlStruct]) -> "DataReader[Any]":
         """A reader of the newest message; it matches reliable and other writers."""
         depth = _SONARS if message in {Range, RangeBeforeIron} else 1
-        qos = _endpoint_qos(message, Policy.Reliability.BestEffort, depth)
+        qos = _endpoint_qos(message, Policy.Reliability.BestEffort, depth=depth)
         return self._keep(DataReader(self.participant, self._topic(topic, message), qos=qos))
 
     def close(self) -> None:
@@ -129,10 +135,10 @@ def _address_towards(peer: str) -> str:
         raise PinelError("network_missing", detail=str(error)) from error
 
 
-def _endpoint_qos(message: type[IdlStruct], reliability: Any, depth: int = 1) -> Qos:
+def _endpoint_qos(message: type[IdlStruct], *policies: Any, depth: int = 1) -> Qos:
     told = TYPE_HASHES.get(message)
     user_data = [Policy.Userdata(f"typehash={told};".encode())] if told else []
-    return Qos(reliability, Policy.History.KeepLast(depth), _XCDR1, *user_data)
+    return Qos(*policies, Policy.History.KeepLast(depth), _XCDR1, *user_data)
 
 
 def range_type(user_data: str) -> type[IdlStruct]:

@@ -28,6 +28,10 @@ _FOUND_WITHIN_S = 5.0
 _MATCHED_WITHIN_S = 5.0
 # A robot whose program begins anew hears again within this time.
 _DEAF_S = 1.0
+# A robot that reports nothing for longer than this may not hear, either,
+_SILENT_S = 0.5
+# and one that comes back within this time after the last command still hears that it has to stand.
+_LAST_S = 1.5
 _POLL_S = 0.05
 
 
@@ -37,6 +41,7 @@ class DdsTransport:
     def __init__(self, record: DdsRecord, robot: RobotModel) -> None:
         self._record = record
         self._command_topic = record.name_of(record.command_topic)
+        self._odometry_topic = record.name_of(record.odometry_topic)
         self._sensors = RosSensors(robot)
         self.sensors: Sensors = self._sensors
         self._session: Session | None = None
@@ -52,7 +57,7 @@ class DdsTransport:
         if found is None:
             return
         session, graph, search = found
-        self._holding = holding = Holding(graph, self._command_topic)
+        self._holding = holding = Holding(graph, self._command_topic, self._odometry_topic)
         if not _wait(holding.is_free, cancelled, _FOUND_WITHIN_S):
             if cancelled():
                 return
@@ -65,7 +70,13 @@ class DdsTransport:
         self._receiving = receiving = self._receive(session, graph, search, receiver, watch)
         assert search.command_type is not None
         self._message = receiving.stamped if search.command_type is TwistStamped else _plain
-        self._writer = session.writer(self._command_topic, search.command_type)
+        # offered only to a robot that hears nobody else: to others nothing is said again
+        asks_for_last = any(
+            listener.is_transient_local for listener in graph.subscribers(self._command_topic)
+        )
+        self._writer = session.writer(
+            self._command_topic, search.command_type, is_transient_local=asks_for_last
+        )
         holding.began()
         _wait(holding.is_claimed, cancelled, math.inf)
         receiving.start()
@@ -78,7 +89,7 @@ class DdsTransport:
         if found is None:
             return
         session, graph, search = found
-        holding = Holding(graph, self._command_topic)
+        holding = Holding(graph, self._command_topic, self._odometry_topic)
 
         def watch() -> None:
             holder = holding.holder()
@@ -111,10 +122,22 @@ class DdsTransport:
         return self._sensors.touches()
 
     def close(self) -> None:
+        self._stand()
         if self._receiving is not None:
             self._receiving.close()
         if self._session is not None:
             self._session.close()
+
+    def _stand(self) -> None:
+        """Sends more zeros for a while where the robot is silent."""
+        due_s = time.monotonic() + _LAST_S
+        while self._is_lost() and time.monotonic() < due_s:
+            self.send(STANDSTILL)
+            time.sleep(_POLL_S)
+
+    def _is_lost(self) -> bool:
+        heard_s = self._receiving and self._receiving.heard_s
+        return self._is_open and heard_s is not None and time.monotonic() - heard_s > _SILENT_S
 
     def _receive(
         self,
@@ -136,7 +159,7 @@ class DdsTransport:
 
         assert search.odometry_type is not None
         receiving = Receiving(session, receiver, self._sensors, look)
-        receiving.subscribe(self._record.name_of(self._record.odometry_topic), search.odometry_type)
+        receiving.subscribe(self._odometry_topic, search.odometry_type)
         return receiving
 
     def _is_matched(self) -> bool:

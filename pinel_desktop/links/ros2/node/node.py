@@ -22,31 +22,41 @@ import time
 import rclpy
 import sensor_msgs.msg
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from holding import PINEL, Holding, RefusalError
 from inbox import Inbox
 from nav_msgs.msg import Odometry
 from outbox import Outbox
 from rclpy.context import Context
+from rclpy.duration import Duration
 from rclpy.executors import SingleThreadedExecutor
-from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import Bool
 
 SEARCH_S = 5.0
 POLL_S = 0.05
 STALE_S = 0.3
 WATCH_S = 0.2
-# Others in the domain are known by then, before the first command.
-LISTENING_S = 1.0
-# Of it, looks of POLL_S each after this node shows that it drives: of two that begin together one sees the other.
-CLAIM_LOOKS = 6
-# Another PINEL that comes later withdraws by itself before this.
-WITHDRAWS_S = 3.0
 # A robot whose program begins anew hears again within this time.
 DEAF_S = 1.0
-PINEL = "pinel_"
+# A robot that reports nothing for longer than this may not hear, either,
+SILENT_S = 0.5
+# and one that comes back within this time after the last command still hears that it has to stand.
+LAST_S = 1.5
+N_LAST_ZEROS = 5
+# Looks of POLL_S each: what a PC that stood still for a while saw last may be old.
+CLAIM_LOOKS = 6
 COMMANDS = {"geometry_msgs/msg/Twist": Twist, "geometry_msgs/msg/TwistStamped": TwistStamped}
 ODOMETRIES = {"nav_msgs/msg/Odometry": Odometry, "geometry_msgs/msg/PoseStamped": PoseStamped}
 NEWEST = QoSProfile(
     depth=1, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.RELIABLE
+)
+# for a robot that hears nobody else: a late one is told the last velocity, but none that has expired
+NEWEST_KEPT = QoSProfile(
+    depth=1,
+    history=HistoryPolicy.KEEP_LAST,
+    reliability=ReliabilityPolicy.RELIABLE,
+    durability=DurabilityPolicy.TRANSIENT_LOCAL,
+    lifespan=Duration(nanoseconds=int(STALE_S * 1e9)),
 )
 # a best-effort subscription matches every publisher
 ANY = QoSProfile(
@@ -56,14 +66,6 @@ ANY = QoSProfile(
 RING = QoSProfile(
     depth=32, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.BEST_EFFORT
 )
-
-
-class RefusalError(Exception):
-    """Something that the app tells a person: a code and its parameters."""
-
-    def __init__(self, code, **params):
-        super().__init__(code)
-        self.code, self.params = code, params
 
 
 class EndedError(Exception):
@@ -82,14 +84,13 @@ class Drive:
         self._drives = configuration.get("drives", True)
         self._messages = Messages(outbox)
         self._sensors = Sensors(node, configuration, self._messages, outbox)
-        self._heard_s = self._began_s = time.monotonic()
-        self._held_since_s = self._deaf_since_s = None
-        self._is_disputed = False
+        self._heard_s, self._deaf_since_s = time.monotonic(), None
+        self._holding = Holding(node, self._command_topic, self._odometry_topic)
 
     def open(self):
         """Finds the robot's topics and connects with them. Raises RefusalError and EndedError."""
         if self._drives:
-            self._wait_until_free()
+            self._wait(self._holding.is_free, self._holding.problem)
         self._type = self._found(
             self._command_topic, COMMANDS, self._node.get_subscriptions_info_by_topic
         )
@@ -105,30 +106,25 @@ class Drive:
 
     def _publish(self):
         """From here on others see who drives the robot."""
-        self._publisher = self._node.create_publisher(self._type, self._command_topic, NEWEST)
-        self._began_s = time.monotonic()
-        self._wait(self._is_heard, self._command_topic)
+        topic = self._command_topic
+        listeners = self._node.get_subscriptions_info_by_topic(topic)
+        durabilities = {listener.qos_profile.durability for listener in listeners}
+        keeps = DurabilityPolicy.TRANSIENT_LOCAL in durabilities
+        quality = NEWEST_KEPT if keeps else NEWEST
+        self._publisher = self._node.create_publisher(self._type, topic, quality)
+        self._holding.began()
+        self._wait(self._is_heard, self._deaf)
         for _ in range(CLAIM_LOOKS):
-            self._require_nobody_else()
+            self._holding.require_alone()
             self._pause()
-        self._require_nobody_else()
+        self._holding.require_alone()
 
     def _is_heard(self):
         return self._publisher.get_subscription_count() > 0
 
-    def _wait_until_free(self):
-        """Until nobody has commanded the robot for long enough to be sure. Raises RefusalError."""
-        free_s = began_s = time.monotonic()
-        while time.monotonic() - free_s < LISTENING_S - CLAIM_LOOKS * POLL_S:
-            if self._holder() is not None:
-                free_s = time.monotonic()
-                if free_s - began_s > SEARCH_S:
-                    raise self._held()
-            self._pause()
-
     def _found(self, topic, known, endpoints):
         """The message type that the robot uses on a topic."""
-        self._wait(lambda: endpoints(topic), topic)
+        self._wait(lambda: endpoints(topic), lambda: self._missing(topic))
         types = [endpoint.topic_type for endpoint in endpoints(topic)]
         for name in types:
             if name in known:
@@ -137,47 +133,23 @@ class Drive:
             "robot_wrong_type", topic=topic, found=", ".join(types), wanted=", ".join(known)
         )
 
-    def _wait(self, is_there, topic):
+    def _wait(self, is_there, problem):
+        """Until something is there. Raises what `problem` gives when it does not come."""
         due_s = time.monotonic() + SEARCH_S
         while not is_there():
             if time.monotonic() > due_s:
-                raise RefusalError(
-                    "robot_not_found", topic=topic, domain=self._configuration["domain"]
-                )
+                raise problem()
             self._pause()
+
+    def _missing(self, topic):
+        return RefusalError("robot_not_found", topic=topic, domain=self._configuration["domain"])
+
+    def _deaf(self):
+        return RefusalError("robot_deaf", topic=self._command_topic)
 
     def _pause(self):
         if self._ended.wait(POLL_S):
             raise EndedError()
-
-    def _holder(self):
-        """Name of another node that commands the robot, of one that cannot withdraw first; None without any."""
-        listeners = self._node.get_subscriptions_info_by_topic(self._command_topic)
-        # what listens to commands and passes them on is the robot, as ros1_bridge
-        ours = {self._node.get_name(), *(endpoint.node_name for endpoint in listeners)}
-        publishers = self._node.get_publishers_info_by_topic(self._command_topic)
-        others = {endpoint.node_name for endpoint in publishers} - ours
-        return min(others, key=lambda name: (name.startswith(PINEL), name), default=None)
-
-    def _held(self):
-        return RefusalError("robot_held", topic=self._command_topic, holder=self._holder() or "?")
-
-    def _require_nobody_else(self):
-        """Raises RefusalError when somebody else begins to command the robot, and does not withdraw.
-
-        Until then only zeros are sent: the other one may believe as well that it was here first.
-        """
-        holder = self._holder()
-        self._is_disputed = holder is not None
-        if holder is None:
-            self._held_since_s = None
-            return
-        now_s = time.monotonic()
-        self._held_since_s = self._held_since_s or now_s
-        was_alone = self._held_since_s - self._began_s > 2 * LISTENING_S
-        withdraws = holder.startswith(PINEL) and now_s - self._held_since_s < WITHDRAWS_S
-        if not (was_alone and withdraws):
-            raise self._held()
 
     def _require_heard(self):
         """Raises RefusalError when nobody takes the commands any more."""
@@ -187,13 +159,13 @@ class Drive:
         now_s = time.monotonic()
         self._deaf_since_s = self._deaf_since_s or now_s
         if now_s - self._deaf_since_s > DEAF_S:
-            raise RefusalError("robot_deaf", topic=self._command_topic)
+            raise self._deaf()
 
     def send(self, v, omega):
         """Publishes a velocity, zeros where somebody else is there, nothing where the node only listens."""
         if self._publisher is None:
             return
-        if self._is_disputed:
+        if self._holding.is_disputed:
             v = omega = 0.0
         message = self._type()
         twist = message
@@ -202,6 +174,18 @@ class Drive:
             twist = message.twist
         twist.linear.x, twist.angular.z = float(v), float(omega)
         self._publisher.publish(message)
+
+    def stand(self):
+        """Sends the last zeros, and goes on for a while where the robot is silent."""
+        due_s, n_sent = time.monotonic() + LAST_S, 0
+        while n_sent < N_LAST_ZEROS or (self._is_lost() and time.monotonic() < due_s):
+            self.send(0.0, 0.0)
+            n_sent += 1
+            time.sleep(0.02)
+
+    def _is_lost(self):
+        heard_s = self._messages.heard_s
+        return heard_s is not None and time.monotonic() - heard_s > SILENT_S
 
     def hear(self, line):
         """Follows a line of the app."""
@@ -223,10 +207,10 @@ class Drive:
     def _look_around(self):
         self._sensors.look()
         if not self._drives:
-            self._outbox.say("holder", name=self._holder())
+            self._outbox.say("holder", name=self._holding.holder())
             return
         try:
-            self._require_nobody_else()
+            self._holding.require_alone()
             self._require_heard()
         except RefusalError as refusal:
             tell(self._outbox, refusal)
@@ -285,10 +269,15 @@ def message_type(kind):
 
 
 class Messages:
-    """Turns messages of the robot into lines."""
+    """Turns messages of the robot into lines.
+
+    Attributes:
+        heard_s: when the newest one about its pose came (monotonic); None before the first.
+    """
 
     def __init__(self, outbox):
         self._say = outbox.say
+        self.heard_s = None
 
     def take_odometry(self, message):
         twist = message.twist.twist
@@ -298,6 +287,7 @@ class Messages:
         self._say_pose(message.pose, [None, None], message.header)
 
     def _say_pose(self, pose, velocity, header):
+        self.heard_s = time.monotonic()
         q = pose.orientation
         self._say(
             "odometry",
@@ -349,9 +339,7 @@ def run(configuration, context, outbox, inbox):
         outbox.say("ready")
         inbox.follow(drive.hear)
         drive.watch()
-        for _ in range(5):
-            drive.send(0.0, 0.0)
-            time.sleep(0.02)
+        drive.stand()
     except RefusalError as refusal:
         tell(outbox, refusal)
     except EndedError:

@@ -3,6 +3,7 @@
 The robot also tells who else publishes commands, and of which topics it has taken leave.
 """
 
+import hashlib
 import json
 import os
 import socket
@@ -10,7 +11,26 @@ import threading
 import time
 from types import SimpleNamespace
 
+from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy
+
 _GRAPH = json.loads(os.environ["PINEL_FAKE_ROS"])
+
+
+def get_rmw_implementation_identifier():
+    return "rmw_fake"
+
+
+def endpoint(name, topic_type=""):
+    """Of the node `name`; what stands behind a # in it tells nodes of one name apart."""
+    return SimpleNamespace(
+        node_name=name.partition("#")[0],
+        node_namespace="/",
+        topic_type=topic_type,
+        endpoint_gid=list(hashlib.sha256(name.encode()).digest()[:24]),
+        qos_profile=QoSProfile(
+            depth=1, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.RELIABLE
+        ),
+    )
 
 
 def init(*, context, domain_id):
@@ -50,14 +70,16 @@ class Node:
 
     def get_subscriptions_info_by_topic(self, topic):
         there = topic == "/cmd_vel" and topic not in self._gone and _GRAPH["command_type"]
-        return [SimpleNamespace(node_name="robot", topic_type=there)] if there else []
+        return [endpoint("robot", there)] if there else []
 
     def get_publishers_info_by_topic(self, topic):
         if topic == "/cmd_vel":
             names = [*_GRAPH["others"], *self._publishers]
-            return [SimpleNamespace(node_name=name, topic_type="") for name in names]
+            return [endpoint(name) for name in names]
+        if topic == "/parameter_events":
+            return [endpoint(self._name), endpoint("robot")]
         there = topic not in self._gone and _GRAPH["published"].get(topic)
-        return [SimpleNamespace(node_name="robot", topic_type=there)] if there else []
+        return [endpoint("robot", there)] if there else []
 
     def create_publisher(self, kind, topic, qos):
         assert qos.reliability == "reliable"

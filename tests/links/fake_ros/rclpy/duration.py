@@ -1,0 +1,3 @@
+class Duration:
+    def __init__(self, *, nanoseconds):
+        self.nanoseconds = nanoseconds
