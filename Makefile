@@ -14,6 +14,7 @@ NODE_MODULES := ui/node_modules/.package-lock.json
 PEERS := build/peers/.ready
 PEERS_PIP := build/peers/bin/python -m pip install -qq --disable-pip-version-check
 DETECTOR := build/peers/.ready-detector
+ROS := build/ros/.ready
 PAGE := pinel_desktop/web/static/index.html
 PAGE_TYPES := ui/src/api/types.ts
 HANDS := pinel_desktop/gestures/weights/hand.onnx
@@ -42,10 +43,10 @@ run: system-run $(VENV_RUN) $(PAGE) $(HANDS)  ## open PINEL (on a PC without a s
 
 setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE) $(PAGE_TYPES) $(HANDS)  ## everything that developing and testing need
 
-test: setup  ## lint, types, unit and end-to-end tests, wheel, package and smoke test
+test: setup $(ROS)  ## lint, types, unit and end-to-end tests, wheel, package and smoke test
 	@$(PYTHON) scripts/run_tests.py
 
-nightly: setup  ## the long tests, the package in other systems and the benchmarks too
+nightly: setup $(ROS)  ## the long tests, the package in other systems and the benchmarks too
 	@sh scripts/system-packages.sh nightly
 	@$(PYTHON) scripts/run_tests.py --nightly
 
@@ -113,6 +114,16 @@ $(DETECTOR): requirements-bench-alone.lock | $(PEERS)
 	@$(PEERS_PIP) torch==2.13.0 && $(PEERS_PIP) --require-hashes --no-deps -r requirements-bench-alone.lock && touch $@ || { \
 		. scripts/words.sh; say "It could not be installed: its benchmark is skipped." "Não foi possível: esse teste fica de fora." \
 		"No se pudo: esa prueba se omite."; } >&2
+
+# A real rclpy for tests (60 MB to load, 250 MB on the disk); its wheels are for Linux on x86-64 only. Without it these tests are
+# skipped, and say so; the next `make test` tries again.
+$(ROS): requirements-ros.lock | $(VENV_DEV)
+	@. scripts/words.sh; say "Installing ROS 2 for the tests (about 1 minute)…" "Instalando o ROS 2 para os testes (cerca de 1 minuto)…" \
+		"Instalando ROS 2 para las pruebas (cerca de 1 minuto)…"
+	@$(PYTHON) -m venv --clear build/ros
+	@build/ros/bin/python -m pip install -qq --disable-pip-version-check --require-hashes -r requirements-ros.lock && touch $@ || { \
+		. scripts/words.sh; say "It could not be installed: the tests that need it are skipped." \
+		"Não foi possível: os testes que precisam dele ficam de fora." "No se pudo: las pruebas que lo necesitan se omiten."; } >&2
 
 $(NODE_MODULES): ui/package.json ui/package-lock.json | $(VENV_RUN)
 	@. scripts/words.sh; say "Installing the page's libraries (about 1 minute)…" \

@@ -3,7 +3,7 @@
 #
 # requirements-dev.lock: everything; requirements.lock: what runs the program; requirements-node.lock: Node.js;
 # requirements-bench.lock and requirements-bench-alone.lock: what benchmarks compare with, the second without what it
-# needs to run; requirements-models.lock: the wheel that holds the hand networks, without what it needs to run.
+# needs to run; requirements-ros.lock: rclpy for tests; requirements-models.lock: the wheel that holds the hand networks, without what it needs to run.
 # The second keeps the versions of the first, so that one environment can hold both.
 set -eu
 python=.venv/bin/python
@@ -21,4 +21,5 @@ compile requirements.lock pyproject.toml --group setup --constraint requirements
 compile requirements-node.lock --group node "$@"
 compile requirements-bench.lock --group bench "$@"
 compile requirements-bench-alone.lock --group bench-alone --no-deps "$@"
+compile requirements-ros.lock --group ros "$@"
 compile requirements-models.lock --group models --no-deps "$@"

@@ -14,17 +14,19 @@ from pinel_desktop.robot import Twist2D
 from tests.links.unicycle import stood_from_s
 
 _PROGRAM = Path(__file__).parent / "rclpy_robot.py"
-# What `make setup` installs: rclpy as wheels, which bring Fast DDS and no set-up file.
+# What `make test` installs: rclpy as wheels, which bring Fast DDS and no set-up file.
 _WHEELS = Path(__file__).parents[2] / "build" / "ros"
 _NEEDS = "import rclpy, nav_msgs.msg, sensor_msgs.msg"
 _ENDS_WITHIN_S = 20.0
 
 
-def use_real_ros(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Lets links and programs find the ROS of this terminal or PC, else that of `make setup`. Skips without any."""
+def use_real_ros(monkeypatch: pytest.MonkeyPatch, logs: Path) -> None:
+    """Lets links and programs find the ROS of this terminal or PC, else that of `make test`. Skips without any."""
     if installed.node_command("") is None:
         monkeypatch.setenv("PATH", str(_WHEELS / "bin"), prepend=os.pathsep)
         monkeypatch.setenv("ROS_VERSION", "2")
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+    monkeypatch.setenv("ROS_LOG_DIR", str(logs))
     python = _command(["-c", _NEEDS])
     if python is None or subprocess.run(python, capture_output=True, check=False).returncode:
         pytest.skip("this PC has no ROS 2 with rclpy: its node is tested with a fake one only")

@@ -9,7 +9,7 @@ JSON says what it does; without any it is a robot:
     offers: has a publisher of `cmd_vel` that says nothing.
     turned_rad: what its odometry says of its heading beside the truth.
 
-It prints a line for each velocity that comes. A line on its standard input changes what it does; it ends with its input.
+It prints a line for each velocity that comes. A line on its standard input changes what it does; it ends with that.
 """
 
 import json

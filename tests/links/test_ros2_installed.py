@@ -1,8 +1,9 @@
-"""Both ways to ROS 2 with nodes of a real rclpy: of the ROS of this PC, else the one that `make setup` installs."""
+"""Both ways to ROS 2 with nodes of a real rclpy: of the ROS of this PC, else the one that `make test` installs."""
 
 import contextlib
 import math
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -30,8 +31,8 @@ Start = Callable[..., RclpyProgram]
 
 
 @pytest.fixture(autouse=True)
-def _ros(monkeypatch: pytest.MonkeyPatch) -> None:
-    use_real_ros(monkeypatch)
+def _ros(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    use_real_ros(monkeypatch, tmp_path)
 
 
 @pytest.fixture
@@ -54,7 +55,9 @@ def begin(domain: int) -> Iterator[Start]:
 
 
 def record_of(kind: type[RobotRecord], domain: int) -> RobotRecord:
-    return kind.model_validate({"domain": domain, "room": Room(width_m=20.0, depth_m=20.0)})
+    here = {"peers": ("127.0.0.1",)} if kind is DdsRecord else {}
+    room = Room(width_m=20.0, depth_m=20.0)
+    return kind.model_validate({"domain": domain, "room": room, **here})
 
 
 def run_of(record: RobotRecord, document: list[dict[str, Any]]) -> LiveRun:

@@ -37,6 +37,7 @@ LOCKS = {
     "requirements-node.lock": group("node"),
     "requirements-bench.lock": group("bench"),
     "requirements-bench-alone.lock": group("bench-alone"),
+    "requirements-ros.lock": group("ros"),
     "requirements-models.lock": group("models"),
 }
 
