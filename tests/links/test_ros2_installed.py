@@ -22,6 +22,7 @@ from tests.links.two_pcs import FOR_EVER
 pytestmark = pytest.mark.waits
 
 NEAR = [{"action": "move_forward", "distance": 0.3}]
+FAR = [{"action": "move_forward", "distance": 8.0}]
 # What a person drives by hand beside PINEL: enough to lead it astray, and never told as an obstacle.
 SLOWLY = [0.05, 0.1]
 COMMANDER = {"hears": False, "tells": False, "drives": SLOWLY}
@@ -143,7 +144,7 @@ def test_a_robot_whose_heading_jumps_ends_the_run_as_one_that_was_carried(
     begin: Start, domain: int, kind: type[RobotRecord]
 ) -> None:
     robot = begin()
-    run = run_of(record_of(kind, domain), FOR_EVER)
+    run = run_of(record_of(kind, domain), FAR)
     wait_for(lambda: moves(robot))
     robot.change(turned_rad=math.pi / 2)
     ended = run.result().ended

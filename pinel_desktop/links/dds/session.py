@@ -65,7 +65,7 @@ class Session:
         """A writer that no peer can hold up.
 
         Args:
-            is_transient_local: readers that ask for the last message hear it, too; a late one gets it while it is fresh.
+            is_transient_local: readers that ask for the last message hear it, too; a late one gets it while fresh.
         """
         reliable = Policy.Reliability.Reliable(duration(milliseconds=10))
         qos = _endpoint_qos(message, reliable, *(_KEEPS_LAST if is_transient_local else ()))

@@ -136,7 +136,7 @@ class DdsTransport:
             time.sleep(_POLL_S)
 
     def _is_lost(self) -> bool:
-        heard_s = self._receiving and self._receiving.heard_s
+        heard_s = self._receiving.heard_s if self._receiving is not None else None
         return self._is_open and heard_s is not None and time.monotonic() - heard_s > _SILENT_S
 
     def _receive(
