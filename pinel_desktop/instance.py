@@ -1,9 +1,11 @@
 """One app for one database: a lock, and a file from which a second start learns how to reach the first.
 
 The lock is the system's own, so it is gone when the process is, however it ended; the file may be stale and is
-believed only while the lock is held and the address answers.
+believed only while the lock is held and the address answers. An app works without the file too, as on a full disk.
 """
 
+import contextlib
+import errno
 import json
 import os
 import time
@@ -12,6 +14,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.paths import read_regular
+
+try:
+    import fcntl
+except ImportError:  # Windows, where a folder cannot be locked
+    fcntl = None  # type: ignore[assignment]
 
 if TYPE_CHECKING:
     from filelock import FileLock
@@ -22,6 +30,8 @@ _SECRET_HEADER = (
 _ANSWER_S = 2.0
 _STARTING_S = 10.0
 _POLL_S = 0.1
+# the folder cannot be written, so neither can the database: two apps do each other no harm
+_NOT_WRITABLE = (errno.EROFS, errno.EACCES, errno.EPERM)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +85,7 @@ class Instance:
     def __init__(self, database: Path) -> None:
         self._file = database.with_name(f"{database.stem}.instance.json")
         self._lock_file = database.with_name(f"{database.stem}.lock")
-        self._lock: FileLock | None = None
+        self._lock: FileLock | _FolderLock | None = None
         self._lock_is_parents = False
 
     @classmethod
@@ -90,7 +100,8 @@ class Instance:
 
         Raises:
             AlreadyRunningError: another process has it and answers.
-            PinelError: `instance_silent` when it has not answered after `wait_s`.
+            PinelError: `instance_silent` when it has not answered after `wait_s`, `instance_unreachable` when it has
+                no file either.
         """
         deadline = time.monotonic() + wait_s
         while not self._taken():
@@ -98,27 +109,34 @@ class Instance:
             if running is not None:
                 raise AlreadyRunningError(running)
             if time.monotonic() >= deadline:
-                raise PinelError("instance_silent", pid=self._announced().get("pid", "?"))
+                raise self._silent()
             time.sleep(_POLL_S)  # the other one may be starting, or be about to end
 
     def announce(self, url: str, secret: str) -> None:
-        """Writes how to reach this process, readable by this user alone."""
+        """Writes how to reach this process, readable by this user alone; goes without where that cannot be written."""
         if not self._is_ours():
             return
         text = json.dumps({"url": url, "secret": secret, "pid": os.getpid()})
-        self._file.unlink(missing_ok=True)
-        handle = os.open(self._file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
+        try:
+            self._file.unlink(missing_ok=True)
+            handle = os.open(self._file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+            with os.fdopen(handle, "w", encoding="utf-8") as file:
+                file.write(text)
+        except OSError:
+            self._remove_file()  # an empty one would say that there is an app that does not answer
 
     def release(self) -> None:
         """Takes the file away and gives the lock back."""
         if self._is_ours():
             # a successor's file stays, when the parent died first
             if self._announced().get("pid") == os.getpid():
-                self._file.unlink(missing_ok=True)
+                self._remove_file()
             if self._lock is not None:
                 self._lock.release()
+
+    def _remove_file(self) -> None:
+        with contextlib.suppress(OSError):  # the disk may have become read-only
+            self._file.unlink(missing_ok=True)
 
     def _is_ours(self) -> bool:
         return self._lock_is_parents or (self._lock is not None and self._lock.is_locked)
@@ -128,15 +146,23 @@ class Instance:
         from filelock import FileLock, Timeout  # noqa: PLC0415
 
         # the thread that takes the lock need not be the one that announces the address
-        self._lock = self._lock or FileLock(str(self._lock_file), thread_local=False)
+        lock = FileLock(str(self._lock_file), thread_local=False)
         try:
             self._file.parent.mkdir(0o700, parents=True, exist_ok=True)
-            self._lock.acquire(timeout=0)
+            lock.acquire(timeout=0)
         except Timeout:
             return False
-        except OSError:
-            return True
+        except OSError as error:
+            return error.errno in _NOT_WRITABLE or self._is_folder_taken()
+        self._lock = lock
         return True
+
+    def _is_folder_taken(self) -> bool:
+        """Locks the folder itself, where something that is no file has the name of the lock file."""
+        if fcntl is None:
+            return True
+        self._lock = _FolderLock(self._file.parent)
+        return self._lock.acquire()
 
     def _running(self) -> RunningInstance | None:
         """The process that holds the lock, if its file can be read and its address answers."""
@@ -152,7 +178,42 @@ class Instance:
 
     def _announced(self) -> dict[str, object]:
         try:
-            found = json.loads(self._file.read_text("utf-8"))
-        except (OSError, ValueError):
+            found = json.loads(read_regular(self._file))
+        except (OSError, ValueError, RecursionError):
             return {}
         return found if isinstance(found, dict) else {}
+
+    def _silent(self) -> PinelError:
+        if self._file.is_file():
+            return PinelError("instance_silent", pid=self._announced().get("pid", "?"))
+        return PinelError("instance_unreachable", path=str(self._file))
+
+
+class _FolderLock:
+    """A lock on a folder, with what `Instance` needs of a `FileLock`."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._handle: int | None = None
+
+    @property
+    def is_locked(self) -> bool:
+        return self._handle is not None
+
+    def acquire(self) -> bool:
+        """False where another process has it. A folder that cannot be locked counts as locked."""
+        try:
+            self._handle = os.open(self._folder, os.O_RDONLY)
+            fcntl.flock(self._handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            self.release()
+            return False
+        except OSError:
+            return True
+        return True
+
+    def release(self) -> None:
+        """Gives it back."""
+        if self._handle is not None:
+            os.close(self._handle)
+            self._handle = None

@@ -13,6 +13,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
 
+from pinel_desktop.paths import read_regular
+
 NAME, VALUE = "^[a-z_]+$", "^[A-Za-z0-9_-]*$"
 MAX_SETTINGS, MAX_NAME, MAX_VALUE = 40, 40, 4000  # a cookie had room for as much
 PAGE_LANGUAGE = "pinel_language"
@@ -72,7 +74,7 @@ def _read(file: Path) -> dict[str, str]:
     try:
         if file.stat().st_size > _MAX_BYTES:
             return {}
-        found = json.loads(file.read_text("utf-8"))
+        found = json.loads(read_regular(file))
     except (OSError, ValueError, RecursionError):
         return {}
     pairs = found.items() if isinstance(found, dict) else ()

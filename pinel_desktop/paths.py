@@ -1,6 +1,7 @@
 """Where the user's data lives: `--db FILE`, else the folder PINEL_HOME, else the system's place for it."""
 
 import os
+import stat
 from pathlib import Path
 
 import platformdirs
@@ -32,3 +33,19 @@ def database_path(db: str | os.PathLike[str] | None = None) -> Path:
     """
     path = Path(db).expanduser() if db else data_folder() / DATABASE_NAME
     return Path(os.path.realpath(path))
+
+
+def read_regular(path: Path) -> bytes:
+    """All of a regular file: a pipe or a device of that name would hold up who reads it for ever.
+
+    As in storage/file/side_files.py: importing the store would delay the page and the window.
+
+    Raises:
+        OSError: there is none, or something else.
+    """
+    handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    if not stat.S_ISREG(os.fstat(handle).st_mode):
+        os.close(handle)
+        raise OSError(f"{path}: no regular file")
+    with os.fdopen(handle, "rb") as file:
+        return file.read()

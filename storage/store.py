@@ -208,9 +208,10 @@ def open_store(
         StoreError: the file cannot be used at all; it is untouched.
     """
     opened = prepare(path, clock(), _mend)
-    refusal = None if opened.writable else StoreError("database_read_only", path=str(path))
+    is_full = opened.notice is not None and opened.notice.code == "disk_full_at_start"
+    refusal = StoreError("disk_full" if is_full else "database_read_only", path=str(path))
     store = Store(
-        Database(path, opened.address, refusal, clock, uptime),
+        Database(path, opened.address, None if opened.writable else refusal, clock, uptime),
         writable=opened.writable,
         notice=opened.notice,
     )

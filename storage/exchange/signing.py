@@ -16,6 +16,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from storage.file.side_files import read_regular
 from storage.sql import column_names, row_count
 from storage.sqlite import sqlite3
 from storage.tables import rules
@@ -141,7 +142,7 @@ def _own_key(database: Path, computer_id: str, *, make: bool) -> "SigningKey | N
 def _kept_seed(path: Path, computer_id: str) -> bytes | None:
     """None where there is no file, one that is damaged, or that of another PC whose folder was copied."""
     try:
-        kept = json.loads(path.read_text("utf-8"))
+        kept = json.loads(read_regular(path))
         seed = kept["seed"]
         return (
             bytes.fromhex(seed)

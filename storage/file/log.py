@@ -7,6 +7,8 @@ rounds. Frames of the same round that follow are work that a wrong bit cuts off 
 import struct
 from pathlib import Path
 
+from storage.file.side_files import read_regular
+
 HEADER, FRAME_HEADER = 32, 24
 WAL_MAGIC = 0x377F0682
 
@@ -27,7 +29,7 @@ def has_frames(database: Path) -> bool:
 def cut_off(database: Path) -> int:
     """Commits in the log that SQLite leaves out as something before them is damaged; 0 where all is well."""
     try:
-        octets = path_of(database).read_bytes()
+        octets = read_regular(path_of(database))
     except OSError:
         return 0
     if len(octets) <= HEADER + FRAME_HEADER:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+from storage.file.side_files import open_regular, read_regular
 from storage.sqlite import sqlite3
 from storage.text import local_time
 
@@ -35,7 +36,7 @@ def path_of(database: Path) -> Path:
 def remembered(database: Path) -> Remembered | None:
     """What the mark says; None where there is none, or where it cannot be read."""
     with suppress(OSError, ValueError, TypeError, KeyError, RecursionError, OverflowError):
-        found = json.loads(path_of(database).read_bytes())
+        found = json.loads(read_regular(path_of(database)))
         n_saves, at = found["saves"], found["at"]
         if isinstance(n_saves, int) and datetime.fromisoformat(at).tzinfo and local_time(at):
             return Remembered(n_saves, at)
@@ -51,8 +52,7 @@ class Mark:
     def __init__(self, database: Path) -> None:
         self._handle: int | None = None
         with suppress(OSError):
-            flags = os.O_WRONLY | os.O_CREAT | getattr(os, "O_BINARY", 0)
-            self._handle = os.open(path_of(database), flags, 0o600)
+            self._handle = open_regular(path_of(database), os.O_WRONLY | os.O_CREAT)
 
     def write(self, n_saves: int, at: str) -> None:
         """Overwrites the mark; `at` is the time as text."""

@@ -74,7 +74,8 @@ def prepare(path: Path, now: datetime, mend: Mend | None = None) -> Opened:
 
     Raises:
         StoreError: `database_newer`, `database_foreign` or `database_is_bundle` with the file untouched;
-            `database_read_only` where not even reading is possible; `disk_full`, `database_locked`, `database_failed`.
+            `database_read_only` where not even reading is possible; `disk_full` where there is nothing to show either;
+            `database_locked`, `database_failed`.
     """
     try:
         found = _examined(path, now, mend)
@@ -82,10 +83,25 @@ def prepare(path: Path, now: datetime, mend: Mend | None = None) -> Opened:
         return Opened(address(path, "rwc"), writable=True, notice=found or trouble)
     except _ReadOnlyError as stop:
         return Opened(stop.address, writable=False, notice=_of_read_only(path, stop.address))
-    except sqlite3.Error as error:
-        raise translated(error, path) from error
+    except (sqlite3.Error, StoreError) as error:
+        problem = error if isinstance(error, StoreError) else translated(error, path)
+        if problem.code == "disk_full" and (shown := _shown_on_full_disk(path)):
+            return shown
+        raise problem from error
     except OSError as error:
         raise StoreError("database_read_only", path=str(path), problem=error.strerror) from error
+
+
+def _shown_on_full_disk(path: Path) -> Opened | None:
+    """How to read a sound file beside which SQLite has no room for its own files; None for any other file."""
+    with contextlib.suppress(sqlite3.Error, StoreError):
+        readable = _readable_address(path)
+        with closing(_tried(readable)) as connection:
+            if damage(connection, "quick_check") is None:
+                _check_ownership(connection, path)
+                notice = _of_read_only(path, readable, "disk_full_at_start")
+                return Opened(readable, writable=False, notice=notice)
+    return None
 
 
 def prepare_reading(path: Path) -> Opened:
@@ -360,11 +376,11 @@ def _readable_address(path: Path) -> str:
     raise StoreError("database_read_only", path=str(path))
 
 
-def _of_read_only(path: Path, readable: str) -> Notice:
+def _of_read_only(path: Path, readable: str, code: str = "database_read_only") -> Notice:
     """A file that is read as `immutable` is read without its WAL, in which the last edits may be."""
     wal = path.with_name(path.name + "-wal")
     if readable != address(path, "immutable") or not wal.exists() or not wal.stat().st_size:
-        return Notice("database_read_only", {"path": str(path)})
+        return Notice(code, {"path": str(path)})
     found = wal.stat()
     written_at = datetime.fromtimestamp(found.st_mtime, UTC)
     return Notice(

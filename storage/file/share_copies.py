@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from storage.file.backups import Backup, has_tombstones, list_backups
+from storage.file.side_files import read_regular
 from storage.file.whole_files import whole_file
 
 KEPT = 3
@@ -32,7 +33,7 @@ class Noted:
 def noted(database: Path) -> Noted | None:
     """What is known of the copies, without a look at their folder; None where there are no notes."""
     with suppress(OSError, ValueError, TypeError, KeyError, RecursionError):
-        found = json.loads(_notes_of(database).read_text("utf-8"))
+        found = json.loads(read_regular(_notes_of(database)))
         finished = Path(found["finished"]) if found["finished"] else None
         return Noted(str(found["computer"]), tuple(map(Path, found["copies"])), finished)
     return None
