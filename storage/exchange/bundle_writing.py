@@ -5,8 +5,8 @@ its checksum (docs/bundles.md).
 """
 
 import logging
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing, contextmanager, suppress
+from collections.abc import Callable, Mapping
+from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -19,7 +19,7 @@ from storage.file.connection import Database
 from storage.file.made_up import mend
 from storage.file.odd_values import holds_made_up
 from storage.file.sums import KEYS, OF_RUNS, is_sound
-from storage.file.whole_files import numbered, whole_file
+from storage.file.whole_files import new_whole_file
 from storage.limits import MAX_REVISION
 from storage.sql import column_names, insert, opened, row_count, rows_of
 from storage.sqlite import sqlite3
@@ -117,9 +117,8 @@ def export_bundle(
         scope.require(db)
     try:
         with (
-            _reserved(dest) as final,
-            whole_file(final) as part,
-            closing(_new_database(part)) as db,
+            new_whole_file(dest) as file,
+            closing(_new_database(file.part)) as db,
         ):
             damaged = _fill(db, database.address, scope)
             if alter is not None:
@@ -129,7 +128,7 @@ def export_bundle(
                 mend(db, database.now())
             left_out, lacking = _leave_out(db, damaged)
             info = BundleInfo(
-                final,
+                dest,
                 app_version,
                 database.now(),
                 *computer,
@@ -145,6 +144,9 @@ def export_bundle(
                 info = replace(info, signed_by=sign(db, database.path, info.computer_id))
     except sqlite3.Error as error:
         raise _not_written(translated(error, dest), dest) from error
+    except OSError as error:
+        raise StoreError("export_failed", path=str(dest), problem=error.strerror) from error
+    info = replace(info, path=file.final)
     if is_noted:
         note_export(database, info, scope)
     return info
@@ -298,24 +300,6 @@ def forget_unconfirmed(db: sqlite3.Connection) -> None:
     """In a file for statistics, a pass that is not confirmed counts as not judged; nothing else tells of marks."""
     db.execute("UPDATE runs SET passed = NULL WHERE id IN (SELECT run_id FROM unconfirmed_runs)")
     db.execute("DELETE FROM unconfirmed_runs")
-
-
-@contextmanager
-def _reserved(dest: Path) -> Iterator[Path]:
-    """A name that no file has, reserved by an empty file, which is deleted where nothing is written."""
-    try:
-        for path in numbered(dest):
-            with suppress(FileExistsError):
-                path.open("xb").close()
-                break
-        try:
-            yield path
-        except BaseException:
-            with suppress(OSError):
-                path.unlink()
-            raise
-    except OSError as error:
-        raise StoreError("export_failed", path=str(dest), problem=error.strerror) from error
 
 
 def _not_written(error: StoreError, dest: Path) -> StoreError:

@@ -1,0 +1,123 @@
+"""The table of attacks, continued: what a disk does in the middle of a lesson. It reads as `test_attacks.py` does."""
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+
+from pinel_desktop.desktop.app_process import AppProcess
+from pinel_desktop.instance import Instance
+from pinel_desktop.school.teacher import TeacherSessions
+from storage import open_store
+from tests.attacks.disks import (
+    fill,
+    left_by_a_kill,
+    second_start,
+    served,
+    small_disk,
+)
+from tests.attacks.killed_exports import is_whole, killed_exports
+from tests.attacks.pins import PIN
+from tests.storage.bundle_makers import work
+from tests.web.browser import Browser
+
+MakeDisk = Callable[[str], Path]
+
+
+@pytest.fixture
+def make_disk(tmp_path: Path) -> Iterator[MakeDisk]:
+    with ExitStack() as stack:
+        yield lambda kind: stack.enter_context(small_disk(tmp_path, kind))
+
+
+def lesson(path: Path) -> Path:
+    """A file with a group and the teacher's PIN."""
+    with open_store(path) as store:
+        store.groups.create("Onças")
+        TeacherSessions(store.settings).set_pin(PIN)
+    return path
+
+
+# ---- a disk that is full ----
+
+
+@pytest.mark.waits
+@pytest.mark.parametrize("left_kb", [0, 4, 8, 12])
+@pytest.mark.parametrize("kind", ["tmpfs", "ext4"])
+def test_on_a_full_disk_the_app_starts_shows_the_work_and_lets_the_teacher_in(
+    make_disk: MakeDisk, kind: str, left_kb: int
+) -> None:
+    path = lesson(make_disk(kind) / "pinel.db")
+    fill(path.parent, left_kb)
+    with served(path) as app:
+        assert app.groups == ["Onças"]
+        assert app.browser.post("/api/teacher/enter", {"pin": PIN}).status < 300
+        assert "Traceback" not in app.output
+        assert app.end() == 0
+    assert not path.with_name("pinel.instance.json").exists()
+
+
+@pytest.mark.waits
+@pytest.mark.parametrize("kind", ["tmpfs", "ext4"])
+def test_on_a_full_disk_the_work_of_an_app_that_was_killed_is_shown_too(
+    make_disk: MakeDisk, kind: str
+) -> None:
+    path = make_disk(kind) / "pinel.db"
+    left_by_a_kill(path)
+    fill(path.parent, 0)
+    with served(path) as app:
+        assert app.groups == ["Onças"]
+        assert app.end() == 0
+
+
+@pytest.mark.waits
+def test_on_a_full_disk_the_window_opens(make_disk: MakeDisk) -> None:
+    path = lesson(make_disk("tmpfs") / "pinel.db")
+    fill(path.parent, 0)
+    lock = Instance(path)
+    lock.acquire()
+    app = AppProcess(path, on_show=lambda: None, on_lost=lambda: None)
+    try:
+        app.start()
+        browser = Browser.signed_in(app.address())
+        assert [one["name"] for one in browser.get("/api/groups").data["groups"]] == ["Onças"]
+        app.language()
+        assert app.failure is None
+    finally:
+        app.close()
+        lock.release()
+
+
+@pytest.mark.waits
+def test_a_folder_in_the_place_of_the_address_keeps_no_app_from_starting_and_is_named(
+    tmp_path: Path,
+) -> None:
+    path = lesson(tmp_path / "pinel.db")
+    (tmp_path / "pinel.instance.json").mkdir()
+    with served(path) as app:
+        assert app.groups == ["Onças"]
+        status, words = second_start(path)
+        assert (status, "already open" in words, "pinel.instance.json" in words) == (1, True, True)
+        assert "Traceback" not in words
+        assert app.end() == 0
+        assert "Traceback" not in app.output
+
+
+# ---- an export that is killed ----
+
+
+@pytest.mark.waits
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+def test_an_export_that_is_killed_at_any_step_leaves_no_file_that_is_not_complete(
+    tmp_path: Path,
+) -> None:
+    with open_store(tmp_path / "pinel.db") as store:
+        work(store, store.groups.create("Onças"), "Quadrado")
+    stick = tmp_path / "stick"
+    stick.mkdir()
+    assert killed_exports(tmp_path / "pinel.db", stick, n_by_chance=20) >= 5
+    bundles = list(stick.glob("*.pinel"))
+    assert len(bundles) >= 2
+    assert [one.name for one in bundles if not is_whole(one)] == []
