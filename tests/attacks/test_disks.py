@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from pinel_desktop.app import App
 from pinel_desktop.desktop.app_process import AppProcess
-from pinel_desktop.instance import Instance
+from pinel_desktop.instance import AlreadyRunningError, Instance
 from pinel_desktop.school.teacher import TeacherSessions
 from storage import open_store
+from tests.attacks.damage import pinel
 from tests.attacks.disks import (
     fill,
     left_by_a_kill,
@@ -22,6 +24,7 @@ from tests.attacks.killed_exports import is_whole, killed_exports
 from tests.attacks.pins import PIN
 from tests.storage.bundle_makers import work
 from tests.web.browser import Browser
+from tests.web.fake_engine import FakeEngine
 
 MakeDisk = Callable[[str], Path]
 
@@ -121,3 +124,58 @@ def test_an_export_that_is_killed_at_any_step_leaves_no_file_that_is_not_complet
     bundles = list(stick.glob("*.pinel"))
     assert len(bundles) >= 2
     assert [one.name for one in bundles if not is_whole(one)] == []
+
+
+# ---- something else that has the name of a small file ----
+
+SMALL_FILES = [
+    "pinel.db.mark.json",
+    "pinel.db.copies.json",
+    "pinel.db.page.json",
+    "pinel.db.key",
+    "pinel.instance.json",
+]
+MAKE: dict[str, Callable[[Path], None]] = {
+    "a pipe": os.mkfifo if hasattr(os, "mkfifo") else Path.mkdir,
+    "a folder": Path.mkdir,
+    "a link to a device": lambda path: path.symlink_to("/dev/zero"),
+}
+
+
+@pytest.mark.waits
+@pytest.mark.skipif(os.name != "posix", reason="no pipes with names")
+@pytest.mark.parametrize("what", MAKE)
+def test_no_small_file_that_is_something_else_holds_up_start_export_or_end(
+    tmp_path: Path, what: str
+) -> None:
+    path = lesson(tmp_path / "pinel.db")
+    for name in SMALL_FILES:
+        (tmp_path / name).unlink(missing_ok=True)
+        MAKE[what](tmp_path / name)
+    with served(path) as app:
+        assert app.groups == ["Onças"]
+        app.browser.post("/api/groups", {"name": "Tucanos"})
+        assert app.end() == 0
+        assert "Traceback" not in app.output
+    (tmp_path / "pinel.db-wal").unlink(missing_ok=True)
+    MAKE[what](tmp_path / "pinel.db-wal")
+    with served(path) as app:  # what SQLite cannot use is told
+        assert app.database["notice"] or app.groups
+        assert app.end() == 0
+    assert pinel("--db", path, "export", tmp_path / "stick") in (0, 1)
+
+
+@pytest.mark.waits
+@pytest.mark.skipif(os.name != "posix", reason="Windows locks no folder")
+@pytest.mark.parametrize("what", MAKE)
+def test_no_second_app_opens_beside_the_first_whatever_the_lock_file_is(
+    tmp_path: Path, what: str
+) -> None:
+    path = tmp_path / "pinel.db"
+    MAKE[what](tmp_path / "pinel.lock")
+    with App(path, make_engine=FakeEngine) as first:
+        with pytest.raises(AlreadyRunningError) as second:
+            App(path).start()
+        assert Browser.at(second.value.running.url).port == Browser.at(first.address).port
+    with App(path, make_engine=FakeEngine):  # the lock was given back
+        pass
