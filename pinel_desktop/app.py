@@ -5,7 +5,7 @@ What the page can be drawn without is imported a moment later, by `_warm_up`.
 
 import contextlib
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
@@ -17,6 +17,7 @@ from pinel_desktop.events.hub import Hub
 from pinel_desktop.events.types import KEPT, URGENT
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.instance import Instance
+from pinel_desktop.known_places import forget_place, is_place_missing, remember_place
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.page_settings import PageSettings
@@ -33,6 +34,7 @@ from pinel_desktop.web.application import create_app
 from pinel_desktop.web.early_server import EarlyServer
 from pinel_desktop.web.services import DatabaseState, Engine, ReadDocument, Services
 from sim.world import list_worlds
+from storage import Notice as StoreNotice
 from storage import Recorder, Store, StoreError, open_store, warm_up
 from storage.file.private import make_private
 from storage.file.temporary import remove_leftovers
@@ -45,6 +47,7 @@ if TYPE_CHECKING:
 
 Event = dict[str, Any]
 _PATIENCE_S = 2.0
+_INTERRUPTED = {"state": "failed", "reason": "interrupted"}
 # All is well again, or a remedy was applied: the file is written to.
 _WRITABLE_NOTICES = (
     "database_set_aside",
@@ -293,6 +296,8 @@ class App:
             flush_recording=self._flush_recording,
             prepare_judge=self._grader.prepare,
             confirm_runs=self._confirmer.wake,
+            unsaved_end=self._unsaved_end,
+            begin_empty=self._begin_empty,
         )
 
     def _take(self, event: Event) -> None:
@@ -309,6 +314,19 @@ class App:
     def _flush_recording(self) -> None:
         with contextlib.suppress(StoreError, TimeoutError):
             self._recorder.flush().result(_PATIENCE_S)
+
+    def _begin_empty(self) -> None:
+        """The next start makes a new file where there is none now; what is away is not looked for any more."""
+        forget_place(self._database)
+        self._store.notice = StoreNotice("database_begins_empty", {"path": str(self._database)})
+
+    def _unsaved_end(self, run_id: str) -> Mapping[str, Any] | None:
+        """How a run ended that the file has as running: its end could not be written."""
+        if run_id == self._engine.live_run:
+            return None
+        return self._recorder.unsaved_end(run_id) or (
+            _INTERRUPTED if self._store.is_interrupted(run_id) else None
+        )
 
     def _end_recording(self) -> None:
         """Writes what is pending, and closes a run that the engine left open."""
@@ -381,8 +399,12 @@ def _warm_up() -> None:
 
 def _opened(database: Path) -> Store:
     try:
+        if is_place_missing(database):
+            folder = str(database.parent)
+            raise StoreError("database_place_missing", path=str(database), folder=folder)
         store = open_store(database, close_interrupted=True)
         make_private(database, is_own_folder=is_own_place(database))
+        remember_place(database)
         return store
     except StoreError as error:
         return Store.without_file(database, error)

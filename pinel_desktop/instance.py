@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.known_places import is_place_missing
 from pinel_desktop.paths import read_regular
 
 try:
@@ -83,6 +84,7 @@ class Instance:
     """The lock of this process on a database; `release` it at the end."""
 
     def __init__(self, database: Path) -> None:
+        self._database = database
         self._file = database.with_name(f"{database.stem}.instance.json")
         self._lock_file = database.with_name(f"{database.stem}.lock")
         self._lock: FileLock | _FolderLock | None = None
@@ -96,7 +98,7 @@ class Instance:
         return instance
 
     def acquire(self, wait_s: float = _STARTING_S) -> None:
-        """Takes the lock. In a folder that cannot be written there is none, and no harm in going without.
+        """Takes the lock. In a folder that cannot be written, or is away, there is none, and no harm in going without.
 
         Raises:
             AlreadyRunningError: another process has it and answers.
@@ -142,6 +144,8 @@ class Instance:
         return self._lock_is_parents or (self._lock is not None and self._lock.is_locked)
 
     def _taken(self) -> bool:
+        if is_place_missing(self._database):  # nothing is made where a stick is to be mounted
+            return True
         # the app behind a window, whose start the page waits for, takes no lock
         from filelock import FileLock, Timeout  # noqa: PLC0415
 

@@ -14,15 +14,16 @@ def data_folder() -> Path:
     home = os.environ.get("PINEL_HOME")
     if home:
         return Path(home).expanduser()
-    return _own_place()
+    return own_place()
 
 
 def is_own_place(database: Path) -> bool:
     """Whether the file lies where PINEL keeps data by itself, not in a folder that somebody has chosen."""
-    return database.parent == Path(os.path.realpath(_own_place()))
+    return database.parent == Path(os.path.realpath(own_place()))
 
 
-def _own_place() -> Path:
+def own_place() -> Path:
+    """Where PINEL keeps data by itself; it need not exist."""
     return Path(platformdirs.user_data_dir("pinel", appauthor=False))
 
 

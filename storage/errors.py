@@ -58,8 +58,8 @@ def translated(error: sqlite3.Error, path: Path) -> StoreError:
     for prefix, code in _BY_PREFIX.items():
         if name.startswith(prefix):
             return StoreError(code, path=str(path))
-    if name.startswith("SQLITE_IOERR") and _is_without_room(path):
-        return StoreError("disk_full", path=str(path))
+    if name.startswith("SQLITE_IOERR") and (code := _why_not_writable(path)):
+        return StoreError(code, path=str(path))
     return StoreError("database_failed", path=str(path), problem=str(error))
 
 
@@ -73,9 +73,13 @@ def is_full(error: OSError) -> bool:
     return error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
-def _is_without_room(path: Path) -> bool:
-    """Why SQLite could not write, where it says only that input or output failed."""
-    return _is_nearly_full(path) or _is_file_limit_reached(path) or _is_quota_used_up(path)
+def _why_not_writable(path: Path) -> str | None:
+    """The code for what keeps SQLite from writing, where it says only that input or output failed."""
+    error = _error_of_writing(path)
+    if error is not None and error.errno == errno.EROFS:  # the system does so to a disk with errors
+        return "database_read_only"
+    is_without_room = _is_nearly_full(path) or _is_file_limit_reached(path)
+    return "disk_full" if is_without_room or (error and is_full(error)) else None
 
 
 def _is_nearly_full(path: Path) -> bool:
@@ -103,8 +107,8 @@ def _size_with_wal(path: Path) -> int:
     return size
 
 
-def _is_quota_used_up(path: Path) -> bool:
-    """True where this user may write no more, on a disk with room: what SQLite calls an I/O error."""
+def _error_of_writing(path: Path) -> OSError | None:
+    """What the system says when something is written beside the file."""
     import tempfile  # noqa: PLC0415 - hardly ever needed
 
     try:
@@ -113,5 +117,5 @@ def _is_quota_used_up(path: Path) -> bool:
             file.flush()
             os.fsync(file.fileno())
     except OSError as error:
-        return is_full(error)
-    return False
+        return error
+    return None

@@ -100,6 +100,12 @@ class Recorder:
                     self._unsaved.append(batch)
         return self._submit()
 
+    def unsaved_end(self, run_id: str) -> Event | None:
+        """The end of a run that is over but not on disk; None for any other run."""
+        with self._lock:
+            ends = [batch.ended for batch in self._unsaved if batch.run_id == run_id]
+        return next((ended for ended in ends if ended is not None), None)
+
     def close(self) -> None:
         """Tries no more. Call `flush` before."""
         self._closed = True

@@ -89,6 +89,10 @@ class Store:
         """True when runs that were cut off could not be closed at the start; `record` closes them."""
         return bool(self._interrupted)
 
+    def is_interrupted(self, run_id: str) -> bool:
+        """True for a run that was cut off, and that the file, as it cannot be written, still has as `running`."""
+        return run_id in self._interrupted or not self.can_write
+
     @property
     def exchange(self) -> "Exchange":
         """Exporting, merging and deleting for good."""

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from pinel_desktop.commands.printing import Failure
 from pinel_desktop.errors import PinelError
+from pinel_desktop.known_places import is_place_missing
 from storage import Store, StoreError, open_for_reading, open_store
 from storage.text import name_key
 
@@ -24,6 +25,7 @@ class Named(Protocol):
 def opened_for_reading(path: Path) -> Iterator[Store]:
     """The store of an existing file, read-only."""
     with _failures():
+        require_place(path)
         _require(path)
         with open_for_reading(path) as store:
             yield store
@@ -37,6 +39,7 @@ def opened_store(path: Path, *, may_be_new: bool) -> Iterator[Store]:
         may_be_new: create the file if it does not exist.
     """
     with _failures():
+        require_place(path)
         if _has_content(path):
             _require_sound(path)
         elif not may_be_new:
@@ -65,6 +68,12 @@ def _failures() -> Iterator[None]:
 
 def _has_content(path: Path) -> bool:
     return path.is_file() and path.stat().st_size > 0
+
+
+def require_place(path: Path) -> None:
+    """Raises PinelError `database_place_missing`: a stick that is away is no reason to begin another file there."""
+    if is_place_missing(path):
+        raise PinelError("database_place_missing", path=str(path), folder=str(path.parent))
 
 
 def _require(path: Path) -> None:

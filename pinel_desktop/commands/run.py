@@ -12,6 +12,7 @@ import click
 from pinel_desktop import __version__
 from pinel_desktop.camera.client import CameraState
 from pinel_desktop.camera.inputs import WRONG_SOURCE, CameraInputs
+from pinel_desktop.commands.database import require_place
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.printing import figure_lines, print_problem
 from pinel_desktop.commands.program_file import place_of, read_file
@@ -347,8 +348,9 @@ class _Recording:
 
 def _open_recording(database: Path, language: str) -> _Recording | None:
     try:
+        require_place(database)
         store = open_store(database)
-    except StoreError as error:
+    except (PinelError, StoreError) as error:
         print_problem(error, language, place="pinel")
         return None
     if store.notice is not None:

@@ -31,6 +31,7 @@ from pinel_desktop.desktop.backends import (
 from pinel_desktop.desktop.trial import window_problem
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
+from pinel_desktop.known_places import is_place_missing
 from storage.errors import StoreError
 from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
 from storage.file import log
@@ -205,6 +206,9 @@ def _database(path: Path) -> Finding:
 def _absent(path: Path) -> Finding | None:
     """What stands for the file where none is there."""
     params = {"path": str(path)}
+    if is_place_missing(path):
+        about = params | {"folder": str(path.parent)}
+        return Finding("database", "fail", "database_place_missing", about)
     is_there = path.exists()
     if is_there and not path.is_file():  # a folder, a pipe: reading it would have no end
         return Finding("database", "fail", "database_foreign", params)

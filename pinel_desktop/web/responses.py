@@ -57,6 +57,7 @@ STATUS = {
     "database_read_only": 503,
     "database_newer": 503,
     "database_foreign": 503,
+    "database_place_missing": 503,
     "database_is_bundle": 503,
     "disk_full": 507,
     "database_damaged": 500,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
 
@@ -159,6 +159,8 @@ class Services:
         flush_recording: writes the pending events of the live run; returns once they can be read, or if that fails.
         prepare_judge: starts the process that judges runs of activities, before the first one ends.
         confirm_runs: looks for runs that came with a file and are to be repeated, when nobody drives.
+        unsaved_end: the `run_ended` event of a run that is over, as far as it is not on disk; else None.
+        begin_empty: lets the next start begin with an empty database where the known one is away.
         show_window: brings the window forward; does nothing without a window.
     """
 
@@ -181,6 +183,8 @@ class Services:
     flush_recording: Callable[[], None]
     prepare_judge: Callable[[], None]
     confirm_runs: Callable[[], None] = lambda: None
+    unsaved_end: Callable[[str], Mapping[str, Any] | None] = lambda run_id: None
+    begin_empty: Callable[[], None] = lambda: None
 
 
 def services() -> Services:

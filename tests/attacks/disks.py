@@ -56,8 +56,8 @@ def _runs(*command: str | Path) -> bool:
 
 
 def make_read_only(disk: Path) -> None:
-    """As the system does it with a disk that has errors."""
-    subprocess.run(["mount", "-o", "remount,ro", str(disk)], check=True)
+    """As the system does it to a disk with errors (ext4, errors=remount-ro)."""
+    subprocess.run(["mount", "-o", "remount,abort", str(disk)], check=True)
 
 
 def fill(disk: Path, left_kb: int) -> None:
@@ -86,7 +86,8 @@ class Served:
     """`pinel serve`, and a browser that has opened its page."""
 
     def __init__(self, database: Path, *options: str) -> None:
-        self._output = tempfile.TemporaryFile("w+", encoding="utf-8")
+        self.path = database
+        self._output = tempfile.TemporaryFile("w+", encoding="utf-8")  # noqa: SIM115 - closed with the app
         self._process = subprocess.Popen(
             [*_PINEL, "--db", str(database), "serve", *options],
             stdout=subprocess.PIPE,

@@ -14,14 +14,18 @@ from pinel_desktop.school.teacher import TeacherSessions
 from storage import open_store
 from tests.attacks.damage import pinel
 from tests.attacks.disks import (
+    Served,
     fill,
     left_by_a_kill,
+    make_read_only,
     second_start,
     served,
     small_disk,
 )
+from tests.attacks.engine import FAR
 from tests.attacks.killed_exports import is_whole, killed_exports
 from tests.attacks.pins import PIN
+from tests.live_runs import begun, command, saved
 from tests.storage.bundle_makers import work
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine
@@ -106,6 +110,49 @@ def test_a_folder_in_the_place_of_the_address_keeps_no_app_from_starting_and_is_
         assert "Traceback" not in words
         assert app.end() == 0
         assert "Traceback" not in app.output
+
+
+# ---- a disk that turns read-only ----
+
+
+@pytest.mark.waits
+def test_a_disk_that_turns_read_only_is_told_and_a_stopped_run_is_shown_as_stopped(
+    make_disk: MakeDisk,
+) -> None:
+    path = make_disk("ext4") / "pinel.db"
+    with served(path) as app:
+        run = stopped_when_read_only(app)
+        refusal = app.browser.post("/api/groups", {"name": "Tucanos"}).error["code"]
+        assert refusal == app.database["notice"]["code"] == "database_read_only"
+        assert app.browser.get(f"/api/runs/{run}").data["state"] == "stopped"
+        group = app.browser.get("/api/groups").data["groups"][0]["id"]
+        listed = app.browser.get(f"/api/groups/{group}/runs").data["runs"]
+        assert [(one["id"], one["state"]) for one in listed] == [(run, "stopped")]
+        assert app.end() == 0
+        assert "Traceback" not in app.output
+
+
+@pytest.mark.waits
+def test_a_run_in_a_file_that_can_only_be_read_does_not_run_for_ever(make_disk: MakeDisk) -> None:
+    path = make_disk("ext4") / "pinel.db"
+    with served(path) as app:
+        run = stopped_when_read_only(app)
+        app.end()
+    with served(path) as app:
+        assert app.browser.get(f"/api/runs/{run}").data["reason"] == "interrupted"
+        assert app.end() == 0
+
+
+def stopped_when_read_only(app: Served) -> str:
+    """A run that a person stops after its disk has turned read-only."""
+    with app.browser.stream() as stream:
+        stream.next()
+        run = begun(app.browser, saved(app.browser, FAR))
+        stream.until("telemetry")
+        make_read_only(app.path.parent)
+        command(app.browser, run, "stop")
+        assert stream.until("run_ended")[-1]["state"] == "stopped"
+    return run
 
 
 # ---- an export that is killed ----

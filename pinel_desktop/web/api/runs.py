@@ -304,12 +304,14 @@ def _flush_recording(run_id: str) -> None:
 
 def run_model(row: RunRow | RunLine) -> Run:
     """The answer for a run, with a message for its reason."""
-    language = services().preferences.language
-    words = describe(row.reason, row.params, language) if row.reason else None
-    passed = row.counted if isinstance(row, RunRow) else row.passed
-    return Run.of(
-        row,
-        message=words.message if words else None,
-        remedy=words.remedy if words else None,
-        passed=passed,
-    )
+    parts = services()
+    end = (parts.unsaved_end(row.id) if row.state == "running" else None) or {}
+    ended = {name: end[name] for name in Run.model_fields if name in end}
+    reason, params = ended.get("reason", row.reason), ended.get("params", row.params)
+    words = describe(reason, params, parts.preferences.language) if reason else None
+    texts = {
+        "message": words.message if words else None,
+        "remedy": words.remedy if words else None,
+        "passed": row.counted if isinstance(row, RunRow) else row.passed,
+    }
+    return Run.of(row, **ended, **texts)

@@ -2,6 +2,7 @@
 
 from flask import Response
 
+from pinel_desktop.errors import PinelError
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models.status import DatabaseStatus, PageSetting, Settings, Status
 from pinel_desktop.web.responses import answer, notice
@@ -34,6 +35,16 @@ def _database(parts: Services) -> DatabaseStatus:
         else notice(problem.code, problem.params, parts.preferences.language)
     )
     return DatabaseStatus(path=state.path, writable=state.writable, notice=shown)
+
+
+@api.post("/database/begin-empty", responses=answers(Status, "database_not_missing"))
+def begin_empty() -> Response:
+    """Lets the next start begin with an empty file where the folder of the work is away; deletes nothing."""
+    problem = services().database_state().notice
+    if problem is None or problem.code not in ("database_place_missing", "database_begins_empty"):
+        raise PinelError("database_not_missing")
+    services().begin_empty()
+    return get_status()
 
 
 @api.put("/settings", responses=answers(Settings))

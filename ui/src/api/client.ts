@@ -74,6 +74,7 @@ const KEEPALIVE_LIMIT = 60_000;
 /** The app, groups, programs and runs: what the page needs from its start. */
 export const api = {
   status: () => get("/api/status"),
+  beginEmpty: () => post("/api/database/begin-empty", {}),
   setLanguage: (language: Language) => put("/api/settings", { body: { language } }),
 
   groups: async () => (await get("/api/groups")).groups,

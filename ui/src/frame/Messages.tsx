@@ -23,7 +23,13 @@ export function Messages() {
         <Line words={gone} fault testId={TEST.gone} icon={<Unplug class="icon" />} />
       )}
       {notice.value && !isSuperseded(notice.value, unsavedProblem()) && (
-        <Line words={notice.value} testId={TEST.notice} icon={<Database class="icon" />} />
+        <Line words={notice.value} testId={TEST.notice} icon={<Database class="icon" />}>
+          {notice.value.code === "database_place_missing" && (
+            <Button kind="plain" testId={TEST.beginEmpty} onPress={beginEmpty}>
+              {trouble.beginEmpty}
+            </Button>
+          )}
+        </Line>
       )}
       <Unsaved />
       {problem.value && (
@@ -45,6 +51,11 @@ export function Messages() {
       )}
     </div>
   );
+}
+
+/** The folder of the work is away; a person wants to begin with nothing. */
+async function beginEmpty(): Promise<void> {
+  notice.value = (await api.beginEmpty()).database.notice;
 }
 
 /** Why the open program could not be saved, if so. */

@@ -17,6 +17,7 @@ export const TEST = {
   theme: "theme", // data-theme: light | dark | contrast
   language: "language", // a select: pt-BR, en, es
   notice: "notice",
+  beginEmpty: "begin-empty",
   problem: "problem",
   unsaved: "unsaved",
   locked: "locked",

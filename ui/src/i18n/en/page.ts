@@ -342,6 +342,7 @@ export const page: typeof first = {
     goneTitle: "PINEL does not answer.",
     gone: "We keep trying. If it does not come back, close and open the program. What was saved is kept.",
     failedTitle: "That did not work.",
+    beginEmpty: "Begin empty",
     notLoaded: "This could not be opened.",
     tryAgain: "Try again",
     back: "Back to the beginning",

@@ -344,6 +344,7 @@ export const page: typeof first = {
     goneTitle: "PINEL no responde.",
     gone: "Seguimos intentando. Si no vuelve, cierren y abran el programa. Lo que se guardó está a salvo.",
     failedTitle: "Eso no funcionó.",
+    beginEmpty: "Empezar vacío",
     notLoaded: "No se pudo abrir.",
     tryAgain: "Intentar de nuevo",
     back: "Volver al inicio",

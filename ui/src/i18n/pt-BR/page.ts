@@ -342,6 +342,7 @@ export const page = {
     goneTitle: "O PINEL não responde.",
     gone: "Estamos tentando de novo. Se não voltar, fechem e abram o programa. O que já foi salvo não se perde.",
     failedTitle: "Isto não deu certo.",
+    beginEmpty: "Começar vazio",
     notLoaded: "Não deu para abrir.",
     tryAgain: "Tentar de novo",
     back: "Voltar ao início",
