@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from pinel_desktop import __version__
+from pinel_desktop.app_database import WRITABLE_NOTICES, open_database
 from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.events.app_events import CameraChanged, Notice
@@ -17,11 +18,10 @@ from pinel_desktop.events.hub import Hub
 from pinel_desktop.events.types import KEPT, URGENT
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.instance import Instance
-from pinel_desktop.known_places import forget_place, is_place_missing, remember_place
+from pinel_desktop.known_places import forget_place
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.page_settings import PageSettings
-from pinel_desktop.paths import is_own_place
 from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.grading import Grader
@@ -35,8 +35,7 @@ from pinel_desktop.web.early_server import EarlyServer
 from pinel_desktop.web.services import DatabaseState, Engine, ReadDocument, Services
 from sim.world import list_worlds
 from storage import Notice as StoreNotice
-from storage import Recorder, Store, StoreError, open_store, warm_up
-from storage.file.private import make_private
+from storage import Recorder, StoreError, warm_up
 from storage.file.temporary import remove_leftovers
 from storage.maintenance import Maintenance
 
@@ -48,27 +47,6 @@ if TYPE_CHECKING:
 Event = dict[str, Any]
 _PATIENCE_S = 2.0
 _INTERRUPTED = {"state": "failed", "reason": "interrupted"}
-# All is well again, or a remedy was applied: the file is written to.
-_WRITABLE_NOTICES = (
-    "database_set_aside",
-    "database_restored",
-    "database_mended",
-    "database_salvaged",
-    "database_salvaged_alone",
-    "database_end_salvaged",
-    "database_gone",
-    "database_gone_kept",
-    "database_gone_restored",
-    "database_gone_salvaged",
-    "database_earlier",
-    "database_earlier_backup",
-    "database_on_share",
-    "backup_no_room",
-    "backup_failed",
-    "backup_share_failed",
-    "backup_found_damage",
-    "settings_mended",
-)
 
 
 class EngineOfApp(Engine, Protocol):
@@ -184,7 +162,7 @@ class App:
 
     def _assemble(self, undo: contextlib.ExitStack) -> None:
         """Makes the parts so that they end in this order: engine, hub, server, recorder, last backup, store."""
-        self._store = _opened(self._database)
+        self._store = open_database(self._database)
         undo.callback(self._store.close)
         self._maintenance = Maintenance(self._store, self._publish_keeping)
         undo.callback(self._maintenance.back_up_at_the_end)  # after all is written
@@ -337,7 +315,7 @@ class App:
 
     def _database_state(self) -> DatabaseState:
         notice = self._recorder.problem or self._store.notice
-        writable = self._store.writable and (notice is None or notice.code in _WRITABLE_NOTICES)
+        writable = self._store.writable and (notice is None or notice.code in WRITABLE_NOTICES)
         notice = notice or self._maintenance.notice or self._content_check.notice
         return DatabaseState(path=str(self._store.path), writable=writable, notice=notice)
 
@@ -395,16 +373,3 @@ def _warm_up() -> None:
 
     warm_up()
     remove_leftovers()
-
-
-def _opened(database: Path) -> Store:
-    try:
-        if is_place_missing(database):
-            folder = str(database.parent)
-            raise StoreError("database_place_missing", path=str(database), folder=folder)
-        store = open_store(database, close_interrupted=True)
-        make_private(database, is_own_folder=is_own_place(database))
-        remember_place(database)
-        return store
-    except StoreError as error:
-        return Store.without_file(database, error)

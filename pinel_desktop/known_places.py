@@ -23,9 +23,8 @@ def remember_place(database: Path) -> None:
     is_temporary = database.is_relative_to(os.path.realpath(tempfile.gettempdir()))
     if is_temporary or is_own_place(database) or known[-1:] == [str(database)]:
         return
-    _write(
-        [place for place in known if place != str(database)][1 - _MAX_PLACES :] + [str(database)]
-    )
+    others = [place for place in known if place != str(database)]
+    _write([*others[1 - _MAX_PLACES :], str(database)])
 
 
 def forget_place(database: Path) -> None:

@@ -74,8 +74,7 @@ def prepare(path: Path, now: datetime, mend: Mend | None = None) -> Opened:
 
     Raises:
         StoreError: `database_newer`, `database_foreign` or `database_is_bundle` with the file untouched;
-            `database_read_only` where not even reading is possible; `disk_full` where there is nothing to show either;
-            `database_locked`, `database_failed`.
+            `database_read_only`, `disk_full` where not even reading is possible; `database_locked`, `database_failed`.
     """
     try:
         found = _examined(path, now, mend)
@@ -84,24 +83,23 @@ def prepare(path: Path, now: datetime, mend: Mend | None = None) -> Opened:
     except _ReadOnlyError as stop:
         return Opened(stop.address, writable=False, notice=_of_read_only(path, stop.address))
     except (sqlite3.Error, StoreError) as error:
-        problem = error if isinstance(error, StoreError) else translated(error, path)
-        if problem.code == "disk_full" and (shown := _shown_on_full_disk(path)):
-            return shown
-        raise problem from error
+        return _shown_on_full_disk(path, error)
     except OSError as error:
         raise StoreError("database_read_only", path=str(path), problem=error.strerror) from error
 
 
-def _shown_on_full_disk(path: Path) -> Opened | None:
-    """How to read a sound file beside which SQLite has no room for its own files; None for any other file."""
-    with contextlib.suppress(sqlite3.Error, StoreError):
-        readable = _readable_address(path)
-        with closing(_tried(readable)) as connection:
-            if damage(connection, "quick_check") is None:
+def _shown_on_full_disk(path: Path, error: sqlite3.Error | StoreError) -> Opened:
+    """How to read a sound file beside which SQLite has no room for its own files. Raises StoreError for any other."""
+    problem = error if isinstance(error, StoreError) else translated(error, path)
+    if problem.code == "disk_full":
+        with contextlib.suppress(sqlite3.Error, StoreError):
+            readable = _readable_address(path)
+            with closing(_tried(readable)) as connection:
                 _check_ownership(connection, path)
-                notice = _of_read_only(path, readable, "disk_full_at_start")
-                return Opened(readable, writable=False, notice=notice)
-    return None
+                if damage(connection, "quick_check") is None:
+                    notice = _of_read_only(path, readable, "disk_full_at_start")
+                    return Opened(readable, writable=False, notice=notice)
+    raise problem
 
 
 def prepare_reading(path: Path) -> Opened:
@@ -383,15 +381,9 @@ def _of_read_only(path: Path, readable: str, code: str = "database_read_only") -
         return Notice(code, {"path": str(path)})
     found = wal.stat()
     written_at = datetime.fromtimestamp(found.st_mtime, UTC)
-    return Notice(
-        "database_without_last_edits",
-        {
-            "path": str(path),
-            "name": wal.name,
-            "kb": math.ceil(found.st_size / 1000),
-            "time": local_time(written_at),
-        },
-    )
+    kb, time = math.ceil(found.st_size / 1000), local_time(written_at)
+    about = {"path": str(path), "name": wal.name, "kb": kb, "time": time}
+    return Notice("database_without_last_edits", about)
 
 
 def _untouching_address(path: Path) -> str:
