@@ -55,9 +55,9 @@ class StoreError(Exception):
 def translated(error: sqlite3.Error, path: Path) -> StoreError:
     """SQLite's error as ours."""
     name = error_name(error)
-    for prefix, code in _BY_PREFIX.items():
+    for prefix, by_prefix in _BY_PREFIX.items():
         if name.startswith(prefix):
-            return StoreError(code, path=str(path))
+            return StoreError(by_prefix, path=str(path))
     if name.startswith("SQLITE_IOERR") and (code := _why_not_writable(path)):
         return StoreError(code, path=str(path))
     return StoreError("database_failed", path=str(path), problem=str(error))

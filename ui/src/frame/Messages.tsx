@@ -25,7 +25,7 @@ export function Messages() {
       {notice.value && !isSuperseded(notice.value, unsavedProblem()) && (
         <Line words={notice.value} testId={TEST.notice} icon={<Database class="icon" />}>
           {notice.value.code === "database_place_missing" && (
-            <Button kind="plain" testId={TEST.beginEmpty} onPress={beginEmpty}>
+            <Button testId={TEST.beginEmpty} onPress={beginEmpty}>
               {trouble.beginEmpty}
             </Button>
           )}
