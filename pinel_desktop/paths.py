@@ -39,7 +39,7 @@ def database_path(db: str | os.PathLike[str] | None = None) -> Path:
 def read_regular(path: Path) -> bytes:
     """All of a regular file: a pipe or a device of that name would hold up who reads it for ever.
 
-    As in storage/file/side_files.py: importing the store would delay the page and the window.
+    As in storage/side_files.py: importing the store would delay the page and the window.
 
     Raises:
         OSError: there is none, or something else.

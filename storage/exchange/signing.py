@@ -16,7 +16,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from storage.file.side_files import read_regular
+from storage.side_files import read_regular
 from storage.sql import column_names, row_count
 from storage.sqlite import sqlite3
 from storage.tables import rules

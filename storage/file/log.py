@@ -7,7 +7,7 @@ rounds. Frames of the same round that follow are work that a wrong bit cuts off 
 import struct
 from pathlib import Path
 
-from storage.file.side_files import read_regular
+from storage.side_files import read_regular
 
 HEADER, FRAME_HEADER = 32, 24
 WAL_MAGIC = 0x377F0682

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from storage.file.side_files import open_regular, read_regular
+from storage.side_files import open_regular, read_regular
 from storage.sqlite import sqlite3
 from storage.text import local_time
 

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from storage.file.backups import Backup, has_tombstones, list_backups
-from storage.file.side_files import read_regular
 from storage.file.whole_files import whole_file
+from storage.side_files import read_regular
 
 KEPT = 3
 _FOLDER = "PINEL-backups"
