@@ -14,15 +14,16 @@ api = resource("status", "State of the app and its settings.", __name__)
 @api.get("/status", responses=answers(Status))
 def get_status() -> Response:
     """State of app, engine and database."""
-    parts = services()
-    return answer(
-        Status(
-            app_version=parts.app_version,
-            engine=parts.engine.state,
-            run=parts.engine.live_run,
-            database=_database(parts),
-            language=parts.preferences.language,
-        )
+    return answer(_status(services()))
+
+
+def _status(parts: Services) -> Status:
+    return Status(
+        app_version=parts.app_version,
+        engine=parts.engine.state,
+        run=parts.engine.live_run,
+        database=_database(parts),
+        language=parts.preferences.language,
     )
 
 
@@ -44,7 +45,7 @@ def begin_empty() -> Response:
     if problem is None or problem.code not in ("database_place_missing", "database_begins_empty"):
         raise PinelError("database_not_missing")
     services().begin_empty()
-    return get_status()
+    return answer(_status(services()))
 
 
 @api.put("/settings", responses=answers(Settings))
