@@ -412,7 +412,12 @@ def test_a_robot_that_comes_late_is_not_told_an_old_velocity(domain: int) -> Non
     wait_for(lambda: bool(writer.get_matched_subscriptions()))
     writer.write(Twist())
     heard: list[Any] = []
-    wait_for(lambda: bool(heard.extend(reader.take(10)) or heard))
+
+    def has_heard() -> bool:
+        heard.extend(reader.take(10))
+        return bool(heard)
+
+    wait_for(has_heard)
     assert [twist.linear.x for twist in heard] == [0.0]
     for each in (pc, robot):
         each.close()
