@@ -4,6 +4,7 @@ JSON says what it does; without any it is a robot:
     node: its name; "" for that of the node which publishes `cmd_vel` now.
     hears: subscribes to `cmd_vel`, and follows it at once as a unicycle.
     durability: of that subscription, `volatile` or `transient_local`.
+    deadline_s: within which each next command must come, as that subscription asks; none with null.
     tells: publishes `odom`, `scan` and `battery_state`.
     drives: publishes this velocity on `cmd_vel`, m/s and rad/s, ten times a second.
     offers: has a publisher of `cmd_vel` that says nothing.
@@ -22,6 +23,7 @@ import rclpy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rclpy.context import Context
+from rclpy.duration import Duration
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import BatteryState, LaserScan
@@ -32,6 +34,7 @@ ROBOT = {
     "node": "robot",
     "hears": True,
     "durability": "volatile",
+    "deadline_s": None,
     "tells": True,
     "drives": None,
     "offers": False,
@@ -51,7 +54,8 @@ class Robot:
             node.create_timer(PERIOD_S, self._report)
         if behaviour["hears"]:
             durability = DurabilityPolicy[behaviour["durability"].upper()]
-            quality = QoSProfile(depth=10, durability=durability)
+            deadline = Duration(seconds=behaviour["deadline_s"] or 0)  # 0: none
+            quality = QoSProfile(depth=10, durability=durability, deadline=deadline)
             node.create_subscription(Twist, "cmd_vel", self._hear, quality)
         if behaviour["drives"] or behaviour["offers"]:
             self._commands = node.create_publisher(Twist, "cmd_vel", 10)

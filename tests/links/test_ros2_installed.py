@@ -140,6 +140,15 @@ def test_a_robot_that_asks_for_the_last_command_is_driven(
 
 
 @both_links
+def test_a_robot_that_asks_for_more_than_pinel_offers_is_said_to_hear_nothing(
+    begin: Start, domain: int, kind: type[RobotRecord]
+) -> None:
+    begin(deadline_s=1.0)
+    ended = run_of(record_of(kind, domain), NEAR).result().ended
+    assert (ended.state, ended.reason) == ("failed", "robot_deaf")
+
+
+@both_links
 def test_a_robot_whose_heading_jumps_ends_the_run_as_one_that_was_carried(
     begin: Start, domain: int, kind: type[RobotRecord]
 ) -> None:
