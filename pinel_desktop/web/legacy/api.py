@@ -179,6 +179,7 @@ class LegacyApi:
     ) -> Outcome | None:
         """How a call goes; a capture that a stream has begun already is that of a call for one."""
         if (capture := self._streams.current()) is not None:
+            self._streams.settle()
             capture.over.wait(STREAM_S)
             is_joined = len(commands) == 1 and commands[0]["action"] == _CAPTURE[0]["action"]
             if is_joined and capture.outcome is not None:

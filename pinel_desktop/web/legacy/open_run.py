@@ -2,6 +2,7 @@
 
 import contextlib
 import threading
+import time
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, Protocol
@@ -70,6 +71,7 @@ class OpenRun:
 
     Attributes:
         result: the last gesture result of all runs; "" if nothing was recognised, None before any.
+        capture_started_s: since when a capture waits for a sign (monotonic); None while none does.
         cut_short: how the last run ended if it was stopped or failed; None while another one is open.
     """
 
@@ -94,7 +96,8 @@ class OpenRun:
         self._commands: Commands = []
         self._n_executed = self._n_blocks = self._n_before_call = 0
         self._results: dict[int, str] = {}
-        self._run_result, self._is_capturing = "", False
+        self._run_result = ""
+        self.capture_started_s: float | None = None
 
     @property
     def is_watched(self) -> bool:
@@ -128,14 +131,11 @@ class OpenRun:
             self._give_turn_back(*before)
             raise
 
-    def end_capture(self) -> bool:
-        """Ends the capture that is under way, as if nothing was seen; False if none is."""
-        run = self._run
-        if run is None or not self._is_capturing:
-            return False
-        with contextlib.suppress(PinelError):  # it has just ended
-            self._engine.command(run, AnswerCapture(result="", by="camera"))
-        return True
+    def end_capture(self) -> None:
+        """Ends the capture that is under way, as if nothing was seen."""
+        if (run := self._run) is not None:
+            with contextlib.suppress(PinelError):  # it has just ended
+                self._engine.command(run, AnswerCapture(result="", by="camera"))
 
     def observe(self, event: Event) -> None:
         """To be called with every event of live runs, in order, when the store has it."""
@@ -143,9 +143,9 @@ class OpenRun:
             return
         match event["type"]:
             case "capture_started":
-                self._is_capturing = True
+                self.capture_started_s = time.monotonic()
             case "gesture_result":
-                self._is_capturing = False
+                self.capture_started_s = None
                 self.result = self._run_result = event["result"]
             case "block_ended":
                 self._command_done(event["pointer"])
@@ -281,7 +281,7 @@ class OpenRun:
 
     def _forget(self) -> None:
         self._run, self._commands = None, []
-        self._run_result, self._is_capturing = "", False
+        self._run_result, self.capture_started_s = "", None
         self._n_executed = self._n_blocks = self._n_before_call = 0
 
 

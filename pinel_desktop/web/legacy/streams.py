@@ -2,7 +2,8 @@
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from pinel_desktop.errors import PinelError
@@ -14,6 +15,9 @@ from pinel_desktop.web.services import Camera
 # The original's page looks for 10 s and then asks for the result: it is there before.
 STREAM_S = 9.5
 _END_CAPTURE_S = 9.0
+# A robot or a busy PC may be slow to begin the run; the capture then begins late, and has this time all the same.
+_START_S = 25.0
+_LEAST_S = 3.0
 CAPTURE: Commands = [{"action": "classify_gestures", "timeout": 8}]
 _RESULT_S = 2.0
 # So long without a request for the next picture: nobody watches any more.
@@ -27,7 +31,7 @@ class _Capture:
 
     Attributes:
         started_s, watched_s: when it began, and when a picture was last asked for or shown.
-        n_waiting: requests that wait for a picture.
+        n_waiting: requests that wait for a picture or for the result.
         result_s: when its result was there.
         has_camera: whether there was a picture.
         over: set when it has a result.
@@ -89,23 +93,21 @@ class Streams:
         return capture if capture and not capture.over.is_set() else None
 
     def settle(self) -> None:
-        """Waits for the result of a capture whose time is up."""
+        """Waits for the result of a capture whose time is up: it may have begun late."""
         capture = self.current()
         if capture and time.monotonic() - capture.started_s > _END_CAPTURE_S:
-            capture.over.wait(STREAM_S - _END_CAPTURE_S + _UNWATCHED_S)
+            with _waiting(capture):
+                capture.over.wait(_START_S)
 
     def _next_picture(self, capture: _Capture | None) -> bytes:
         if capture is None:
             return self._pictures.next()
-        capture.n_waiting += 1
-        try:
-            return self._pictures.next()
-        except PinelError:
-            capture.has_camera = False  # a person can answer on the page meanwhile
-            raise
-        finally:
-            capture.n_waiting -= 1
-            capture.watched_s = time.monotonic()
+        with _waiting(capture):
+            try:
+                return self._pictures.next()
+            except PinelError:
+                capture.has_camera = False  # a person can answer on the page meanwhile
+                raise
 
     def _begin(self, request: str, may_capture: bool) -> _Stream:
         now_s = time.monotonic()
@@ -139,15 +141,29 @@ class Streams:
 
     def _is_given_up(self, capture: _Capture) -> bool:
         """Ends a capture whose time is up, or that nobody watches; True where none has begun in that time."""
-        now_s = time.monotonic()
+        now_s, began_s = time.monotonic(), self._run.capture_started_s
+        if began_s is None:
+            return now_s - capture.started_s > _START_S
         is_watched = (
             capture.n_waiting > 0
             or not capture.has_camera
-            or now_s - capture.watched_s < _UNWATCHED_S
+            or now_s - max(capture.watched_s, began_s) < _UNWATCHED_S
         )
-        if is_watched and now_s - capture.started_s < _END_CAPTURE_S:
-            return False
-        return not self._run.end_capture()
+        due_s = max(capture.started_s + _END_CAPTURE_S, began_s + _LEAST_S)
+        if not is_watched or now_s > due_s:
+            self._run.end_capture()
+        return False
+
+
+@contextmanager
+def _waiting(capture: _Capture) -> Iterator[None]:
+    """Somebody watches meanwhile."""
+    capture.n_waiting += 1
+    try:
+        yield
+    finally:
+        capture.n_waiting -= 1
+        capture.watched_s = time.monotonic()
 
 
 def _is_over(stream: _Stream) -> bool:
