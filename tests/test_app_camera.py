@@ -17,6 +17,7 @@ from pinel_desktop.gestures.training.photos import read_photos
 from pinel_desktop.runs.verification import verify_run
 from storage import open_store
 from tests.camera.taught_hands import packed, shown, write_strange_hand
+from tests.in_time import in_time
 from tests.live_runs import begun, command, saved
 from tests.web.browser import Browser, Stream
 
@@ -187,7 +188,7 @@ def test_stop_is_not_late_when_the_camera_fails_in_the_middle_of_a_capture(
         began_s = time.monotonic()
         command(browser, run, "stop")
         assert stream.until("run_ended")[-1]["state"] == "stopped"
-    assert time.monotonic() - began_s < 1.0
+    assert in_time(time.monotonic() - began_s, 1.0)
 
 
 def test_capture_without_a_camera_waits_for_a_person(tmp_path: Path) -> None:

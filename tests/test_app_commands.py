@@ -18,6 +18,7 @@ from click.testing import CliRunner, Result
 from pinel_desktop.cli import main
 from storage import Recorder, RunStart, open_store
 from storage.sqlite import sqlite3
+from tests.in_time import in_time
 from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
 
@@ -211,9 +212,10 @@ def test_serve_prints_an_address_and_ends_cleanly(database: Path, number: signal
         wait_for_engine(browser)
         began = time.perf_counter()
         process.send_signal(number)
-        _, errors = process.communicate(timeout=10)
-        print(f"serve ended {time.perf_counter() - began:.2f} s after the signal")
-        assert time.perf_counter() - began < 2.0
+        _, errors = process.communicate(timeout=60)
+        took_s = time.perf_counter() - began
+        print(f"serve ended {took_s:.2f} s after the signal")
+        assert in_time(took_s, 2.0)
     assert process.returncode == 0
     assert "Traceback" not in errors
     assert not database.with_name("pinel.instance.json").exists()

@@ -14,6 +14,7 @@ import pytest
 from pinel_desktop.app import App
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.web.models.events import StreamEvent
+from tests.in_time import in_time
 from tests.live_runs import begun, command, saved
 from tests.web.browser import Browser, Stream
 
@@ -200,7 +201,7 @@ def test_closing_in_the_middle_of_a_live_run_takes_less_than_two_seconds(tmp_pat
             app.close()
             elapsed_s = time.perf_counter() - began
     print(f"closing during a live run took {elapsed_s:.3f} s")
-    assert elapsed_s < 2.0
+    assert in_time(elapsed_s, 2.0)
     with App(tmp_path / "pinel.db") as again:
         read = Browser.signed_in(again.address).get(f"/api/runs/{run}").data
     assert read["state"] in ("stopped", "failed")

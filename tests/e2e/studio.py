@@ -21,6 +21,8 @@ _OVER = re.compile("finished|stopped|failed")
 _TWO_FRAMES = (
     "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 )
+# but for a card that somebody opened under it
+_IN_HEADER = "one => !!one.closest('header.header') && !one.closest('.card')"
 # nothing loads, no request of a button is on its way, nothing moves but what always does
 _AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.getAnimations()
   .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity)"""
@@ -79,8 +81,7 @@ class Studio:
         """
         one = (self[shows] if isinstance(shows, str) else shows).first
         expect(one).to_be_visible()
-        in_header = "one => !!one.closest('header.header')"
-        assert not one.evaluate(in_header), f"{shows}: the header is on every screen"
+        assert not one.evaluate(_IN_HEADER), f"{shows}: the header is on every screen"
         self._under_way.wait_for_none()
         self.page.evaluate(_TWO_FRAMES)
         self.page.wait_for_function(_AT_REST)

@@ -10,6 +10,7 @@ from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
+from tests.in_time import in_time
 
 
 def op(name: str, *args: Any) -> dict[str, Any]:
@@ -50,7 +51,7 @@ def test_million_rounds_take_seconds_and_a_minute_of_robot_time() -> None:
         put("i", 0),
         {"action": "while", "condition": op("<", COUNT, 1_000_000), "commands": [ONE_MORE]},
     )
-    assert time.perf_counter() - start < 30  # about 2.5 s on the PC this was written on
+    assert in_time(time.perf_counter() - start, 30)  # about 2.5 s on the PC this was written on
     assert result.variables == {"i": 1_000_000}
     assert 60 < result.ended.duration_s < 90
 
@@ -110,7 +111,7 @@ def test_stop_is_heard_in_the_middle_of_one_long_expression() -> None:
     result = run(put("l", NUMBERS), put("m", NUMBERS), put("x", long), control=StopSoon())
     assert (result.ended.state, result.ended.reason) == ("stopped", "stopped_by_person")
     assert "x" not in result.variables
-    assert time.perf_counter() - start < 2
+    assert in_time(time.perf_counter() - start, 2)
 
 
 def test_expression_of_a_megabyte_is_worked_out() -> None:

@@ -6,8 +6,12 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+import pytest
+
+from pinel_desktop.processes import owned as owned_process
 from pinel_desktop.processes.outbox import MOST_WAITING
 from pinel_desktop.processes.owned import OwnedProcess
+from tests.in_time import in_time
 
 WAIT_S = 30.0
 READY = 'print(\'{"type": "some_ready"}\', flush=True)'
@@ -36,7 +40,7 @@ def test_process_that_does_not_read_holds_up_neither_who_sends_nor_who_ends_it()
     first, began_s = owned.pid, time.monotonic()
     owned.send({"much": "a" * 10_000_000})
     owned.kill()
-    assert time.monotonic() - began_s < 1.0
+    assert in_time(time.monotonic() - began_s, 1.0)
     while owned.pid == first:
         assert time.monotonic() - began_s < WAIT_S
         threading.Event().wait(0.02)
@@ -51,7 +55,7 @@ def test_who_waits_for_a_process_that_is_closed_while_it_starts_goes_on() -> Non
     waiting = threading.Thread(target=lambda: answers.append(owned.wait_until_ready(60)))
     waiting.start()
     owned.close()
-    waiting.join(10)
+    waiting.join(WAIT_S)
     assert answers == [False]
     assert owned.wait_until_ready(60) is False
 
@@ -73,7 +77,12 @@ def lost(command: list[str]) -> list[str]:
     return told
 
 
-def test_process_that_dies_three_times_soon_after_its_start_is_told_to_be_lost() -> None:
+def test_process_that_dies_three_times_soon_after_its_start_is_told_to_be_lost(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(
+        owned_process, "_SHORT_LIFE_S", WAIT_S
+    )  # on a busy PC Python itself starts slowly
     assert lost([sys.executable, "-c", ""]) == ["died", "died", "died", "lost"]
 
 
