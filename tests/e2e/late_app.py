@@ -40,8 +40,8 @@ class LateAnswers:
 
 
 class _LateServer(Server):
-    def start(self, app: Wsgi) -> None:
-        super().start(LateAnswers(app, os.environ[SEED]))
+    def start(self, app: Wsgi, *arguments: Any, **options: Any) -> None:
+        super().start(LateAnswers(app, os.environ[SEED]), *arguments, **options)
 
 
 if __name__ == "__main__":

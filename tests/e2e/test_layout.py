@@ -145,7 +145,7 @@ def test_in_low_windows_a_click_reaches_the_control_that_it_is_meant_for(
         studio.page.set_viewport_size({"width": width, "height": 600})
         for more in (False, True):
             expect(studio["measure-tool"]).to_have_count(2 if more else 0)
-            at_rest(studio.page)
+            studio.wait_for_screen("measure-tool" if more else "editor")
             if found := studio.page.evaluate(_COVERED):
                 covered[width, more] = found
             studio["scene-tools"].click()
