@@ -84,7 +84,10 @@ export default defineConfig({
     environment: "jsdom",
     // most of the time goes by while one file after the other gets its document; the default leaves a core idle
     maxWorkers: "100%",
-    setupFiles: ["src/i18n/testing/all_languages.ts"],
+    setupFiles: ["src/i18n/testing/all_languages.ts", "src/kit/testing/timeouts.ts"],
+    // nothing is measured by it: parts that are fetched when needed, and axe, take longer beside other work
+    testTimeout: 30_000,
+    hookTimeout: 30_000,
     include: ["src/**/*.test.ts", "src/**/*.test.tsx", "test/**/*.test.ts"],
   },
 });
