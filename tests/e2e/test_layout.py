@@ -75,7 +75,7 @@ def test_no_words_are_cut(open_studio: OpenStudio, size: tuple[int, int], langua
     assert cut(studio, "run") == [], "studio"
     assert studio.page.evaluate(_SMALL) == []
     studio["ir-toggle"].click()
-    assert cut(studio, "python-text") == [], "what the robot gets"
+    assert cut(studio, "text-tab") == [], "what the robot gets"
     studio["plots-toggle"].click()
     studio["scene-tools"].click()
     assert cut(studio, "plots") == [], "plots and tools"
