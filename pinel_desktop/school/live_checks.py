@@ -1,7 +1,8 @@
 """Tells the page how a run that goes on stands with the checks of its activity.
 
 The judge's process is asked, twice a second at most; a question takes it so long that it works for at most a tenth of
-the time, because the robot's process needs the PC's cores more.
+the time, because the robot's process needs the PC's cores more. A slow answer, as the first one of a judge that has to
+start, keeps the page waiting for ten seconds at most.
 """
 
 import logging
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 _EVERY_S = 0.5
 _PAUSES = 9  # a pause is that many times as long as judging took
+_LONGEST_PAUSE_S = 10.0
 
 _log = logging.getLogger(__name__)
 
@@ -91,7 +93,7 @@ class LiveChecks:
             if checks != told:
                 self._publish(ChecksStand(run.id, checks).flat())
             first, told = None, checks
-            pause_s = max(_EVERY_S, _PAUSES * (time.perf_counter() - began))
+            pause_s = pause_after_s(time.perf_counter() - began)
             if is_over or (run.stop.wait(pause_s) and not run.is_over):
                 return
 
@@ -108,6 +110,11 @@ class LiveChecks:
             world=run.world_document,
             parameters=run.parameters,
         )
+
+
+def pause_after_s(judging_s: float) -> float:
+    """How long the judge is left alone after an answer that took so long."""
+    return min(max(_EVERY_S, _PAUSES * judging_s), _LONGEST_PAUSE_S)
 
 
 class _Followed:

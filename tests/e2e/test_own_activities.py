@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.python_pane import write_program
-from tests.e2e.studio import Studio
+from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_lesson_day import prepare
 from tests.e2e.watch import Watch
 
@@ -134,7 +134,7 @@ def solve(pc: Studio) -> None:
     pc["speed"].select_option("10")
     write_program(pc, "robot.move_forward(1)\n")
     pc["run"].click()
-    expect(pc["status-line"]).to_contain_text("O robô parou a 1 m do lugar certo")
+    expect(pc["status-line"]).to_contain_text("O robô parou a 1 m do lugar certo", timeout=RUN_MS)
     write_program(pc, TWO_METRES)
     pc["run"].click()
-    expect(pc["mission-done"]).to_be_visible()
+    expect(pc["mission-done"]).to_be_visible(timeout=RUN_MS)

@@ -2,7 +2,10 @@
 
 import time
 
+import pytest
+
 from pinel_desktop.app import App
+from pinel_desktop.school.live_checks import pause_after_s
 from tests.in_time import in_time
 from tests.storage.sample_runs import ended, sample
 from tests.web.browser import Browser
@@ -83,3 +86,10 @@ def test_an_app_that_closes_waits_for_no_run(
     began = time.monotonic()
     app._live_checks.close()
     assert in_time(time.monotonic() - began, 2)
+
+
+@pytest.mark.parametrize(("judging_s", "pause_s"), [(0.01, 0.5), (0.2, 1.8), (8.0, 10.0)])
+def test_a_slow_answer_of_the_judge_keeps_nobody_waiting_for_a_minute(
+    judging_s: float, pause_s: float
+) -> None:
+    assert pause_after_s(judging_s) == pytest.approx(pause_s)
