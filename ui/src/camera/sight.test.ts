@@ -1,3 +1,4 @@
+import { waitFor } from "@testing-library/preact";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import { changed, hand, seen } from "./testing/seen";
 
@@ -81,7 +82,7 @@ describe("a program that captures", () => {
   test("wakes it at the next opening where it could not at the first", async () => {
     cameraApi.wake.mockRejectedValueOnce(new Error("gone"));
     page.wake();
-    await vi.waitFor(() => {
+    await waitFor(() => {
       page.wake();
       expect(cameraApi.wake).toHaveBeenCalledTimes(2);
     });

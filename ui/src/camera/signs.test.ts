@@ -1,3 +1,4 @@
+import { waitFor } from "@testing-library/preact";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { Sign } from "../api/model";
 
@@ -28,7 +29,7 @@ describe("the signs that can be answered", () => {
     let first: (signs: Sign[]) => void = () => {};
     signsApi.use.mockReturnValueOnce(new Promise((resolve) => (first = resolve)));
     const one = page.chooseSigns("one");
-    await vi.waitFor(() => expect(signsApi.use).toHaveBeenCalledWith("one"));
+    await waitFor(() => expect(signsApi.use).toHaveBeenCalledWith("one"));
     const two = page.chooseSigns(null);
     await Promise.resolve();
     expect(signsApi.use).toHaveBeenCalledTimes(1);
@@ -61,7 +62,7 @@ describe("the signs that can be answered", () => {
     await page.chooseSigns("c");
     signsApi.list.mockRejectedValue(new ApiError(404, { code: "classroom_not_found" }));
     await page.askForSigns(null);
-    await vi.waitFor(() => expect(page.signNames.value).toEqual(["A", "of null"]));
+    await waitFor(() => expect(page.signNames.value).toEqual(["A", "of null"]));
     expect(page.classOfSigns.value).toBeNull();
   });
 

@@ -1,3 +1,4 @@
+import { waitFor } from "@testing-library/preact";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { RunEvent, TelemetryEvent } from "../api/model";
 
@@ -54,11 +55,11 @@ const STOP = { do: "stop" };
 
 const conflict = (code: string) => new ApiError(409, { code, message: code });
 
-const settled = () => vi.waitFor(() => expect(page.live.value.run).toBe("other"));
+const settled = () => waitFor(() => expect(page.live.value.run).toBe("other"));
 
 /** Waits until a request was made and answered the given number of times. */
 const asked = (what: ReturnType<typeof vi.fn>, times: number) =>
-  vi.waitFor(() => expect(what.mock.settledResults.length).toBe(times));
+  waitFor(() => expect(what.mock.settledResults.length).toBe(times));
 
 beforeEach(async () => {
   vi.resetAllMocks();
@@ -90,7 +91,7 @@ describe("a run begun in another window", () => {
     page.receive(started("other", 1, 0));
     page.receive(started("other", 2, 1));
     await settled();
-    await vi.waitFor(() => expect(page.live.value.seq).toBe(2));
+    await waitFor(() => expect(page.live.value.seq).toBe(2));
     expect(page.live.value.stack.map((entry) => entry.block)).toEqual(["b0", "b1"]);
     expect(api.run).toHaveBeenCalledTimes(1);
   });
@@ -99,7 +100,7 @@ describe("a run begun in another window", () => {
     page.receive(running("other"));
     page.receive(ended("other", 1));
     await settled();
-    await vi.waitFor(() => expect(page.live.value.phase).toBe("stopped"));
+    await waitFor(() => expect(page.live.value.phase).toBe("stopped"));
   });
 
   test("is fetched once an event, not for ever, where the server is in trouble", async () => {
@@ -197,7 +198,7 @@ describe("a program that computes", () => {
     const stop = page.live.subscribe(() => drawn++);
     for (let seq = 1; seq <= 3000; seq++) page.receive(started("other", seq, seq));
     expect(drawn).toBeLessThan(100);
-    await vi.waitFor(() => expect(page.live.value.seq).toBe(3000));
+    await waitFor(() => expect(page.live.value.seq).toBe(3000));
     stop();
   });
 });

@@ -1,3 +1,4 @@
+import { waitFor } from "@testing-library/preact";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { RunEvent } from "../api/model";
 
@@ -59,7 +60,7 @@ const ended = (tick: number): RunEvent => ({
 /** Waits until the end is on the screen. */
 async function end(): Promise<void> {
   live.receive(ended(60));
-  await vi.waitFor(() => expect(live.live.value.ending).not.toBeNull());
+  await waitFor(() => expect(live.live.value.ending).not.toBeNull());
 }
 
 beforeEach(async () => {

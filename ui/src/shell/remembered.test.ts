@@ -1,3 +1,4 @@
+import { waitFor } from "@testing-library/preact";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
 const sent = vi.fn<(request: Request) => Promise<Response>>();
@@ -38,7 +39,7 @@ test("what is remembered goes to the server, once", async () => {
   remember("pinel_theme", "dark");
   remember("pinel_theme", "dark");
   expect(remembered("pinel_theme")).toBe("dark");
-  await vi.waitFor(() => expect(bodies).toEqual([{ name: "pinel_theme", value: "dark" }]));
+  await waitFor(() => expect(bodies).toEqual([{ name: "pinel_theme", value: "dark" }]));
 });
 
 test("a cookie of an earlier release is read once and goes to the server", async () => {
@@ -48,7 +49,7 @@ test("a cookie of an earlier release is read once and goes to the server", async
   expect(remembered("pinel_muted")).toBe("1");
   expect(document.cookie).not.toContain("pinel_muted");
   expect(remembered("pinel_muted")).toBe("1");
-  await vi.waitFor(() => expect(bodies).toEqual([{ name: "pinel_muted", value: "1" }]));
+  await waitFor(() => expect(bodies).toEqual([{ name: "pinel_muted", value: "1" }]));
 });
 
 test("where the server keeps nothing, it holds until the window is closed", async () => {
@@ -64,6 +65,6 @@ test("a choice whose request did not get through before the page was left is sen
   (await served({ pinel_class: "a" })).remember("pinel_class", "b");
   const { remembered } = await served({ pinel_class: "a" });
   expect(remembered("pinel_class")).toBe("b");
-  await vi.waitFor(() => expect(bodies).toEqual([{ name: "pinel_class", value: "b" }]));
-  await vi.waitFor(() => expect(sessionStorage).toHaveLength(0));
+  await waitFor(() => expect(bodies).toEqual([{ name: "pinel_class", value: "b" }]));
+  await waitFor(() => expect(sessionStorage).toHaveLength(0));
 });

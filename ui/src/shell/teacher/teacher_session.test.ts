@@ -1,3 +1,4 @@
+import { waitFor } from "@testing-library/preact";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import { ApiError } from "../../api/errors";
 import { asTeacher, cancelWaiting, teacherSession } from "./teacher_session";
@@ -17,7 +18,7 @@ describe("what only the teacher may do", () => {
   test("waits for the PIN when the session has ended, and is done then", async () => {
     const work = vi.fn().mockRejectedValueOnce(shut()).mockResolvedValueOnce("done");
     const done = asTeacher<string>(work);
-    await vi.waitFor(() => expect(teacherSession.value?.is_open).toBe(false));
+    await waitFor(() => expect(teacherSession.value?.is_open).toBe(false));
     expect(work).toHaveBeenCalledTimes(1);
     teacherSession.value = OPEN;
     expect(await done).toBe("done");
@@ -26,7 +27,7 @@ describe("what only the teacher may do", () => {
   test("is not done later when the teacher has gone elsewhere", async () => {
     const work = vi.fn().mockRejectedValue(shut());
     void asTeacher(work);
-    await vi.waitFor(() => expect(teacherSession.value?.is_open).toBe(false));
+    await waitFor(() => expect(teacherSession.value?.is_open).toBe(false));
     cancelWaiting();
     teacherSession.value = OPEN;
     await Promise.resolve();
