@@ -8,10 +8,12 @@ import resource
 import socket
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 
 HOST = "127.0.0.1"
+_AT_ONCE, _PAUSE_S = 200, 0.05  # some 3,000 a second; who takes a whole core for it leaves none to the app
 _BODY = "Content-Length: 1000000\r\nContent-Type: application/json\r\n\r\n{"
 
 
@@ -72,8 +74,9 @@ def flood(port: int) -> Iterator[None]:
 def _flood(port: int) -> None:
     attack = Strangers(port)
     for n in itertools.count():
-        attack.connect(200)
+        attack.connect(_AT_ONCE)
         attack.close()
+        time.sleep(_PAUSE_S)
         if n == 0:
             print("begun", flush=True)
 
