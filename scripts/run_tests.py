@@ -17,13 +17,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 LOGS = ROOT / "build" / "test-logs"
-PYTEST = (sys.executable, "-m", "pytest", "-q")
+N_SLOWEST = 10
+PYTEST = (sys.executable, "-m", "pytest", "-q", f"--durations={N_SLOWEST}")
 # one process per core, limited because robots that drive in real time would run late
 SIDE_BY_SIDE = ("-n", "logical", "--maxprocesses", "4", "--dist", "worksteal")
 # those that mostly wait leave most of the cores idle
 MANY = ("-n", str(min(3 * (os.cpu_count() or 1), 12)), "--dist", "worksteal")
-# hundreds of processes are started: none compiles again what another compiled
-ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
+_MEMORY_DISK = Path("/dev/shm")
+_NEEDED_BYTES = 4 * 2**30
 # another order of answers each night; the log says which
 LATE = f"--delay-requests={int(time.time())}"
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
@@ -31,6 +32,7 @@ _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 _CLOSING = re.compile(
     r"^(?:=* ?\d+ \w+.* in [\d.]+s.*|=* ?no tests ran in .*|\s*Tests\s+\d+ .*\(\d+\))$", re.M
 )
+_DURATION = re.compile(r"^([\d.]+)s (?:call|setup|teardown) +(\S.*)$", re.M)
 _COUNT = re.compile(r"(\d+) (passed|failed|errors?|skipped|xfailed|xpassed|todo)\b")
 _SUM_OF = {
     "passed": "passed",
@@ -52,6 +54,23 @@ class Step:
     group: str
     command: Sequence[str]
     counts: bool = False
+
+
+def environment() -> dict[str, str]:
+    """Of all steps. Hundreds of processes are started: none compiles again what another compiled.
+
+    Thousands of small databases are written: in memory where it has room, so that no test waits for the disk.
+    """
+    found = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
+    if _MEMORY_DISK.is_dir() and _has_room(_MEMORY_DISK):
+        found.setdefault("PYTEST_DEBUG_TEMPROOT", str(_MEMORY_DISK))
+    return found
+
+
+def _has_room(disk: Path) -> bool:
+    """Whether all files of the tests fit in, programs among them."""
+    state = os.statvfs(disk)
+    return state.f_bavail * state.f_frsize > _NEEDED_BYTES and not state.f_flag & os.ST_NOEXEC
 
 
 def npm(*arguments: str) -> tuple[str, ...]:
@@ -136,7 +155,7 @@ def run(step: Step, *, is_live: bool = True) -> Outcome:
     with subprocess.Popen(
         step.command,
         cwd=ROOT,
-        env=ENVIRONMENT,
+        env=environment(),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -169,8 +188,17 @@ def sums(outcomes: Sequence[Outcome]) -> dict[str, int]:
     return total
 
 
+def slowest(outcomes: Sequence[Outcome]) -> list[tuple[float, str]]:
+    """Seconds and names of the slowest tests of all pytest steps, the slowest first."""
+    found = [hit for outcome in outcomes for hit in _DURATION.findall(outcome.output)]
+    return sorted(((float(seconds), name) for seconds, name in found), reverse=True)[:N_SLOWEST]
+
+
 def report(outcomes: Sequence[Outcome], seconds: float) -> None:
-    """Prints one line per step, then the totals; `seconds` is what all steps took."""
+    """Prints the slowest tests, one line per step, then the totals; `seconds` is what all steps took."""
+    print("\n--- slowest tests")
+    for duration, name in slowest(outcomes):
+        print(f"{duration:6.1f} s  {name}")
     print("\n--- summary")
     for outcome in outcomes:
         mark = "FAILED" if outcome.failed else "ok"

@@ -125,6 +125,8 @@ def test_what_is_seen_is_told_at_most_ten_times_a_second_and_never_as_a_picture(
 
 
 def test_preview_is_a_stream_of_pictures(harness: Harness) -> None:
+    harness.camera.use()
+    harness.until("on")  # a preview ends where none comes for a while
     pictures = harness.camera.previews()
     for _ in range(3):
         assert next(pictures).startswith(b"\xff\xd8\xff")

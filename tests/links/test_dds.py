@@ -15,7 +15,7 @@ import pytest
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
-from pinel_desktop.links.dds import session
+from pinel_desktop.links.dds import session, transport
 from pinel_desktop.links.dds.finding import find_robots
 from pinel_desktop.links.dds.graph import Graph
 from pinel_desktop.links.dds.messages import Twist, Vector3
@@ -163,8 +163,11 @@ def test_a_robot_that_tells_its_pose_only_is_driven_by_it(
 
 
 def test_a_robot_that_starts_late_is_found(
-    start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink]
+    start_robot: Callable[..., DdsPeer],
+    connect: Callable[..., RobotLink],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(transport, "_FOUND_WITHIN_S", 60.0)  # its process may be slow to start
     started = threading.Timer(1.0, start_robot)
     started.start()
     assert connect().read().pose.x_m == 0.0

@@ -98,3 +98,20 @@ def test_every_test_is_in_exactly_one_step() -> None:
         "e2e and not nightly",  # behind a slow line
         "fuzz",  # for longer
     ]
+
+
+def test_the_slowest_tests_of_all_steps_are_named() -> None:
+    outputs = [
+        "12.50s setup    tests/a/test_a.py::test_one\n0.90s call     tests/b.py::test_two[a b]\n",
+        "30.01s call     tests/c.py::test_three\n1.00s of a text that a test printed\n",
+    ]
+    assert run_tests.slowest([outcome(PYTEST, output) for output in outputs]) == [
+        (30.01, "tests/c.py::test_three"),
+        (12.5, "tests/a/test_a.py::test_one"),
+        (0.9, "tests/b.py::test_two[a b]"),
+    ]
+
+
+def test_at_most_ten_are_named() -> None:
+    output = "".join(f"{n}.00s call     tests/a.py::test_{n}\n" for n in range(20))
+    assert len(run_tests.slowest([outcome(PYTEST, output)])) == 10
