@@ -24,6 +24,7 @@ CODE = re.compile(rf"(({'|'.join(PACKAGES)})/.*\.py|ui/src/.*\.(tsx?|css))$")
 GENERATED = tuple(
     f"ui/src/{name}.ts" for name in ("api/declared", "api/types", "blocks/table/sensor_rows")
 )
+WORDS = re.compile(r"ui/src/i18n/[\w-]+/")
 PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/: imported only by tests
 SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
 RAW_CONTROL = re.compile(r"<(?:button|select)\b")
@@ -54,8 +55,10 @@ def n_lines(names: Iterable[str]) -> int:
 
 
 def product() -> list[str]:
-    """The hand-written files of the product."""
-    return [name for name in tree(CODE) if name not in GENERATED and not PAGE_TEST.match(name)]
+    """The hand-written files of the product, without those that hold its words."""
+    left_out = (WORDS, PAGE_TEST)
+    files = [name for name in tree(CODE) if name not in GENERATED]
+    return [name for name in files if not any(kind.match(name) for kind in left_out)]
 
 
 def full_folders() -> dict[str, int]:
@@ -135,7 +138,7 @@ def spread(lengths: Iterable[int]) -> str:
 
 
 def show(title: str, value: object, details: Iterable[object] = ()) -> None:
-    print(f"{title:<44} {value}")
+    print(f"{title:<52} {value}")
     for detail in details:
         print(f"    {detail}")
 
@@ -172,7 +175,7 @@ def main() -> int:
     full = full_folders()
     page = page_figures()
     if not is_check:
-        show("hand-written product lines, without tests", n_lines(product()))
+        show("hand-written product lines, without tests and words", n_lines(product()))
         show("lines of the page's tests", n_lines(tree(PAGE_TEST)))
         show("lines of a Python function", spread(function_lengths()))
         show_circles("Python", list(python_imports()))
