@@ -13,8 +13,8 @@ from pinel_desktop.web.legacy.pictures import Pictures
 from pinel_desktop.web.services import Camera
 
 # The original's page looks for 10 s and then asks for the result: it is there before.
-STREAM_S = 9.5
-_END_CAPTURE_S = 9.0
+STREAM_S = 9.0
+_END_CAPTURE_S = 8.0
 # A robot or a busy PC may be slow to begin the run; the capture then begins late, and has this time all the same.
 _START_S = 25.0
 _LEAST_S = 3.0
