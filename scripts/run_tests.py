@@ -10,8 +10,9 @@ import re
 import subprocess
 import sys
 import time
-from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -48,12 +49,20 @@ _SUM_OF = {
 
 @dataclass(frozen=True)
 class Step:
-    """One command; `counts` marks a test runner, whose summary line is parsed."""
+    """One command.
+
+    Attributes:
+        counts: it is a test runner, whose summary line is parsed.
+        is_aside: goes on beside the steps after it, until one of its group is due.
+        n_busy: busy loops that run beside it, to find races.
+    """
 
     name: str
     group: str
     command: Sequence[str]
     counts: bool = False
+    is_aside: bool = False
+    n_busy: int = 0
 
 
 def environment() -> dict[str, str]:
@@ -89,10 +98,13 @@ def files_with(marker: str) -> list[str]:
     ]
 
 
-def marked_tests(name: str, group: str, *options: str, only: str, without: str = "") -> Step:
+def marked_tests(
+    name: str, group: str, *options: str, only: str, without: str = "", n_busy: int = 0
+) -> Step:
     """Runs the tests with a marker, without those that have another one too."""
     markers = f"{only} and not {without}" if without else only
-    return Step(name, group, (*PYTEST, *files_with(only), *options, "-m", markers), counts=True)
+    command = (*PYTEST, *files_with(only), *options, "-m", markers)
+    return Step(name, group, command, counts=True, n_busy=n_busy)
 
 
 UNIT = "not e2e and not packaged and not nightly and not fuzz and not waits"
@@ -105,14 +117,14 @@ STEPS = (
     Step("page-lint", "lint", npm("run", "--silent", "check")),
     Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
     Step("unit", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", UNIT), counts=True),
+    Step("package", "package", ("nice", "make", "package"), is_aside=True),
     marked_tests("waits", "test", *MANY, only="waits", without="nightly"),
     marked_tests("fuzz", "test", *SIDE_BY_SIDE, "--fuzz-s=30", only="fuzz"),
     marked_tests("e2e", "test", *SIDE_BY_SIDE, only="e2e", without="nightly"),
-    Step("package", "package", ("make", "package")),
     marked_tests("packaged", "package", only="packaged", without="nightly"),
     Step("smoke", "package", (sys.executable, "packaging/smoke.py")),
     marked_tests("nightly", "nightly", only="nightly"),
-    marked_tests("late-e2e", "nightly", *MANY, LATE, only="e2e", without="nightly"),
+    marked_tests("late-e2e", "nightly", *MANY, LATE, only="e2e", without="nightly", n_busy=2),
     marked_tests("long-fuzz", "nightly", "--fuzz-s=300", only="fuzz"),
     Step("bench", "nightly", ("make", "bench"), counts=True),
 )
@@ -141,8 +153,28 @@ def run_all(steps: Sequence[Step]) -> list[Outcome]:
     """Runs the steps in their order; those that only read the code two at a time, for most of them use one core."""
     reading = [step for step in steps if step.group == "lint"]
     with ThreadPoolExecutor(2) as pool:
-        read = list(pool.map(lambda step: run(step, is_live=False), reading))
-    return read + [run(step) for step in steps if step not in reading]
+        outcomes = list(pool.map(lambda step: run(step, is_live=False), reading))
+        aside: dict[str, Future[Outcome]] = {}
+        for step in (step for step in steps if step not in reading):
+            if step.is_aside:
+                aside[step.group] = pool.submit(run, step, is_live=False)
+                continue
+            if step.group in aside:
+                outcomes.append(aside.pop(step.group).result())
+            outcomes.append(run(step))
+        return outcomes + [one.result() for one in aside.values()]
+
+
+@contextmanager
+def busy_loops(n: int) -> Iterator[None]:
+    """So many processes that do nothing but work."""
+    loops = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(n)]
+    try:
+        yield
+    finally:
+        for loop in loops:
+            loop.kill()
+            loop.wait()
 
 
 def run(step: Step, *, is_live: bool = True) -> Outcome:
@@ -152,17 +184,20 @@ def run(step: Step, *, is_live: bool = True) -> Outcome:
         print(title, flush=True)
     started = time.monotonic()
     lines = []
-    with subprocess.Popen(
-        step.command,
-        cwd=ROOT,
-        env=environment(),
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        encoding="utf-8",
-        errors="replace",
-    ) as process:
+    with (
+        busy_loops(step.n_busy),
+        subprocess.Popen(
+            step.command,
+            cwd=ROOT,
+            env=environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            encoding="utf-8",
+            errors="replace",
+        ) as process,
+    ):
         assert process.stdout is not None
         for line in process.stdout:
             if is_live:

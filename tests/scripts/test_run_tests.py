@@ -1,7 +1,10 @@
 """The sums at the end of `make test` tell the truth."""
 
+import sys
 import tomllib
+from pathlib import Path
 
+import psutil
 import pytest
 
 from tests.packaging.loading import load
@@ -115,3 +118,36 @@ def test_the_slowest_tests_of_all_steps_are_named() -> None:
 def test_at_most_ten_are_named() -> None:
     output = "".join(f"{n}.00s call     tests/a.py::test_{n}\n" for n in range(20))
     assert len(run_tests.slowest([outcome(PYTEST, output)])) == 10
+
+
+def test_a_step_aside_is_there_before_the_next_one_of_its_group(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(run_tests, "LOGS", tmp_path)
+    waits = "import os, time\nwhile not os.path.exists('done'): time.sleep(0.01)"
+    steps = [
+        run_tests.Step("build", "package", python(tmp_path, waits), is_aside=True),
+        run_tests.Step("unit", "test", python(tmp_path, "open('done', 'w')")),
+        run_tests.Step("smoke", "package", python(tmp_path, "print('ok')")),
+    ]
+    outcomes = run_tests.run_all(steps)
+    assert [(one.step.name, one.failed) for one in outcomes] == [
+        ("unit", False),
+        ("build", False),
+        ("smoke", False),
+    ]
+
+
+def python(folder: Path, code: str) -> tuple[str, ...]:
+    """The command line of Python that does it in the folder."""
+    return (sys.executable, "-c", f"import os; os.chdir({str(folder)!r})\n{code}")
+
+
+def test_busy_loops_end_with_what_they_run_beside() -> None:
+    def loops() -> list[psutil.Process]:
+        children = psutil.Process().children()
+        return [one for one in children if one.cmdline()[-1:] == ["while True: pass"]]
+
+    with run_tests.busy_loops(2):
+        assert len(loops()) == 2
+    assert loops() == []
