@@ -155,23 +155,23 @@ class Engine:
                 self._robots.close()
 
     def _handle(self, message: Message) -> None:
-        live = self._live
+        live, kind = self._live, str(message.get("type"))
         if message == PING:
             self._answers.put(PONG)
             return
         if "spec" in message:
             self._begin(message)
             return
-        if message.get("type") in self._about_robots:
+        if kind in self._about_robots:
             threading.Thread(target=self._tell_of, args=(message,), daemon=True).start()
             return
-        if message.get("type") in ROBOT_MESSAGES:
+        if kind in ROBOT_MESSAGES:
             self.robots.handle(message)
             return
-        if live is not None and message.get("type") == ALIVE["type"]:
+        if live is not None and kind == ALIVE["type"]:
             live.control.hear_app()
             return
-        if str(message.get("type")).startswith("bridge_"):
+        if kind.startswith("bridge_"):
             self._steer_bridge(message)
             return
         request = message.get("request")
