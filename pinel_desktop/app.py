@@ -7,7 +7,7 @@ import contextlib
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import TYPE_CHECKING, Any
 
 from pinel_desktop import __version__
 from pinel_desktop.app_database import WRITABLE_NOTICES, open_database
@@ -32,7 +32,7 @@ from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.web.application import create_app
 from pinel_desktop.web.early_server import EarlyServer
-from pinel_desktop.web.services import DatabaseState, Engine, ReadDocument, Services
+from pinel_desktop.web.services import DatabaseState, ReadDocument, Services
 from sim.world import list_worlds
 from storage import Notice as StoreNotice
 from storage import Recorder, StoreError, warm_up
@@ -42,31 +42,11 @@ from storage.maintenance import Maintenance
 if TYPE_CHECKING:
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
-    from pinel_desktop.web.legacy.api import BridgeChoice, BridgeEngine, LegacyApi
+    from pinel_desktop.web.legacy.api import BridgeChoice, LegacyApi
 
 Event = dict[str, Any]
 _PATIENCE_S = 2.0
 _INTERRUPTED = {"state": "failed", "reason": "interrupted"}
-
-
-class EngineOfApp(Engine, Protocol):
-    """An engine that the app may start and close."""
-
-    def start(self) -> None: ...
-
-    def close(self) -> None: ...
-
-
-class MakeEngine(Protocol):
-    """Makes an engine, as `EngineClient` does."""
-
-    def __call__(
-        self,
-        on_event: Callable[[Event], None],
-        *,
-        on_robot: Callable[[Event], None],
-        is_watched: Callable[[], bool],
-    ) -> EngineOfApp: ...
 
 
 class App:
@@ -94,7 +74,7 @@ class App:
         instance: Instance | None = None,
         engine_after_s: float = 0.0,
         on_show: Callable[[], None] = lambda: None,
-        make_engine: MakeEngine = EngineClient,
+        make_engine: Callable[..., EngineClient] = EngineClient,
         read: ReadDocument | None = None,
         worlds: Sequence[dict[str, Any]] | None = None,
         camera: str | None = None,
@@ -225,7 +205,7 @@ class App:
             return
         from pinel_desktop.web.legacy.api import LegacyApi  # noqa: PLC0415 - for who wants one
 
-        self._legacy = LegacyApi(services, cast("BridgeEngine", self._engine), self._bridge)
+        self._legacy = LegacyApi(services, self._engine, self._bridge)
         undo.callback(self._legacy.close)
         self._legacy.start()
 

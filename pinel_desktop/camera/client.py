@@ -17,8 +17,9 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import CameraSight
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.processes import own_command
+from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.processes.messages import Message
-from pinel_desktop.processes.owned import OwnedProcess
+from pinel_desktop.processes.supervisor import Supervisor
 
 _log = logging.getLogger(__name__)
 
@@ -27,8 +28,8 @@ WireEvent = dict[str, Any]
 Taught = tuple[tuple[str, bytes, bytes], ...]
 
 LINGER_S = 20.0  # the camera stays on so long after its last use: the next capture finds it open
-_SILENT_S = 5.0  # a process that says nothing for so long while the camera is on hangs
-_START_S = 60.0  # so does one that is not ready after so long
+# It answers probes between two frames; drivers and libraries may use the processor while it hangs.
+_TIMEOUTS = HangTimeouts(hang_timeout_s=5.0, busy_timeout_s=5.0)
 _TEND_S = 0.5
 _NO_PICTURE_S = 5.0
 
@@ -52,6 +53,7 @@ class Camera:
             has ended.
         command: starts the process.
         linger_s: how long the camera stays on after its last use.
+        timeouts: of a process that hangs, which is replaced.
     """
 
     def __init__(
@@ -62,21 +64,24 @@ class Camera:
         answer: Callable[[str, Capture], object],
         command: Sequence[str] | None = None,
         linger_s: float = LINGER_S,
+        timeouts: HangTimeouts = _TIMEOUTS,
     ) -> None:
         self._source, self._linger_s = source, linger_s
         self._publish, self._on_change, self._answer = publish, on_change, answer
-        self._process = OwnedProcess(
+        self._process = Supervisor(
             "camera",
             command or own_command("camera"),
-            self._receive,
-            self._died,
-            self._tell_all,
-            self._lost,
+            "camera_process_died",
+            on_message=self._receive,
+            on_death=self._died,
+            on_ready=self._tell_all,
+            on_lost=self._lost,
+            timeouts=timeouts,
         )
         self._lock = threading.RLock()
         self._wanted = Wanted()
         self._state = CameraState("off")
-        self._used_s = self._heard_s = 0.0
+        self._used_s = 0.0
         self._tender: threading.Thread | None = None
         self._closing = threading.Event()
         self._numbers = count()
@@ -106,9 +111,7 @@ class Camera:
             if self._tender is None:
                 self._tender = threading.Thread(target=self._tend, name="camera", daemon=True)
                 self._tender.start()
-                self._process.start()
-            elif self._process.state == "lost":  # one more try
-                self._process.start()
+            self._process.start()
 
     def wait_until_ready(self, timeout_s: float) -> bool:
         """Waits for the process, which `wake` starts; False when it is not ready after `timeout_s`."""
@@ -230,8 +233,6 @@ class Camera:
     def _want(self, **changes: Any) -> None:
         """Tells the process what changed; called with the lock held."""
         wanted = replace(self._wanted, **changes)
-        if wanted.source != self._wanted.source:
-            self._heard_s = time.monotonic()
         if wanted != self._wanted:
             self._wanted = wanted
             self._tell_wanted()
@@ -239,7 +240,6 @@ class Camera:
     def _tell_all(self) -> None:
         """A process that has just started knows nothing."""
         with self._lock:
-            self._heard_s = time.monotonic()
             if self._taught:
                 self._tell_taught()
             self._tell_wanted()
@@ -257,7 +257,6 @@ class Camera:
             self._process.send(self._wanted.as_message())
 
     def _receive(self, message: Message) -> None:
-        self._heard_s = time.monotonic()
         try:
             self._take(message)
         except (KeyError, TypeError, ValueError):
@@ -317,20 +316,13 @@ class Camera:
         self._change(CameraState("failed", PinelError("camera_process_lost")))
 
     def _tend(self) -> None:
-        """Switches the camera off after its last use; ends a process that hangs."""
+        """Switches the camera off after its last use; gives up a recording without a hand."""
         while not self._closing.wait(_TEND_S):
             with self._lock:
-                is_on, now_s = self._wanted.source is not None, time.monotonic()
                 is_used = self._run is not None or self._recording is not None
-                if is_on and not is_used and now_s - self._used_s > self._linger_s:
+                if not is_used and time.monotonic() - self._used_s > self._linger_s:
                     self._want(source=None)
-                patience_s = _SILENT_S if self._process.state == "ready" else _START_S
-                hangs = is_on and now_s - self._heard_s > patience_s
                 is_given_up = self._recording is not None and self._recording.is_given_up
-                if hangs:
-                    self._heard_s = now_s  # the next one has its time too
-            if hangs:
-                self._process.kill()
             if is_given_up:
                 self.stop_recording()
 

@@ -22,7 +22,7 @@ from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
 from pinel_desktop.gestures.sign_watch import SignWatch
 from pinel_desktop.gestures.vote import Ballot, Decision
-from pinel_desktop.processes.messages import Message, read_messages, write_message
+from pinel_desktop.processes.messages import PING, PONG, Message, read_messages, write_message
 
 _END: Message = {"type": "end"}
 _log = logging.getLogger(__name__)
@@ -31,7 +31,6 @@ _TOLD_HZ = 10.0
 _PREVIEW_SIDE = 480  # px, of the longer side
 _JPEG_QUALITY = 70
 _IDLE_S = 0.1
-_ALIVE_S = 1.0
 _MOVED_S = 1.2  # so long a sign that moved is told: an event may be lost, and people look up late
 
 
@@ -75,17 +74,20 @@ class CameraServer:
         session = _Session(sight, self._send, self._open_source)
         self._send({"type": "camera_ready"})
         while (order := self._next_order(session)) is not _END:
-            if order:
+            if order == PING:
+                self._send(PONG)
+            elif order:
                 _obey(session, order)
-            session.look()
+            else:
+                session.look()
         session.want(Wanted())
 
     def _refuse(self, error: PinelError) -> None:
         """Answers every order with the reason why nothing can be recognised."""
         self._send(_state("failed", error))
         self._send({"type": "camera_ready"})
-        while self._orders.get() is not _END:
-            self._send(_state("failed", error))
+        while (order := self._orders.get()) is not _END:
+            self._send(PONG if order == PING else _state("failed", error))
 
     def _next_order(self, session: "_Session") -> Message | None:
         """The next order; None where none has come while the camera is on."""
@@ -118,7 +120,7 @@ class _Session:
         self._hand_taker, self._movement_taker = SampleTaker(), MovementTaker()
         self._moved: Decision | None = None
         self._moved_s = float("-inf")
-        self._seen_s = self._told_s = self._alive_s = 0.0
+        self._seen_s = self._told_s = 0.0
         self._state: Message = _state("off")
 
     @property
@@ -169,10 +171,6 @@ class _Session:
             self._tell_state(_state("failed", problem))
         elif source.is_open:
             self._tell_state(_state("on"))
-        now_s = time.monotonic()
-        if now_s - self._alive_s >= _ALIVE_S:
-            self._alive_s = now_s
-            self._send({"type": "alive"})
 
     def _see(self, frame: Frame) -> None:
         if learnt := self._learner.take():

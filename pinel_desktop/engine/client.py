@@ -4,13 +4,11 @@ import math
 import threading
 import time
 from collections.abc import Callable, Sequence
-from concurrent.futures import Future
 from typing import Any
 
 from pinel_desktop.engine.commands import (
     ALIVE,
     ALIVE_PERIOD_S,
-    REPLY,
     Command,
     Evaluate,
     Stop,
@@ -20,9 +18,8 @@ from pinel_desktop.events.model import RunEnded
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.processes import own_command
-from pinel_desktop.processes.heartbeat import Patience
 from pinel_desktop.processes.messages import Message
-from pinel_desktop.processes.owned import OwnedProcess, ProcessState
+from pinel_desktop.processes.supervisor import ProcessState, Supervisor
 from pinel_desktop.robot.record import RobotRecord
 from pinel_desktop.runs.robots import AT_START, HALT, JOG, ROBOT_STATE, WATCH
 from pinel_desktop.runs.spec import RunSpec
@@ -43,8 +40,7 @@ _HELD_S = 0.5
 class EngineClient:
     """Keeps the engine process running; thread-safe. No call waits for an engine that hangs.
 
-    `on_event` is called on the reader thread with every event, in order. A process that hangs is killed
-    (`processes.heartbeat`). When it dies during a run, the
+    `on_event` is called on the reader thread with every event, in order. When the process dies during a run, the
     client makes up the missing `run_ended` (failed, `engine_lost`; `real_engine_lost` of a real robot, which only its
     own watchdog stops then).
 
@@ -64,13 +60,13 @@ class EngineClient:
         self._on_event, self._is_watched = on_event, is_watched
         self._on_robot = on_robot
         self._held_s = -math.inf
-        self._process = OwnedProcess(
+        self._process = Supervisor(
             "engine",
             command or own_command("engine"),
-            self._receive,
-            self._report_loss,
-            self._on_ready,
-            patience=Patience(),
+            "engine_silent",
+            on_message=self._receive,
+            on_death=self._report_loss,
+            on_ready=self._on_ready,
         )
         self._bridge: tuple[Message, Callable[[Message], None]] | None = None
         self._lock = threading.RLock()
@@ -78,8 +74,6 @@ class EngineClient:
         self._is_real = False
         self._next_seq = 0
         self._tick = 0
-        self._n_questions = 0
-        self._questions: dict[int, Future[Any]] = {}
 
     @property
     def state(self) -> ProcessState:
@@ -150,20 +144,23 @@ class EngineClient:
             return self._evaluate(run_id, command)
         if isinstance(command, Stop):
             return self._stop(run_id, command)
-        self._tell(run_id, command)
+        with self._lock:
+            if self._live != run_id:
+                raise PinelError("run_not_live")
+            self._send({"run": run_id, "command": dict(command)})
         return None
 
     def _evaluate(self, run_id: str, command: Evaluate) -> Any:
         try:
-            return self._tell_and_wait(run_id, command, _ANSWER_TIMEOUT_S)
-        except TimeoutError as error:  # the run went on before the question's turn came
+            return self._request(run_id, command, _ANSWER_TIMEOUT_S)
+        except TimeoutError as error:  # the run went on before the request's turn came
             raise PinelError("run_not_paused") from error
 
     def _stop(self, run_id: str, command: Stop) -> None:
         """Sends the Stop at once, then waits until the engine has it, or the run has ended."""
         unconfirmed = "real_stop_unconfirmed" if self._is_real else "stop_unconfirmed"
         try:
-            self._tell_and_wait(run_id, command, _CONFIRM_S)
+            self._request(run_id, command, _CONFIRM_S)
         except TimeoutError as error:
             if self._live == run_id:
                 raise PinelError(unconfirmed) from error
@@ -172,13 +169,10 @@ class EngineClient:
                 raise
             raise PinelError(unconfirmed) from error
 
-    def _tell_and_wait(self, run_id: str, command: Command, timeout_s: float) -> Any:
-        question, answer = self._new_question()
-        try:
-            self._tell(run_id, command, question=question)
-            return answer.result(timeout_s)
-        finally:
-            self._questions.pop(question, None)
+    def _request(self, run_id: str, command: Command, timeout_s: float) -> Any:
+        if self._live != run_id:
+            raise PinelError("run_not_live")
+        return self._process.request({"run": run_id, "command": dict(command)}, timeout_s)
 
     def contact(self, robot: RobotRecord) -> dict[str, Any]:
         """What a robot tells of itself (`runs.contact.Contact`).
@@ -205,14 +199,10 @@ class EngineClient:
 
     def _ask(self, what: str, robot: RobotRecord, timeout_s: float) -> Any:
         """Asks the engine about a robot, and waits for the answer."""
-        question, answer = self._new_question()
         try:
-            self._send({what: question, "robot": robot.as_message()})
-            return answer.result(timeout_s)
+            return self._process.request({"type": what, "robot": robot.as_message()}, timeout_s)
         except TimeoutError as error:
             raise PinelError("engine_not_ready") from error
-        finally:
-            self._questions.pop(question, None)
 
     def keep_bridge(self, listen: Message, on_message: Callable[[Message], None]) -> None:
         """Has every engine from now on keep a bridge (`runs.bridge`); `on_message` takes what it tells and asks."""
@@ -256,44 +246,18 @@ class EngineClient:
         if self.state == "ready":
             self._process.send({"type": kind, "robot": robot.as_message(), **more})
 
-    def _new_question(self) -> tuple[int, Future[Any]]:
-        """The number of a question to the engine, and its answer."""
-        answer: Future[Any] = Future()
-        with self._lock:
-            question = self._n_questions = self._n_questions + 1
-            self._questions[question] = answer
-        return question, answer
-
-    def _tell(self, run_id: str, command: Command, **more: Any) -> None:
-        with self._lock:
-            if self._live != run_id:
-                raise PinelError("run_not_live")
-            self._send({"run": run_id, "command": dict(command), **more})
-
     def _send(self, message: Message) -> None:
         """Raises PinelError `engine_silent`."""
         if not self._process.send(message):
             raise PinelError("engine_silent")
 
     def _receive(self, message: Message) -> None:
-        if message.get("type") == REPLY:
-            self._settle(message)
-        elif self._bridge and message["type"].startswith("bridge_"):
+        if self._bridge and message["type"].startswith("bridge_"):
             self._bridge[1](message)
         elif message.get("type") == ROBOT_STATE:
             self._on_robot(message)
         else:
             self._hand_on(message)
-
-    def _settle(self, message: Message) -> None:
-        """Gives an answer of the engine to who asked."""
-        answer = self._questions.pop(message["question"], None)
-        if answer is None:
-            return
-        if "code" in message:
-            answer.set_exception(PinelError(message["code"], **message["params"]))
-        else:
-            answer.set_result(message["value"])
 
     def _hand_on(self, event: dict[str, Any]) -> None:
         with self._lock:
@@ -307,9 +271,6 @@ class EngineClient:
         with self._lock:
             lost_run, seq, tick = self._live, self._next_seq, self._tick
             self._live = None
-            unanswered, self._questions = self._questions, {}
-        for answer in unanswered.values():
-            answer.set_exception(PinelError("engine_silent"))
         if lost_run is not None:
             reason = "real_engine_lost" if self._is_real else "engine_lost"
             ended = RunEnded.cut_off(reason, tick / TICK_HZ)

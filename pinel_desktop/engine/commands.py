@@ -27,9 +27,6 @@ _LATER = ConfigDict(defer_build=True, frozen=True)
 ALIVE = {"type": "app_alive"}
 ALIVE_PERIOD_S = 0.05
 
-# Type of the message that answers a question of the app: a value, or a code.
-REPLY = "reply"
-
 BlockIds = Annotated[list[Annotated[str, Field(max_length=100)]], Field(max_length=1000)]
 SpeedFactor = Annotated[float, Field(ge=LEAST_SPEED, le=GREATEST_SPEED)]
 Sign = Annotated[str, Field(max_length=100)]

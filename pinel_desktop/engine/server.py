@@ -9,12 +9,19 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 from pydantic import ValidationError
 
-from pinel_desktop.engine.commands import ALIVE, REPLY, Command, EngineCommand
+from pinel_desktop.engine.commands import ALIVE, Command, EngineCommand
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, RunEnded
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.control import RunControl
-from pinel_desktop.processes.messages import PING, PONG, Message, read_messages, write_message
+from pinel_desktop.processes.messages import (
+    PING,
+    PONG,
+    Message,
+    read_messages,
+    response,
+    write_message,
+)
 from pinel_desktop.robot.record import RobotRecord, record_from
 from pinel_desktop.runs.robots import ROBOT_MESSAGES
 from pinel_desktop.runs.spec import spec_from
@@ -44,12 +51,12 @@ class _LiveRun:
         for command in message.get("commands", ()):
             self.apply(EngineCommand.model_validate(command).root, None)
 
-    def apply(self, command: Command, question: int | None) -> None:
-        """Does what the app asks of the run; `question` is the number under which a value is to be sent back."""
+    def apply(self, command: Command, request: int | None) -> None:
+        """Does what the app asks of the run; `request` is the number under which a value is to be sent back."""
 
         def reply(value: Any, error: PinelError | None) -> None:
-            if question is not None:
-                self._engine.answer(question, value, error)
+            if request is not None:
+                self._engine.respond(request, value, error)
 
         command.apply(self.control, reply)
 
@@ -105,7 +112,7 @@ class Engine:
         self._bridge: OwnedBridge | None = None
         self._making = threading.Lock()
         self._robots: Robots | None = None
-        # what the app asks about a real robot, under the number of its question
+        # what the app asks about a real robot
         self._about_robots = {"contact": self._contact, "find": self._find}
 
     @property
@@ -122,13 +129,9 @@ class Engine:
         with self._writing:
             write_message(self._events, message)
 
-    def answer(self, question: int, value: Any, error: PinelError | None) -> None:
-        """Answers a question of the app, without waiting for an app that does not read."""
-        told: Message = {"type": REPLY, "question": question}
-        if error is None:
-            self._answers.put({**told, "value": value})
-        else:
-            self._answers.put({**told, "code": error.code, "params": error.params})
+    def respond(self, request: int, value: Any = None, error: PinelError | None = None) -> None:
+        """Answers a request of the app, without waiting for an app that does not read."""
+        self._answers.put(response(request, value, error))
 
     def _send_answers(self) -> None:
         """On a thread of its own: the reading thread must find Stop whatever becomes of the other pipe."""
@@ -152,36 +155,36 @@ class Engine:
                 self._robots.close()
 
     def _handle(self, message: Message) -> None:
-        live = self._live
+        live, kind = self._live, str(message.get("type"))
         if message == PING:
             self._answers.put(PONG)
             return
         if "spec" in message:
             self._begin(message)
             return
-        for what in self._about_robots.keys() & message.keys():
-            threading.Thread(target=self._tell_of, args=(what, message), daemon=True).start()
+        if kind in self._about_robots:
+            threading.Thread(target=self._tell_of, args=(message,), daemon=True).start()
             return
-        if message.get("type") in ROBOT_MESSAGES:
+        if kind in ROBOT_MESSAGES:
             self.robots.handle(message)
             return
-        if live is not None and message.get("type") == ALIVE["type"]:
+        if live is not None and kind == ALIVE["type"]:
             live.control.hear_app()
             return
-        if str(message.get("type")).startswith("bridge_"):
+        if kind.startswith("bridge_"):
             self._steer_bridge(message)
             return
-        question = message.get("question")
+        request = message.get("request")
         if live is None or message.get("run") != live.id:  # of a run before this engine was started
-            if question is not None:
-                self.answer(question, None, PinelError("run_not_live"))
+            if request is not None:
+                self.respond(request, error=PinelError("run_not_live"))
             return
         try:
             command = EngineCommand.model_validate(message.get("command"))
         except ValidationError:
             _log.warning("an unknown command was ignored: %s", message)
             return
-        live.apply(command.root, question)
+        live.apply(command.root, request)
 
     def _steer_bridge(self, message: Message) -> None:
         if self._bridge is None:
@@ -190,15 +193,14 @@ class Engine:
             self._bridge = OwnedBridge(self.send)
         self._bridge.take(message)
 
-    def _tell_of(self, what: str, message: Message) -> None:
-        """Answers a question about real robots, on a thread of its own."""
+    def _tell_of(self, message: Message) -> None:
+        """Answers a request about real robots, on a thread of its own."""
         try:
-            record = record_from(message["robot"])
-            found = self._about_robots[what](record)
+            found = self._about_robots[message["type"]](record_from(message["robot"]))
         except PinelError as error:
-            self.answer(message[what], None, error)
+            self.respond(message["request"], error=error)
         else:
-            self.answer(message[what], found, None)
+            self.respond(message["request"], found)
 
     def _contact(self, record: RobotRecord) -> Message:
         from pinel_desktop.runs.contact import contact  # noqa: PLC0415 - for real robots only

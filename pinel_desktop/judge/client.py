@@ -1,20 +1,21 @@
 """The app's side of the judge: starts its process when there is something to judge, asks, waits for the verdict."""
 
-import threading
 from collections.abc import Sequence
-from concurrent.futures import Future
-from dataclasses import fields
-from itertools import count
+from typing import Any
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import CheckLine
 from pinel_desktop.judge.messages import Question, Told, Verdict
 from pinel_desktop.processes import own_command
+from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.processes.messages import Message
-from pinel_desktop.processes.owned import OwnedProcess
+from pinel_desktop.processes.supervisor import Supervisor
 
 _START_S = 60.0  # a PC that is busy with the start of the app
-_ANSWER_S = 30.0  # the step limit of `activities.checking` ends any program long before
+# It answers probes between two requests; the step limit of `activities.checking` ends any program long before.
+_TIMEOUTS = HangTimeouts(hang_timeout_s=30.0, busy_timeout_s=30.0, start_timeout_s=2 * _START_S)
+# Grading, the check list and runs of other PCs may ask at once: the last one waits for two that hang.
+_RESPONSE_TIMEOUT_S = 90.0
 
 
 class JudgeClient:
@@ -22,22 +23,14 @@ class JudgeClient:
 
     Args:
         command: starts the process.
-        answer_s: a process that does not answer for so long hangs, and is ended.
+        timeouts: of a process that hangs, which is replaced.
     """
 
-    def __init__(self, command: Sequence[str] | None = None, answer_s: float = _ANSWER_S) -> None:
-        self._process = OwnedProcess(
-            "judge",
-            command or own_command("judge"),
-            self._receive,
-            self._fail_all,
-            on_lost=self._fail_all,
-        )
-        self._answer_s = answer_s
-        self._lock = threading.Lock()
-        self._numbers = count()
-        self._waiting: dict[int, Future[Message]] = {}
-        self._awake = self._closed = False
+    def __init__(
+        self, command: Sequence[str] | None = None, timeouts: HangTimeouts = _TIMEOUTS
+    ) -> None:
+        command = command or own_command("judge")
+        self._process = Supervisor("judge", command, "judge_lost", timeouts=timeouts)
 
     @property
     def pid(self) -> int | None:
@@ -46,10 +39,6 @@ class JudgeClient:
 
     def wake(self) -> None:
         """Starts the process, and once more one that is lost; returns at once."""
-        with self._lock:
-            if self._closed or (self._awake and self._process.state != "lost"):
-                return
-            self._awake = True
         self._process.start()
 
     def judge(self, question: Question) -> Verdict:
@@ -58,9 +47,7 @@ class JudgeClient:
         Raises:
             PinelError: `judge_lost` if the process dies, hangs or does not start, and what judging raises.
         """
-        found = self._ask(question.as_message())
-        names = [one.name for one in fields(Verdict)]
-        return Verdict(**{name: found[name] for name in names})
+        return Verdict(**self._ask(question.as_message()))
 
     def follow(self, told: Told) -> list[CheckLine] | None:
         """How a run that goes on stands with the checks of its activity; None where they are not about it.
@@ -68,48 +55,18 @@ class JudgeClient:
         Raises:
             PinelError: as `judge`.
         """
-        checks: list[CheckLine] | None = self._ask(told.as_message())["checks"]
+        checks: list[CheckLine] | None = self._ask(told.as_message())
         return checks
 
-    def _ask(self, message: Message) -> Message:
+    def _ask(self, message: Message) -> Any:
         self.wake()
         if not self._process.wait_until_ready(_START_S):
             raise PinelError("judge_lost")
-        number, answer = next(self._numbers), Future[Message]()
-        with self._lock:
-            if self._closed:
-                raise PinelError("judge_lost")
-            self._waiting[number] = answer
         try:
-            if not self._process.send({"question": number, **message}):
-                raise PinelError("judge_lost")
-            return answer.result(self._answer_s)
+            return self._process.request(message, _RESPONSE_TIMEOUT_S)
         except TimeoutError as error:
-            self._process.kill()
             raise PinelError("judge_lost") from error
-        finally:
-            with self._lock:
-                self._waiting.pop(number, None)
 
     def close(self) -> None:
         """Ends the process; whoever waits for a verdict gets `judge_lost`."""
-        with self._lock:
-            self._closed = True
-        self._fail_all()
         self._process.close()
-
-    def _receive(self, message: Message) -> None:
-        with self._lock:
-            answer = self._waiting.pop(message["question"], None)
-        if answer is None:
-            return
-        if message["type"] == "refused":
-            answer.set_exception(PinelError(message["code"], **message["params"]))
-        else:
-            answer.set_result(message)
-
-    def _fail_all(self) -> None:
-        with self._lock:
-            waiting, self._waiting = self._waiting, {}
-        for answer in waiting.values():
-            answer.set_exception(PinelError("judge_lost"))

@@ -24,7 +24,14 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import JudgedCase
 from pinel_desktop.judge.messages import BegunRun, Question, SeenRun, Told, Verdict
 from pinel_desktop.messages import describe
-from pinel_desktop.processes.messages import Message, read_messages, write_message
+from pinel_desktop.processes.messages import (
+    PING,
+    PONG,
+    Message,
+    read_messages,
+    response,
+    write_message,
+)
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import setting_from
 from pinel_desktop.robot.record import ROOM
@@ -43,7 +50,8 @@ class Judge:
         """Works until the questions end."""
         write_message(self._verdicts, {"type": "judge_ready"})
         for message in read_messages(self._questions):
-            write_message(self._verdicts, _answer(message, self._followed))
+            answer = PONG if message == PING else _answer(message, self._followed)
+            write_message(self._verdicts, answer)
 
 
 class Followed:
@@ -81,21 +89,19 @@ class Followed:
 
 
 def _answer(message: Message, followed: Followed) -> Message:
-    number = message["question"]
+    number = message["request"]
     try:
         if "follow" in message:
             lines = followed.stand(Told.from_message(message))
-            checks = None if lines is None else [asdict(line) for line in lines]
-            return {"type": "standing", "question": number, "checks": checks}
-        verdict = verdict_on(Question.from_message(message))
+            return response(number, None if lines is None else [asdict(line) for line in lines])
+        return response(number, asdict(verdict_on(Question.from_message(message))))
     except PinelError as error:
-        return {"type": "refused", "question": number, "code": error.code, "params": error.params}
+        return response(number, error=error)
     except Exception as error:
         # a file of another PC may hold anything; the next program must still be judged
         _log.exception("question %s has no answer", number)
-        params = {"detail": f"{type(error).__name__}: {error}"}
-        return {"type": "refused", "question": number, "code": "internal_error", "params": params}
-    return {"type": "verdict", "question": number, **asdict(verdict)}
+        detail = f"{type(error).__name__}: {error}"
+        return response(number, error=PinelError("internal_error", detail=detail))
 
 
 def verdict_on(question: Question) -> Verdict:

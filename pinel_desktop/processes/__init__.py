@@ -1,4 +1,4 @@
-"""Processes of this program that the app owns: how they are started, kept running, talked to and ended."""
+"""Supervised processes of this program: how they are started, talked to, probed, replaced and ended."""
 
 import sys
 

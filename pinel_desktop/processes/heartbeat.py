@@ -1,4 +1,4 @@
-"""Whether a process that the app owns still answers: a frozen one is found within seconds, a busy one is left alone.
+"""Probes a supervised process: a frozen one is found within seconds, a busy one is left alone.
 
 Silence is counted in beats of the app's own thread, never by the clock. A beat that comes late (a PC that slept, an app
 that was stopped, more work than the PC has cores for) says nothing about the process, and the count begins again.
@@ -14,39 +14,42 @@ BEAT_S = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Patience:
+class HangTimeouts:
     """After how much silence a process hangs, in s.
 
     Attributes:
-        still_s: one that does nothing at all, such as one that was stopped.
-        busy_s: one that computes or waits for a disk: a long program is read, a library is loaded.
-        start_s: one that has not said yet that it is ready.
+        hang_timeout_s: one that does nothing at all, such as one that was stopped.
+        busy_timeout_s: one that computes or waits for a disk: a long program is read, a library is loaded.
+        start_timeout_s: one that has not said yet that it is ready.
     """
 
-    still_s: float = 2.0
-    busy_s: float = 10.0
-    start_s: float = 60.0
+    hang_timeout_s: float = 2.0
+    busy_timeout_s: float = 10.0
+    start_timeout_s: float = 60.0
     beat_s: float = BEAT_S
 
 
-class Silence:
+TIMEOUTS = HangTimeouts()
+
+
+class SilenceCounter:
     """Counts how long a process has been silent while the app ran on time."""
 
     def __init__(self, beat_s: float, now_s: float) -> None:
         self._beat_s, self._last_s = beat_s, now_s
-        self._n_heard = -1
+        self._n_received = -1
         self._n_beats = 0
 
-    def beat(self, now_s: float, n_heard: int, *, is_app_busy: bool) -> float:
+    def beat(self, now_s: float, n_received: int, *, is_app_busy: bool) -> float:
         """To be called at each beat; gives the silence in s.
 
         Args:
-            n_heard: messages of the process so far.
-            is_app_busy: what the process says may be waiting to be read.
+            n_received: messages of the process so far.
+            is_app_busy: more of them may be waiting to be read.
         """
         is_late = now_s - self._last_s > 2 * self._beat_s
-        is_counted = n_heard == self._n_heard and not is_late and not is_app_busy
-        self._last_s, self._n_heard = now_s, n_heard
+        is_counted = n_received == self._n_received and not is_late and not is_app_busy
+        self._last_s, self._n_received = now_s, n_received
         self._n_beats = self._n_beats + 1 if is_counted else 0
         return self._n_beats * self._beat_s
 
@@ -54,18 +57,18 @@ class Silence:
 Doing = Literal["nothing", "something", "traced"]
 
 
-class Activity:
+class ProcessUse:
     """What a process does while it is silent, as the system tells it."""
 
     def __init__(self) -> None:
         self._used_s: float | None = None
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Another silence begins."""
         self._used_s = None
 
-    def look(self, pid: int) -> Doing:
-        """What it has done since the first look at this silence; nothing where it has gone."""
+    def sample(self, pid: int) -> Doing:
+        """What it has done since the first sample of this silence; nothing where it has exited."""
         import psutil  # noqa: PLC0415 - for a process that is silent only
 
         try:
@@ -83,44 +86,45 @@ class Activity:
         return "something" if works or used_s > self._used_s else "nothing"
 
 
-def hangs(silent_s: float, patience: Patience, *, is_ready: bool, doing: Doing) -> bool:
-    """Whether a process is to be ended; one that a debugger holds never is."""
+def hangs(silent_s: float, timeouts: HangTimeouts, *, is_ready: bool, doing: Doing) -> bool:
+    """Whether a process is to be replaced; one that a debugger holds never is."""
     if doing == "traced":
         return False
     if not is_ready:
-        return silent_s >= patience.start_s
-    return silent_s >= (patience.busy_s if doing == "something" else patience.still_s)
+        return silent_s >= timeouts.start_timeout_s
+    is_busy = doing == "something"
+    return silent_s >= (timeouts.busy_timeout_s if is_busy else timeouts.hang_timeout_s)
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class Snapshot:
     """What the app knows of its process at a beat."""
 
     pid: int | None
-    n_heard: int
+    n_received: int
     is_ready: bool
     is_app_busy: bool
 
 
 class Heartbeat:
-    """A thread that asks the process for a sign of life, and ends one that hangs.
+    """A thread that probes the process at each beat, and ends one that hangs.
 
     Args:
-        see: tells how the process stands.
-        ask: sends it the question that it answers at once.
-        end: kills the process with that id, if it is still the one.
+        snapshot: tells how the process stands.
+        probe: sends it the request that it answers as soon as it does its work.
+        kill: kills the process with that id, if it is still the one.
     """
 
     def __init__(
         self,
-        see: Callable[[], Seen],
-        ask: Callable[[], object],
-        end: Callable[[int], object],
-        patience: Patience,
+        snapshot: Callable[[], Snapshot],
+        probe: Callable[[], object],
+        kill: Callable[[int], object],
+        timeouts: HangTimeouts,
     ) -> None:
-        self._see, self._ask, self._end, self._patience = see, ask, end, patience
+        self._snapshot, self._probe, self._kill, self._timeouts = snapshot, probe, kill, timeouts
         self._closing = threading.Event()
-        self._activity = Activity()
+        self._use = ProcessUse()
 
     def start(self, name: str) -> None:
         threading.Thread(target=self._beat, name=name, daemon=True).start()
@@ -130,21 +134,21 @@ class Heartbeat:
         self._closing.set()
 
     def _beat(self) -> None:
-        beat_s, pid = self._patience.beat_s, None
-        silence = Silence(beat_s, time.monotonic())
+        beat_s, pid = self._timeouts.beat_s, None
+        silence = SilenceCounter(beat_s, time.monotonic())
         while not self._closing.wait(beat_s):
-            seen = self._see()
-            if seen.pid != pid:  # the next one has its time too
-                pid, silence = seen.pid, Silence(beat_s, time.monotonic())
-            silent_s = silence.beat(time.monotonic(), seen.n_heard, is_app_busy=seen.is_app_busy)
-            if pid is not None and self._hangs(pid, silent_s, seen):
-                self._end(pid)
-            elif seen.is_ready:
-                self._ask()
+            now = self._snapshot()
+            if now.pid != pid:  # the next one has its time too
+                pid, silence = now.pid, SilenceCounter(beat_s, time.monotonic())
+            silent_s = silence.beat(time.monotonic(), now.n_received, is_app_busy=now.is_app_busy)
+            if pid is not None and self._hangs(pid, silent_s, now):
+                self._kill(pid)
+            elif now.is_ready:
+                self._probe()
 
-    def _hangs(self, pid: int, silent_s: float, seen: Seen) -> bool:
+    def _hangs(self, pid: int, silent_s: float, now: Snapshot) -> bool:
         if not silent_s:
-            self._activity.forget()
+            self._use.reset()
             return False
-        doing = self._activity.look(pid)
-        return hangs(silent_s, self._patience, is_ready=seen.is_ready, doing=doing)
+        doing = self._use.sample(pid)
+        return hangs(silent_s, self._timeouts, is_ready=now.is_ready, doing=doing)

@@ -1,13 +1,22 @@
-"""JSON lines over pipes: how the app talks to the processes that it owns (ARCHITECTURE.md, Processes)."""
+"""JSON lines over pipes: how the app talks to its supervised processes (ARCHITECTURE.md, Processes)."""
 
 import json
 from collections.abc import Iterator
 from typing import Any, BinaryIO
 
+from pinel_desktop.errors import PinelError
+
 Message = dict[str, Any]
-# A process that reads answers the one with the other at once, whatever else it does.
+# The probe: a process answers the one with the other as soon as it comes to it in its work.
 PING, PONG = {"type": "ping"}, {"type": "pong"}
-_LONGEST = 64_000_000  # octets of a line
+RESPONSE = "response"
+_MAX_LINE_BYTES = 64_000_000
+
+
+def response(request: int, value: Any = None, error: PinelError | None = None) -> Message:
+    """What a process answers to the request of that number: a value, or why there is none."""
+    found = {"value": value} if error is None else {"code": error.code, "params": error.params}
+    return {"type": RESPONSE, "request": request, **found}
 
 
 def encoded(message: Message) -> bytes:
@@ -23,8 +32,8 @@ def write_message(pipe: BinaryIO, message: Message) -> None:
 
 def read_messages(pipe: BinaryIO) -> Iterator[Message]:
     """The messages of a pipe until it ends; lines that are too long or no JSON object are passed over."""
-    while line := pipe.readline(_LONGEST):
-        if len(line) == _LONGEST:
+    while line := pipe.readline(_MAX_LINE_BYTES):
+        if len(line) == _MAX_LINE_BYTES:
             _skip_line(pipe, line)
             continue
         try:
@@ -37,4 +46,4 @@ def read_messages(pipe: BinaryIO) -> Iterator[Message]:
 
 def _skip_line(pipe: BinaryIO, part: bytes) -> None:
     while part and not part.endswith(b"\n"):
-        part = pipe.readline(_LONGEST)
+        part = pipe.readline(_MAX_LINE_BYTES)

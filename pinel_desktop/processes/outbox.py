@@ -6,7 +6,7 @@ import threading
 from typing import BinaryIO
 
 # far more than a process that reads ever leaves waiting; a line that waits alone may be longer
-MOST_WAITING = 16_000_000  # octets
+MAX_WAITING = 16_000_000  # octets
 
 
 class Outbox:
@@ -20,7 +20,7 @@ class Outbox:
     def put(self, line: bytes) -> bool:
         """Takes a line without waiting; False when the process does not read, and too much waits already."""
         with self._lock:
-            if self._n_waiting and self._n_waiting + len(line) > MOST_WAITING:
+            if self._n_waiting and self._n_waiting + len(line) > MAX_WAITING:
                 return False
             self._n_waiting += len(line)
             self._lines.put(line)

@@ -2,18 +2,15 @@
 
 import time
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.events.app_events import RobotStateTold
 from pinel_desktop.messages import describe
 from pinel_desktop.robot.record import RobotRecord
 from pinel_desktop.runs.robots import LEASE_S
 
-
-class Watcher(Protocol):
-    """The part of the engine that listens to robots."""
-
-    def watch(self, robot: RobotRecord) -> None: ...
+if TYPE_CHECKING:
+    from pinel_desktop.engine.client import EngineClient
 
 
 class RobotWatching:
@@ -31,7 +28,7 @@ class RobotWatching:
         self._asked_s: dict[str, float] = {}
         self._last: dict[str, dict[str, Any]] = {}
 
-    def watch(self, engine: Watcher, robot: RobotRecord, *, is_first: bool) -> None:
+    def watch(self, engine: "EngineClient", robot: RobotRecord, *, is_first: bool) -> None:
         """A page asks; one that asks for the first time is told what is known already."""
         now_s = time.monotonic()
         if now_s - self._asked_s.get(robot.link, now_s) > LEASE_S:  # what was told last is old

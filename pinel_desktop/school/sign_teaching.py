@@ -4,8 +4,9 @@ class's turn."""
 import contextlib
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
+from pinel_desktop.camera.client import Camera
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import SignRecording, SignsChanged
 from pinel_desktop.gestures.letters import LETTERS
@@ -16,23 +17,6 @@ from storage import SignSamples, Store, StoreError
 N_SAMPLES = 10  # hands of one recording
 N_MOVEMENTS = 5
 Samples = tuple[bytes, ...]
-
-
-class Camera(Protocol):
-    """The part of `camera.client.Camera` that learns."""
-
-    def know(self, taught: tuple[tuple[str, bytes, bytes], ...]) -> None: ...
-
-    def record(
-        self,
-        n_samples: int,
-        on_samples: Callable[[Samples], None],
-        on_stop: Callable[[], None],
-        *,
-        is_moving: bool,
-    ) -> None: ...
-
-    def stop_recording(self) -> None: ...
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from flask import current_app
 
 from pinel_desktop.messages import Problem
-from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.web.guard import Guard
 
 if TYPE_CHECKING:  # heavy, and not needed to serve the page
-    from pinel_desktop.engine.commands import Command
-    from pinel_desktop.errors import PinelError
+    from pinel_desktop.camera.client import Camera
+    from pinel_desktop.engine.client import EngineClient
     from pinel_desktop.events.hub import Hub
+    from pinel_desktop.preferences import Preferences
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
-    from pinel_desktop.robot.record import RobotRecord
-    from pinel_desktop.runs.spec import RunSpec
     from pinel_desktop.school.robot_watching import RobotWatching
     from pinel_desktop.school.robots import Robots
+    from pinel_desktop.school.sign_teaching import SignTeaching
     from pinel_desktop.school.teacher import TeacherSessions
     from storage import Store
 
@@ -39,107 +38,6 @@ class ReadWorld(Protocol):
             robot: name of the model that must fit at the start pose; None is the largest.
         """
         ...
-
-
-class Engine(Protocol):
-    """The part of `engine.client.EngineClient` that handlers use."""
-
-    @property
-    def state(self) -> Literal["starting", "ready", "lost"]: ...
-
-    @property
-    def live_run(self) -> str | None: ...
-
-    def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None: ...
-
-    def command(self, run_id: str, command: Command) -> Any: ...
-
-    def contact(self, robot: RobotRecord) -> dict[str, Any]: ...
-
-    def find(self, robot: RobotRecord) -> list[dict[str, Any]]: ...
-
-    def watch(self, robot: RobotRecord) -> None: ...
-
-    def jog(self, robot: RobotRecord, drive: float, turn: float, sent_s: float) -> None: ...
-
-    def halt(self, robot: RobotRecord) -> None: ...
-
-    def stand_at_start(self, robot: RobotRecord) -> None: ...
-
-
-class CameraState(Protocol):
-    """What the camera does, and why it is of no use."""
-
-    @property
-    def mode(self) -> Literal["off", "opening", "on", "failed"]: ...
-
-    @property
-    def problem(self) -> PinelError | None: ...
-
-
-class Camera(Protocol):
-    """What the handlers need of `camera.client.Camera`."""
-
-    @property
-    def state(self) -> CameraState: ...
-
-    @property
-    def source(self) -> str: ...
-
-    def wake(self) -> None: ...
-
-    def choose(self, source: str) -> None: ...
-
-    def previews(self, *, annotated: bool = False) -> Generator[bytes]: ...
-
-    def caption(self, text: str) -> None: ...
-
-
-class KnownSign(Protocol):
-    """A sign that captures can answer."""
-
-    @property
-    def name(self) -> str: ...
-
-    @property
-    def is_letter(self) -> bool: ...
-
-    @property
-    def n_samples(self) -> int: ...
-
-    @property
-    def n_movements(self) -> int: ...
-
-    @property
-    def landmarks(self) -> list[list[float]] | None: ...
-
-
-class Signs(Protocol):
-    """What the handlers need of `school.sign_teaching.SignTeaching`."""
-
-    def signs(self, classroom_id: str | None) -> Sequence[KnownSign]: ...
-
-    def use(self, classroom_id: str | None) -> None: ...
-
-    def refresh(self) -> None: ...
-
-    def record(self, classroom_id: str, name: str, *, is_moving: bool = False) -> str: ...
-
-    def stop(self) -> None: ...
-
-    def forget(self, classroom_id: str, name: str) -> None: ...
-
-
-class Preferences(Protocol):
-    """Choices of the person; persistent if the database is writable.
-
-    Attributes:
-        page: what the page keeps.
-    """
-
-    language: str
-    camera: str
-    page: PageSettings
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,9 +64,9 @@ class Services:
 
     app_version: str
     store: Store
-    engine: Engine
+    engine: EngineClient
     camera: Camera
-    signs: Signs
+    signs: SignTeaching
     hub: Hub
     guard: Guard
     preferences: Preferences

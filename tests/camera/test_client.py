@@ -13,12 +13,13 @@ from typing import Any
 import psutil
 import pytest
 
-from pinel_desktop.camera import client, sample_recording
+from pinel_desktop.camera import sample_recording
 from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.camera.recording import read_recording, write_recording
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.gestures.features import N_FEATURES
 from pinel_desktop.gestures.training import moving_hands as hands
+from pinel_desktop.processes.heartbeat import HangTimeouts
 from tests.camera.moving_hands import movements, write_moving_hand
 from tests.camera.moving_hands import packed as packed_movements
 from tests.camera.taught_hands import packed, shown, write_strange_hand
@@ -168,6 +169,16 @@ def test_process_that_hangs_is_replaced(harness: Harness) -> None:
     assert not psutil.pid_exists(before)
 
 
+def test_process_that_hangs_while_the_camera_is_off_is_replaced_too(harness: Harness) -> None:
+    harness.camera.wake()
+    assert harness.camera.wait_until_ready(WAIT_S)
+    wait_for(lambda: old_enough(harness.camera.pid))
+    before = harness.camera.pid or 0
+    os.kill(before, signal.SIGSTOP)
+    wait_for(lambda: harness.camera.pid != before)
+    assert not psutil.pid_exists(before)
+
+
 def test_process_that_hangs_before_the_camera_is_on_holds_up_nobody(harness: Harness) -> None:
     harness.camera.wake()
     assert harness.camera.wait_until_ready(WAIT_S)
@@ -181,9 +192,9 @@ def test_process_that_hangs_before_the_camera_is_on_holds_up_nobody(harness: Har
     assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
 
 
-def test_process_that_is_slow_to_start_is_left_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(client, "_SILENT_S", 1.0)
-    harness = Harness(command=talking(SLOW, then="alive"))
+def test_process_that_is_slow_to_start_is_left_its_time() -> None:
+    timeouts = HangTimeouts(hang_timeout_s=1.0, busy_timeout_s=1.0)
+    harness = Harness(command=talking(SLOW, then="pong"), timeouts=timeouts)
     harness.camera.use()
     assert harness.camera.wait_until_ready(WAIT_S)
     pid = harness.camera.pid
@@ -192,9 +203,9 @@ def test_process_that_is_slow_to_start_is_left_its_time(monkeypatch: pytest.Monk
     harness.camera.close()
 
 
-def test_process_that_never_starts_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(client, "_START_S", 0.5)
-    harness = Harness(command=talking("time.sleep(600)"))
+def test_process_that_never_starts_is_replaced() -> None:
+    timeouts = HangTimeouts(start_timeout_s=0.5)
+    harness = Harness(command=talking("time.sleep(600)"), timeouts=timeouts)
     harness.camera.use()
     first = harness.camera.pid
     wait_for(lambda: harness.camera.pid != first)
@@ -209,7 +220,7 @@ if not pathlib.Path({str(repaired)!r}).exists():
     sys.exit(1)
 say('camera_ready')
 say('camera_state', state='on', code=None, params={{}})"""
-    harness = Harness(command=talking(script, then="alive"))
+    harness = Harness(command=talking(script, then="pong"))
     harness.camera.use()
     assert not harness.camera.wait_until_ready(WAIT_S)
     assert harness.camera.state.problem is not None
@@ -237,7 +248,7 @@ def test_messages_that_are_none_are_passed_over() -> None:
         "sys.stdout.write('[' * 200_000 + chr(10))",
         "say('camera_state', state='on', code=None, params={})",
     ]
-    harness = Harness(command=talking("; ".join(garbage), then="alive"))
+    harness = Harness(command=talking("; ".join(garbage), then="pong"))
     harness.camera.use()
     harness.event("capture_started")
     assert harness.until("on").problem is None

@@ -29,7 +29,7 @@ from pinel_desktop.engine.commands import (
 )
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.types import RUN_EVENTS
-from pinel_desktop.processes import owned
+from pinel_desktop.processes import supervisor
 from pinel_desktop.runs.spec import RunSpec
 from tests.in_time import in_time
 
@@ -272,7 +272,9 @@ def test_engine_that_is_still_starting_does_not_keep_the_app_from_closing() -> N
 def test_engine_that_dies_soon_is_started_again_and_a_lost_one_when_somebody_wants_to_run(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(owned, "_SHORT_LIFE_S", WAIT_S)  # on a busy PC the start alone takes long
+    monkeypatch.setattr(
+        supervisor, "_SHORT_LIFE_S", WAIT_S
+    )  # on a busy PC the start alone takes long
     harness = Harness()
     try:
         for _ in range(3):

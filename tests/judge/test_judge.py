@@ -17,6 +17,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.judge.client import JudgeClient
 from pinel_desktop.judge.messages import Question
 from pinel_desktop.judge.server import verdict_on
+from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.program.python_text import read_python
 
 ENDLESS = read_python("while True:\n    n = 1\n").reading.document or {}
@@ -92,7 +93,8 @@ def test_a_judge_that_is_killed_is_told_and_replaced(judge: JudgeClient) -> None
 
 
 def test_a_judge_that_hangs_is_ended() -> None:
-    client = JudgeClient([sys.executable, "-c", DEAF], answer_s=0.3)
+    quick = HangTimeouts(hang_timeout_s=0.3, busy_timeout_s=0.3, beat_s=0.1)
+    client = JudgeClient([sys.executable, "-c", DEAF], quick)
     try:
         assert code_of(client, question()) == "judge_lost"
         pid = client.pid

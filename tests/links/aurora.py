@@ -40,7 +40,7 @@ class Aurora:
     def __init__(self, port: int, *options: str) -> None:
         self.heard: list[tuple[float, Twist2D]] = []
         self.places: list[tuple[float, float]] = []
-        self._is_mute = False
+        self._is_mute = threading.Event()
         self._process = subprocess.Popen(
             [sys.executable, str(_DOUBLE), f"http://127.0.0.1:{port}", *options],
             stdin=subprocess.PIPE,
@@ -54,6 +54,9 @@ class Aurora:
     def _read(self) -> None:
         assert self._process.stdout is not None
         for line in self._process.stdout:
+            if line == "mute\n":
+                self._is_mute.set()
+                continue
             at_s, v, omega, x, y = map(float, line.split())
             self.places.append((x, y))
             self.heard.append((at_s, Twist2D(v, omega)))
@@ -61,13 +64,13 @@ class Aurora:
     @property
     def is_mute(self) -> bool:
         """Whether it posts no pose any more."""
-        return self._is_mute
+        return self._is_mute.is_set()
 
     @is_mute.setter
     def is_mute(self, value: bool) -> None:
         assert value, "it does not speak again"
-        self._is_mute = True
         self.order("mute")
+        assert self._is_mute.wait(15.0), "it does not do what it is told"
 
     def order(self, line: str) -> None:
         """Lets something go wrong, as the double's page says: `restart 0.7`."""

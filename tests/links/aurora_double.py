@@ -6,7 +6,7 @@ It asks `/bridge/cmd_vel`, integrates, posts `/bridge/pose`, asks `/bridge/statu
 active and it has moved. While nobody listens it goes on asking. Standard output has a line for each velocity,
 `TIME V OMEGA X Y` (monotonic time, and where the robot truly is). Lines on standard input say what goes wrong:
 
-    mute         it posts no pose any more
+    mute         it posts no pose any more, and says so: a line `mute`
     pause S      it does nothing for so long
     restart S    the same, and its pose is zero again, as of a program that began anew
     jump M       its pose is suddenly so far ahead
@@ -115,6 +115,7 @@ class Loop:
         match order:
             case "mute":
                 self._is_mute = True
+                print("mute", flush=True)
             case "pause":
                 time.sleep(amount)
             case "restart":

@@ -45,7 +45,7 @@ def graph() -> WrittenGraph:
 @pytest.fixture
 def holds(graph: WrittenGraph) -> Holding:
     held = Holding(cast("Graph", graph), "cmd_vel", "odom")
-    held.began()
+    held.start()
     return held
 
 

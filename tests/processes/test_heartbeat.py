@@ -6,11 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.processes.heartbeat import Patience, Silence, hangs
-from pinel_desktop.processes.owned import OwnedProcess
+from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts, SilenceCounter, hangs
+from pinel_desktop.processes.supervisor import Supervisor
 
 BEAT_S = 0.5
-PATIENCE = Patience()
 WAIT_S = 30.0
 # it computes for as long as its file is missing, then answers as usual
 BUSY = """import json, pathlib, sys
@@ -23,7 +22,7 @@ for line in sys.stdin: print('{"type": "pong"}', flush=True); print('{"type": "h
 
 def silences(beats: list[tuple[float, int, bool]]) -> list[float]:
     """The silence at each beat of (s, messages heard, whether the app is busy)."""
-    silence = Silence(BEAT_S, now_s=0.0)
+    silence = SilenceCounter(BEAT_S, now_s=0.0)
     return [silence.beat(now_s, n, is_app_busy=busy) for now_s, n, busy in beats]
 
 
@@ -53,29 +52,29 @@ def test_an_app_that_has_not_read_what_was_said_counts_no_silence() -> None:
         (60.0, False, "something", True),
     ],
 )
-def test_patience_depends_on_what_the_process_does(
+def test_time_out_depends_on_what_the_process_does(
     silent_s: float, is_ready: bool, doing: str, is_ended: bool
 ) -> None:
-    assert hangs(silent_s, PATIENCE, is_ready=is_ready, doing=doing) == is_ended  # type: ignore[arg-type] # a table
+    assert hangs(silent_s, TIMEOUTS, is_ready=is_ready, doing=doing) == is_ended  # type: ignore[arg-type] # a table
 
 
 def test_a_process_that_computes_and_answers_late_is_the_same_afterwards(tmp_path: Path) -> None:
     heard: list[object] = []
     free = tmp_path / "free"
-    owned = OwnedProcess(
+    supervisor = Supervisor(
         "some",
         [sys.executable, "-c", BUSY, str(free)],
-        heard.append,
-        lambda: None,
-        patience=Patience(still_s=0.4, busy_s=600.0, beat_s=0.1),
+        "some_lost",
+        on_message=heard.append,
+        timeouts=HangTimeouts(hang_timeout_s=0.4, busy_timeout_s=600.0, beat_s=0.1),
     )
-    owned.start()
-    assert owned.wait_until_ready(WAIT_S)
-    first, due_s = owned.pid, time.monotonic() + WAIT_S
+    supervisor.start()
+    assert supervisor.wait_until_ready(WAIT_S)
+    first, due_s = supervisor.pid, time.monotonic() + WAIT_S
     time.sleep(1.5)  # several times what a process that does nothing is given
     free.touch()
     while not heard:
         assert time.monotonic() < due_s
         time.sleep(0.02)
-    owned.close()
-    assert owned.pid == first
+    supervisor.close()
+    assert supervisor.pid == first

@@ -27,7 +27,7 @@ def test_a_line_that_is_no_message_is_passed_over(garbage: bytes) -> None:
 
 
 def test_a_line_that_is_too_long_is_passed_over_as_a_whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(messages, "_LONGEST", 32)
+    monkeypatch.setattr(messages, "_MAX_LINE_BYTES", 32)
     long = b'{"type": "' + 100 * b"a" + b'"}\n'
     pipe = io.BytesIO(long + b'{"type": "alive"}\n' + long)
     assert list(read_messages(pipe)) == [{"type": "alive"}]

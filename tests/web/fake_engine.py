@@ -1,17 +1,22 @@
-"""A fake engine controlled by the test, with the interface of EngineClient."""
+"""An engine controlled by the test: no process is behind it."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal
+from typing import Any
 
+from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.engine.commands import Command, Evaluate
 from pinel_desktop.errors import PinelError
+from pinel_desktop.processes.supervisor import ProcessState
 from pinel_desktop.robot.record import RobotRecord
 from pinel_desktop.runs.spec import RunSpec
 
 Event = dict[str, Any]
 
 
-class FakeEngine:
+class FakeEngine(EngineClient):
+    state: ProcessState = "starting"
+    live_run: str | None = None
+
     def __init__(
         self,
         on_event: Callable[[Event], None],
@@ -21,8 +26,6 @@ class FakeEngine:
     ) -> None:
         self.on_event, self.on_robot = on_event, on_robot
         self.of_robots: list[tuple[Any, ...]] = []
-        self.state: Literal["starting", "ready", "lost"] = "starting"
-        self.live_run: str | None = None
         self.told: list[Command] = []
         self.begun: dict[str, Any] = {}
         self.first: list[Command] = []

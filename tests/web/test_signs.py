@@ -112,7 +112,7 @@ def test_a_run_brings_the_signs_of_its_group(app: App, browser: Browser, classro
     program = app._store.programs.create(group.id, "P")
     document = {"pinel_ir": 1, "name": "p", "functions": [], "commands": []}
     version = app._store.versions.save(program.id, {}, document)
-    app._engine.wait_until_ready(30)  # type: ignore[attr-defined]
+    app._engine.wait_until_ready(30)
     begun = browser.post("/api/runs", {"version_id": version.id, "world": "empty_room"})
     assert begun.status == 200, begun.body
     assert known(app) == ["7"]

@@ -1,1 +1,1 @@
-"""Subcommands that the app starts as processes of its own (`processes/owned.py`); people do not call them."""
+"""Subcommands that the app starts as processes of its own (`processes/supervisor.py`); people do not call them."""

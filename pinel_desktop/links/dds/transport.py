@@ -19,6 +19,7 @@ from pinel_desktop.links.dds.receiving import Receiving
 from pinel_desktop.links.dds.search import Search
 from pinel_desktop.links.dds.session import Session, range_type
 from pinel_desktop.links.real import RealLink, real_link
+from pinel_desktop.links.ros2.node.drivers import DEAF_S, LAST_S, SILENT_S
 from pinel_desktop.links.ros_sensors import RosSensors
 from pinel_desktop.links.transport import Cancelled, Receiver
 from pinel_desktop.robot import STANDSTILL, RobotModel, Sensors, Setting, Twist2D
@@ -26,12 +27,6 @@ from pinel_desktop.robot.record import DdsRecord, RobotRecord
 
 _FOUND_WITHIN_S = 5.0
 _MATCHED_WITHIN_S = 5.0
-# A robot whose program begins anew hears again within this time.
-_DEAF_S = 1.0
-# A robot that reports nothing for longer than this may not hear, either,
-_SILENT_S = 0.5
-# and one that comes back within this time after the last command still hears that it has to stand.
-_LAST_S = 1.5
 _POLL_S = 0.05
 
 
@@ -77,7 +72,7 @@ class DdsTransport:
         self._writer = session.writer(
             self._command_topic, search.command_type, is_transient_local=asks_for_last
         )
-        holding.began()
+        holding.start()
         _wait(holding.is_claimed, cancelled, math.inf)
         receiving.start()
         if not _wait(self._is_matched, cancelled, _MATCHED_WITHIN_S) and not cancelled():
@@ -130,14 +125,14 @@ class DdsTransport:
 
     def _stand(self) -> None:
         """Sends more zeros for a while where the robot is silent."""
-        due_s = time.monotonic() + _LAST_S
+        due_s = time.monotonic() + LAST_S
         while self._is_lost() and time.monotonic() < due_s:
             self.send(STANDSTILL)
             time.sleep(_POLL_S)
 
     def _is_lost(self) -> bool:
         heard_s = self._receiving.heard_s if self._receiving is not None else None
-        return self._is_open and heard_s is not None and time.monotonic() - heard_s > _SILENT_S
+        return self._is_open and heard_s is not None and time.monotonic() - heard_s > SILENT_S
 
     def _receive(
         self,
@@ -177,7 +172,7 @@ class DdsTransport:
             return
         now_s = time.monotonic()
         self._deaf_since_s = self._deaf_since_s or now_s
-        if now_s - self._deaf_since_s > _DEAF_S:
+        if now_s - self._deaf_since_s > DEAF_S:
             raise self._deaf()
 
     def _deaf(self) -> PinelError:

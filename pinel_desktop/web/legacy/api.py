@@ -6,8 +6,9 @@ import logging
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
+from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 from pinel_desktop.program.limits import MAX_BYTES
@@ -36,14 +37,6 @@ _EXAMPLE = '[{"action": "move_forward", "distance": 1}]'
 _log = logging.getLogger(__name__)
 
 
-class BridgeEngine(open_run.Engine, Protocol):
-    """The part of `engine.client.EngineClient` that keeps the listener."""
-
-    def keep_bridge(self, listen: Message, on_message: Callable[[Message], None]) -> None: ...
-
-    def tell_bridge(self, message: Message) -> None: ...
-
-
 @dataclass(frozen=True, slots=True)
 class BridgeChoice:
     """Where the bridge stands, and which robot its calls drive.
@@ -64,7 +57,7 @@ class LegacyApi:
     def __init__(
         self,
         parts: "Services",
-        engine: BridgeEngine,
+        engine: EngineClient,
         choice: BridgeChoice,
         later: Callable[[float, Callable[[], None]], open_run.Cancel] = open_run.by_timer,
     ) -> None:

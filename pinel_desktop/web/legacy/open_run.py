@@ -3,11 +3,12 @@
 import contextlib
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Any, Literal, NamedTuple
 
-from pinel_desktop.engine.commands import Abandon, AnswerCapture, Append, Command, Finish
+from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.engine.commands import Abandon, AnswerCapture, Append, Finish
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.control import BY_PERSON
 from pinel_desktop.robot.record import ROOM
@@ -24,17 +25,6 @@ SILENCE_S = 60.0
 BATCH_SILENCE_S = 3.0
 _END_S = 10.0
 _LOOK_S = 0.2
-
-
-class Engine(Protocol):
-    """The part of `engine.client.EngineClient` that drives the run."""
-
-    @property
-    def live_run(self) -> str | None: ...
-
-    def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None: ...
-
-    def command(self, run_id: str, command: Command) -> Any: ...
 
 
 class Outcome(NamedTuple):
@@ -77,7 +67,7 @@ class OpenRun:
 
     def __init__(
         self,
-        engine: Engine,
+        engine: EngineClient,
         keeping: Keeping,
         make_spec: Callable[[dict[str, Any]], RunSpec],
         check: Callable[[Commands], None],

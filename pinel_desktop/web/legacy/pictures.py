@@ -1,7 +1,7 @@
 """The camera's picture with the hands and the signs that it sees, one after another."""
 
+from pinel_desktop.camera.client import Camera
 from pinel_desktop.errors import PinelError
-from pinel_desktop.web.services import Camera
 
 
 class Pictures:

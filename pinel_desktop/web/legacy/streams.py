@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
+from pinel_desktop.camera.client import Camera
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web.legacy.keeping import Commands
 from pinel_desktop.web.legacy.open_run import OpenRun, Outcome
 from pinel_desktop.web.legacy.pictures import Pictures
-from pinel_desktop.web.services import Camera
 
 # The original's page looks for 10 s and then asks for the result: it is there before.
 STREAM_S = 9.0

@@ -1,18 +1,11 @@
-"""Whether another node drives the robot: two publishers of one command topic would pull it to and fro."""
+"""Which other node drives the robot, as the graph of ROS tells it."""
 
-import time
 import uuid
 from collections import namedtuple
 
 import rclpy
-from drivers import drivers
+from drivers import WITHDRAWS_S, Claim, drivers
 
-# Others in the domain are known by then, before the first command.
-LISTENING_S = 1.0
-# Of it, after this node shows that it drives: of two that begin together one sees the other.
-CLAIM_S = 0.3
-# Another PINEL that comes later withdraws by itself before this.
-WITHDRAWS_S = 3.0
 # A publisher may be known a little before its node.
 NAMED_S = 0.5
 PINEL = "pinel_"
@@ -35,14 +28,11 @@ class RefusalError(Exception):
 Who = namedtuple("Who", ["participant", "namespace", "name"])
 
 
-class Holding:
-    """Watches the publishers of a command topic other than this node's own.
-
-    Attributes:
-        is_disputed: somebody else was there at the last look; this node sends zeros only.
-    """
+class Holding(Claim):
+    """Watches the publishers of a command topic other than this node's own."""
 
     def __init__(self, node, command_topic, odometry_topic):
+        super().__init__()
         self._node = node
         self._command_topic, self._odometry_topic = command_topic, odometry_topic
         # what Zenoh gives an endpoint tells nothing of its participant
@@ -50,10 +40,7 @@ class Holding:
         # nobody else can have this node's name yet
         own = self._nodes(node.get_publishers_info_by_topic(OF_EVERY_NODE))
         self._own = {who for who in own if who.name == node.get_name()}
-        self._began_s = time.monotonic()
-        self._since_s = None  # somebody else has been there
         self._is_nameless = False  # at the last look there was a node whose name is unknown
-        self.is_disputed = False
 
     def holder(self):
         """Name of another node that commands the robot, of one that cannot withdraw first; None without any.
@@ -68,37 +55,11 @@ class Holding:
         names = [publishers[who] if who.name == UNKNOWN else who.name for who in others]
         return min(names, key=lambda name: (name.startswith(PINEL), name), default=None)
 
-    def is_free(self):
-        """Whether nobody has published for long enough to be sure."""
-        if self.holder() is not None:
-            self._began_s = time.monotonic()
-        return time.monotonic() - self._began_s >= LISTENING_S - CLAIM_S
-
-    def began(self):
-        """This node publishes commands from now on."""
-        self._began_s = time.monotonic()
-
-    def require_alone(self):
-        """Raises RefusalError when somebody else begins to command the robot, and does not withdraw.
-
-        Until then only zeros are sent: the other one may believe as well that it was here first.
-        """
-        holder = self.holder()
-        self.is_disputed = holder is not None
-        if holder is None:
-            self._since_s = None
-            return
-        now_s = time.monotonic()
-        self._since_s = self._since_s or now_s
-        if now_s - self._since_s >= self._patience_s(holder):
-            raise self.problem()
-
-    def _patience_s(self, holder):
+    def withdraws_within_s(self, holder, *, is_later):
         if self._is_nameless:
             return NAMED_S
-        was_alone = self._since_s - self._began_s > 2 * LISTENING_S
         is_pinel = holder.startswith(PINEL) and holder != self._node.get_name()
-        return WITHDRAWS_S if was_alone and is_pinel else 0.0
+        return WITHDRAWS_S if is_later and is_pinel else 0.0
 
     def problem(self):
         return RefusalError("robot_held", topic=self._command_topic, holder=self.holder() or "?")

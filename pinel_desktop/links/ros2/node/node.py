@@ -21,6 +21,7 @@ import time
 
 import rclpy
 import sensor_msgs.msg
+from drivers import DEAF_S, LAST_S, SILENT_S
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from holding import PINEL, Holding, RefusalError
 from inbox import Inbox
@@ -36,15 +37,7 @@ SEARCH_S = 5.0
 POLL_S = 0.05
 STALE_S = 0.3
 WATCH_S = 0.2
-# A robot whose program begins anew hears again within this time.
-DEAF_S = 1.0
-# A robot that reports nothing for longer than this may not hear, either,
-SILENT_S = 0.5
-# and one that comes back within this time after the last command still hears that it has to stand.
-LAST_S = 1.5
 N_LAST_ZEROS = 5
-# Looks of POLL_S each: what a PC that stood still for a while saw last may be old.
-CLAIM_LOOKS = 6
 COMMANDS = {"geometry_msgs/msg/Twist": Twist, "geometry_msgs/msg/TwistStamped": TwistStamped}
 ODOMETRIES = {"nav_msgs/msg/Odometry": Odometry, "geometry_msgs/msg/PoseStamped": PoseStamped}
 NEWEST = QoSProfile(
@@ -112,12 +105,10 @@ class Drive:
         keeps = DurabilityPolicy.TRANSIENT_LOCAL in durabilities
         quality = NEWEST_KEPT if keeps else NEWEST
         self._publisher = self._node.create_publisher(self._type, topic, quality)
-        self._holding.began()
+        self._holding.start()
         self._wait(self._is_heard, self._deaf)
-        for _ in range(CLAIM_LOOKS):
-            self._holding.require_alone()
+        while not self._holding.is_claimed():
             self._pause()
-        self._holding.require_alone()
 
     def _is_heard(self):
         return self._publisher.get_subscription_count() > 0

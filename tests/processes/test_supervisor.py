@@ -1,0 +1,195 @@
+"""A supervised process: what is sent to it arrives, requests end in any case, and one that hangs holds up nobody."""
+
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.processes import supervisor as supervision
+from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts
+from pinel_desktop.processes.outbox import MAX_WAITING
+from pinel_desktop.processes.supervisor import Supervisor
+from tests.in_time import in_time
+
+WAIT_S = 30.0
+READY = 'print(\'{"type": "some_ready"}\', flush=True)'
+DEAF = f"import time; {READY}; time.sleep(600)"
+ECHO = f"import sys; {READY}\nfor line in sys.stdin: sys.stdout.write(line)"
+
+
+# it answers requests with their own `what`, refuses one without it, and dies of "die"
+RESPONDER = f"""import json, sys; {READY}
+for line in sys.stdin:
+    asked = json.loads(line)
+    if asked.get("what") == "die": sys.exit()
+    if asked.get("what") == "nothing" or "request" not in asked: continue
+    found = {{"value": asked["what"]}} if "what" in asked else {{"code": "refused", "params": {{"n": 1}}}}
+    print(json.dumps({{"type": "response", "request": asked["request"], **found}}), flush=True)
+"""
+QUICK = HangTimeouts(hang_timeout_s=0.4, busy_timeout_s=0.4, beat_s=0.1)
+
+
+def ignore(message: dict[str, Any]) -> None:
+    """Nobody listens."""
+
+
+def process(
+    script: str,
+    on_message: Callable[[dict[str, Any]], None] = ignore,
+    timeouts: HangTimeouts = TIMEOUTS,
+) -> Supervisor:
+    command = [sys.executable, "-c", script]
+    made = Supervisor("some", command, "some_lost", on_message=on_message, timeouts=timeouts)
+    made.start()
+    assert made.wait_until_ready(WAIT_S)
+    return made
+
+
+def test_all_that_was_sent_arrives_in_order_before_the_process_ends() -> None:
+    heard: list[dict[str, Any]] = []
+    supervisor = process(ECHO, heard.append)
+    for n in range(500):
+        supervisor.send({"n": n})
+    supervisor.close()
+    assert heard == [{"n": n} for n in range(500)]
+
+
+def replaced(supervisor: Supervisor, first: int | None) -> bool:
+    due_s = time.monotonic() + WAIT_S
+    while supervisor.pid == first and time.monotonic() < due_s:
+        threading.Event().wait(0.02)
+    return supervisor.pid != first
+
+
+def test_process_that_hangs_and_does_not_read_holds_up_nobody_and_is_replaced() -> None:
+    supervisor = process(DEAF, timeouts=QUICK)
+    first, began_s = supervisor.pid, time.monotonic()
+    supervisor.send({"much": "a" * 10_000_000})
+    assert in_time(time.monotonic() - began_s, 1.0)
+    assert replaced(supervisor, first)
+    supervisor.close()
+
+
+def test_starting_a_process_that_runs_changes_nothing() -> None:
+    supervisor = process(ECHO)
+    first = supervisor.pid
+    supervisor.start()
+    assert supervisor.pid == first
+    supervisor.close()
+
+
+def test_who_waits_for_a_process_that_is_closed_while_it_starts_goes_on() -> None:
+    command = [sys.executable, "-c", "input()"]  # it never says that it is ready
+    supervisor = Supervisor("some", command, "some_lost")
+    supervisor.start()
+    answers: list[bool] = []
+    waiting = threading.Thread(target=lambda: answers.append(supervisor.wait_until_ready(60)))
+    waiting.start()
+    supervisor.close()
+    waiting.join(WAIT_S)
+    assert answers == [False]
+    assert supervisor.wait_until_ready(60) is False
+
+
+def lost(command: list[str]) -> list[str]:
+    """What is told of a process that cannot live, until it is not started again."""
+    told: list[str] = []
+    supervisor = Supervisor(
+        "some",
+        command,
+        "some_lost",
+        on_death=lambda: told.append("died"),
+        on_lost=lambda: told.append("lost"),
+    )
+    supervisor.start()
+    assert not supervisor.wait_until_ready(WAIT_S)
+    assert supervisor.state == "lost"
+    supervisor.close()
+    return told
+
+
+def test_process_that_dies_three_times_soon_after_its_start_is_told_to_be_lost(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(
+        supervision, "_SHORT_LIFE_S", WAIT_S
+    )  # on a busy PC Python itself starts slowly
+    assert lost([sys.executable, "-c", ""]) == ["died", "died", "died", "lost"]
+
+
+def test_process_that_cannot_be_started_is_told_to_be_lost() -> None:
+    assert lost(["/nowhere/some"]) == ["lost"]
+
+
+def test_a_process_that_does_not_read_takes_only_so_much_and_the_rest_is_refused_at_once() -> None:
+    supervisor = process(DEAF)
+    line, began_s = {"much": "a" * 1_000}, time.monotonic()
+    taken = [supervisor.send(line) for _ in range(50_000)]
+    assert time.monotonic() - began_s < WAIT_S
+    assert (
+        MAX_WAITING - 2_000 < 1_012 * sum(taken) < MAX_WAITING + 200_000
+    )  # with what the pipe holds
+    assert not taken[-1]
+    supervisor.close()
+
+
+def test_a_long_message_is_taken_where_nothing_waits() -> None:
+    supervisor = process(ECHO)
+    assert supervisor.send({"much": "a" * 2 * MAX_WAITING})
+    supervisor.close()
+
+
+def code_of(supervisor: Supervisor, timeout_s: float = WAIT_S, **message: Any) -> str:
+    with pytest.raises(PinelError) as caught:
+        supervisor.request(message, timeout_s)
+    return caught.value.code
+
+
+def test_a_request_gives_the_value_of_its_response_or_raises_what_is_answered() -> None:
+    supervisor = process(RESPONDER)
+    assert [supervisor.request({"what": n}, WAIT_S) for n in (1, "two", None)] == [1, "two", None]
+    assert code_of(supervisor) == "refused"
+    supervisor.close()
+
+
+def test_a_request_without_a_response_ends_after_its_time_and_the_process_lives_on() -> None:
+    supervisor = process(RESPONDER)
+    first = supervisor.pid
+    with pytest.raises(TimeoutError):
+        supervisor.request({"what": "nothing"}, 0.2)
+    assert supervisor.request({"what": 1}, WAIT_S) == 1
+    assert supervisor.pid == first
+    supervisor.close()
+
+
+@pytest.mark.parametrize("what", ["die", "nothing"], ids=["dies", "hangs"])
+def test_requests_to_a_process_that_dies_or_hangs_end_with_it(what: str) -> None:
+    supervisor = process(RESPONDER, timeouts=QUICK)
+    first = supervisor.pid
+    assert code_of(supervisor, what=what) == "some_lost"
+    assert replaced(supervisor, first)
+    supervisor.close()
+
+
+def test_requests_end_when_the_process_is_closed_and_none_is_taken_afterwards() -> None:
+    supervisor = process(RESPONDER)
+    codes: list[str] = []
+    asking = threading.Thread(target=lambda: codes.append(code_of(supervisor, what="nothing")))
+    asking.start()
+    while not supervisor._requests:
+        threading.Event().wait(0.01)
+    supervisor.close()
+    asking.join(WAIT_S)
+    assert codes == ["some_lost"]
+    assert code_of(supervisor, what=1) == "some_lost"
+
+
+def test_a_request_to_a_process_that_is_not_ready_is_refused_at_once() -> None:
+    supervisor = Supervisor("some", [sys.executable, "-c", "input()"], "some_lost")
+    supervisor.start()
+    assert code_of(supervisor, what=1) == "some_lost"
+    supervisor.close()
