@@ -5,12 +5,15 @@ rounds. Frames of the same round that follow are work that a wrong bit cuts off 
 """
 
 import struct
+from collections.abc import Iterator
 from pathlib import Path
 
 from storage.side_files import read_regular
 
 HEADER, FRAME_HEADER = 32, 24
 WAL_MAGIC = 0x377F0682
+PAGE = 4096  # SQLite's own size, which no release changes
+_STEP = FRAME_HEADER + PAGE
 
 
 def path_of(database: Path) -> Path:
@@ -41,6 +44,31 @@ def cut_off(database: Path) -> int:
     if header[0] & ~1 != WAL_MAGIC or sums != header[6:] or not 512 <= header[2] <= 65536:
         return 1  # nothing of it is read
     return _commits_after_damage(octets, order, step, sums, header[4:6])
+
+
+def sound_frames(database: Path) -> Iterator[tuple[int, bytes]]:
+    """Number and content of each page in the log that is as it was written, in their order, also after damage.
+
+    Frames of the present round have the salts of the header, and of the first frame: one of both may be damaged.
+    """
+    try:
+        octets = read_regular(path_of(database))
+    except OSError:
+        return
+    salts = (octets[16:24], octets[HEADER + 8 : HEADER + 16])
+    for start in range(HEADER, len(octets) - _STEP + 1, _STEP):
+        if octets[start + 8 : start + 16] in salts and _continues(octets, start):
+            number = int.from_bytes(octets[start : start + 4], "big")
+            yield number, octets[start + FRAME_HEADER : start + _STEP]
+
+
+def _continues(octets: bytes, start: int) -> bool:
+    """Whether a frame's checksum continues that of the frame before it, of the first one that of the log's header."""
+    before = start - _STEP + 16 if start > HEADER else HEADER - 8
+    sums: tuple[int, int] = struct.unpack_from(">2I", octets, before)
+    counted = octets[start : start + 8] + octets[start + FRAME_HEADER : start + _STEP]
+    stored = struct.unpack_from(">2I", octets, start + 16)
+    return any(summed(sums, counted, order) == stored for order in "<>")
 
 
 def _commits_after_damage(
