@@ -454,6 +454,14 @@ def test_a_wrong_bit_in_the_log_does_not_cut_off_what_follows_it(day: Day) -> No
     assert n_kept >= 268
 
 
+def test_a_log_whose_first_page_is_overwritten_still_gives_back_what_follows(day: Day) -> None:
+    spoil(log_of(day.path), 0, PAGE)
+    notice, n_kept = reopened(day)
+    assert notice
+    assert notice.code == "database_end_salvaged"
+    assert n_kept >= 268
+
+
 @pytest.mark.parametrize("n_frames", [0, 60])
 def test_a_log_that_is_shorter_than_it_was_is_noticed(day: Day, n_frames: int) -> None:
     os.truncate(log_of(day.path), 32 + n_frames * (24 + PAGE) if n_frames else 0)
