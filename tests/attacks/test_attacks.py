@@ -54,11 +54,10 @@ from tests.attacks.made_up_files import (
     program_file,
     refusal,
     samples_of_hours,
-    suffering,
 )
 from tests.attacks.pins import PIN, FullDisk, Pins, open_pins_again
 from tests.attacks.signing import LATEST_ALLOWED, Pc, edited, falsified, pcs
-from tests.storage.bundle_makers import exported, hash_of, merged, work
+from tests.storage.bundle_makers import exported, merged, work
 
 Pcs = Callable[[str], Pc]
 __all__ = ["pcs"]
@@ -99,18 +98,6 @@ def test_the_greatest_revision_that_gets_in_does_not_beat_the_teachers_correctio
     here.groups.change(group.id, {"name": "Onças"})
     merged(there, exported(here, tmp_path / "mended.pinel").path)
     assert there.groups.get(group.id).name == "Onças"
-
-
-def test_a_pc_that_took_such_a_file_with_an_earlier_release_is_mended_and_says_so(
-    tmp_path: Path, there: Store, fresh_ids: None
-) -> None:
-    with open_store(tmp_path / "suffers.db") as before:
-        suffering(before)
-    with open_store(tmp_path / "suffers.db") as mended:
-        assert mended.notice is not None
-        assert mended.notice.code == "database_mended"
-        merged(there, exported(mended, tmp_path / "x.pinel").path)
-        assert hash_of(there) == hash_of(mended)
 
 
 def test_a_file_that_lacks_work_says_whose(here: Store, tmp_path: Path) -> None:
