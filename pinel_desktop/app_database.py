@@ -11,7 +11,6 @@ from storage.file.private import make_private
 WRITABLE_NOTICES = (
     "database_set_aside",
     "database_restored",
-    "database_mended",
     "database_salvaged",
     "database_salvaged_alone",
     "database_end_salvaged",

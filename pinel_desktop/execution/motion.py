@@ -16,7 +16,6 @@ from pinel_desktop.control.goal import at_rest
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.requests import Routine
-from pinel_desktop.execution.semantics import BLOCKS_SLIDING
 from pinel_desktop.program.limits import MAX_RUN_S
 from pinel_desktop.robot import STANDSTILL, Pose2D, Twist2D, wrap_angle
 
@@ -97,8 +96,6 @@ class _Sliding:
 
     def is_beside(self) -> bool:
         """Whether the robot is off its line, farther than the controller lets it go by itself."""
-        if self._context.semantics < BLOCKS_SLIDING:
-            return False
         return abs(self._line.across(self._context.pose)) > _OFF_LINE_M
 
     def is_stuck(self) -> bool:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from operator import sub
 from typing import NamedTuple
 
-from pinel_desktop.execution.semantics import MEASURES_THE_TRUE_END, MEASURES_THE_TRUE_WAY
+from pinel_desktop.execution.semantics import MEASURES_THE_TRUE_END
 from pinel_desktop.robot import Pose2D
 
 WAY_STEP_M = 0.002  # of true poses; a shorter motion is the wheels' slip in a turn
@@ -45,8 +45,6 @@ class Recorder:
         """What a run reports at its end, with the meaning of a version (`semantics.py`)."""
         estimated_m = self.estimated_closing_error_m()
         way_m = self.true_way_m() if simulated else self.measured_way_m()
-        if simulated and semantics < MEASURES_THE_TRUE_WAY:
-            way_m = self.path_length_m()
         if semantics < MEASURES_THE_TRUE_END:
             return Distances(way_m, estimated_m, None)
         return Distances(way_m, self.true_closing_error_m(), estimated_m)

@@ -21,7 +21,6 @@ from storage.runs.telemetry import COLUMNS, STEPS, Rows, pack, unpack
 
 EQUAL_M = 1e-4  # between platforms, whose mathematical functions differ in the last digit
 _EQUAL_OVER_ALL_M = 1e-2  # the length of a long path adds up many of those
-_LATER_COLUMNS = ("true_x_m", "true_y_m", "true_yaw_rad")  # records of earlier releases lack them
 _LATER_FIGURE = "estimated_closing_error_m"  # null when such a record is repeated, which lacks it
 _ANGLES = ("yaw_rad", "goal_yaw_rad", "true_yaw_rad")
 _SHA256 = re.compile(r"[0-9a-f]{64}\Z")
@@ -120,7 +119,7 @@ def altered(record: Record, replay: ReplayLog, *, exactly: bool) -> list[Part]:
     rows, everything = replay.rows(), record.row.app_version == __version__
     if len(record.rows) != len(rows):
         parts.append(Part("part_rows", {"recorded": len(record.rows), "expected": len(rows)}))
-    elif found := first_difference(record.rows, rows, exactly=exactly, everything=everything):
+    elif found := first_difference(record.rows, rows, exactly=exactly):
         parts.append(Part("part_sample", {**asdict(found), "time": round(found.time_s, 2)}))
     limit = 0.0 if exactly else _EQUAL_OVER_ALL_M
     parts += _wrong_figures(record.row, replay.events[-1], limit, hashed=exactly)
@@ -128,39 +127,32 @@ def altered(record: Record, replay: ReplayLog, *, exactly: bool) -> list[Part]:
     return parts + _wrong_events(record.events, replay.events, limit, everything=everything)
 
 
-def first_difference(
-    recorded: Rows, repeated: Rows, *, exactly: bool = False, everything: bool = False
-) -> Difference | None:
+def first_difference(recorded: Rows, repeated: Rows, *, exactly: bool = False) -> Difference | None:
     """The first row in which they differ, as far as both go; the record is rounded, and so must be what is repeated.
 
     Args:
         exactly: whether a last digit is a difference, too.
-        everything: whether the record has all columns; that of an earlier release may lack some.
     """
-    names = [name for name in COLUMNS if everything or _is_told(recorded, name)]
-    indices = [COLUMNS.index(name) for name in names]
     n = min(len(recorded), len(repeated))
-    was, now = recorded[:n, indices], repeated[:n, indices]
+    was, now = recorded[:n], repeated[:n]
     apart = np.abs(was - now)
-    for place, name in enumerate(names):
+    for place, name in enumerate(COLUMNS):
         if name in _ANGLES and not exactly:
             apart[:, place] = np.abs(np.remainder(apart[:, place] + math.pi, math.tau) - math.pi)
     apart[np.isnan(was) & np.isnan(now)] = 0.0
-    limits = np.array([0.0 if exactly else _limit(STEPS[name]) for name in names])
+    limits = np.array([0.0 if exactly else _limit(STEPS[name]) for name in COLUMNS])
     wrong = np.argwhere(~(apart <= limits))  # null beside a number is wrong
     if not len(wrong):
         return None
     i, place = wrong[0]
-    return Difference(int(repeated[i, 0]), names[place], float(was[i, place]), float(now[i, place]))
+    return Difference(
+        int(repeated[i, 0]), COLUMNS[place], float(was[i, place]), float(now[i, place])
+    )
 
 
 def _limit(step: float) -> float:
     """Of numbers that are both rounded to the step; ticks and bumper are whole."""
     return 0.5 if step >= 1.0 else 1.5 * max(step, EQUAL_M)
-
-
-def _is_told(recorded: Rows, name: str) -> bool:
-    return name not in _LATER_COLUMNS or not np.isnan(recorded[:, COLUMNS.index(name)]).all()
 
 
 _FIGURES = (

@@ -65,8 +65,8 @@ def spec_of(row: RunRow, document: Document, inputs: RunInputs) -> RunSpec:
 
 
 def _semantics_of(parameters: Mapping[str, Any]) -> int:
-    """What commands and sensors meant in a recorded run; records of the first releases do not tell."""
-    version = parameters.get(_SEMANTICS, FIRST)
+    """What commands and sensors meant in a recorded run."""
+    version = parameters.get(_SEMANTICS)
     if not isinstance(version, int) or isinstance(version, bool) or version < FIRST:
         raise PinelError("run_damaged", part="parameters")
     if version > CURRENT:

@@ -128,8 +128,6 @@ def _tries_of(kept: Any) -> _Tries:
     if not kept:
         return _Tries()
     try:
-        if "failed" in kept:  # of a release in which all sessions shared one wait
-            return _Tries(by={"": (int(kept["failed"]), float(kept["at"]))})
         by = {session: (int(n), float(at)) for session, (n, at) in kept["by"].items()}
         return _Tries(float(kept["left"]), by)
     except (KeyError, TypeError, ValueError, AttributeError):  # damaged by the disk

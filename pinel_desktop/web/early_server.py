@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from flask import Flask, Response, request
+from flask import Flask, Response
 from werkzeug.wrappers import Request
 
 from pinel_desktop.errors import PinelError
@@ -85,8 +85,7 @@ class _EarlyPreferences:
 
     @property
     def language(self) -> str:
-        cookie = request.cookies.get(PAGE_LANGUAGE, "")  # of earlier releases
-        kept = self.page.values.get(PAGE_LANGUAGE, cookie)
+        kept = self.page.values.get(PAGE_LANGUAGE, "")
         return kept if kept in LANGUAGES else language_of_system()
 
 

@@ -31,7 +31,7 @@ from storage.limits import MAX_VALUE, SAMPLES_PER_HOUR
 from storage.sql import address, column_names, damage, opened
 from storage.sqlite import sqlite3
 from storage.tables import rules
-from storage.tables.ddl import MIGRATIONS
+from storage.tables.ddl import BASELINE, MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
 from storage.tables.replicated import TABLES
 from storage.text import loaded
@@ -40,7 +40,6 @@ _log = logging.getLogger(__name__)
 _MAX_BYTES = 4 * 2**30
 _MAGIC = b"SQLite format 3\0"
 _HEADER = 100
-_FIRST_WITH_BUNDLES = 4  # steps of the tables; earlier releases wrote none
 # its words change from release to release; texts can do nothing
 _ABOUT = re.compile(
     r"CREATEVIEW\"about\"AS(UNIONALL)?(SELECT'([^']|'')*'ASname,'([^']|'')*'ASmeaning(UNIONALL)?)+"
@@ -205,7 +204,7 @@ def _release(db: sqlite3.Connection, path: Path) -> int:
         raise StoreError("bundle_newer", path=str(path))
     if "bundle" not in tables:
         raise StoreError("bundle_is_store", path=str(path))
-    if taken != set(list(MIGRATIONS)[: len(taken)]) or len(taken) < _FIRST_WITH_BUNDLES:
+    if taken != set(list(MIGRATIONS)[: len(taken)]) or len(taken) < len(BASELINE):
         raise StoreError("bundle_hostile", path=str(path), problem=MIGRATIONS_TABLE)
     if _format(db, objects) > FORMAT:
         raise StoreError("bundle_newer", path=str(path))
@@ -285,7 +284,7 @@ def _expected(n_steps: int) -> _Objects:
 
 
 def _steps_table() -> _Objects:
-    return frozenset(found for found in _expected(1) if found[2] == MIGRATIONS_TABLE)
+    return frozenset(found for found in _expected(len(BASELINE)) if found[2] == MIGRATIONS_TABLE)
 
 
 def _connected(copy: Path) -> sqlite3.Connection:

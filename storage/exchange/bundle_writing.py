@@ -16,8 +16,6 @@ from storage.exchange.content_hash import content_hash
 from storage.exchange.scope import ALL, Scope
 from storage.exchange.signing import sign
 from storage.file.connection import Database
-from storage.file.made_up import mend
-from storage.file.odd_values import holds_made_up
 from storage.file.sums import KEYS, OF_RUNS, is_sound
 from storage.file.whole_files import new_whole_file
 from storage.limits import MAX_REVISION
@@ -124,8 +122,6 @@ def export_bundle(
             if alter is not None:
                 forget_unconfirmed(db)
                 alter(db)
-            if holds_made_up(db):  # the store is mended at its next start, in the same way
-                mend(db, database.now())
             left_out, lacking = _leave_out(db, damaged)
             info = BundleInfo(
                 dest,

@@ -5,12 +5,16 @@ rounds. Frames of the same round that follow are work that a wrong bit cuts off 
 """
 
 import struct
+from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
 from storage.side_files import read_regular
 
 HEADER, FRAME_HEADER = 32, 24
 WAL_MAGIC = 0x377F0682
+PAGE = 4096  # SQLite's own size, which no release changes
+_STEP = FRAME_HEADER + PAGE
 
 
 def path_of(database: Path) -> Path:
@@ -41,6 +45,37 @@ def cut_off(database: Path) -> int:
     if header[0] & ~1 != WAL_MAGIC or sums != header[6:] or not 512 <= header[2] <= 65536:
         return 1  # nothing of it is read
     return _commits_after_damage(octets, order, step, sums, header[4:6])
+
+
+def sound_frames(database: Path) -> Iterator[tuple[int, bytes]]:
+    """Number and content of each page in the log that is as it was written, in their order, also after damage."""
+    try:
+        octets = read_regular(path_of(database))
+    except OSError:
+        return
+    starts = range(HEADER, len(octets) - _STEP + 1, _STEP)
+    salts = _salts(octets, starts)
+    for start in starts:
+        if octets[start + 8 : start + 16] == salts and _continues(octets, start):
+            number = int.from_bytes(octets[start : start + 4], "big")
+            yield number, octets[start + FRAME_HEADER : start + _STEP]
+
+
+def _salts(octets: bytes, starts: range) -> bytes:
+    """What marks frames of the present round: the header tells; where it is damaged, most frames do."""
+    stored = struct.unpack_from(">2I", octets, 24) if starts else ()
+    if any(summed((0, 0), octets[:24], order) == stored for order in "<>"):
+        return octets[16:24]
+    return Counter(octets[n + 8 : n + 16] for n in starts).most_common(1)[0][0] if starts else b""
+
+
+def _continues(octets: bytes, start: int) -> bool:
+    """Whether a frame's checksum continues that of the frame before it, of the first one that of the log's header."""
+    before = start - _STEP + 16 if start > HEADER else HEADER - 8
+    sums: tuple[int, int] = struct.unpack_from(">2I", octets, before)
+    counted = octets[start : start + 8] + octets[start + FRAME_HEADER : start + _STEP]
+    stored = struct.unpack_from(">2I", octets, start + 16)
+    return any(summed(sums, counted, order) == stored for order in "<>")
 
 
 def _commits_after_damage(

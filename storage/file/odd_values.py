@@ -1,4 +1,4 @@
-"""Values that no PINEL writes, looked for at each start: somebody made them up, or a bit of them is wrong.
+"""Values that no PINEL writes, looked for at each start: a bit of them is wrong.
 
 Settings that cannot be read would keep PINEL from starting: those of the newest backup are taken, else they begin anew.
 """
@@ -9,14 +9,13 @@ from contextlib import closing, suppress
 from pathlib import Path
 
 from storage.file.notices import Notice
-from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION
 from storage.sql import opened, tuples
 from storage.sqlite import sqlite3
 from storage.text import FIRST_MADE_UP_ID, IS_ID, is_json
 
 _log = logging.getLogger(__name__)
 _ALL = "SELECT CAST(key AS BLOB), CAST(value AS BLOB) FROM settings"
-_REVISED = (
+_WITH_ID = (
     "computers",
     "classrooms",
     "groups",
@@ -26,23 +25,14 @@ _REVISED = (
     "programs",
     "notes",
     "version_labels",
+    "taught_signs",
+    "versions",
+    "runs",
+    "tombstones",
 )
-_WITH_ID = (*_REVISED, "taught_signs", "versions", "runs", "tombstones")
-
-
-def holds_made_up(connection: sqlite3.Connection) -> bool:
-    """Whether a row has an id, a number or a revision that no PC makes, so that no other PC takes it."""
-    if _holds_made_up_ids(connection):
-        return True
-    revisions = (f"SELECT 1 FROM {name} WHERE revision > ?1" for name in _REVISED)
-    numbers = "SELECT 1 FROM versions GROUP BY program_id HAVING max(number) > count(*) + ?2"
-    limits = [MAX_REVISION, MAX_NUMBERS_AHEAD]
-    found = connection.execute(" UNION ALL ".join((*revisions, numbers)) + " LIMIT 1", limits)
-    return found.fetchone() is not None
-
-
-def _holds_made_up_ids(connection: sqlite3.Connection) -> bool:
-    return any(_has_made_up_id(connection, name) for name in _WITH_ID)
+_SUMS_OF_NOTHING = """SELECT 1 FROM content_sums WHERE table_name IN ('versions', 'runs')
+    AND row_id NOT IN (SELECT id FROM versions UNION ALL SELECT id FROM runs
+                       UNION ALL SELECT id FROM tombstones) LIMIT 1"""
 
 
 def _has_made_up_id(connection: sqlite3.Connection, table: str) -> bool:
@@ -54,13 +44,15 @@ def _has_made_up_id(connection: sqlite3.Connection, table: str) -> bool:
     )
 
 
-def damaged_ids(connection: sqlite3.Connection) -> str:
-    """A wrong bit can make an id look like one that somebody made up; then it fits no other row. "" where all fit."""
-    if not _holds_made_up_ids(connection):
-        return ""
-    from storage.file.made_up import is_damage  # noqa: PLC0415 - hardly any start needs it
+def damaged_ids(db: sqlite3.Connection) -> str:
+    """A wrong bit can make an id one that no PC makes; then what belongs to its row, or its sum, has another id.
 
-    return "ids" if is_damage(connection) else ""
+    "" where all fit.
+    """
+    if not any(_has_made_up_id(db, name) for name in _WITH_ID):
+        return ""
+    violation = tuples(db, "PRAGMA foreign_key_check").fetchone()
+    return "ids" if violation or tuples(db, _SUMS_OF_NOTHING).fetchone() else ""
 
 
 def mend_settings(db: sqlite3.Connection, path: Path) -> Notice | None:

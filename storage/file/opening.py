@@ -1,7 +1,6 @@
 """Opening the file in any state: damaged, read-only, of a newer release, or of another program."""
 
 import contextlib
-import logging
 import math
 import os
 from collections.abc import Iterator
@@ -15,7 +14,7 @@ from storage.file import log
 from storage.file.filesystems import is_on_share
 from storage.file.mark import Remembered, n_saves_of, remember, remember_first, remembered
 from storage.file.notices import Notice
-from storage.file.odd_values import damaged_ids, holds_made_up, mend_settings
+from storage.file.odd_values import damaged_ids, mend_settings
 from storage.file.private import PRIVATE_FOLDER
 from storage.file.replacing import (
     Mend,
@@ -27,7 +26,7 @@ from storage.file.replacing import (
 )
 from storage.sql import address, damage
 from storage.sqlite import sqlite3
-from storage.tables.ddl import MIGRATIONS
+from storage.tables.ddl import BASELINE, MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
 from storage.text import IS_ID, continue_after, loaded, local_time, time_text
 
@@ -42,7 +41,6 @@ _MADE_HERE = (
     ),
 )
 _EMPTY = ("missing", "empty")
-_log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,7 +205,7 @@ def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
     applied = _applied(connection)
     if not applied and tables == {MIGRATIONS_TABLE} and not _migrations_of_others(connection):
         return  # the power was cut while the file was being made
-    if not applied:
+    if not applied.issuperset(BASELINE):
         raise StoreError("database_foreign", path=str(path))
     if applied - MIGRATIONS.keys():
         raise StoreError("database_newer", path=str(path))
@@ -256,7 +254,8 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
                 notice = _back_up(path, now) or notice
             if applied != MIGRATIONS.keys():
                 migrate(connection, at_once=not begun)
-            mended = mend_settings(connection, path) or _continue_ids(connection, path, now)
+            mended = mend_settings(connection, path)
+            _continue_ids(connection)
             remember_first(path, n_saves_of(connection), time_text(now))
             return notice or mended
     except sqlite3.OperationalError as error:
@@ -277,39 +276,12 @@ def _told_when_full(path: Path) -> Iterator[None]:
         raise
 
 
-def _continue_ids(connection: sqlite3.Connection, path: Path, now: datetime) -> Notice | None:
-    """Makes new ids greater than those made here: lists go by them, and an empty battery sets the clock to 2010.
-
-    Ids of other PCs are not followed. Where an earlier release followed one that somebody made up, the file is mended.
-    """
-    notice = _mend(connection, path, now) if holds_made_up(connection) else None
+def _continue_ids(connection: sqlite3.Connection) -> None:
+    """Makes new ids greater than those made here: lists go by them, and an empty battery sets the clock to 2010."""
     key = connection.execute("SELECT value FROM settings WHERE key = 'computer_id'").fetchone()
     computer = loaded(key[0]) if key else None
     for query in _MADE_HERE:
         continue_after(connection.execute(query, {"this": computer}).fetchone()[0] or "")
-    return notice
-
-
-def _mend(connection: sqlite3.Connection, path: Path, now: datetime) -> Notice | None:
-    """Mends the file in one transaction, after a backup; without room for one it is tried again at the next start."""
-    from storage.file.made_up import mend  # noqa: PLC0415 - hardly any start needs it
-    from storage.file.sums import Changes  # noqa: PLC0415
-
-    if failed := _back_up(path, now):
-        return failed
-    changes = Changes(connection)
-    connection.execute("BEGIN IMMEDIATE")
-    try:
-        count = mend(connection, time_text(now))
-        changes.renew(connection)
-        connection.execute("COMMIT")
-    except BaseException:
-        connection.execute("ROLLBACK")
-        raise
-    _log.warning(
-        "%s: rows with ids, numbers or revisions that were made up, mended: %d", path, count
-    )
-    return Notice("database_mended", {"count": count, "folder": str(path.parent / "backups")})
 
 
 def _back_up(path: Path, now: datetime) -> Notice | None:

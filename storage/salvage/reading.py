@@ -1,41 +1,30 @@
-"""Rows out of the pages of a damaged file, into a fresh database with the tables of this release.
+"""Rows out of a damaged file, into a fresh database with the tables of this release.
 
-A page belongs to the table from whose root it is reached. Where the way to it is damaged, its rows tell the table: each
-value must be one that a store writes, as for a bundle of anybody. So no tree, no index and no schema is needed.
+SQLite reads each table from its first page, then each page by itself (`desk`): where the way to a page is damaged, its
+rows tell the table, as each value must be one that a store writes, as for a bundle of anybody.
 """
 
 import zlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Mapping
+from contextlib import closing, suppress
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import NamedTuple
 
+from storage.salvage.desk import EDITS_INDEX, INDEX_INTERIOR, INDEX_LEAF, TABLE_LEAF, Desk, Row
 from storage.salvage.keys import mend_keys
-from storage.salvage.pages import Pages
-from storage.salvage.records import (
-    INDEX_INTERIOR,
-    INDEX_LEAF,
-    TABLE_INTERIOR,
-    TABLE_LEAF,
-    Values,
-    cells,
-    children,
-    kind_of,
-)
 from storage.salvage.soundness import take_out_versions
-from storage.sql import column_names
+from storage.sql import Stop, column_names
 from storage.sqlite import sqlite3
 from storage.tables import rules
 from storage.tables.columns import Table
 from storage.tables.local import LOCAL
-from storage.tables.replicated import REPLICATED, TOMBSTONES
+from storage.tables.replicated import REPLICATED
 from storage.tables.rules import Rule
 
-Stop = Callable[[], bool]
 _SAMPLE_OCTETS = 4 * 64  # of a sample, more than any release has
-_EDITS_INDEX = "idx_versions_program_id_number"
-_TABLES: tuple[Table, ...] = (*REPLICATED, *LOCAL)
-# without row numbers, and told by a row alone from the entries of any index
+_TABLES: dict[str, Table] = {table.name: table for table in (*REPLICATED, *LOCAL)}
+# tables by key that are told by a row alone from the entries of any index
 _TOLD_BY_SHAPE = ("tombstones", "content_sums", "unconfirmed_runs", "deletions")
 _A_KEY = "00000000-0000-4000-8000-000000000000"  # any that a rule accepts
 
@@ -47,12 +36,10 @@ class Found:
     Attributes:
         edits: program and number of each edit that an index still names, readable or not, and of those that are not
             as they were written.
-        n_unread: cells of tables that could not be read.
         is_cut_short: the time was over before the end of the file.
     """
 
     edits: set[tuple[str, int]] = field(default_factory=set)
-    n_unread: int = 0
     is_cut_short: bool = False
 
 
@@ -62,93 +49,98 @@ class _Shape(NamedTuple):
     name: str
     columns: tuple[str, ...]
     rules: tuple[Rule, ...]
-    n_least: int
+
+    def fits(self, values: Row) -> bool:
+        return all(rule(value) for rule, value in zip(self.rules, values, strict=True))
 
 
-def read_into(db: sqlite3.Connection, pages: Pages, stop: Stop) -> Found:
-    """Adds the readable rows to a database that `migrate` has made; of two states of a row the newer is kept.
+def read_into(
+    db: sqlite3.Connection, file: Path, folder: Path, usual_roots: Mapping[str, int], stop: Stop
+) -> Found:
+    """Adds the readable rows of a file to a database that `migrate` has made.
 
     Args:
-        stop: asked after each page.
+        folder: where a copy of the file has room.
+        usual_roots: where tables and indexes begin if the file's own list of them is damaged.
+        stop: asked all the time; once it is true, the reading ends with what was found until then.
     """
-    return _Reading(db, pages, stop).read()
+    with closing(Desk(folder / "copy", file, db, _TABLES, stop)) as desk:
+        return _Reading(db, desk, {**usual_roots, **desk.roots}, stop).read()
 
 
 class _Reading:
-    def __init__(self, db: sqlite3.Connection, pages: Pages, stop: Stop) -> None:
-        self._db, self._pages, self._stop = db, pages, stop
-        self._shapes = _shapes(db, [table for table in _TABLES if table is not TOMBSTONES])
-        self._keyed = _shapes(db, [table for table in _TABLES if _is_keyed(db, table)])
+    def __init__(
+        self, db: sqlite3.Connection, desk: Desk, roots: Mapping[str, int], stop: Stop
+    ) -> None:
+        self._db, self._desk, self._roots, self._stop = db, desk, roots, stop
+        self._shapes = {name: _shape(db, table) for name, table in _TABLES.items()}
+        self._of_leaves = [one for name, one in self._shapes.items() if name not in desk.keyed]
+        self._of_indexes = [self._shapes[name] for name in _TOLD_BY_SHAPE]
         self._found = Found()
+        self._seen: set[int] = set()  # rows that fitted, however often they are met
         self._strange: set[tuple[str, str]] = set()  # table and key of rows whose key is none
-        self._are_earlier = False  # whether earlier states of pages are being read
-        self._owners = _owners(pages)
 
     def read(self) -> Found:
         self._db.execute("BEGIN")
-        self._read_pages(lambda number: [self._pages.newest(number)])
-        self._found.edits |= mend_keys(self._db, self._strange)
-        take_out_versions(self._db)  # an earlier state may have them as they were written
-        n_unread = self._found.n_unread
-        # rows of a damaged page may be in an earlier state of it
-        self._are_earlier = True
-        self._read_pages(lambda number: list(self._pages.states(number))[1:])
-        self._found.n_unread = n_unread
+        for name in (EDITS_INDEX, *self._shapes):
+            if name in self._roots:
+                self._read_tree(name)
+        for page in self._desk.pages():
+            if self._stop():
+                self._found.is_cut_short = True
+                break
+            self._read_page(page)
         self._tell_apart()
+        self._found.edits |= mend_keys(self._db, self._strange)
         self._found.edits |= take_out_versions(self._db)
         self._db.execute("COMMIT")
         return self._found
 
-    def _read_pages(self, states: Callable[[int], list[bytes]]) -> None:
-        for number in self._pages.numbers():
-            if self._stop():
-                self._found.is_cut_short = True
-                return
-            for page in states(number):
-                self._read_page(page, number)
+    def _read_tree(self, name: str) -> None:
+        for row in self._desk.tree(name, self._roots[name]):
+            match row:
+                case (str(program), int(number), int(_)) if name == EDITS_INDEX:
+                    self._found.edits.add((program, number))
+                case _ if name != EDITS_INDEX and not self._take(self._shapes[name], row):
+                    self._take_strange(self._shapes[name], row)
 
-    def _read_page(self, page: bytes, number: int) -> None:
-        owner, kind = self._owners.get(number), kind_of(page, number)
-        if kind == TABLE_LEAF:
-            self._read_table(page, number, owner)
-        elif kind in (INDEX_LEAF, INDEX_INTERIOR):
-            self._read_index(page, number, owner)
-        elif owner is not None and kind != TABLE_INTERIOR:
-            self._found.n_unread += 1
-
-    def _read_table(self, page: bytes, number: int, owner: str | None) -> None:
-        shape = self._shapes.get(owner or "")
-        if owner is not None and shape is None:  # of SQLite's own tables
+    def _read_page(self, page: bytes) -> None:
+        """A page is of one table, mostly of that to which the page before belongs."""
+        likely = self._of_leaves if page[0] == TABLE_LEAF else self._of_indexes
+        if page[0] not in (TABLE_LEAF, INDEX_LEAF, INDEX_INTERIOR):
             return
-        for cell in cells(self._pages, page, number):
-            if cell.values is None:
-                self._found.n_unread += 1
-                continue
-            shape = self._fitting(cell.values, shape)
-            if shape is not None:
-                self._add(shape, cell.values)
-                continue
-            self._found.n_unread += owner is not None
-            shape = self._shapes.get(owner or "")
-            if shape is not None and not self._are_earlier:
-                self._add_strange(shape, cell.values)
+        for shape in likely:
+            taken = [self._take(shape, row) for row in self._desk.rows(shape.name, page)]
+            if taken and all(taken):
+                likely.remove(shape)
+                likely.insert(0, shape)
+                return
 
-    def _add_strange(self, shape: _Shape, values: Values) -> None:
+    def _take(self, shape: _Shape, row: Row) -> bool:
+        """Adds a row that fits; one that fitted before is no other table's."""
+        if hash(row) in self._seen:
+            return True
+        if not shape.fits(row):
+            return False
+        self._seen.add(hash(row))
+        self._add(shape, row)
+        return True
+
+    def _take_strange(self, shape: _Shape, row: Row) -> None:
         """A row of which only the key is not as a store writes it: what names the row may tell it."""
-        key = values[0]
-        if (
-            isinstance(key, str)
-            and shape.columns[0] == "id"
-            and _fits(shape, (_A_KEY, *values[1:]))
-        ):
-            self._strange.add((shape.name, key))
-            self._add(shape, values)
+        key = row[0]
+        is_keyed = isinstance(key, str) and shape.columns[0] == "id"
+        if is_keyed and shape.fits((_A_KEY, *row[1:])):
+            self._strange.add((shape.name, str(key)))
+            self._add(shape, row)
 
-    def _fitting(self, values: Values, likely: _Shape | None) -> _Shape | None:
-        """Rows of one page are of one table, mostly that to which the page belongs."""
-        if likely is not None and _fits(likely, values):
-            return likely
-        return next((s for s in self._shapes.values() if _fits(s, values)), None)
+    def _add(self, shape: _Shape, row: Row) -> None:
+        marks = ", ".join("?" * len(row))
+        with suppress(sqlite3.IntegrityError):
+            self._db.execute(
+                f"INSERT OR IGNORE INTO {shape.name} ({', '.join(shape.columns)}) VALUES ({marks})",
+                row,
+            )
 
     def _tell_apart(self) -> None:
         """Rows of one shape belong to the table of which the key is; those of a page without owner were guessed."""
@@ -161,67 +153,12 @@ class _Reading:
             )
             self._db.execute(f"DELETE FROM computers WHERE {theirs}")
 
-    def _read_index(self, page: bytes, number: int, owner: str | None) -> None:
-        """Tables without row numbers lie in pages of this kind too."""
-        if owner not in (None, _EDITS_INDEX, *self._keyed):
-            return
-        for cell in cells(self._pages, page, number):
-            if cell.values is None or not self._read_entry(cell.values, owner):
-                self._found.n_unread += owner is not None
-
-    def _read_entry(self, values: Values, owner: str | None) -> bool:
-        match values:
-            case (str(program), int(n), int(_)) if owner == _EDITS_INDEX:
-                self._found.edits.add((program, n))
-                return True
-        for name in _TOLD_BY_SHAPE if owner is None else (owner,):
-            shape = self._keyed.get(name)
-            if shape is not None and _fits(shape, values):
-                self._add(shape, values)
-                return True
-        return False
-
-    def _add(self, shape: _Shape, values: Values) -> None:
-        if self._are_earlier and shape.name == "content_sums" and values[0] == "runs":
-            return  # the row has another sum since it was judged
-        names = shape.columns[: len(values)]
-        marks = ", ".join("?" * len(names))
-        with suppress(sqlite3.IntegrityError):
-            self._db.execute(
-                f"INSERT OR IGNORE INTO {shape.name} ({', '.join(names)}) VALUES ({marks})", values
-            )
-
-
-def _fits(shape: _Shape, values: Values) -> bool:
-    """The row may be shorter than the table's: columns that a later release added have no value in it."""
-    if not shape.n_least <= len(values) <= len(shape.columns):
-        return False
-    return all(rule(value) for rule, value in zip(shape.rules, values, strict=False))
-
-
-def _shapes(db: sqlite3.Connection, tables: Sequence[Table]) -> dict[str, _Shape]:
-    """Shapes by table; of those that have one shape the likelier table first."""
-    return {table.name: _shape(db, table) for table in tables}
-
 
 def _shape(db: sqlite3.Connection, table: Table) -> _Shape:
     accepted = {column.name: column.accepts for column in table.columns}
     accepted |= _OTHER_RULES.get(table.name, {})
     names = column_names(db, table.name)
-    needed = _needed(db, table.name)
-    return _Shape(table.name, names, tuple(map(accepted.__getitem__, names)), needed)
-
-
-def _is_keyed(db: sqlite3.Connection, table: Table) -> bool:
-    """Whether the table has no row numbers: it is kept as an index is, by its key."""
-    query = "SELECT wr FROM pragma_table_list WHERE schema = 'main' AND name = ?"
-    return bool(db.execute(query, [table.name]).fetchone()[0])
-
-
-def _needed(db: sqlite3.Connection, table: str) -> int:
-    """Values that each row has: up to the last column that must not be NULL and has no default."""
-    rows = db.execute(f"PRAGMA table_info({table})").fetchall()
-    return 1 + max(int(row[0]) for row in rows if row[5] or (row[3] and row[4] is None))
+    return _Shape(table.name, names, tuple(map(accepted.__getitem__, names)))
 
 
 def _unpacks(blob: object) -> bool:
@@ -241,41 +178,3 @@ _OTHER_RULES: Mapping[str, Mapping[str, Rule]] = {
     "telemetry": {"data": _unpacks},
     "settings": {"value": lambda value: isinstance(value, str)},
 }
-
-
-def _owners(pages: Pages) -> dict[int, str]:
-    """The name of the table or index to which each page belongs that can be reached."""
-    owners: dict[int, str] = {}
-    for name, root in _roots(pages):
-        for number in _below(pages, root):
-            owners.setdefault(number, name)
-    return owners
-
-
-def _roots(pages: Pages) -> Iterator[tuple[str, int]]:
-    yield "sqlite_schema", 1
-    for number in _below(pages, 1):
-        for page in pages.states(number):
-            if kind_of(page, number) == TABLE_LEAF:
-                for cell in cells(pages, page, number):
-                    match cell.values:
-                        case ("table" | "index", str(name), str(_), int(root), *_) if root > 1:
-                            yield name, root
-                break
-
-
-def _below(pages: Pages, root: int) -> Iterator[int]:
-    """Pages of a tree, the root first."""
-    seen, left = set(), [root]
-    while left:
-        number = left.pop()
-        if number in seen:
-            continue
-        seen.add(number)
-        yield number
-        page = next((p for p in pages.states(number) if kind_of(p, number) in _KINDS), b"")
-        if kind_of(page, number) in (TABLE_INTERIOR, INDEX_INTERIOR):
-            left += [child for child in children(page, number) if pages.newest(child)]
-
-
-_KINDS = (TABLE_LEAF, TABLE_INTERIOR, INDEX_LEAF, INDEX_INTERIOR)

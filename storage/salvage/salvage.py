@@ -20,7 +20,7 @@ from storage.file.notices import Salvaged
 from storage.file.sums import Changes
 from storage.file.temporary import temporary_folder
 from storage.runs.runs import close_runs
-from storage.salvage.pages import Pages
+from storage.salvage.desk import roots
 from storage.salvage.reading import Found, read_into
 from storage.salvage.soundness import bring_marks, mark_runs, prefer_sound_rows
 from storage.salvage.stand_ins import complete
@@ -102,8 +102,8 @@ def remains(file: Path, now: str, *, beside: Path, longest_s: float) -> Iterator
             db.execute("PRAGMA journal_mode = OFF")
             db.execute("PRAGMA synchronous = OFF")
             migrate(db)
-            with Pages(file, file.with_name(file.name + "-wal")) as pages:
-                found = read_into(db, pages, lambda: time.monotonic() > deadline)
+            usual = roots(path) | (roots(beside) if beside.exists() else {})
+            found = read_into(db, file, folder, usual, lambda: time.monotonic() > deadline)
             mark_runs(db, now)
             running = [
                 row["id"] for row in db.execute("SELECT id FROM runs WHERE state = 'running'")
@@ -181,7 +181,7 @@ def _n_unread(db: sqlite3.Connection, found: Found, before: dict[str, int]) -> i
 def _require_room(file: Path, beside: Path) -> None:
     parts = (file, file.with_name(file.name + "-wal"))
     needed = sum(part.stat().st_size for part in parts if part.exists())
-    if shutil.disk_usage(beside.parent).free < 2 * needed + _LEFT_FREE:
+    if shutil.disk_usage(beside.parent).free < 3 * needed + _LEFT_FREE:
         raise OSError(errno.ENOSPC, "no room to read the damaged file")
 
 

@@ -1,4 +1,4 @@
-"""The migrations: statements by name, in their order. New ones are added at the end.
+"""The migrations: statements by name, in their order. The first makes all tables; new ones are added at the end.
 
 A bundle is refused where a table has another definition than these statements give it, so none is ever changed, not
 even in its quotes. What a table means, and what other modules derive from it, is declared in `work.py`, `runs.py`,
@@ -11,26 +11,36 @@ what the teacher changed elsewhere meanwhile. Rows of other tables are only ever
 brought back where `deletions` says that it was kept.
 """
 
-from storage.tables.views import VIEWS, VIEWS_BEFORE_MARKS
+from storage.tables.views import VIEWS
 
-_FIRST_TABLES = (
-    """CREATE TABLE "groups" (
+_STATE = "revision INTEGER NOT NULL DEFAULT 1, changed_at TEXT NOT NULL DEFAULT ''"
+_GROUPS_AND_PROGRAMS = (
+    f"CREATE TABLE classrooms (id TEXT PRIMARY KEY, name TEXT NOT NULL, created_at TEXT NOT NULL, {_STATE}) STRICT",
+    f"""CREATE TABLE "groups" (
         "id" TEXT PRIMARY KEY,
         "name" TEXT NOT NULL,
         "name_key" TEXT NOT NULL,
         "color" TEXT NOT NULL,
         "created_at" TEXT NOT NULL,
-        "used_at" TEXT NOT NULL
+        "used_at" TEXT NOT NULL,
+        classroom_id TEXT REFERENCES classrooms(id),
+        picture TEXT NOT NULL DEFAULT '',
+        {_STATE}
     ) STRICT""",
-    'CREATE UNIQUE INDEX "idx_groups_name_key" ON "groups" ("name_key")',
-    """CREATE TABLE "programs" (
+    "CREATE INDEX groups_classroom ON groups (classroom_id)",
+    # two PCs may have given one name to two groups: both are kept
+    "CREATE INDEX groups_name_key ON groups (name_key)",
+    f"""CREATE TABLE "programs" (
         "id" TEXT PRIMARY KEY,
         "group_id" TEXT NOT NULL REFERENCES "groups"("id"),
         "name" TEXT NOT NULL,
         "created_at" TEXT NOT NULL,
-        "updated_at" TEXT NOT NULL
+        "updated_at" TEXT NOT NULL,
+        deleted_at TEXT,
+        {_STATE}
     ) STRICT""",
     'CREATE INDEX "idx_programs_group_id_id" ON "programs" ("group_id", "id")',
+    # parent_id has no foreign key: the version that was edited may be in a file that was never merged
     """CREATE TABLE "versions" (
         "id" TEXT PRIMARY KEY,
         "program_id" TEXT NOT NULL REFERENCES "programs"("id"),
@@ -38,9 +48,18 @@ _FIRST_TABLES = (
         "created_at" TEXT NOT NULL,
         "workspace" TEXT NOT NULL,
         "document" TEXT,
-        "faults" TEXT NOT NULL
+        "faults" TEXT NOT NULL,
+        "world" TEXT,
+        parent_id TEXT,
+        lesson_id TEXT,
+        computer_id TEXT,
+        setup TEXT
     ) STRICT""",
     'CREATE INDEX "idx_versions_program_id_number" ON "versions" ("program_id", "number")',
+    "CREATE INDEX versions_lesson ON versions (lesson_id)",
+    f"CREATE TABLE version_labels (id TEXT PRIMARY KEY REFERENCES versions(id), text TEXT NOT NULL, {_STATE}) STRICT",
+)
+_RUNS = (
     """CREATE TABLE "runs" (
         "id" TEXT PRIMARY KEY,
         "group_id" TEXT REFERENCES "groups"("id"),
@@ -66,12 +85,20 @@ _FIRST_TABLES = (
         "closing_error_m" REAL,
         "summary" TEXT,
         "telemetry_sha256" TEXT,
-        "path" TEXT
+        "path" TEXT,
+        lesson_id TEXT,
+        computer_id TEXT,
+        activity TEXT,
+        passed INTEGER,
+        check_report TEXT
     ) STRICT""",
     'CREATE INDEX "idx_runs_group_id_id" ON "runs" ("group_id", "id")',
     'CREATE INDEX "idx_runs_program_id" ON "runs" ("program_id")',
     'CREATE INDEX "idx_runs_version_id" ON "runs" ("version_id")',
     "CREATE INDEX running ON runs (state) WHERE state = 'running'",
+    "CREATE INDEX runs_lesson ON runs (lesson_id, id)",
+    # a page of runs is found by more than their group (storage/runs/history.py)
+    "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, world, state, passed, started_at)",
     """CREATE TABLE "events" (
         "run_id" TEXT REFERENCES "runs"("id"),
         "seq" INTEGER,
@@ -88,11 +115,17 @@ _FIRST_TABLES = (
         "data" BLOB NOT NULL,
         PRIMARY KEY ("run_id", "chunk")
     ) STRICT""",
-    'CREATE TABLE "settings" ("key" TEXT PRIMARY KEY, "value" TEXT NOT NULL) STRICT',
+    f"""CREATE TABLE notes (
+        id TEXT PRIMARY KEY,
+        run_id TEXT NOT NULL REFERENCES runs(id),
+        text TEXT NOT NULL,
+        written_at TEXT NOT NULL,
+        seen_at TEXT,
+        {_STATE}
+    ) STRICT""",
+    "CREATE INDEX notes_run ON notes (run_id)",
 )
-_STATE = "revision INTEGER NOT NULL DEFAULT 1, changed_at TEXT NOT NULL DEFAULT ''"
-_CLASSES_AND_LESSONS = (
-    f"CREATE TABLE classrooms (id TEXT PRIMARY KEY, name TEXT NOT NULL, created_at TEXT NOT NULL, {_STATE}) STRICT",
+_LESSONS = (
     f"""CREATE TABLE lessons (
         id TEXT PRIMARY KEY,
         classroom_id TEXT REFERENCES classrooms(id),
@@ -106,15 +139,31 @@ _CLASSES_AND_LESSONS = (
         part_of TEXT,
         {_STATE}
     ) STRICT""",
-    f"""CREATE TABLE notes (
+    "CREATE INDEX lessons_classroom ON lessons (classroom_id, opened_at)",
+    """CREATE TABLE taught_signs (
         id TEXT PRIMARY KEY,
-        run_id TEXT NOT NULL REFERENCES runs(id),
-        text TEXT NOT NULL,
-        written_at TEXT NOT NULL,
-        seen_at TEXT,
+        classroom_id TEXT NOT NULL REFERENCES classrooms(id),
+        sign TEXT NOT NULL,
+        created_at TEXT NOT NULL,
+        samples BLOB NOT NULL,
+        is_moving INTEGER NOT NULL DEFAULT 0
+    ) STRICT""",
+    "CREATE INDEX taught_signs_classroom ON taught_signs (classroom_id, id)",
+    f"""CREATE TABLE own_activities (
+        id TEXT PRIMARY KEY,
+        title TEXT NOT NULL,
+        document TEXT NOT NULL,
+        goal TEXT NOT NULL,
+        created_at TEXT NOT NULL,
+        deleted_at TEXT,
         {_STATE}
     ) STRICT""",
-    f"CREATE TABLE version_labels (id TEXT PRIMARY KEY REFERENCES versions(id), text TEXT NOT NULL, {_STATE}) STRICT",
+    f"""CREATE TABLE class_presets (
+        id TEXT PRIMARY KEY REFERENCES classrooms(id), preset TEXT NOT NULL, {_STATE}
+    ) STRICT""",
+)
+_COMPUTERS = (
+    'CREATE TABLE "settings" ("key" TEXT PRIMARY KEY, "value" TEXT NOT NULL) STRICT',
     f"CREATE TABLE computers (id TEXT PRIMARY KEY, name TEXT NOT NULL, {_STATE}) STRICT",
     "CREATE TABLE tombstones (id TEXT PRIMARY KEY) STRICT, WITHOUT ROWID",
     """CREATE TABLE merges (
@@ -130,108 +179,58 @@ _CLASSES_AND_LESSONS = (
     """CREATE TABLE exports (
         id TEXT PRIMARY KEY, path TEXT NOT NULL, made_at TEXT NOT NULL, content TEXT NOT NULL
     ) STRICT""",
-    "ALTER TABLE groups ADD COLUMN classroom_id TEXT REFERENCES classrooms(id)",
-    "ALTER TABLE groups ADD COLUMN picture TEXT NOT NULL DEFAULT ''",
-    *(f"ALTER TABLE groups ADD COLUMN {column}" for column in _STATE.split(", ")),
-    "ALTER TABLE programs ADD COLUMN deleted_at TEXT",  # in the bin since
-    *(f"ALTER TABLE programs ADD COLUMN {column}" for column in _STATE.split(", ")),
-    # parent_id has no foreign key: the version that was edited may be in a file that was never merged
-    *(
-        f"ALTER TABLE versions ADD COLUMN {name} TEXT"
-        for name in ("parent_id", "lesson_id", "computer_id")
-    ),
-    *(
-        f"ALTER TABLE runs ADD COLUMN {name} TEXT"
-        for name in ("lesson_id", "computer_id", "activity")
-    ),
-    "ALTER TABLE runs ADD COLUMN passed INTEGER",
-    "ALTER TABLE runs ADD COLUMN check_report TEXT",
-    # two PCs may have given one name to two groups: both are kept
-    "DROP INDEX idx_groups_name_key",
-    "CREATE INDEX groups_classroom ON groups (classroom_id)",
-    "CREATE INDEX groups_name_key ON groups (name_key)",
-    "CREATE INDEX lessons_classroom ON lessons (classroom_id, opened_at)",
-    "CREATE INDEX versions_lesson ON versions (lesson_id)",
-    "CREATE INDEX runs_lesson ON runs (lesson_id, id)",
-    "CREATE INDEX notes_run ON notes (run_id)",
-    # earlier releases made some of the views with fewer columns
-    *(f"DROP VIEW IF EXISTS {name}" for name in VIEWS),
-    *(f'CREATE VIEW "{name}" AS {select}' for name, select in VIEWS_BEFORE_MARKS.items()),
+    # approvals and marks stay on one PC; `signatures` has a row in bundles only
+    "CREATE TABLE signatures (public_key TEXT PRIMARY KEY, signature TEXT NOT NULL) STRICT, WITHOUT ROWID",
+    """CREATE TABLE computer_keys (
+        public_key TEXT PRIMARY KEY,
+        computer_id TEXT NOT NULL,
+        name TEXT NOT NULL,
+        seen_at TEXT NOT NULL,
+        approved_at TEXT
+    ) STRICT, WITHOUT ROWID""",
+    """CREATE TABLE unconfirmed_runs (
+        run_id TEXT PRIMARY KEY, public_key TEXT, marked_at TEXT NOT NULL, finding TEXT
+    ) STRICT, WITHOUT ROWID""",
+    # of this PC alone: rows of a bundle get theirs where they are merged (storage/file/sums.py)
+    """CREATE TABLE content_sums (
+        table_name TEXT NOT NULL,
+        row_id TEXT NOT NULL,
+        sha256 TEXT NOT NULL,
+        damaged_at TEXT,
+        PRIMARY KEY (table_name, row_id)
+    ) STRICT, WITHOUT ROWID""",
+    "CREATE INDEX content_sums_damaged ON content_sums (row_id) WHERE damaged_at IS NOT NULL",
+    # what is kept in spite of a tombstone, and what a class takes with it (storage/exchange/deleting/deletion.py)
+    "CREATE TABLE deletions (id TEXT PRIMARY KEY, turn INTEGER NOT NULL, knew TEXT NOT NULL) STRICT, WITHOUT ROWID",
+    """CREATE TABLE former_classes (
+        group_id TEXT NOT NULL, classroom_id TEXT NOT NULL, has_left INTEGER NOT NULL,
+        PRIMARY KEY (group_id, classroom_id)
+    ) STRICT, WITHOUT ROWID""",
+)
+# a file notes each of these names: they are the steps in which the tables came to be, before the first release
+BASELINE = (
+    "first_tables",
+    "first_views",
+    "worlds_of_versions",
+    "classes_and_lessons",
+    "history_index",
+    "taught_signs",
+    "setup_of_versions",
+    "moving_signs",
+    "world_in_history_index",
+    "own_activities",
+    "signed_bundles",
+    "content_sums",
+    "deletions",
+    "marks_in_run_list",
 )
 MIGRATIONS: dict[str, tuple[str, ...]] = {
-    "first_tables": _FIRST_TABLES,
-    "first_views": (),
-    "worlds_of_versions": ('ALTER TABLE "versions" ADD COLUMN "world" TEXT',),
-    "classes_and_lessons": _CLASSES_AND_LESSONS,
-    # a page of runs is found by more than their group (storage/runs/history.py)
-    "history_index": (
-        "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, state, passed, started_at)",
-    ),
-    "taught_signs": (
-        """CREATE TABLE taught_signs (
-            id TEXT PRIMARY KEY,
-            classroom_id TEXT NOT NULL REFERENCES classrooms(id),
-            sign TEXT NOT NULL,
-            created_at TEXT NOT NULL,
-            samples BLOB NOT NULL
-        ) STRICT""",
-        "CREATE INDEX taught_signs_classroom ON taught_signs (classroom_id, id)",
-    ),
-    "setup_of_versions": ("ALTER TABLE versions ADD COLUMN setup TEXT",),
-    "moving_signs": ("ALTER TABLE taught_signs ADD COLUMN is_moving INTEGER NOT NULL DEFAULT 0",),
-    "world_in_history_index": (
-        "DROP INDEX runs_history",
-        "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, world, state, passed, started_at)",
-    ),
-    "own_activities": (
-        f"""CREATE TABLE own_activities (
-            id TEXT PRIMARY KEY,
-            title TEXT NOT NULL,
-            document TEXT NOT NULL,
-            goal TEXT NOT NULL,
-            created_at TEXT NOT NULL,
-            deleted_at TEXT,
-            {_STATE}
-        ) STRICT""",
-        f"""CREATE TABLE class_presets (
-            id TEXT PRIMARY KEY REFERENCES classrooms(id), preset TEXT NOT NULL, {_STATE}
-        ) STRICT""",
-    ),
-    # approvals and marks stay on one PC; `signatures` has a row in bundles only
-    "signed_bundles": (
-        "CREATE TABLE signatures (public_key TEXT PRIMARY KEY, signature TEXT NOT NULL) STRICT, WITHOUT ROWID",
-        """CREATE TABLE computer_keys (
-            public_key TEXT PRIMARY KEY,
-            computer_id TEXT NOT NULL,
-            name TEXT NOT NULL,
-            seen_at TEXT NOT NULL,
-            approved_at TEXT
-        ) STRICT, WITHOUT ROWID""",
-        """CREATE TABLE unconfirmed_runs (
-            run_id TEXT PRIMARY KEY, public_key TEXT, marked_at TEXT NOT NULL, finding TEXT
-        ) STRICT, WITHOUT ROWID""",
-    ),
-    # of this PC alone: rows of a bundle get theirs where they are merged (storage/file/sums.py)
-    "content_sums": (
-        """CREATE TABLE content_sums (
-            table_name TEXT NOT NULL,
-            row_id TEXT NOT NULL,
-            sha256 TEXT NOT NULL,
-            damaged_at TEXT,
-            PRIMARY KEY (table_name, row_id)
-        ) STRICT, WITHOUT ROWID""",
-        "CREATE INDEX content_sums_damaged ON content_sums (row_id) WHERE damaged_at IS NOT NULL",
-    ),
-    # what is kept in spite of a tombstone, and what a class takes with it (storage/exchange/deleting/deletion.py)
-    "deletions": (
-        "CREATE TABLE deletions (id TEXT PRIMARY KEY, turn INTEGER NOT NULL, knew TEXT NOT NULL) STRICT, WITHOUT ROWID",
-        """CREATE TABLE former_classes (
-            group_id TEXT NOT NULL, classroom_id TEXT NOT NULL, has_left INTEGER NOT NULL,
-            PRIMARY KEY (group_id, classroom_id)
-        ) STRICT, WITHOUT ROWID""",
-    ),
-    "marks_in_run_list": (
-        "DROP VIEW run_list",
-        f'CREATE VIEW "run_list" AS {VIEWS["run_list"]}',
+    **dict.fromkeys(BASELINE, ()),
+    BASELINE[0]: (
+        *_GROUPS_AND_PROGRAMS,
+        *_RUNS,
+        *_LESSONS,
+        *_COMPUTERS,
+        *(f'CREATE VIEW "{name}" AS {select}' for name, select in VIEWS.items()),
     ),
 }

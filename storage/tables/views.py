@@ -49,16 +49,3 @@ VIEWS = {
         FROM notes JOIN runs ON runs.id = notes.run_id LEFT JOIN groups ON groups.id = runs.group_id
         ORDER BY notes.written_at DESC""",
 }
-# of releases in which each pass counted
-VIEWS_BEFORE_MARKS = VIEWS | {
-    "run_list": """
-        SELECT runs.id, classrooms.name AS class, groups.name AS "group", lessons.title AS lesson,
-               runs.program_name AS program, runs.world, runs.state, runs.reason, runs.activity, runs.passed,
-               runs.started_at, runs.duration_s, runs.path_length_m, runs.closing_error_m,
-               computers.name AS computer
-        FROM runs LEFT JOIN groups ON groups.id = runs.group_id
-             LEFT JOIN classrooms ON classrooms.id = groups.classroom_id
-             LEFT JOIN lessons ON lessons.id = runs.lesson_id
-             LEFT JOIN computers ON computers.id = runs.computer_id
-        ORDER BY runs.id DESC""",
-}

@@ -1,4 +1,4 @@
-"""Files that somebody made up, and PCs that took one with an earlier release."""
+"""Files that somebody made up."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from storage import Store, StoreError, text
+from storage import Store, StoreError
 from storage.exchange.bundle_writing import counts_of
 from storage.exchange.content_hash import content_hash
 from storage.exchange.scope import Scope
@@ -17,7 +17,7 @@ from storage.runs.telemetry import COLUMNS, pack
 from storage.sql import column_names, opened
 from storage.sqlite import sqlite3
 from storage.text import new_id
-from tests.storage.bundle_makers import a_run, exported, work
+from tests.storage.bundle_makers import exported, work
 
 FAR_ID = "05ffffff-ffff-7fff-bfff-ffffffffffff"
 AHEAD = (
@@ -54,31 +54,6 @@ def program_file(store: Store, dest: Path) -> Path:
     """A program with its work, as a group takes it along without PIN."""
     program, _ = work(store, store.groups.create("Onças"), "Quadrado")
     return exported(store, dest, Scope(program_id=program.id)).path
-
-
-def suffering(store: Store) -> str:
-    """What a release before this one did with `FAR_ID`: ids after it, and numbers at their end. The program's key."""
-    program, _ = work(store, store.groups.create("Araras"), "Círculo")
-    newest = store.versions.newest(program.id)
-    assert newest is not None
-    _follow(FAR_ID)
-    store._database.write(
-        lambda db: db.execute(
-            f"""INSERT INTO versions (id, program_id, number, created_at, workspace, faults)
-                VALUES ('{FAR_ID}', '{program.id}', 1000000000, '{newest.created_at}', '{{}}', '[]')"""
-        )
-    )
-    version = store.versions.save(program.id, {"mine": 1}, {"pinel_ir": 1, "commands": []})
-    a_run(store, version.id)
-    work(store, store.groups.create("Tucanos"), "Triângulo")
-    return program.id
-
-
-def _follow(key: str) -> None:
-    """Ids of this process follow one, as they did before."""
-    ids = text._Ids()
-    ids.continue_after(key)
-    text._ids = ids
 
 
 def in_encoding(path: Path, encoding: str) -> None:

@@ -41,7 +41,7 @@ OWN_WORLD = {
     "zones": [{"name": "nosso lugar", "center": [-0.5, 0], "size": [0.6, 1]}],
     "floor": [{"color": "green", "center": [-0.5, 0], "radius": 0.3}],
 }
-Act = tuple[str, str, Any]  # event, then method and body of the request that follows it
+Act = tuple[str, str, Any]  # event, then the live command that follows it and what it carries
 
 
 def blocks(name: str) -> dict[str, Any]:
@@ -89,8 +89,7 @@ class PcClient:
         with self.running(version, **options) as (run, stream):
             for event, what, data in acts:
                 wait_for(stream, event)
-                method = "PUT" if what in ("speed", "look", "breakpoints") else "POST"
-                self.do(method, f"runs/{run}/{what}", data)
+                self.do("POST", f"runs/{run}/commands", {"do": what, **(data or {})})
             wait_for(stream, until)
         return run
 
@@ -185,7 +184,7 @@ def conversation(client: PcClient, classroom: str) -> None:
     """Answers, captures and their absence, in a lesson that opens automatically."""
     group = client.group("Duas Vozes", classroom)
     version = client.save(client.program(group, "Conversa"), blocks("conversation"))
-    sign = ("capture_started", "capture", {"result": "B"})
+    sign = ("capture_started", "answer_capture", {"result": "B"})
     faster = ("gesture_result", "speed", {"factor": FAST})
     name, three, none = (("asked", "answer", {"value": v}) for v in ("Ana Souza", "3", "0"))
     client.run(version, sign, faster, name, three, speed=1.0, world="tic_tac_toe")
@@ -201,7 +200,7 @@ def debugging(client: PcClient, classroom: str) -> None:
     content = blocks("stairs")
     turns = block_ids(content["document"], "turn")
     version = client.save(client.program(client.group("Passos", classroom), "Escada"), content)
-    look = ("running", "look", {"sensors": ["sonar", "lidar"]})
+    look = ("running", "subscribe", {"sensors": ["sonar", "lidar"]})
     pause, go_on = ("telemetry 20", "pause", None), ("paused", "resume", None)
     faster = ("running", "speed", {"factor": FAST})
     client.run(version, look, pause, go_on, faster, speed=1.0)
@@ -262,7 +261,8 @@ def noon(stick: str) -> str:
 
 def kill_engine(app: AppProcess) -> None:
     assert app._process is not None
-    (engine,) = psutil.Process(app._process.pid).children()
+    children = psutil.Process(app._process.pid).children()
+    (engine,) = [one for one in children if one.cmdline()[-1] == "engine"]
     engine.kill()
 
 

@@ -1,6 +1,6 @@
 """Writes `files/` by using the program, and records how the program reads them.
 
-It ran at commit a3b6fcc (files/README.md) and documents the files. Do not run it at a later commit: the files would no
+It ran at commit a15e9a7d (files/README.md) and documents the files. Do not run it at a later commit: the files would no
 longer be of an earlier release. From the root: `python -m tests.compatibility.write_files`.
 """
 

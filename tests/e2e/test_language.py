@@ -13,7 +13,7 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
-SAVED_BY_0_1 = Path(__file__).parents[2] / "ui/src/blocks/upgrade/saved_by_0_1.json"
+SAVED_BEFORE = Path(__file__).parents[1] / "compatibility/files/blocks/conversation.json"
 
 
 @pytest.fixture
@@ -192,8 +192,8 @@ def test_plus_is_pressed_by_keyboard(empty: Studio) -> None:
     expect(condition).to_contain_text("senão")
 
 
-def test_a_program_of_version_0_1_opens_and_is_the_same(empty: Studio) -> None:
-    saved = json.loads(SAVED_BY_0_1.read_text("utf-8"))
+def test_a_program_that_was_saved_before_opens_and_is_the_same(empty: Studio) -> None:
+    saved = json.loads(SAVED_BEFORE.read_text("utf-8"))
     empty.page.evaluate(
         """([program, workspace]) => fetch(`/api/programs/${program}/versions`, {
             method: 'POST',

@@ -19,12 +19,12 @@ SQUARE = {
 }
 
 
-def way_m(preset: Preset, feedback: Feedback, semantics: int) -> tuple[float, float]:
+def way_m(preset: Preset, feedback: Feedback) -> tuple[float, float]:
     """What the run tells, and how far the robot truly drove."""
     setting = Setting(PIONEER_3DX.name, preset, feedback)
     world = world_document("empty_room")
     writer = LogWriter()
-    spec = RunSpec(SQUARE, world, setting=setting, semantics=semantics)
+    spec = RunSpec(SQUARE, world, setting=setting)
     result = start(spec, writer.observe)
     steps = np.diff(writer.log().poses[:, :2], axis=0)
     return result.ended.path_length_m, float(np.hypot(*steps.T).sum())
@@ -32,14 +32,9 @@ def way_m(preset: Preset, feedback: Feedback, semantics: int) -> tuple[float, fl
 
 @pytest.mark.parametrize(("preset", "feedback"), [("ideal", "pose"), ("realistic", "pose")])
 def test_a_square_of_a_metre_is_four_metres_of_way(preset: Preset, feedback: Feedback) -> None:
-    told_m, true_m = way_m(preset, feedback, semantics=3)
+    told_m, true_m = way_m(preset, feedback)
     assert told_m == pytest.approx(4.0, abs=0.06)
     assert told_m == pytest.approx(true_m, abs=0.06)
-
-
-def test_runs_of_earlier_releases_count_the_noise_of_the_pose_as_they_did() -> None:
-    told_m, _ = way_m("realistic", "pose", semantics=2)
-    assert told_m > 4.4
 
 
 def test_a_robot_whose_true_pose_nobody_knows_tells_its_own_path() -> None:

@@ -228,12 +228,6 @@ def test_a_clock_set_forward_gives_no_more_guesses_after_a_start(
         again.sign_in(WRONG, "another")
 
 
-def test_the_wait_of_an_earlier_release_goes_on(store: Store, clock: Clock) -> None:
-    TeacherSessions(store.settings, clock, clock.steady).set_pin(PIN)
-    store.settings.set("teacher_pin_tries", {"failed": 5, "at": clock.now_s})
-    assert refusal(TeacherSessions(store.settings, clock, clock.steady), PIN).code == "pin_wait"
-
-
 def test_another_pin_ends_all_sessions(sessions: TeacherSessions) -> None:
     token = sessions.sign_in(PIN)
     sessions.set_pin("2718")

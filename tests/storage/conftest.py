@@ -10,6 +10,7 @@ import pytest
 from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store
 from storage.limits import N_FEATURES
 from storage.sqlite import sqlite3
+from storage.tables.ddl import MIGRATIONS
 from storage.tables.migrations import migrate
 from tests.storage.bundle_makers import Opened, a_run, a_store, exported, work
 from tests.storage.sample_documents import SQUARE, WORLD
@@ -60,12 +61,16 @@ def start(version: VersionRow) -> RunStart:
 
 
 @pytest.fixture
-def older(path: Path) -> Path:
-    """A database of an earlier release with a group."""
+def older(path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A database with a group, of a release that had not yet the newest migration."""
     with sqlite3.connect(path) as db:
-        migrate(db, n_steps=2)
-        db.execute("INSERT INTO groups VALUES ('g', 'A', 'a', '#000000', 't', 't')")
+        migrate(db)
+        db.execute(
+            """INSERT INTO groups (id, name, name_key, color, created_at, used_at)
+               VALUES ('g', 'A', 'a', '#000000', 't', 't')"""
+        )
     db.close()
+    monkeypatch.setitem(MIGRATIONS, "newest", ("CREATE INDEX newest ON groups (color)",))
     return path
 
 

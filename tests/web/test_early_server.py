@@ -4,7 +4,7 @@ import threading
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
-from http.cookiejar import CookieJar
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -41,16 +41,17 @@ def test_the_page_is_there_at_once_with_the_same_protection(
         assert "key=" not in answer.url
 
 
-def test_the_page_has_the_texts_of_the_language_that_it_last_spoke(server: EarlyServer) -> None:
-    jar = CookieJar()
-    opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor(jar))
-    opener.open(server.guard.fresh_link(), timeout=20).close()
-    kept = "; ".join(f"{cookie.name}={cookie.value}" for cookie in jar)
-    for language in LANGUAGES:
-        cookies = {"Cookie": f"{kept}; pinel_language={language}"}
-        asked = urllib.request.Request(server.guard.origin, headers=cookies)
-        with urllib.request.urlopen(asked, timeout=20) as answer:
-            assert f'<html lang="{language}">'.encode() in answer.read()
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_has_the_texts_of_the_language_that_it_last_spoke(
+    opener: urllib.request.OpenerDirector, tmp_path: Path, language: str
+) -> None:
+    PageSettings.beside(tmp_path / "pinel.db").keep("pinel_language", language)
+    settings = PageSettings.beside(tmp_path / "pinel.db")
+    with (
+        closing(EarlyServer(page_settings=settings)) as server,
+        opener.open(server.guard.fresh_link(), timeout=20) as answer,
+    ):
+        assert f'<html lang="{language}" '.encode() in answer.read()
 
 
 def test_the_page_is_there_at_once_with_what_it_keeps(

@@ -8,7 +8,6 @@ from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.expressions.requests import EvaluationContext
 from pinel_desktop.execution.expressions.values import Value
 from pinel_desktop.execution.places import place_under
-from pinel_desktop.execution.semantics import LOOKS_ALONG_THE_WAY
 from pinel_desktop.program.sensors import DEGREES, SENSORS, Argument
 from pinel_desktop.robot import RobotModel
 from pinel_desktop.robot.sensors import missing
@@ -60,7 +59,7 @@ def _distance(context: EvaluationContext, direction: str) -> Value:
     indices = robot.distance_sonars[direction]  # type: ignore[index]
     if not indices:
         missing("distance")
-    if direction not in _WAYS or context.semantics < LOOKS_ALONG_THE_WAY:
+    if direction not in _WAYS:
         return float(min(measured(index) for index in indices))
     echoes = [(robot.sonar_angles_rad[index], measured(index)) for index in indices]
     return min(

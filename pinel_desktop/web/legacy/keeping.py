@@ -47,7 +47,7 @@ class Keeping:
         program = self._store.runs.get(run_id).program_id
         if program is not None:
             document = self.document(commands)
-            # the page makes the blocks: ui/src/blocks/upgrade
+            # the page makes the blocks: ui/src/blocks/loader
             version = self._store.versions.save(program, {"document": document}, document)
             self._store.runs.settle(run_id, version.id)
 

@@ -132,11 +132,6 @@ def test_a_robot_that_stops_by_distance_does_not_touch_a_wall_met_at_any_angle(
     assert result.telemetry.path_length_m() > 0.5
 
 
-def test_distance_of_recorded_runs_of_earlier_releases_counts_side_walls(value_of: Any) -> None:
-    ahead = value_of(distance("front"), world=corridor(2.4, 7), semantics=1)
-    assert ahead == pytest.approx(1.2 / math.sin(math.radians(30)) - HULL, abs=0.05)
-
-
 def test_distance_at_the_wall_is_nothing_and_never_negative(value_of: Any) -> None:
     drive = {"action": "drive", "linear": 0.6, "angular": 0}
     at_the_wall = value_of(distance("front"), drive, {"action": "wait", "seconds": 10})

@@ -226,8 +226,14 @@ def test_a_group_with_all_its_work_goes_out_of_backups_of_earlier_releases_too(
     older: Path, opened: Callable[..., Store]
 ) -> None:
     with sqlite3.connect(older) as db:
-        db.execute("INSERT INTO programs VALUES ('p', 'g', 'Quadrado', 't', 't')")
-        db.execute("INSERT INTO versions VALUES ('v', 'p', 1, 't', '{}', NULL, '[]')")
+        db.execute(
+            """INSERT INTO programs (id, group_id, name, created_at, updated_at)
+               VALUES ('p', 'g', 'Quadrado', 't', 't')"""
+        )
+        db.execute(
+            """INSERT INTO versions (id, program_id, number, created_at, workspace, faults)
+               VALUES ('v', 'p', 1, 't', '{}', '[]')"""
+        )
     db.close()
     backed_up(older)
     store = opened(older, clock=lambda: NOON + DAY)

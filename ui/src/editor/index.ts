@@ -7,8 +7,8 @@ import { addToFieldNote } from "../blocks/fields/field_note";
 import { generateDocument } from "../blocks/generator";
 import { setKnownPlaces } from "../blocks/known_places";
 import { type KnownSigns, setKnownSigns } from "../blocks/known_signs";
+import { shownWorkspace } from "../blocks/loader";
 import { EVERYTHING, type Offered, paletteBlock, toolbox } from "../blocks/toolbox/toolbox";
-import { upgradeWorkspace } from "../blocks/upgrade";
 import { word } from "../blocks/words";
 import type { Language } from "../i18n";
 import { watchContent } from "./changes";
@@ -95,7 +95,7 @@ class BlockEditor implements Editor {
   }
 
   load(saved: object | null): void {
-    const workspace = saved && upgradeWorkspace(saved);
+    const workspace = saved && shownWorkspace(saved);
     if (workspace) tried(workspace);
     Blockly.hideChaff();
     this.running.show(null);
@@ -197,7 +197,7 @@ class BlockEditor implements Editor {
   }
 
   undoTo(saved: object | null): boolean {
-    const workspace = upgradeWorkspace(saved ?? {});
+    const workspace = shownWorkspace(saved ?? {});
     const looksTheSame = saved
       ? JSON.stringify(tried(workspace)) === this.fingerprint()
       : this.workspace.getAllBlocks(false).length <= 1;

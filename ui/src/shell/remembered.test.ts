@@ -42,16 +42,6 @@ test("what is remembered goes to the server, once", async () => {
   await waitFor(() => expect(bodies).toEqual([{ name: "pinel_theme", value: "dark" }]));
 });
 
-test("a cookie of an earlier release is read once and goes to the server", async () => {
-  // biome-ignore lint/suspicious/noDocumentCookie: as earlier releases did
-  document.cookie = "pinel_muted=1; path=/";
-  const { remembered } = await served();
-  expect(remembered("pinel_muted")).toBe("1");
-  expect(document.cookie).not.toContain("pinel_muted");
-  expect(remembered("pinel_muted")).toBe("1");
-  await waitFor(() => expect(bodies).toEqual([{ name: "pinel_muted", value: "1" }]));
-});
-
 test("where the server keeps nothing, it holds until the window is closed", async () => {
   sent.mockImplementation(async () => new Response("{}", { status: 503 }));
   const { remember, remembered } = await served();

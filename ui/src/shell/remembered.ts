@@ -15,7 +15,7 @@ for (const [key, value] of Object.entries(sessionStorage)) {
 
 /** A setting of this PC, or null. */
 export function remembered(name: string): string | null {
-  return kept[name] ?? ofEarlierRelease(name);
+  return kept[name] ?? null;
 }
 
 export function remember(name: string, value: string): void {
@@ -32,17 +32,6 @@ function send(name: string, value: string): void {
     })
     // where the server cannot keep it, it holds until the window is closed
     .catch(() => {});
-}
-
-/** Earlier releases kept settings in cookies; each is read once, and goes to the server. */
-function ofEarlierRelease(name: string): string | null {
-  const value = document.cookie.match(new RegExp(`(?:^|; )${name}=([\\w-]+)`))?.[1] ?? null;
-  if (value !== null) {
-    remember(name, value);
-    // biome-ignore lint/suspicious/noDocumentCookie: the cookie store is missing in the webview of GTK
-    document.cookie = `${name}=; max-age=0; path=/; samesite=strict`;
-  }
-  return value;
 }
 
 const MOST_KEPT = 40;

@@ -1,7 +1,6 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
 import { registerBlocks } from "..";
-import { upgradeWorkspace } from "../upgrade";
 import { setBlockLanguage } from "../words";
 import { type Command, generateDocument } from ".";
 
@@ -17,6 +16,7 @@ const block = (type: string, id: string, rest: Partial<BlockState> = {}): BlockS
   id,
   ...rest,
 });
+const number = (value: number) => ({ shadow: { type: "number", fields: { NUM: value } } });
 const letter = (text: string, id: string) => block("text_letter", id, { fields: { TEXT: text } });
 const compare = (operator: string, a?: BlockState, b?: BlockState) =>
   block("compare", "cmp", {
@@ -27,9 +27,8 @@ const RESULT_IS_B = compare("==", block("gesture_result", "g"), letter("B", "l")
 
 function workspaceOf(...tops: BlockState[]): Blockly.Workspace {
   const workspace = new Blockly.Workspace();
-  // these are written as workspaces were before there were expressions
   Blockly.serialization.workspaces.load(
-    upgradeWorkspace({ blocks: { languageVersion: 0, blocks: tops } }),
+    { blocks: { languageVersion: 0, blocks: tops } },
     workspace,
   );
   return workspace;
@@ -43,56 +42,60 @@ function commandsOf(first: BlockState): Command[] {
 const CASES: [string, BlockState, Command][] = [
   [
     "move forward",
-    block("move_forward", "a", { fields: { DISTANCE: 1.5 } }),
+    block("move_forward", "a", { inputs: { DISTANCE: number(1.5) } }),
     { action: "move_forward", distance: 1.5, block: "a" },
   ],
   [
     "move backward",
-    block("move_backward", "a", { fields: { DISTANCE: 0.25 } }),
+    block("move_backward", "a", { inputs: { DISTANCE: number(0.25) } }),
     { action: "move_backward", distance: 0.25, block: "a" },
   ],
   [
     "a left turn as a positive angle",
-    block("turn", "a", { fields: { DIRECTION: "LEFT", ANGLE: 90 } }),
+    block("turn", "a", { fields: { DIRECTION: "LEFT" }, inputs: { ANGLE: number(90) } }),
     { action: "turn", angle: 90, block: "a" },
   ],
   [
     "a right turn as a negative angle",
-    block("turn", "a", { fields: { DIRECTION: "RIGHT", ANGLE: 116.7 } }),
+    block("turn", "a", { fields: { DIRECTION: "RIGHT" }, inputs: { ANGLE: number(116.7) } }),
     { action: "turn", angle: -116.7, block: "a" },
   ],
   [
     "a right turn by nothing as plain zero",
-    block("turn", "a", { fields: { DIRECTION: "RIGHT", ANGLE: 0 } }),
+    block("turn", "a", { fields: { DIRECTION: "RIGHT" }, inputs: { ANGLE: number(0) } }),
     { action: "turn", angle: 0, block: "a" },
   ],
   [
     "wait",
-    block("wait", "a", { fields: { SECONDS: 2.5 } }),
+    block("wait", "a", { inputs: { SECONDS: number(2.5) } }),
     { action: "wait", seconds: 2.5, block: "a" },
   ],
   ["stop", block("stop", "a"), { action: "stop", block: "a" }],
   [
     "classify gestures",
-    block("classify_gestures", "a"),
+    block("classify_gestures", "a", { inputs: { TIMEOUT: number(10) } }),
     { action: "classify_gestures", timeout: 10, block: "a" },
   ],
   [
     "set gesture result",
-    block("set_gesture_result", "a", { fields: { RESULT: "L" } }),
+    block("set_gesture_result", "a", { inputs: { RESULT: { shadow: letter("L", "l") } } }),
     { action: "set_gesture_result", result: "L", block: "a" },
   ],
   [
     "an empty repeat",
-    block("repeat", "a", { fields: { TIMES: 3 } }),
+    block("repeat", "a", { inputs: { TIMES: number(3) } }),
     { action: "repeat", times: 3, commands: [], block: "a" },
   ],
   [
     "repeats inside each other",
     block("repeat", "a", {
-      fields: { TIMES: 2 },
       inputs: {
-        DO: { block: block("repeat", "b", { inputs: { DO: { block: block("stop", "c") } } }) },
+        TIMES: number(2),
+        DO: {
+          block: block("repeat", "b", {
+            inputs: { TIMES: number(4), DO: { block: block("stop", "c") } },
+          }),
+        },
       },
     }),
     {
@@ -123,7 +126,8 @@ const CASES: [string, BlockState, Command][] = [
   ],
   [
     "if and else",
-    block("if_else", "a", {
+    block("if", "a", {
+      extraState: { else: true },
       inputs: { CONDITION: { block: RESULT_IS_B }, ELSE: { block: block("stop", "b") } },
     }),
     {

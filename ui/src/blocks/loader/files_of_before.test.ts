@@ -1,4 +1,4 @@
-// Blocks that the page of commit a3b6fcc saved: tests/compatibility/files/README.md says what they are.
+// Blocks that the page saved before: tests/compatibility/files/README.md says what they are.
 import * as Blockly from "blockly/core";
 import { beforeAll, expect, test } from "vitest";
 import { registerBlocks } from "..";

@@ -35,6 +35,16 @@ export function workspaceOf(document: object): object {
   return { blocks: { languageVersion: 0, blocks } };
 }
 
+/**
+ * A saved workspace as it is shown. What came as commands over HTTP was saved as `{ document }`: it has its blocks from
+ * there, unless they are too many to be shown.
+ */
+export function shownWorkspace(saved: object): object {
+  const { document } = saved as { document?: object };
+  if (!document) return saved;
+  return commandCount(document) > MOST_SHOWN ? {} : workspaceOf(document);
+}
+
 function parts(document: object): Pick<ProgramDocument, "functions" | "commands"> {
   if (Array.isArray(document)) return { functions: [], commands: document as Command[] };
   const { functions = [], commands } = document as ProgramDocument;

@@ -3,7 +3,7 @@ import "../editor.css";
 import "./reader.css";
 import { registerBlocks } from "../../blocks";
 import { generateDocument } from "../../blocks/generator";
-import { upgradeWorkspace } from "../../blocks/upgrade";
+import { shownWorkspace } from "../../blocks/loader";
 import type { Language } from "../../i18n";
 import { applyLanguage } from "../locale";
 import { bringIntoView, Highlight } from "../marks/highlight";
@@ -67,7 +67,7 @@ export class BlocksReader {
 
   /** Shows a stored workspace from its start. Throws when it holds blocks this version does not know. */
   load(saved: object): void {
-    this.shown = upgradeWorkspace(saved);
+    this.shown = shownWorkspace(saved);
     this.clearMarks();
     this.fill();
     this.showFromTheStart(this.fittingScale());
