@@ -8,7 +8,6 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { GoalPicture } from "../scene/goal/GoalPicture";
 import { beginActivity } from "../shell/begin_activity";
 import { nameInHeader } from "../shell/named";
-import { TEST } from "../shell/testids";
 import { couldNotOpen, opened } from "../studio/program/open_program";
 import { Examples } from "./Examples";
 
@@ -30,7 +29,7 @@ export function ActivitiesScreen({ group }: { group: string }) {
         <main class="screen activities">
           <div class="activities__head">
             <h1>{activity.choose}</h1>
-            <Button icon={ArrowDown} testId={TEST.toExamples} onPress={showExamples}>
+            <Button icon={ArrowDown} testId="to-examples" onPress={showExamples}>
               {texts.value.help.examples.title}
             </Button>
           </div>
@@ -107,7 +106,7 @@ function ActivityCard({ choice, state, group }: ActivityCardProps) {
     <Button
       kind="bare"
       class="activities__card"
-      testId={TEST.activityCard}
+      testId="activity-card"
       data-activity={choice.name}
       data-state={state}
       onPress={() => beginActivity(group, choice.name)}

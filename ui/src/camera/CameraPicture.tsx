@@ -2,7 +2,6 @@ import { Camera } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { previewAddress } from "../api/camera";
 import { texts } from "../i18n";
-import { TEST } from "../shell/testids";
 import { CameraTrouble } from "./CameraTrouble";
 import { Skeleton } from "./Skeleton";
 import { aspect, camera, hasPicture, refresh } from "./sight";
@@ -21,7 +20,7 @@ export function CameraPicture() {
   return (
     <figure
       class="camera"
-      data-testid={TEST.cameraPicture}
+      data-testid="camera-picture"
       data-state={state}
       style={{ "--aspect": String(aspect.value) }}
     >

@@ -4,7 +4,6 @@ import type { TextKey } from "../blocks/words";
 import type { BlockDrawing } from "../editor/block_drawings";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { TEST } from "../shell/testids";
 import { FilmPicture } from "./FilmPicture";
 import { filmOf } from "./film";
 import { useHelpContent } from "./help_content";
@@ -18,7 +17,7 @@ export function BlockList({ drawings }: BlockListProps) {
   return (
     <ul class="help__blocks">
       {drawings.map((one) => (
-        <li key={one.type} data-testid={TEST.helpBlock} data-block={one.type}>
+        <li key={one.type} data-testid="help-block" data-block={one.type}>
           <HelpOfBlock drawing={one} />
         </li>
       ))}
@@ -41,7 +40,7 @@ function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
           icon={Plus}
           label={`${help.tryIt}: ${words}`}
           tip={help.tryItHelp}
-          testId={TEST.helpTry}
+          testId="help-try"
           onPress={({ currentTarget }) => {
             put(type);
             currentTarget.focus();

@@ -3,7 +3,6 @@ import type { Example } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { GoalPicture } from "../scene/goal/GoalPicture";
-import { TEST } from "../shell/testids";
 import { useHelpContent } from "./help_content";
 
 /** Examples; a press opens a copy. */
@@ -19,7 +18,7 @@ export function ExampleList({ examples }: { examples: readonly Example[] }) {
             kind="bare"
             class="help__example"
             tip={help.openExample}
-            testId={TEST.helpExample}
+            testId="help-example"
             data-example={one.name}
             onPress={() => openExample(open.program.group_id, one)}
           >

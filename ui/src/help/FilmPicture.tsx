@@ -6,7 +6,6 @@ import { GroundPicture, ThingsPicture } from "../scene/goal/GroundPicture";
 import { frameOf, type GoalFrame, HEIGHT, WIDTH } from "../scene/goal/goal_frame";
 import { WaitingRobot } from "../scene/PathPicture";
 import { paintOf } from "../scene/paints";
-import { TEST } from "../shell/testids";
 import { prefersStill } from "../shell/theme";
 import { driven, type Film, floorOf, poseAt } from "./film";
 import { usePlaying } from "./playing";
@@ -24,7 +23,7 @@ export function FilmPicture({ film, words }: FilmPictureProps) {
   const picture = <Floor film={film} part={part} />;
   if (isStill) {
     return (
-      <div class="help__film" data-testid={TEST.helpFilm}>
+      <div class="help__film" data-testid="help-film">
         {picture}
       </div>
     );
@@ -36,7 +35,7 @@ export function FilmPicture({ film, words }: FilmPictureProps) {
       elementRef={place}
       label={`${texts.value.help.playFilm}: ${words}`}
       tip={texts.value.help.playFilm}
-      testId={TEST.helpFilm}
+      testId="help-film"
       data-part={part.toFixed(2)}
       onPress={play}
     >

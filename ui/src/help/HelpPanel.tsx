@@ -10,7 +10,6 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { Tabs } from "../kit/Tabs";
 import { helpIsOpen } from "../shell/help";
 import { level, offered } from "../shell/level";
-import { TEST } from "../shell/testids";
 import { theme } from "../shell/theme";
 import type { StudioControl } from "../studio/studio_control";
 import { BlockList } from "./BlockList";
@@ -34,7 +33,7 @@ export function HelpPanel({ control }: { control: StudioControl }) {
       <section
         class="help card"
         aria-label={texts.value.header.help}
-        data-testid={TEST.helpPanel}
+        data-testid="help-panel"
         onKeyDown={(event) => event.key === "Escape" && close()}
       >
         <Head query={query} />
@@ -121,13 +120,13 @@ function Head({ query }: { query: Signal<string> }) {
           placeholder={help.search}
           spellcheck={false}
           value={query.value}
-          data-testid={TEST.helpSearch}
+          data-testid="help-search"
           onInput={(event) => {
             query.value = event.currentTarget.value;
           }}
         />
       </label>
-      <Button kind="plain" icon={X} label={trouble.close} testId={TEST.helpClose} onPress={close} />
+      <Button kind="plain" icon={X} label={trouble.close} testId="help-close" onPress={close} />
     </div>
   );
 }
@@ -137,7 +136,7 @@ function TabRow({ tab }: { tab: Signal<Tab> }) {
   return (
     <Tabs
       label={texts.value.header.help}
-      testId={TEST.helpTab}
+      testId="help-tab"
       value={tab.value}
       options={TABS.map((name) => [name, help.tabs[name], { "data-tab": name }])}
       onChange={(wanted) => {

@@ -1,5 +1,4 @@
 import { texts } from "../i18n";
-import { TEST } from "../shell/testids";
 import { BlockList } from "./BlockList";
 import { ExampleList } from "./ExampleList";
 import { useHelpContent } from "./help_content";
@@ -22,7 +21,7 @@ function Task({ name }: { name: TaskName }) {
   const wanted: { blocks: readonly string[]; examples: readonly string[] } = TASKS[name];
   const offered = drawings.all.filter(({ type }) => wanted.blocks.includes(type));
   return (
-    <section class="help__task" data-testid={TEST.helpTask} data-task={name}>
+    <section class="help__task" data-testid="help-task" data-task={name}>
       <h2>{help.tasks[name]}</h2>
       <BlockList drawings={offered} />
       {offered.length < wanted.blocks.length && <p class="help__more">{help.moreInLevel}</p>}

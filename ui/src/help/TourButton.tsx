@@ -4,7 +4,6 @@ import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { helpIsOpen, tourFor } from "../shell/help";
 import { go } from "../shell/route";
-import { TEST } from "../shell/testids";
 import type { OpenProgram } from "../studio/program/open_program";
 import { useHelpContent } from "./help_content";
 
@@ -12,7 +11,7 @@ import { useHelpContent } from "./help_content";
 export function TourButton() {
   const { open } = useHelpContent();
   return (
-    <Button icon={Route} testId={TEST.helpTour} onPress={() => begin(open)}>
+    <Button icon={Route} testId="help-tour" onPress={() => begin(open)}>
       {texts.value.help.tour.title}
     </Button>
   );

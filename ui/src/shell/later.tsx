@@ -7,7 +7,6 @@ import { Button } from "../kit/Button";
 import { wordsOf } from "../kit/requests/problem";
 import { ToStart } from "../kit/ToStart";
 import { connection, problem, refreshStatus, report } from "./session";
-import { TEST } from "./testids";
 
 /** Imports a lazy part, together with the texts and styles of all lazy parts. */
 export async function fetchPart<Part>(load: () => Promise<Part>): Promise<Part> {
@@ -68,7 +67,7 @@ function NotFetched() {
   return (
     <main class="screen waiting">
       <div class="waiting__ways">
-        <Button icon={RotateCw} testId={TEST.fetchAgain} onPress={again}>
+        <Button icon={RotateCw} testId="fetch-again" onPress={again}>
           {texts.value.saved.retry}
         </Button>
         <ToStart />

@@ -14,7 +14,6 @@ import { groupsAndClasses } from "../shell/first_answers";
 import { hashOf } from "../shell/route";
 import { group, program, report } from "../shell/session";
 import { loadTeacherSession, teacherSession } from "../shell/teacher/teacher_session";
-import { TEST } from "../shell/testids";
 import { OpenLessonFile } from "../work/OpenLessonFile";
 import { BringIn } from "../work/ProgramFile";
 import { GroupCard } from "./GroupCard";
@@ -137,7 +136,7 @@ function FirstGroup({ onLesson }: LessonFileProps) {
           <a
             class="prepare"
             href={hashOf({ screen: "teacher", part: "lessons" })}
-            data-testid={TEST.prepare}
+            data-testid="prepare"
           >
             <GraduationCap class="icon prepare__icon" aria-hidden="true" />
             <span class="prepare__words">
@@ -172,7 +171,7 @@ function PracticeLink() {
       class="start__practice"
       icon={Hand}
       href={hashOf({ screen: "practice" })}
-      testId={TEST.practice}
+      testId="practice"
     >
       {texts.value.titles.practice}
     </LinkButton>
@@ -187,7 +186,7 @@ function TeacherLink() {
       class="start__teacher-link"
       icon={teacherSession.value?.is_open ? DoorOpen : DoorClosed}
       href={hashOf({ screen: "teacher", part: "lessons" })}
-      testId={TEST.teacherLink}
+      testId="teacher-link"
     >
       {texts.value.classes.door}
     </LinkButton>

@@ -12,7 +12,6 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { hashOf, TEACHER_PARTS, type TeacherPart } from "../shell/route";
-import { TEST } from "../shell/testids";
 import { CameraPart } from "./camera/CameraPart";
 import { ClassesPart } from "./classes/ClassesPart";
 import { ComputerPart } from "./computer/ComputerPart";
@@ -70,7 +69,7 @@ function PartLinks({ part }: TeacherScreenProps) {
             class="teacher__link"
             href={hashOf({ screen: "teacher", part: one })}
             aria-current={one === part ? "page" : undefined}
-            data-testid={TEST.teacherPart}
+            data-testid="teacher-part"
             data-part={one}
           >
             <Icon class="icon" aria-hidden="true" />

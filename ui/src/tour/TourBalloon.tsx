@@ -5,7 +5,6 @@ import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { useInstance } from "../kit/instance";
 import { beginActivity } from "../shell/begin_activity";
-import { TEST } from "../shell/testids";
 import type { StudioControl } from "../studio/studio_control";
 import { type Progress, STEPS, type Step } from "./steps";
 import { useTargets } from "./targets";
@@ -29,7 +28,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
         <div
           key={index}
           class="tour__ring"
-          data-testid={TEST.tourRing}
+          data-testid="tour-ring"
           style={{ left: x, top: y, width, height }}
         />
       ))}
@@ -50,7 +49,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
         class="tour card"
         aria-label={words.title}
         tabIndex={-1}
-        data-testid={TEST.tour}
+        data-testid="tour"
         data-step={step}
         style={{ left: corner.x, top: corner.y }}
         onKeyDown={({ key }) => key === "Escape" && tour.end()}
@@ -122,12 +121,12 @@ function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: Stu
       <div class="tour__buttons">
         <Button
           kind="main"
-          testId={TEST.tourMission}
+          testId="tour-mission"
           onPress={() => beginActivity(group, FIRST_MISSION)}
         >
           {words.mission}
         </Button>
-        <Button testId={TEST.tourFree} onPress={() => tour.end()}>
+        <Button testId="tour-free" onPress={() => tour.end()}>
           {words.free}
         </Button>
       </div>
@@ -136,16 +135,16 @@ function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: Stu
   return (
     <div class="tour__buttons">
       {step === "hello" && (
-        <Button kind="main" testId={TEST.tourGo} onPress={() => tour.next()}>
+        <Button kind="main" testId="tour-go" onPress={() => tour.next()}>
           {words.go}
         </Button>
       )}
       {tour.canShow.value && step !== "watch" && step !== "hello" && (
-        <Button testId={TEST.tourShow} onPress={() => tour.show()}>
+        <Button testId="tour-show" onPress={() => tour.show()}>
           {words.show}
         </Button>
       )}
-      <Button testId={TEST.tourSkip} onPress={() => tour.end()}>
+      <Button testId="tour-skip" onPress={() => tour.end()}>
         {words.skip}
       </Button>
     </div>

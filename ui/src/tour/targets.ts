@@ -1,6 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
 import * as robot from "../run/live";
-import { TEST } from "../shell/testids";
 import type { StudioControl } from "../studio/studio_control";
 import { type Box, placeBeside, ringOf, shared } from "./places";
 import type { Step } from "./steps";
@@ -67,7 +66,7 @@ interface Parts {
 function partsOf(step: Step, control: StudioControl): Parts {
   switch (step) {
     case "hello":
-      return { rings: boxes(byId(TEST.scene)) };
+      return { rings: boxes(byId("scene")) };
     case "watch":
       return driving(control);
     case "move":
@@ -75,20 +74,20 @@ function partsOf(step: Step, control: StudioControl): Parts {
     case "turn":
       return dragParts("turn", control);
     case "run":
-      return { rings: boxes(byId(TEST.run)), beside: boxOf(byId(TEST.statusLine)) };
+      return { rings: boxes(byId("run")), beside: boxOf(byId("status-line")) };
     case "again":
       return robot.isRunning.peek()
         ? driving(control)
-        : { rings: boxes(byId(TEST.run)), beside: boxOf(byId(TEST.statusLine)) };
+        : { rings: boxes(byId("run")), beside: boxOf(byId("status-line")) };
     case "end":
-      return { rings: boxes(byId(TEST.savedMark), byId(TEST.stop)) };
+      return { rings: boxes(byId("saved-mark"), byId("stop")) };
   }
 }
 
 /** The block that runs, and the floor. */
 function driving({ editor }: StudioControl): Parts {
   return {
-    rings: [inEditor(boxOf(editor?.elements.running())), boxOf(byId(TEST.scene))].filter(isThere),
+    rings: [inEditor(boxOf(editor?.elements.running())), boxOf(byId("scene"))].filter(isThere),
   };
 }
 
@@ -119,7 +118,7 @@ const isThere = (box: Box | null): box is Box => box !== null;
 
 /** Of a block the part that the editor shows. */
 function inEditor(block: Box | null): Box | null {
-  const pane = boxOf(byId(TEST.editor));
+  const pane = boxOf(byId("editor"));
   return block && pane && shared(block, pane);
 }
 

@@ -7,7 +7,6 @@ import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { WayBack } from "../kit/WayBack";
 import { group } from "../shell/session";
-import { TEST } from "../shell/testids";
 import { couldNotOpen } from "../studio/program/open_program";
 import { Bin } from "./Bin";
 import { startProgram } from "./entering";
@@ -77,7 +76,7 @@ function Programs({ work }: { work: GroupWork }) {
             kind="bare"
             class="work__new"
             icon={Plus}
-            testId={TEST.newProgram}
+            testId="new-program"
             onPress={() => startProgram(work.groupId, work.programs)}
           >
             {words.newProgram}
@@ -141,7 +140,7 @@ function WayBackFromBin({ shelf }: { shelf: ProgramShelf }) {
       <WayBack
         words={keeping.thrown(thrown.name)}
         action={keeping.undo}
-        testId={TEST.throwBack}
+        testId="throw-back"
         onBack={() => shelf.takeBack(thrown)}
         onClose={() => {
           shelf.thrown.value = null;

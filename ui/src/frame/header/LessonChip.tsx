@@ -4,7 +4,6 @@ import { language, texts } from "../../i18n";
 import { isRunning } from "../../run/live";
 import { lesson, loadOpenLesson } from "../../shell/lesson";
 import { group } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 import { LessonGoal } from "./LessonGoal";
 
 /** The teacher may open a lesson in another window while the group is at work. */
@@ -27,7 +26,7 @@ export function LessonChip() {
   if (!now) return null;
   const whole = [texts.value.classes.lesson(now.title), now.activity].filter(Boolean).join(" · ");
   return (
-    <div class="lesson-chip" title={whole} data-testid={TEST.lessonChip}>
+    <div class="lesson-chip" title={whole} data-testid="lesson-chip">
       {now.goal ? (
         <LessonGoal activity={now.activity || now.title} goal={now.goal} />
       ) : (

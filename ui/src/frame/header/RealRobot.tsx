@@ -8,7 +8,6 @@ import { RobotState } from "../../run/real/RobotState";
 import { EMERGENCY_KEY, emergencyStop, movingLink } from "../../run/real/real_robot";
 import { watchRobot } from "../../run/real/robot_state";
 import { report } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 
 const halt = () => void emergencyStop().catch(report);
 
@@ -26,18 +25,18 @@ export function RealRobot() {
     <section
       class="real-robot"
       aria-label={`${robot.real}: ${robotWords(link)}`}
-      data-testid={TEST.realRobot}
+      data-testid="real-robot"
     >
       <span class="real-robot__words">
         <strong>{robot.real}</strong>
-        <RobotState link={link} testId={TEST.robotState} />
+        <RobotState link={link} testId="robot-state" />
       </span>
       <Button
         class="real-robot__stop"
         kind="stop"
         icon={OctagonX}
         tip={`${robot.emergencyHelp} (${EMERGENCY_KEY})`}
-        testId={TEST.emergencyStop}
+        testId="emergency-stop"
         aria-keyshortcuts={EMERGENCY_KEY}
         onPress={halt}
       >

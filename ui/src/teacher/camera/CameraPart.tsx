@@ -4,7 +4,6 @@ import { CameraPicture } from "../../camera/CameraPicture";
 import { NowSeen } from "../../camera/NowSeen";
 import { texts } from "../../i18n";
 import { useInstance } from "../../kit/instance";
-import { TEST } from "../../shell/testids";
 import { CameraCheck, type Finding, POINTS, type Point } from "./camera_check";
 
 /** The teacher tries the camera before a lesson: what it sees, and whether it serves. It is on while this is shown. */
@@ -54,7 +53,7 @@ export function CameraPart() {
 function Ready({ isReady }: { isReady: boolean }) {
   const { camera: say } = texts.value.teacher;
   return (
-    <p class="camera-try__ready" role="status" data-testid={TEST.cameraReady} data-ready={isReady}>
+    <p class="camera-try__ready" role="status" data-testid="camera-ready" data-ready={isReady}>
       {isReady ? say.ready : say.notReady}
     </p>
   );
@@ -73,7 +72,7 @@ function Found({ point, finding, sign }: FoundProps) {
   return (
     <li
       class="camera-try__point"
-      data-testid={TEST.cameraPoint}
+      data-testid="camera-point"
       data-name={point}
       data-finding={finding}
     >

@@ -1,6 +1,5 @@
 import { useComputed } from "@preact/signals";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 import type { EditorStore } from "../editor_store";
 import { isOuter, ofKind, type Thing } from "../plan";
 import { nameOf } from "../words";
@@ -67,7 +66,7 @@ function Outline({ store, view, thing, index, isFaulty }: OutlineProps) {
       data-kind={thing.kind}
       data-index={index}
       data-faulty={isFaulty}
-      data-testid={TEST.worldThing}
+      data-testid="world-thing"
       onFocus={() => store.select(thing.id)}
     >
       <path class="outline__reach" d={path} />
@@ -95,7 +94,7 @@ function StartOutline({ store, view, isFaulty }: StartOutlineProps) {
       data-thing="start"
       data-kind="start"
       data-faulty={isFaulty}
-      data-testid={TEST.worldThing}
+      data-testid="world-thing"
       onFocus={() => store.select("start")}
     >
       <circle class="outline__reach" cx={x} cy={y} r={r} />

@@ -9,7 +9,6 @@ import type { Companion } from "../../../scene/companion";
 import { Scene } from "../../../scene/Scene";
 import { hashOf } from "../../../shell/route";
 import { reviewOrigin } from "../../../shell/teacher/review_origin";
-import { TEST } from "../../../shell/testids";
 import { ComparedRun } from "./ComparedRun";
 import type { LoadedPair } from "./load_pair";
 import { PairDifferences } from "./PairDifferences";
@@ -22,7 +21,7 @@ export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
   const view = useSignal<View>("apart");
   const isTogether = view.value === "together";
   return (
-    <main class={`screen replay compare compare--${view.value}`} data-testid={TEST.comparePage}>
+    <main class={`screen replay compare compare--${view.value}`} data-testid="compare-page">
       <Head pair={pair} view={view}>
         {blocks && <PairDifferences blocks={blocks} isOneProgram={isOneProgram} />}
       </Head>
@@ -70,7 +69,7 @@ function Head({ pair, view, children }: HeadProps) {
         label={say.view}
         legendClass="switch__word"
         optionClass=""
-        testId={TEST.compareView}
+        testId="compare-view"
         value={view.value}
         options={[
           ["apart", say.apart],

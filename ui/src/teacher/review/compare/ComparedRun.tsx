@@ -7,7 +7,6 @@ import { ReplayWords } from "../../../replay/ReplayParts";
 import { Readout } from "../../../run/panels/Readout";
 import { RobotName } from "../../../run/real/RobotName";
 import { Scene } from "../../../scene/Scene";
-import { TEST } from "../../../shell/testids";
 import { outcomeOf } from "../model";
 import { OutcomeSign } from "../OutcomeSign";
 import type { PairBlocks } from "./load_pair";
@@ -33,7 +32,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
       class={`compare__side compare__side--${number} tinted`}
       style={group ? { "--group": group.color } : {}}
       aria-label={`${number}: ${title}`}
-      data-testid={TEST.compareSide}
+      data-testid="compare-side"
       data-phase={side.view.value.phase}
       data-tick={side.view.value.tick}
     >
@@ -71,7 +70,7 @@ function HintsOpened({ side }: Pick<RunHeadProps, "side">) {
   if (!setup?.activity) return null;
   const words = texts.value.review.detail.hintsRead(setup.n_hints);
   return (
-    <span class="compare__hints" title={words} data-testid={TEST.compareHints}>
+    <span class="compare__hints" title={words} data-testid="compare-hints">
       <Lightbulb class="icon" aria-hidden="true" />
       <span aria-hidden="true">{setup.n_hints}</span>
       <span class="visually-hidden">{words}</span>

@@ -2,7 +2,6 @@ import { useSignalEffect } from "@preact/signals";
 import { ChevronDown, ChevronUp } from "lucide-preact";
 import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
-import { TEST } from "../../../shell/testids";
 import { Sign } from "../../../versions/Sign";
 import type { PairBlocks } from "./load_pair";
 
@@ -28,14 +27,14 @@ export function PairDifferences({ blocks, isOneProgram }: PairDifferencesProps) 
         icon={ChevronUp}
         label={keeping.previous}
         disabled={count < 2}
-        testId={TEST.differencePrevious}
+        testId="difference-previous"
         onPress={() => blocks.step(-1)}
       />
       <Button
         icon={ChevronDown}
         label={keeping.next}
         disabled={count < 2}
-        testId={TEST.differenceNext}
+        testId="difference-next"
         onPress={() => blocks.step(1)}
       />
     </section>
@@ -52,7 +51,7 @@ function Difference({ blocks }: { blocks: PairBlocks }) {
       class="compare__difference"
       aria-live="polite"
       title={words}
-      data-testid={TEST.difference}
+      data-testid="difference"
       data-kind={kinds[0]}
     >
       {kinds.map((kind) => (

@@ -5,7 +5,6 @@ import { language, texts } from "../../../i18n";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { valueIn } from "../../../kit/requests/load_state";
 import { useScrollPlace } from "../../../kit/scroll_place";
-import { TEST } from "../../../shell/testids";
 import { RequireTeacher } from "../../sign_in/RequireTeacher";
 import { useProgress } from "../../useProgress";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
@@ -63,10 +62,10 @@ function Lesson({ page, refresh }: LessonProps) {
   const main = useScrollPlace(place, true);
   const hasRuns = groups.some(({ figures }) => figures.n_runs > 0);
   return (
-    <main class="screen lesson" ref={main} data-testid={TEST.lessonPage}>
+    <main class="screen lesson" ref={main} data-testid="lesson-page">
       <LessonHead page={page} place={place} refresh={refresh} />
       {groups.length === 0 ? (
-        <EmptyList title={say.emptyTitle} text={say.empty} testId={TEST.lessonEmpty} />
+        <EmptyList title={say.emptyTitle} text={say.empty} testId="lesson-empty" />
       ) : (
         <>
           <Legend />
