@@ -8,6 +8,7 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { GoalPicture } from "../scene/goal/GoalPicture";
 import { beginActivity } from "../shell/begin_activity";
 import { nameInHeader } from "../shell/named";
+import type { ParametersOf } from "../shell/route";
 import { couldNotOpen, opened } from "../studio/program/open_program";
 import { Examples } from "./Examples";
 
@@ -20,7 +21,7 @@ interface Offer {
 }
 
 /** All activities as cards along their paths, and examples; a press opens the group's program for it. */
-export function ActivitiesScreen({ group }: { group: string }) {
+export function ActivitiesScreen({ group }: ParametersOf<"activities">) {
   const offer = useLoaded([group, language.value], () => load(group), { onFailed: couldNotOpen });
   const { activity } = texts.value;
   return (

@@ -2,7 +2,7 @@ import type { Example } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { GoalPicture } from "../scene/goal/GoalPicture";
-import { openExample } from "./open_example";
+import { openExample } from "../studio/program/open_example";
 
 interface ExamplesProps {
   examples: readonly Example[];

@@ -8,9 +8,16 @@ import { wordsOf } from "../kit/requests/problem";
 import { ToStart } from "../kit/ToStart";
 import { connection, problem, refreshStatus, report } from "./session";
 
+let fetchStyles: () => Promise<unknown> = async () => {};
+
+/** Says how the styles of all lazy parts are fetched: their list names parts that the shell does not know. */
+export function setLaterStyles(fetch: () => Promise<unknown>): void {
+  fetchStyles = fetch;
+}
+
 /** Imports a lazy part, together with the texts and styles of all lazy parts. */
 export async function fetchPart<Part>(load: () => Promise<Part>): Promise<Part> {
-  const [part] = await Promise.all([load(), import("../styles_later"), fetchLaterTexts()]);
+  const [part] = await Promise.all([load(), fetchStyles(), fetchLaterTexts()]);
   return part;
 }
 

@@ -6,6 +6,7 @@ import { Button } from "../kit/Button";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { WayBack } from "../kit/WayBack";
+import type { ParametersOf } from "../shell/route";
 import { group } from "../shell/session";
 import { couldNotOpen } from "../studio/program/open_program";
 import { Bin } from "./Bin";
@@ -43,7 +44,7 @@ class GroupWork {
 }
 
 /** A group's programs and runs, with pictures of their paths. */
-export function WorkScreen({ group: groupId }: { group: string }) {
+export function WorkScreen({ group: groupId }: ParametersOf<"work">) {
   const work = useLoaded(groupId, () => new GroupWork(groupId).load(), { onFailed: couldNotOpen });
   return (
     <Loaded of={work} as="screen">

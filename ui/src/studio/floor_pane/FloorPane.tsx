@@ -19,7 +19,7 @@ import { prepareCapture } from "./CapturePanel";
 import { Stage } from "./Stage";
 
 const PastRun = later(async () => (await import("./PastRun")).PastRun);
-const HelpPanel = later(async () => (await import("../../help/HelpPanel")).HelpPanel);
+const HelpPanel = later(async () => (await import("../help/HelpPanel")).HelpPanel);
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);

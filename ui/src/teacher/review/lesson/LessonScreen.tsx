@@ -5,6 +5,7 @@ import { language, texts } from "../../../i18n";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { valueIn } from "../../../kit/requests/load_state";
 import { useScrollPlace } from "../../../kit/scroll_place";
+import type { ParametersOf } from "../../../shell/route";
 import { RequireTeacher } from "../../sign_in/RequireTeacher";
 import { useProgress } from "../../useProgress";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
@@ -19,7 +20,7 @@ import { placeOf } from "./lesson_place";
 import { type LessonPage, loadLesson } from "./load_lesson";
 
 /** The review of a lesson: a timeline for each group. */
-export function LessonScreen({ lesson }: { lesson: string }) {
+export function LessonScreen({ lesson }: ParametersOf<"lesson">) {
   return (
     <RequireTeacher>
       <LoadedLesson lessonId={lesson} />

@@ -1,17 +1,13 @@
-import { texts } from "../../../i18n";
-import { Loaded } from "../../../kit/requests/Loaded";
-import { useLoaded } from "../../../kit/requests/useLoaded";
-import { RequireTeacher } from "../../sign_in/RequireTeacher";
+import { texts } from "../../i18n";
+import { Loaded } from "../../kit/requests/Loaded";
+import { useLoaded } from "../../kit/requests/useLoaded";
+import type { ParametersOf } from "../../shell/route";
+import { RequireTeacher } from "../../teacher/sign_in/RequireTeacher";
 import { Compare } from "./Compare";
 import { loadPair } from "./load_pair";
 
-interface CompareScreenProps {
-  first: string;
-  second: string;
-}
-
 /** Two runs side by side with a shared playback clock. */
-export function CompareScreen(runs: CompareScreenProps) {
+export function CompareScreen(runs: ParametersOf<"compare">) {
   return (
     <RequireTeacher>
       <LoadedPair {...runs} />
@@ -19,7 +15,7 @@ export function CompareScreen(runs: CompareScreenProps) {
   );
 }
 
-function LoadedPair({ first, second }: CompareScreenProps) {
+function LoadedPair({ first, second }: ParametersOf<"compare">) {
   const loaded = useLoaded(`${first} ${second}`, () => loadPair(first, second), {
     release: ({ pair, blocks }) => {
       pair.dispose();

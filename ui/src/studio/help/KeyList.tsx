@@ -1,5 +1,5 @@
-import { saysAll, wordsOf } from "../blocks/toolbox/search";
-import { texts } from "../i18n";
+import { saysAll, wordsOf } from "../../blocks/toolbox/search";
+import { texts } from "../../i18n";
 import { keyGroups } from "./keys";
 
 /** The keys, or those whose words the query finds. */

@@ -1,9 +1,9 @@
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
-import type { Example } from "../api/model";
-import type { BlockType } from "../blocks/definitions";
-import type { BlockDrawings } from "../editor/block_drawings";
-import type { OpenProgram } from "../studio/program/open_program";
+import type { Example } from "../../api/model";
+import type { BlockType } from "../../blocks/definitions";
+import type { BlockDrawings } from "../../editor/block_drawings";
+import type { OpenProgram } from "../program/open_program";
 
 /** What the parts of the help show, and what they do in the studio. */
 export interface HelpContent {

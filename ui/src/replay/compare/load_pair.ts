@@ -1,10 +1,10 @@
-import { api } from "../../../api/client";
-import type { Group, RunWithVersion, VersionDifference } from "../../../api/model";
-import { versionsApi } from "../../../api/versions";
-import { loadRecording } from "../../../replay/recording";
-import { report } from "../../../shell/session";
-import { ComparedBlocks } from "../../../versions/compared_blocks";
-import type { ComparedWorkspaces } from "../../../versions/differences";
+import { api } from "../../api/client";
+import type { Group, RunWithVersion, VersionDifference } from "../../api/model";
+import { versionsApi } from "../../api/versions";
+import { report } from "../../shell/session";
+import { ComparedBlocks } from "../../versions/compared_blocks";
+import type { ComparedWorkspaces } from "../../versions/differences";
+import { loadRecording } from "../recording";
 import { Pair } from "./pair";
 
 export type PairBlocks = ComparedBlocks<ComparedWorkspaces>;

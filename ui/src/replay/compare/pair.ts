@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { Recording } from "../../../replay/recording";
-import type { Playback } from "../../../run/playback";
-import type { Pose, RunView } from "../../../run/reducer";
+import type { Playback } from "../../run/playback";
+import type { Pose, RunView } from "../../run/reducer";
+import type { Recording } from "../recording";
 
 /** One of two runs at the time of the shared clock. */
 export interface Side {

@@ -1,4 +1,4 @@
-import { texts } from "../i18n";
+import { texts } from "../../i18n";
 import { BlockList } from "./BlockList";
 import { ExampleList } from "./ExampleList";
 import { useHelpContent } from "./help_content";

@@ -1,8 +1,8 @@
-import { openExample } from "../activities/open_example";
-import type { Example } from "../api/model";
-import { texts } from "../i18n";
-import { Button } from "../kit/Button";
-import { GoalPicture } from "../scene/goal/GoalPicture";
+import type { Example } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { openExample } from "../program/open_example";
 import { useHelpContent } from "./help_content";
 
 /** Examples; a press opens a copy. */

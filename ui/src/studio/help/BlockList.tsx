@@ -1,9 +1,9 @@
 import { Plus } from "lucide-preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { TextKey } from "../blocks/words";
-import type { BlockDrawing } from "../editor/block_drawings";
-import { texts } from "../i18n";
-import { Button } from "../kit/Button";
+import type { TextKey } from "../../blocks/words";
+import type { BlockDrawing } from "../../editor/block_drawings";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
 import { FilmPicture } from "./FilmPicture";
 import { filmOf } from "./film";
 import { useHelpContent } from "./help_content";

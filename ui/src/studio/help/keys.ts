@@ -1,6 +1,6 @@
-import type { Texts } from "../i18n";
-import { EMERGENCY_KEY } from "../run/real/real_robot";
-import { ACTIONS } from "../studio/run_bar/actions";
+import type { Texts } from "../../i18n";
+import { EMERGENCY_KEY } from "../../run/real/real_robot";
+import { ACTIONS } from "../run_bar/actions";
 
 export interface KeyRow {
   /** Alternatives, each of keys pressed together. */

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
-import * as robot from "../run/live";
-import type { StudioControl } from "../studio/studio_control";
+import * as robot from "../../run/live";
+import type { StudioControl } from "../studio_control";
 import { type Box, placeBeside, ringOf, shared } from "./places";
 import type { Step } from "./steps";
 

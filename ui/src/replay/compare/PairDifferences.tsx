@@ -1,8 +1,8 @@
 import { useSignalEffect } from "@preact/signals";
 import { ChevronDown, ChevronUp } from "lucide-preact";
-import { texts } from "../../../i18n";
-import { Button } from "../../../kit/Button";
-import { Sign } from "../../../versions/Sign";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Sign } from "../../versions/Sign";
 import type { PairBlocks } from "./load_pair";
 
 interface PairDifferencesProps {

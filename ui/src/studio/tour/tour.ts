@@ -1,8 +1,8 @@
 import { effect, signal } from "@preact/signals";
-import * as robot from "../run/live";
-import { TOUR_OVER, tourFor, tourSteps } from "../shell/help";
-import { report } from "../shell/session";
-import type { StudioControl } from "../studio/studio_control";
+import * as robot from "../../run/live";
+import { TOUR_OVER, tourFor, tourSteps } from "../../shell/help";
+import { report } from "../../shell/session";
+import type { StudioControl } from "../studio_control";
 import { advanced, after, beginning, isStep, type Progress, type Seen } from "./steps";
 
 /** After this time in a step the pupils may have it shown. */

@@ -1,12 +1,12 @@
 import { Play } from "lucide-preact";
 import { useMemo } from "preact/hooks";
-import { texts } from "../i18n";
-import { Button } from "../kit/Button";
-import { GroundPicture, ThingsPicture } from "../scene/goal/GroundPicture";
-import { frameOf, type GoalFrame, HEIGHT, WIDTH } from "../scene/goal/goal_frame";
-import { WaitingRobot } from "../scene/PathPicture";
-import { paintOf } from "../scene/paints";
-import { prefersStill } from "../shell/theme";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { GroundPicture, ThingsPicture } from "../../scene/goal/GroundPicture";
+import { frameOf, type GoalFrame, HEIGHT, WIDTH } from "../../scene/goal/goal_frame";
+import { WaitingRobot } from "../../scene/PathPicture";
+import { paintOf } from "../../scene/paints";
+import { prefersStill } from "../../shell/theme";
 import { driven, type Film, floorOf, poseAt } from "./film";
 import { usePlaying } from "./playing";
 

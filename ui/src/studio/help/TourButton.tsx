@@ -1,10 +1,10 @@
 import { Route } from "lucide-preact";
-import { api } from "../api/client";
-import { texts } from "../i18n";
-import { Button } from "../kit/Button";
-import { helpIsOpen, tourFor } from "../shell/help";
-import { go } from "../shell/route";
-import type { OpenProgram } from "../studio/program/open_program";
+import { api } from "../../api/client";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { helpIsOpen, tourFor } from "../../shell/help";
+import { go } from "../../shell/route";
+import type { OpenProgram } from "../program/open_program";
 import { useHelpContent } from "./help_content";
 
 /** Begins the guided first drive again. */

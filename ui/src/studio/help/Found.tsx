@@ -1,5 +1,5 @@
-import { saysAll, wordsOf } from "../blocks/toolbox/search";
-import { texts } from "../i18n";
+import { saysAll, wordsOf } from "../../blocks/toolbox/search";
+import { texts } from "../../i18n";
 import { BlockList } from "./BlockList";
 import { ExampleList } from "./ExampleList";
 import { useHelpContent } from "./help_content";

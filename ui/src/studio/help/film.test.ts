@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { definitionOf } from "../blocks/definitions";
+import { definitionOf } from "../../blocks/definitions";
 import { driven, type Film, filmOf, poseAt, screenSeconds } from "./film";
 import films from "./films.json";
 

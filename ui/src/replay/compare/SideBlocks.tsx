@@ -1,10 +1,10 @@
 import { effect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import type { BlocksReader } from "../../../editor/reader/reader";
-import { texts } from "../../../i18n";
-import { litBlock } from "../../../run/reducer";
-import { report } from "../../../shell/session";
-import { ReadBlocks } from "../../../versions/ReadBlocks";
+import type { BlocksReader } from "../../editor/reader/reader";
+import { texts } from "../../i18n";
+import { litBlock } from "../../run/reducer";
+import { report } from "../../shell/session";
+import { ReadBlocks } from "../../versions/ReadBlocks";
 import type { PairBlocks } from "./load_pair";
 import type { Side } from "./pair";
 

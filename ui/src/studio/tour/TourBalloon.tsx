@@ -1,11 +1,11 @@
 import { Check, Hand } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import type { TextKey } from "../blocks/words";
-import { texts } from "../i18n";
-import { Button } from "../kit/Button";
-import { useInstance } from "../kit/instance";
-import { beginActivity } from "../shell/begin_activity";
-import type { StudioControl } from "../studio/studio_control";
+import type { TextKey } from "../../blocks/words";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { useInstance } from "../../kit/instance";
+import { beginActivity } from "../../shell/begin_activity";
+import type { StudioControl } from "../studio_control";
 import { type Progress, STEPS, type Step } from "./steps";
 import { useTargets } from "./targets";
 import { Tour } from "./tour";

@@ -1,5 +1,5 @@
-import type { GoalPicture, World } from "../api/model";
-import type { BlockType } from "../blocks/definitions";
+import type { GoalPicture, World } from "../../api/model";
+import type { BlockType } from "../../blocks/definitions";
 import films from "./films.json";
 
 /** x and y in metres, heading in degrees without jumps; in the start frame. */

@@ -1,4 +1,4 @@
-import type { BlockType } from "../blocks/definitions";
+import type { BlockType } from "../../blocks/definitions";
 
 /** What pupils want to do, each with the blocks for it and with examples of it; words are in `texts.help.tasks`. */
 export const TASKS = {
