@@ -1,6 +1,7 @@
 import { BookOpen } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { language, texts } from "../../i18n";
+import { usePolling } from "../../kit/usePolling";
 import { isRunning } from "../../run/live";
 import { lesson, loadOpenLesson } from "../../shell/lesson";
 import { group } from "../../shell/session";
@@ -12,16 +13,9 @@ const EVERY_MS = 15_000;
 /** Title and activity of the open lesson. */
 export function LessonChip() {
   const classroom = group.value?.classroom_id ?? null;
-  useEffect(() => {
-    const look = () => document.visibilityState === "visible" && void loadOpenLesson();
-    look();
-    const timer = setInterval(look, EVERY_MS);
-    document.addEventListener("visibilitychange", look);
-    return () => {
-      clearInterval(timer);
-      document.removeEventListener("visibilitychange", look);
-    };
-  }, [classroom, language.value, isRunning.value]); // a run is graded by the activity of the lesson
+  // a run is graded by the activity of the lesson
+  useEffect(() => void loadOpenLesson(), [classroom, language.value, isRunning.value]);
+  usePolling(loadOpenLesson, { everyMs: EVERY_MS });
   const now = lesson.value;
   if (!now) return null;
   const whole = [texts.value.classes.lesson(now.title), now.activity].filter(Boolean).join(" · ");

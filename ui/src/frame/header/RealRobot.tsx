@@ -6,7 +6,7 @@ import { listen } from "../../kit/listen";
 import { robotWords } from "../../run/real/RobotName";
 import { RobotState } from "../../run/real/RobotState";
 import { EMERGENCY_KEY, emergencyStop, movingLink } from "../../run/real/real_robot";
-import { watchRobot } from "../../run/real/robot_state";
+import { useWatchedRobot } from "../../run/real/robot_state";
 import { report } from "../../shell/session";
 
 const halt = () => void emergencyStop().catch(report);
@@ -18,7 +18,7 @@ export function RealRobot() {
     () => (link ? listen(window, { keydown: onKey }, { capture: true }) : undefined),
     [link],
   );
-  useEffect(() => (link ? watchRobot(link) : undefined), [link]);
+  useWatchedRobot(link);
   if (!link) return null;
   const { robot } = texts.value;
   return (

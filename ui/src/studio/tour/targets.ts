@@ -1,4 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
+import { usePolling } from "../../kit/usePolling";
 import * as robot from "../../run/live";
 import type { StudioControl } from "../studio_control";
 import { type Box, placeBeside, ringOf, shared } from "./places";
@@ -27,18 +28,12 @@ export function useTargets(
   balloon: { readonly current: HTMLElement | null },
 ): Targets {
   const [targets, setTargets] = useState(NOWHERE);
-  useEffect(() => {
-    let known = "";
-    const look = () => {
-      const found = targetsOf(step, control, balloon.current);
-      if (JSON.stringify(found) === known) return;
-      known = JSON.stringify(found);
-      setTargets(found);
-    };
-    look();
-    const timer = setInterval(look, LOOK_MS);
-    return () => clearInterval(timer);
-  }, [step, control]);
+  const look = () => {
+    const found = targetsOf(step, control, balloon.current);
+    setTargets((known) => (JSON.stringify(found) === JSON.stringify(known) ? known : found));
+  };
+  useEffect(look, [step, control]);
+  usePolling(look, { everyMs: LOOK_MS });
   return targets;
 }
 

@@ -11,7 +11,7 @@ import {
   placeOf,
   robotStates,
   type RobotState as State,
-  watchRobot,
+  useWatchedRobot,
 } from "../../run/real/robot_state";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { JogPad } from "./JogPad";
@@ -28,7 +28,7 @@ interface RobotNowProps {
 export function RobotNow({ robot, draft, fill }: RobotNowProps) {
   const { now: say } = texts.value.robotSetup;
   const { link } = robot;
-  useEffect(() => watchRobot(link), [link]);
+  useWatchedRobot(link);
   const [isUsed, setUsed] = useState(false);
   useEffect(() => setUsed(false), [robot]); // it was saved
   const state = robotStates.value[link];

@@ -5,9 +5,9 @@ import { language, texts } from "../../../i18n";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { valueIn } from "../../../kit/requests/load_state";
 import { useScrollPlace } from "../../../kit/scroll_place";
+import { usePolling } from "../../../kit/usePolling";
 import type { ParametersOf } from "../../../shell/route";
 import { RequireTeacher } from "../../sign_in/RequireTeacher";
-import { useProgress } from "../../useProgress";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { EmptyList } from "../EmptyList";
 import { TipBubble } from "../marks/TipBubble";
@@ -32,7 +32,7 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
   const page = useTeacherLoaded(`${lessonId} ${language.value}`, () => loadLesson(lessonId));
   const isWaiting = valueIn(page)?.review.groups.some(({ marks }) => marks.some(waits)) ?? false;
   // quietly: the rows stay, so that nothing that is open or read moves away; a failure is left to the next look
-  useProgress(isWaiting, () => loadLesson(lessonId).then(page.set, () => {}));
+  usePolling(() => loadLesson(lessonId).then(page.set, () => {}), { isOn: isWaiting });
   useEffect(() => {
     document.documentElement.dataset.page = "lesson"; // for print.css
     return () => {
