@@ -5,7 +5,7 @@ import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
-import { GoalPicture } from "../scene/goal/GoalPicture";
+import { GoalPicture } from "../scene/small/GoalPicture";
 import { beginActivity } from "../shell/begin_activity";
 import { nameInHeader } from "../shell/named";
 import type { ParametersOf } from "../shell/route";

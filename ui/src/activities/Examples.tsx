@@ -1,7 +1,7 @@
 import type { Example } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { GoalPicture } from "../scene/goal/GoalPicture";
+import { GoalPicture } from "../scene/small/GoalPicture";
 import { openExample } from "../studio/program/open_example";
 
 interface ExamplesProps {

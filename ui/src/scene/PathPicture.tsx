@@ -1,24 +1,16 @@
+import { frameOfPath, HEIGHT, pointsOf, WIDTH } from "./small/frame";
+import { Grid, Line, StartMark } from "./small/parts";
+
 type Points = readonly (readonly number[])[];
 
-const WIDTH = 240;
-const HEIGHT = 150;
-const MARGIN = 24;
-/** Scale limit in pixels per metre: a short path is not enlarged further, so that pictures can be compared. */
-const LARGEST_SCALE = 56;
+/** Where metres are smaller than this many pixels, the grid has lines every 5 m. */
+const DENSE = 12;
 
-interface Frame {
-  scale: number;
-  x: number;
-  y: number;
-}
-
-/** Small picture of a run's path, with a metre grid that shows its size. */
+/** Small picture of a run's path, with a grid that shows its size. */
 export function PathPicture({ path }: { path: Points }) {
-  const frame = frameOf(path);
-  const place = ([x = 0, y = 0]: readonly number[]) =>
-    [frame.x + x * frame.scale, frame.y - y * frame.scale] as const;
-  const [startX, startY] = place([0, 0]);
-  const last = path.at(-1);
+  const frame = frameOfPath(pointsOf(path));
+  const start = frame.place({ x: 0, y: 0 });
+  const last = pointsOf(path.slice(-1)).map(frame.place)[0];
   return (
     <svg
       class="path-picture"
@@ -26,27 +18,18 @@ export function PathPicture({ path }: { path: Points }) {
       preserveAspectRatio="xMidYMid slice"
       aria-hidden="true"
     >
-      <path class="path-picture__grid" d={grid(frame)} />
-      {path.length > 1 && (
-        <polyline
-          class="path-picture__path"
-          points={path.map((at) => place(at).join()).join(" ")}
-        />
-      )}
+      <Grid frame={frame} every={frame.scale < DENSE ? 5 : 1} />
       {last && path.length > 1 ? (
         <>
-          <circle class="path-picture__start" cx={startX} cy={startY} r="5" />
-          <Robot at={place(last)} />
+          <Line frame={frame} points={path} edged={false} />
+          <StartMark at={start} />
+          <circle class="path-picture__robot" cx={last.x} cy={last.y} r="8" />
         </>
       ) : (
-        <WaitingRobot at={[startX, startY]} />
+        <WaitingRobot at={[start.x, start.y]} />
       )}
     </svg>
   );
-}
-
-function Robot({ at: [x, y] }: { at: readonly [number, number] }) {
-  return <circle class="path-picture__robot" cx={x} cy={y} r="8" />;
 }
 
 /** Nothing has been driven yet: the robot stands at the start pose. */
@@ -59,34 +42,4 @@ export function WaitingRobot({ at: [x, y] }: { at: readonly [number, number] }) 
       <path fill="#fff" d="M9 0-4 6l3-6-3-6z" />
     </g>
   );
-}
-
-function frameOf(path: Points): Frame {
-  const xs = [0, ...path.map(([x = 0]) => x)];
-  const ys = [0, ...path.map(([, y = 0]) => y)];
-  const [left, right] = [Math.min(...xs), Math.max(...xs)];
-  const [bottom, top] = [Math.min(...ys), Math.max(...ys)];
-  const scale = Math.min(
-    LARGEST_SCALE,
-    (WIDTH - 2 * MARGIN) / Math.max(0.1, right - left),
-    (HEIGHT - 2 * MARGIN) / Math.max(0.1, top - bottom),
-  );
-  return {
-    scale,
-    x: WIDTH / 2 - ((left + right) / 2) * scale,
-    y: HEIGHT / 2 + ((bottom + top) / 2) * scale,
-  };
-}
-
-function grid({ scale, x, y }: Frame): string {
-  const metres = scale < 12 ? 5 : 1;
-  const step = scale * metres;
-  const lines: string[] = [];
-  for (let at = ((x % step) + step) % step; at < WIDTH; at += step) {
-    lines.push(`M${at.toFixed(1)} 0V${HEIGHT}`);
-  }
-  for (let at = ((y % step) + step) % step; at < HEIGHT; at += step) {
-    lines.push(`M0 ${at.toFixed(1)}H${WIDTH}`);
-  }
-  return lines.join("");
 }

@@ -4,10 +4,10 @@ import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Choice } from "../kit/Choice";
 import { NumberField } from "../kit/NumberField";
+import type { Area } from "../scene/areas";
 import type { EditorStore } from "./editor_store";
 import { clean, FINE, GRID } from "./geometry";
 import {
-  type Area,
   type AreaThing,
   isArea,
   ofKind,

@@ -6,7 +6,7 @@ import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
 import { later } from "../../shell/later";
 
-const GoalPicture = later(async () => (await import("../../scene/goal/GoalPicture")).GoalPicture);
+const GoalPicture = later(async () => (await import("../../scene/small/GoalPicture")).GoalPicture);
 
 interface LessonGoalProps {
   activity: string;

@@ -2,10 +2,10 @@ import { Play } from "lucide-preact";
 import { useMemo } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { GroundPicture, ThingsPicture } from "../../scene/goal/GroundPicture";
-import { frameOf, type GoalFrame, HEIGHT, WIDTH } from "../../scene/goal/goal_frame";
 import { WaitingRobot } from "../../scene/PathPicture";
-import { paintOf } from "../../scene/paints";
+import { frameOfGoal, HEIGHT, WIDTH } from "../../scene/small/frame";
+import { GroundPicture, ThingsPicture } from "../../scene/small/GroundPicture";
+import { Line, StartMark } from "../../scene/small/parts";
 import { prefersStill } from "../../shell/theme";
 import { driven, type Film, floorOf, poseAt } from "./film";
 import { usePlaying } from "./playing";
@@ -47,38 +47,21 @@ export function FilmPicture({ film, words }: FilmPictureProps) {
 
 function Floor({ film, part }: { film: Film; part: number }) {
   const goal = useMemo(() => floorOf(film), [film]);
-  const frame = useMemo(() => frameOf(goal), [goal]);
+  const frame = useMemo(() => frameOfGoal(goal), [goal]);
   const [x, y, heading] = poseAt(film, part);
-  const robot = frame.place([x, y]).join(" ");
-  const [x0, y0] = frame.place([0, 0]);
+  const robot = frame.place({ x, y });
   return (
     <svg class="goal" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} aria-hidden="true">
       <GroundPicture goal={goal} frame={frame} />
       <ThingsPicture goal={goal} frame={frame} />
-      <circle class="path-picture__start" cx={x0} cy={y0} r="5" />
-      <Line points={driven(film, part)} frame={frame} />
+      <StartMark at={frame.place({ x: 0, y: 0 })} />
+      <Line points={driven(film, part)} frame={frame} edged={false} />
       {film.strokes.map(({ color, from, to }) => (
         <Line key={from} points={driven(film, part, from, to)} frame={frame} color={color} />
       ))}
-      <g transform={`translate(${robot}) rotate(${-heading})`}>
+      <g transform={`translate(${robot.x} ${robot.y}) rotate(${-heading})`}>
         <WaitingRobot at={[0, 0]} />
       </g>
     </svg>
-  );
-}
-
-interface LineProps {
-  points: readonly (readonly number[])[];
-  frame: GoalFrame;
-  color?: string;
-}
-
-function Line({ points, frame, color }: LineProps) {
-  const line = points.map((point) => frame.place(point).join()).join(" ");
-  return (
-    <g style={color ? { "--goal-line": paintOf(color) } : {}}>
-      {color && <polyline class="goal__edge" points={line} />}
-      <polyline class="goal__line" points={line} />
-    </g>
   );
 }

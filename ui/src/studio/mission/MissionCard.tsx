@@ -6,7 +6,7 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { checksOf, verdictOf } from "../../run/judgement";
 import * as robot from "../../run/live";
-import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { GoalPicture } from "../../scene/small/GoalPicture";
 import { checksStand, judged, report } from "../../shell/session";
 import type { StudioControl } from "../studio_control";
 import { CasesTried } from "./CasesTried";

@@ -5,7 +5,7 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
-import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { GoalPicture } from "../../scene/small/GoalPicture";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { dateAndTime } from "../time_words";
 

@@ -10,7 +10,7 @@ import { Form } from "../../kit/Form";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
-import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { GoalPicture } from "../../scene/small/GoalPicture";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { useDraft } from "../useDraft";
 

@@ -2,7 +2,7 @@ import { Pencil, Trash2 } from "lucide-preact";
 import type { OwnActivity } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { GoalPicture } from "../../scene/small/GoalPicture";
 
 interface OwnActivityRowProps {
   activity: OwnActivity;

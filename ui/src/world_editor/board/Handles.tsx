@@ -1,6 +1,7 @@
+import { cornersOf } from "../../scene/areas";
 import type { XY } from "../../scene/frames";
 import type { EditorStore } from "../editor_store";
-import { cornersOf, turnedBy } from "../geometry";
+import { turnedBy } from "../geometry";
 import { type AreaThing, isArea, type Plan, type Thing, thingOf } from "../plan";
 import type { View } from "./board_view";
 import { onBoard } from "./outline";

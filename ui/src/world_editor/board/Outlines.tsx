@@ -4,7 +4,7 @@ import type { EditorStore } from "../editor_store";
 import { isOuter, ofKind, type Thing } from "../plan";
 import { nameOf } from "../words";
 import type { View } from "./board_view";
-import { onBoard, outlineOf } from "./outline";
+import { edgeOf, onBoard } from "./outline";
 
 /** Touch radius of the robot in metres, and its minimum in pixels. */
 const ROBOT_M = 0.3;
@@ -53,7 +53,7 @@ interface OutlineProps extends OutlinesProps {
 
 function Outline({ store, view, thing, index, isFaulty }: OutlineProps) {
   const isSelected = store.selected.value === thing.id;
-  const path = outlineOf(view, thing);
+  const path = edgeOf(view, thing);
   return (
     // biome-ignore lint/a11y/useSemanticElements: an SVG has no button
     <g

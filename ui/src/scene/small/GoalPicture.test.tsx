@@ -2,8 +2,8 @@ import { cleanup, render } from "@testing-library/preact";
 import { afterEach, expect, test } from "vitest";
 import type { GoalPicture as Goal, World } from "../../api/model";
 import { passesAxe } from "../../kit/testing/control";
+import { frameOfGoal, HEIGHT, WIDTH } from "./frame";
 import { GoalPicture } from "./GoalPicture";
-import { frameOf, HEIGHT, WIDTH } from "./goal_frame";
 
 const WORLD: World = {
   pinel_world: 1,
@@ -40,7 +40,7 @@ const drawn = (one: Goal, name: string) =>
 afterEach(cleanup);
 
 test("all of the goal lies in the picture, upright and in proportion", () => {
-  const { place, scale } = frameOf(
+  const { place, scale } = frameOfGoal(
     goal({
       lines: [
         line([
@@ -51,7 +51,7 @@ test("all of the goal lies in the picture, upright and in proportion", () => {
       ],
     }),
   );
-  const [[x0, y0], [x1, y1]] = [place([0, 0]), place([3, 2])];
+  const [{ x: x0, y: y0 }, { x: x1, y: y1 }] = [place({ x: 0, y: 0 }), place({ x: 3, y: 2 })];
   expect(x1 - x0).toBeCloseTo(3 * scale, 0);
   expect(y0 - y1).toBeCloseTo(2 * scale, 0);
   for (const x of [x0, x1]) expect(x > 0 && x < WIDTH).toBe(true);

@@ -1,8 +1,9 @@
 import type { GoalPicture as Goal, GoalLine } from "../../api/model";
+import type { XY } from "../frames";
 import { WaitingRobot } from "../PathPicture";
-import { paintOf } from "../paints";
+import { type Frame, frameOfGoal, HEIGHT, middleOf, pointsOf, WIDTH } from "./frame";
 import { GroundPicture, NamesPicture, ThingsPicture } from "./GroundPicture";
-import { frameOf, type GoalFrame, HEIGHT, middleOf, type Pixels, WIDTH } from "./goal_frame";
+import { Line } from "./parts";
 
 interface GoalPictureProps {
   goal: Goal;
@@ -12,7 +13,7 @@ interface GoalPictureProps {
 
 /** The goal of an activity: its floor, the robot at the start, where it has to get, and what it drives or draws. */
 export function GoalPicture({ goal, label }: GoalPictureProps) {
-  const frame = frameOf(goal);
+  const frame = frameOfGoal(goal);
   return (
     <svg
       class="goal"
@@ -23,7 +24,7 @@ export function GoalPicture({ goal, label }: GoalPictureProps) {
     >
       <GroundPicture goal={goal} frame={frame} />
       {goal.lines.map((line, index) => (
-        <Line key={index} line={line} frame={frame} />
+        <Line key={index} frame={frame} points={line.points} color={line.color} />
       ))}
       <ThingsPicture goal={goal} frame={frame} />
       <StartedRobot goal={goal} frame={frame} />
@@ -37,7 +38,7 @@ export function GoalPicture({ goal, label }: GoalPictureProps) {
 
 interface PartProps {
   goal: Goal;
-  frame: GoalFrame;
+  frame: Frame;
 }
 
 /** The icon of a robot is 32 wide; it is not drawn smaller than can be recognised. */
@@ -48,7 +49,7 @@ const SMALLEST_ROBOT = 0.55;
 function StartedRobot({ goal: { world }, frame }: PartProps) {
   const { x_m, y_m, heading_deg } = world.start;
   const size = Math.max(SMALLEST_ROBOT, (ROBOT_M * frame.scale) / ROBOT_ICON);
-  const [x, y] = frame.place([x_m, y_m]);
+  const { x, y } = frame.place({ x: x_m, y: y_m });
   return (
     <g transform={`translate(${x} ${y}) rotate(${-heading_deg}) scale(${size})`}>
       <WaitingRobot at={[0, 0]} />
@@ -58,23 +59,12 @@ function StartedRobot({ goal: { world }, frame }: PartProps) {
 
 interface LineProps {
   line: GoalLine;
-  frame: GoalFrame;
-}
-
-function Line({ line: { points, color }, frame }: LineProps) {
-  const places = points.map(frame.place);
-  const line = places.map((place) => place.join()).join(" ");
-  return (
-    <g style={color === null ? {} : { "--goal-line": paintOf(color) }}>
-      <polyline class="goal__edge" points={line} />
-      <polyline class="goal__line" points={line} />
-    </g>
-  );
+  frame: Frame;
 }
 
 /** What explains a line, above everything else. */
 function Marks({ line: { points, color, sign }, frame }: LineProps) {
-  const places = points.map(frame.place);
+  const places = pointsOf(points).map(frame.place);
   return (
     <>
       {color === null && <Arrows places={places} />}
@@ -87,11 +77,11 @@ function Marks({ line: { points, color, sign }, frame }: LineProps) {
 const SHORTEST_PX = 22;
 
 /** Which way to drive: an arrow head on the first stretch, and one at the end unless that is the start. */
-function Arrows({ places }: { places: readonly Pixels[] }) {
+function Arrows({ places }: { places: readonly XY[] }) {
   const [first, second] = places;
   const [last, before] = [places.at(-1), places.at(-2)];
   if (!first || !second || !last || !before) return null;
-  const middle = [(first[0] + second[0]) / 2, (first[1] + second[1]) / 2] as const;
+  const middle = { x: (first.x + second.x) / 2, y: (first.y + second.y) / 2 };
   return (
     <>
       {places.length > 2 && distance(first, second) > SHORTEST_PX && (
@@ -102,17 +92,17 @@ function Arrows({ places }: { places: readonly Pixels[] }) {
   );
 }
 
-function ArrowHead({ at: [x, y], from }: { at: Pixels; from: Pixels }) {
-  const turn = (Math.atan2(y - from[1], x - from[0]) * 180) / Math.PI;
+function ArrowHead({ at: { x, y }, from }: { at: XY; from: XY }) {
+  const turn = (Math.atan2(y - from.y, x - from.x) * 180) / Math.PI;
   return (
     <path class="goal__arrow" d="M8 0-7-8v16z" transform={`translate(${x} ${y}) rotate(${turn})`} />
   );
 }
 
-const distance = (one: Pixels, other: Pixels) => Math.hypot(one[0] - other[0], one[1] - other[1]);
+const distance = (one: XY, other: XY) => Math.hypot(one.x - other.x, one.y - other.y);
 
 /** The sign that the line answers, in the middle of what it draws. */
-function Sign({ sign, at: [x, y] }: { sign: string; at: Pixels }) {
+function Sign({ sign, at: { x, y } }: { sign: string; at: XY }) {
   const width = 16 + 10 * sign.length;
   return (
     <g transform={`translate(${x} ${y})`}>

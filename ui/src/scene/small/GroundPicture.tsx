@@ -1,10 +1,12 @@
 import type { GoalPicture, World } from "../../api/model";
+import { areaOf, lineThrough, outlineOf } from "../areas";
 import { paintOf } from "../paints";
-import type { GoalFrame } from "./goal_frame";
+import { type Frame, pointsOf } from "./frame";
+import { Grid } from "./parts";
 
 interface GroundProps {
   goal: GoalPicture;
-  frame: GoalFrame;
+  frame: Frame;
 }
 
 /** The floor of a goal: metre grid, colours and zones. */
@@ -13,10 +15,16 @@ export function GroundPicture({ goal: { world, zones }, frame }: GroundProps) {
     <>
       <Tiles frame={frame} />
       {world.floor.map((paint, index) => (
-        <Area key={index} area={paint} frame={frame} paint={paintOf(paint.color)} />
+        <Shape
+          key={index}
+          area={paint}
+          frame={frame}
+          class="goal__paint"
+          fill={paintOf(paint.color)}
+        />
       ))}
       {world.zones.map((zone) => (
-        <Area
+        <Shape
           key={zone.name}
           area={zone}
           frame={frame}
@@ -32,18 +40,20 @@ export function ThingsPicture({ goal: { world, boxes }, frame }: GroundProps) {
   return (
     <>
       {world.boxes.map((box, index) => (
-        <Area key={index} area={box} frame={frame} class="goal__box" />
+        <Shape key={index} area={box} frame={frame} class="goal__box" />
       ))}
       {Object.entries(boxes).map(([index, [x, y, yaw]]) => {
         const box = world.boxes[Number(index)];
         if (!box) return null;
         const there = { ...box, center: [x, y], heading_deg: (yaw * 180) / Math.PI } as typeof box;
-        return <Area key={index} area={there} frame={frame} class="goal__box goal__box--wanted" />;
+        return <Shape key={index} area={there} frame={frame} class="goal__box goal__box--wanted" />;
       })}
       <path
         class="goal__walls"
         stroke-width={Math.max(2, 0.09 * frame.scale)}
-        d={world.walls.map(({ from, to }) => `M${frame.place(from)}L${frame.place(to)}`).join("")}
+        d={world.walls
+          .map(({ from, to }) => lineThrough(pointsOf([from, to]).map(frame.place)))
+          .join("")}
       />
     </>
   );
@@ -59,7 +69,7 @@ export function NamesPicture({ goal: { world, zones, lines }, frame }: GroundPro
   return (
     <>
       {world.zones.map(({ name, center, size }) => {
-        const [x, y] = frame.place(center);
+        const { x, y } = frame.place(areaOf({ center }));
         if (name.length <= LONGEST_NAME) {
           // in a corner of its zone: lines lead to the middle
           const [dx = 0, dy = 0] = (size ?? []).map((side) => NAME_PLACE * side * frame.scale);
@@ -81,48 +91,26 @@ export function NamesPicture({ goal: { world, zones, lines }, frame }: GroundPro
   );
 }
 
-function Tiles({ frame }: { frame: GoalFrame }) {
+function Tiles({ frame }: { frame: Frame }) {
   const { left, right, bottom, top } = frame.box;
-  const [x, y] = frame.place([left, top]);
-  const [x2, y2] = frame.place([right, bottom]);
-  const lines: string[] = [];
-  for (let at = Math.ceil(left); at <= right; at++) lines.push(`M${frame.place([at, top])}V${y2}`);
-  for (let at = Math.ceil(bottom); at <= top; at++) lines.push(`M${frame.place([left, at])}H${x2}`);
+  const { x, y } = frame.place({ x: left, y: top });
+  const { x: x2, y: y2 } = frame.place({ x: right, y: bottom });
   return (
     <>
       <rect class="goal__floor" x={x} y={y} width={x2 - x} height={y2 - y} />
-      <path class="goal__grid" d={lines.join("")} />
+      <Grid frame={frame} />
     </>
   );
 }
 
-interface AreaProps {
+interface ShapeProps {
   area: World["floor"][number] | World["zones"][number] | World["boxes"][number];
-  frame: GoalFrame;
-  class?: string;
-  paint?: string;
+  frame: Frame;
+  class: string;
+  fill?: string;
 }
 
 /** A disc or a rectangle on the floor. */
-function Area({ area, frame, class: name = "goal__paint", paint }: AreaProps) {
-  const [x, y] = frame.place(area.center);
-  const fill = paint ? { fill: paint } : {};
-  if ("radius" in area && area.radius != null) {
-    return <circle class={name} cx={x} cy={y} r={area.radius * frame.scale} {...fill} />;
-  }
-  const [width, depth] = (area.size ?? [0, 0]).map((metres) => metres * frame.scale) as [
-    number,
-    number,
-  ];
-  return (
-    <rect
-      class={name}
-      {...fill}
-      x={x - width / 2}
-      y={y - depth / 2}
-      width={width}
-      height={depth}
-      transform={`rotate(${-area.heading_deg} ${x} ${y})`}
-    />
-  );
+function Shape({ area, frame: { place, scale }, ...look }: ShapeProps) {
+  return <path {...look} d={outlineOf(areaOf(area), place, scale)} />;
 }
