@@ -28,7 +28,7 @@ export function ActivitiesScreen({ group }: ParametersOf<"activities">) {
     <Loaded of={offer} as="screen">
       {({ activities, states, examples }) => (
         <main class="screen activities">
-          <div class="activities__head">
+          <div class="row wrap middle apart gap-2">
             <h1>{activity.choose}</h1>
             <Button icon={ArrowDown} testId="to-examples" onPress={showExamples}>
               {texts.value.help.examples.title}

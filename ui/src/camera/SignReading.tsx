@@ -97,7 +97,7 @@ function Sure({ best, second, confidence, next }: SureProps) {
   return (
     <div class="reading__words">
       <p class="visually-hidden">{camera.sure(best, share)}</p>
-      <div class="reading__sure" aria-hidden="true">
+      <div class="row middle gap-2" aria-hidden="true">
         <span class="reading__bar">
           <span style={{ width: `${100 * confidence}%` }} />
         </span>

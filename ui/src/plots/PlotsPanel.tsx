@@ -39,7 +39,7 @@ export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
             figure.value = name;
           }}
         />
-        <div class="plots__tools">
+        <div class="row rigid">
           <Button
             icon={Download}
             label={plots.save}

@@ -21,9 +21,9 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
   const isMatched = reading.kind === "sure" && reading.best === letter.value;
   return (
     <section class="imitation card" aria-label={practice.imitate} data-matched={String(isMatched)}>
-      <div class="imitation__model">
+      <div class="column shrinks-down">
         <h2 class="imitation__title">{practice.imitate}</h2>
-        <SignDrawing sign={letter.value} hand={drawnHand.value} class="imitation__drawing" />
+        <SignDrawing sign={letter.value} hand={drawnHand.value} class="grows shrinks-down" />
         <Matched letter={isMatched ? letter.value : null} />
       </div>
       <div class="imitation__choices">

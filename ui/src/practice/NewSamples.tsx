@@ -20,7 +20,7 @@ export function NewSamples({ classroom }: { classroom: string }) {
     return sign !== "" && begin(classroom, sign);
   };
   return (
-    <Form class="teaching__new" onSubmit={record}>
+    <Form class="column gap-2" onSubmit={record}>
       <Choice
         label={words.suggested}
         legendClass="imitation__legend"

@@ -50,7 +50,7 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
   return (
     <Form class={first ? "new-group new-group--first" : "new-group card"} onSubmit={create}>
       {!first && <Title />}
-      <div class="new-group__who">
+      <div class="row shrinks gap-2">
         {!first && <PictureButton {...choice} />}
         <input
           ref={input}

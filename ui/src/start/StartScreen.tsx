@@ -64,7 +64,7 @@ function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
       <div class="start__head">
         <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
         <div class="start__teacher">
-          <div class="start__ways">
+          <div class="row wrap end">
             <PracticeLink />
             <BringIn />
             <LessonFileLink onLesson={onLesson} />
@@ -139,7 +139,7 @@ function FirstGroup({ onLesson }: LessonFileProps) {
             data-testid="prepare"
           >
             <GraduationCap class="icon prepare__icon" aria-hidden="true" />
-            <span class="prepare__words">
+            <span class="column">
               <strong>{classes.prepare}</strong>
               <span>{classes.prepareHint}</span>
             </span>

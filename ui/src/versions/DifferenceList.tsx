@@ -111,7 +111,7 @@ function DifferenceLine({ one, text, current, onChoose }: DifferenceLineProps) {
         data-kind={one.kinds[0]}
         onPress={onChoose}
       >
-        <span class="differences__signs">
+        <span class="grid gap-1">
           {one.kinds.map((kind) => (
             <Sign key={kind} kind={kind} />
           ))}

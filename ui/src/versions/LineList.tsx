@@ -122,7 +122,7 @@ function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
   if (versions.length === 1) return <Line version={face} step={step} history={history} />;
   return (
     <>
-      <li class="line-list__burst">
+      <li class="row">
         <LineButton
           version={face}
           step={step}

@@ -44,7 +44,7 @@ function Thrown({ program, shelf }: { program: Program; shelf: ProgramShelf }) {
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
   return (
     <li class="bin__program card" data-testid="bin-program">
-      <span class="bin__words">
+      <span class="grid grows shrinks">
         <strong class="work-card__name">{program.name}</strong>
         <span class="bin__line">
           {work.changed(changed)} · {work.runCount(program.n_runs)}

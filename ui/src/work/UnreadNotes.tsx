@@ -42,7 +42,7 @@ function Letter({ note, onSeen }: { note: Note; onSeen(): Promise<void> }) {
           {about} · {written}
         </p>
       </div>
-      <div class="letter__acts">
+      <div class="row wrap gap-2">
         <LinkButton
           icon={Play}
           href={hashOf({ screen: "replay", run: note.run_id })}

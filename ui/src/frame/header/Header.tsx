@@ -48,7 +48,7 @@ export function Header() {
       {inside && <ProgramName />}
       {route.value.screen === "studio" && <SavedMark />}
       {route.value.screen === "studio" && <LessonChip />}
-      <span class="header__space" />
+      <span class="grows" />
       <RealRobot />
       <TeacherChip />
       {route.value.screen === "studio" && <PracticeLink />}

@@ -42,7 +42,7 @@ export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
     });
   };
   return (
-    <div class="compare__reader" ref={place}>
+    <div class="row grows shrinks" ref={place}>
       <ReadBlocks label={label} onReader={fill} onLanguage={() => blocks?.redraw()} />
     </div>
   );

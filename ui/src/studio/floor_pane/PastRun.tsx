@@ -45,7 +45,7 @@ function Strip() {
     return way !== undefined;
   };
   return (
-    <div class="past-run__strip" title={texts.value.run.timeHelp}>
+    <div class="grows shrinks" title={texts.value.run.timeHelp}>
       <TimeStrip
         tracks={[stretches]}
         tick={tick}

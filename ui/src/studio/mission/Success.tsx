@@ -24,7 +24,7 @@ export function Success({ open, mission }: { open: OpenProgram; mission: Activit
         {activity.done}
       </strong>
       {mission.question && <p>{mission.question}</p>}
-      <div class="mission__onward">
+      <div class="row wrap gap-2">
         {next ? (
           <Button
             kind="main"

@@ -102,7 +102,7 @@ function blockName(key: TextKey): string {
 function Ticks({ step }: { step: Step }) {
   const now = STEPS.indexOf(step);
   return (
-    <p class="tour__ticks">
+    <p class="row gap-1">
       <span class="visually-hidden">{texts.value.help.tour.place(now + 1, STEPS.length)}</span>
       {STEPS.map((one, index) => (
         <span key={one} class="tour__tick" data-now={index === now} aria-hidden="true">
@@ -118,7 +118,7 @@ function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: Stu
   const group = control.open.program.group_id;
   if (step === "end") {
     return (
-      <div class="tour__buttons">
+      <div class="row wrap gap-2">
         <Button
           kind="main"
           testId="tour-mission"
@@ -133,7 +133,7 @@ function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: Stu
     );
   }
   return (
-    <div class="tour__buttons">
+    <div class="row wrap gap-2">
       {step === "hello" && (
         <Button kind="main" testId="tour-go" onPress={() => tour.next()}>
           {words.go}

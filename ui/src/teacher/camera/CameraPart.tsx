@@ -12,7 +12,7 @@ export function CameraPart() {
   const { camera: say } = texts.value.teacher;
   return (
     <>
-      <div class="teacher__head">
+      <div class="row wrap top apart gap-3">
         <h1>{say.title}</h1>
         <CameraChoice />
       </div>
@@ -21,7 +21,7 @@ export function CameraPart() {
         <div class="camera-try__picture">
           <CameraPicture />
         </div>
-        <div class="camera-try__side">
+        <div class="column shrinks gap-3">
           <Ready isReady={check.isReady.value} />
           <ul class="camera-try__points">
             {POINTS.map((point) => (

@@ -44,7 +44,7 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
         testId="group-rename"
         onRename={(name) => change({ name })}
       >
-        <span class="class-groups__words">
+        <span class="column shrinks">
           <strong class="class-groups__name" dir="auto" data-shortened title={group.name}>
             {group.name}
           </strong>

@@ -37,7 +37,7 @@ export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPan
       <p class="teacher__hint" role="status">
         {moved || (groups.length === 0 ? say.empty : say.groups(groups.length))}
       </p>
-      <ul class="class-groups">
+      <ul class="column">
         {groups.map((group) => (
           <li key={group.id} class="class-groups__one" data-testid="class-group">
             <ClassGroup group={group} school={school} reload={reload} onMoved={setMoved} />

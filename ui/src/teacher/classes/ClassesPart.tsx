@@ -35,7 +35,7 @@ export function ClassesPart({ school, reload }: ClassesPartProps) {
   };
   return (
     <>
-      <div class="teacher__head">
+      <div class="row wrap top apart gap-3">
         <h1>{say.title}</h1>
         <AddForm
           label={say.newClass}

@@ -31,7 +31,7 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
   };
   return (
     <section class="panel card" aria-labelledby="exchange-places">
-      <header class="button-row exchange__head">
+      <header class="button-row apart">
         <h2 id="exchange-places">{say.places}</h2>
         <Button kind="plain" icon={RefreshCw} onPress={onLook}>
           {say.lookAgain}
@@ -61,7 +61,7 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
       <Undecided deletions={undecided} onAsk={(path) => mergeAll([path])} />
       <div role="status" aria-label={say.results}>
         {results.value.length > 0 && (
-          <ul class="exchange__results" data-testid="merge-results">
+          <ul class="grid gap-2" data-testid="merge-results">
             {results.value.map((one) => (
               <MergeResult
                 key={one.path}

@@ -37,7 +37,7 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
   return (
     <div class={`lesson-row ${isPart ? "lesson-row--part" : ""}`} data-testid="lesson-row">
       {children}
-      <div class="lesson-row__words">
+      <div class="grows shrinks">
         <NameField
           name={lesson.title}
           label={say.rename}

@@ -56,7 +56,7 @@ function CheckLine({ kind, chosen, measured, onChange }: CheckLineProps) {
         {kind === "visits" && <strong>{measured.zones.join(", ")}</strong>}
       </label>
       {chosen.on && (
-        <span class="making__numbers">
+        <span class="row wrap middle gap-3">
           {rowOf(kind).numbers.map(({ name, least, most, step }) => (
             <NumberField
               key={name}

@@ -32,7 +32,7 @@ export function Board({ store, children }: { store: EditorStore; children: Compo
 
   return (
     <div class="world-editor__floor">
-      <div class="world-editor__lead">
+      <div class="row rigid gap-2">
         {children}
         <Buttons
           onZoom={(factor) => {

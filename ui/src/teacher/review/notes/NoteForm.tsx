@@ -74,7 +74,7 @@ function NoteButtons({ editor, onDelete }: NoteButtonsProps) {
   const { note, text, state, changed } = editor;
   const busy = state.value === "saving";
   return (
-    <div class="note__buttons">
+    <div class="row wrap end gap-2">
       {note.value && (
         <Button icon={Trash2} busy={busy} testId="note-delete" onPress={onDelete}>
           {say.delete}
@@ -105,7 +105,7 @@ function ConfirmDelete({ onConfirm, onCancel }: ConfirmDeleteProps) {
   const cancel = useRef<HTMLButtonElement>(null);
   useEffect(() => cancel.current?.focus(), []);
   return (
-    <div class="note__buttons">
+    <div class="row wrap end gap-2">
       <Button elementRef={cancel} onPress={onCancel}>
         {say.keep}
       </Button>
