@@ -4,7 +4,7 @@ import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
-import { PathPicture } from "../scene/PathPicture";
+import { PathPicture } from "../scene/small/PathPicture";
 import { hashOf } from "../shell/route";
 import { TakeAlong } from "./ProgramFile";
 

@@ -3,7 +3,7 @@ import type { Run } from "../api/model";
 import { language, texts } from "../i18n";
 import { duration, moment } from "../i18n/format";
 import { RobotName } from "../run/real/RobotName";
-import { PathPicture } from "../scene/PathPicture";
+import { PathPicture } from "../scene/small/PathPicture";
 import { hashOf } from "../shell/route";
 
 const ICONS = {

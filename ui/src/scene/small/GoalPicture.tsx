@@ -1,8 +1,8 @@
 import type { GoalPicture as Goal, GoalLine } from "../../api/model";
 import type { XY } from "../frames";
-import { WaitingRobot } from "../PathPicture";
 import { type Frame, frameOfGoal, HEIGHT, middleOf, pointsOf, WIDTH } from "./frame";
 import { GroundPicture, NamesPicture, ThingsPicture } from "./GroundPicture";
+import { WaitingRobot } from "./PathPicture";
 import { Line } from "./parts";
 
 interface GoalPictureProps {

@@ -4,7 +4,7 @@ import { language, texts } from "../../../i18n";
 import { duration, moment } from "../../../i18n/format";
 import { GroupPicture } from "../../../kit/pictures/GroupPicture";
 import { RobotName } from "../../../run/real/RobotName";
-import { PathPicture } from "../../../scene/PathPicture";
+import { PathPicture } from "../../../scene/small/PathPicture";
 import { hashOf } from "../../../shell/route";
 import { worldWords } from "../../../versions/setup_words";
 import { type Outcome, outcomeOf } from "../model";

@@ -1,5 +1,5 @@
-import { frameOfPath, HEIGHT, pointsOf, WIDTH } from "./small/frame";
-import { Grid, Line, StartMark } from "./small/parts";
+import { frameOfPath, HEIGHT, pointsOf, WIDTH } from "./frame";
+import { Grid, Line, StartMark } from "./parts";
 
 type Points = readonly (readonly number[])[];
 
