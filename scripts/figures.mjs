@@ -1,5 +1,5 @@
 // Prints as JSON what figures.py asks of the page: [importer, imported] of its files, and the lines of each component.
-// Types are imports as well; import("...") is none, because what is loaded later closes no circle at the start.
+// Types are imports as well, and so is what import("...") fetches later. Files that a glob names are not seen.
 
 import { readdirSync, readFileSync } from "node:fs"
 import { createRequire } from "node:module"
@@ -19,16 +19,22 @@ function target(file, specifier) {
 }
 
 function visit(file, source, node) {
-  if ((ts.isImportDeclaration(node) || ts.isExportDeclaration(node)) && node.moduleSpecifier?.text.startsWith(".")) {
-    const imported = target(file, node.moduleSpecifier.text)
-    if (imported) imports.push([file, imported])
-  }
+  const specifier = specifierOf(node)
+  const imported = specifier?.startsWith(".") && target(file, specifier)
+  if (imported) imports.push([file, imported])
   const named = ts.isFunctionDeclaration(node) || (ts.isVariableDeclaration(node) && isFunction(node.initializer))
   if (named && /^[A-Z]/.test(node.name?.text ?? "") && file.endsWith(".tsx")) {
     const [from, to] = [node.getStart(source), node.getEnd()].map((at) => source.getLineAndCharacterOfPosition(at).line)
     components.push([`${file}: ${node.name.text}`, to - from + 1])
   }
   ts.forEachChild(node, (child) => visit(file, source, child))
+}
+
+/** Of `import ... from "..."`, `export ... from "..."` and `import("...")`. */
+function specifierOf(node) {
+  if (ts.isImportDeclaration(node) || ts.isExportDeclaration(node)) return node.moduleSpecifier?.text
+  const isLater = ts.isCallExpression(node) && node.expression.kind === ts.SyntaxKind.ImportKeyword
+  return isLater ? node.arguments[0].text : undefined
 }
 
 function isFunction(node) {

@@ -1,4 +1,4 @@
-"""`ui/src/help/films.json`: what the robot does at a block, as the simulator drives it, for the help of the page."""
+"""`ui/src/studio/help/films.json`: what the robot does at a block, as the simulator drives it, for the page's help."""
 
 import json
 import math

@@ -35,7 +35,7 @@ def files(root: Path) -> dict[str, str]:
         "sim/world.schema.json": schemas.as_text(schemas.of_worlds()),
         "ui/src/api/declared.ts": declared(),
         "ui/src/blocks/table/sensor_rows.ts": sensor_rows(),
-        "ui/src/help/films.json": films(),
+        "ui/src/studio/help/films.json": films(),
         "docs/http-api.md": http_page.text(),
         "docs/events.md": events_page.text(),
         **goals(),

@@ -1,4 +1,4 @@
-"""Operates the page by its test ids (ui/src/shell/testids.ts)."""
+"""Operates the page by its test ids (`data-testid`)."""
 
 import itertools
 import re

@@ -9,10 +9,13 @@ import { fetchTexts, language } from "./i18n";
 import { receive, resync } from "./run/live";
 import { receiveState } from "./run/real/robot_state";
 import { firstRequestsSettled } from "./shell/first_answers";
+import { setLaterStyles } from "./shell/later";
 import { open } from "./shell/session";
 
 /** A server that is slow to answer is worth a frame around what is to come. */
 const PATIENCE_MS = 300;
+
+setLaterStyles(() => import("./styles_later"));
 
 const patience = new Promise((resolve) => setTimeout(resolve, PATIENCE_MS));
 const texts = fetchTexts(language.peek());

@@ -7,6 +7,7 @@
 import "./kit/fonts.css";
 import "./kit/tokens.css";
 import "./kit/base.css";
+import "./kit/layout.css";
 import "./kit/controls.css";
 import "./frame/header/header.css";
 import "./frame/header/real_robot.css";

@@ -5,10 +5,10 @@ import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
-import { GoalPicture } from "../scene/goal/GoalPicture";
+import { GoalPicture } from "../scene/small/GoalPicture";
 import { beginActivity } from "../shell/begin_activity";
 import { nameInHeader } from "../shell/named";
-import { TEST } from "../shell/testids";
+import type { ParametersOf } from "../shell/route";
 import { couldNotOpen, opened } from "../studio/program/open_program";
 import { Examples } from "./Examples";
 
@@ -21,16 +21,16 @@ interface Offer {
 }
 
 /** All activities as cards along their paths, and examples; a press opens the group's program for it. */
-export function ActivitiesScreen({ group }: { group: string }) {
+export function ActivitiesScreen({ group }: ParametersOf<"activities">) {
   const offer = useLoaded([group, language.value], () => load(group), { onFailed: couldNotOpen });
   const { activity } = texts.value;
   return (
     <Loaded of={offer} as="screen">
       {({ activities, states, examples }) => (
         <main class="screen activities">
-          <div class="activities__head">
+          <div class="row wrap middle apart gap-2">
             <h1>{activity.choose}</h1>
-            <Button icon={ArrowDown} testId={TEST.toExamples} onPress={showExamples}>
+            <Button icon={ArrowDown} testId="to-examples" onPress={showExamples}>
               {texts.value.help.examples.title}
             </Button>
           </div>
@@ -107,7 +107,7 @@ function ActivityCard({ choice, state, group }: ActivityCardProps) {
     <Button
       kind="bare"
       class="activities__card"
-      testId={TEST.activityCard}
+      testId="activity-card"
       data-activity={choice.name}
       data-state={state}
       onPress={() => beginActivity(group, choice.name)}

@@ -1,9 +1,8 @@
 import type { Example } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { GoalPicture } from "../scene/goal/GoalPicture";
-import { TEST } from "../shell/testids";
-import { openExample } from "./open_example";
+import { GoalPicture } from "../scene/small/GoalPicture";
+import { openExample } from "../studio/program/open_example";
 
 interface ExamplesProps {
   examples: readonly Example[];
@@ -14,7 +13,7 @@ interface ExamplesProps {
 export function Examples({ examples, group }: ExamplesProps) {
   const words = texts.value.help.examples;
   return (
-    <section class="activities__path" data-testid={TEST.examples}>
+    <section class="activities__path" data-testid="examples">
       <h2 id="examples" tabIndex={-1}>
         {words.title}
       </h2>
@@ -25,7 +24,7 @@ export function Examples({ examples, group }: ExamplesProps) {
             <Button
               kind="bare"
               class="activities__card"
-              testId={TEST.exampleCard}
+              testId="example-card"
               data-example={one.name}
               onPress={() => openExample(group, one)}
             >

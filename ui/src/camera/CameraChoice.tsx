@@ -4,7 +4,6 @@ import { texts } from "../i18n";
 import { valueIn } from "../kit/requests/load_state";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { Select } from "../kit/Select";
-import { TEST } from "../shell/testids";
 import { refresh } from "./sight";
 
 const WEBCAMS = ["0", "1", "2"];
@@ -22,7 +21,7 @@ export function CameraChoice() {
       icon={Camera}
       label={words.choose}
       tip={words.choose}
-      testId={TEST.cameraChoice}
+      testId="camera-choice"
       value={source}
       options={WEBCAMS.includes(source) ? webcams : [[source, words.other], ...webcams]}
       onChange={async (chosen) => status.set(await cameraApi.choose(chosen))}

@@ -1,7 +1,6 @@
 import { act, cleanup, render } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { passesAxe } from "../kit/testing/control";
-import { TEST } from "../shell/testids";
 import { changed, hand, seen } from "./testing/seen";
 
 const cameraApi = { status: vi.fn() };
@@ -29,8 +28,8 @@ function draw() {
   const { container, getByTestId, queryByTestId } = render(<CameraPicture />);
   return {
     container,
-    state: () => getByTestId(TEST.cameraPicture).dataset.state,
-    trouble: () => queryByTestId(TEST.cameraTrouble)?.textContent,
+    state: () => getByTestId("camera-picture").dataset.state,
+    trouble: () => queryByTestId("camera-trouble")?.textContent,
     source: () => container.querySelector("img")?.getAttribute("src"),
     isHidden: () => container.querySelector<HTMLElement>(".camera__view")?.hidden,
   };

@@ -2,7 +2,7 @@ import { Camera } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { previewAddress } from "../api/camera";
 import { texts } from "../i18n";
-import { TEST } from "../shell/testids";
+import { usePolling } from "../kit/usePolling";
 import { CameraTrouble } from "./CameraTrouble";
 import { Skeleton } from "./Skeleton";
 import { aspect, camera, hasPicture, refresh } from "./sight";
@@ -21,7 +21,7 @@ export function CameraPicture() {
   return (
     <figure
       class="camera"
-      data-testid={TEST.cameraPicture}
+      data-testid="camera-picture"
       data-state={state}
       style={{ "--aspect": String(aspect.value) }}
     >
@@ -41,11 +41,7 @@ export function CameraPicture() {
 function Preview({ shown }: { shown: boolean }) {
   const [attempt, setAttempt] = useState(0);
   const isOn = camera.value.mode === "on";
-  useEffect(() => {
-    if (isOn) return;
-    const timer = setInterval(() => setAttempt((before) => before + 1), AGAIN_MS);
-    return () => clearInterval(timer);
-  }, [isOn]);
+  usePolling(() => setAttempt((before) => before + 1), { everyMs: AGAIN_MS, isOn: !isOn });
   return (
     <div class="camera__view" hidden={!shown}>
       <Stream key={attempt} attempt={attempt} />

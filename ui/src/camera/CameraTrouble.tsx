@@ -1,18 +1,12 @@
 import { TriangleAlert } from "lucide-preact";
 import type { CameraProblem } from "../api/model";
-import { TEST } from "../shell/testids";
 import { problemWords } from "./problem_words";
 
 /** Why the camera is of no use, and what to do. */
 export function CameraTrouble({ problem }: { problem: CameraProblem }) {
   const { message, remedy } = problemWords(problem);
   return (
-    <div
-      class="camera-trouble"
-      role="status"
-      data-testid={TEST.cameraTrouble}
-      data-code={problem.code}
-    >
+    <div class="camera-trouble" role="status" data-testid="camera-trouble" data-code={problem.code}>
       <TriangleAlert class="icon" aria-hidden="true" />
       <p>
         <strong>{message}</strong> {remedy}

@@ -2,7 +2,6 @@ import { act, cleanup, render } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 import type { CameraSightEvent } from "../api/model";
 import { passesAxe } from "../kit/testing/control";
-import { TEST } from "../shell/testids";
 import { NowSeen } from "./NowSeen";
 import { receive } from "./sight";
 import { changed, hand, seen } from "./testing/seen";
@@ -21,7 +20,7 @@ const shown = (sight: CameraSightEvent, progress = 0) => {
 describe("what the camera sees, in words", () => {
   test("is the letter and how sure it is", async () => {
     const { container, getByTestId } = shown(seen(hand({ best: "B", second: "R" })));
-    expect(getByTestId(TEST.reading).dataset.kind).toBe("sure");
+    expect(getByTestId("reading").dataset.kind).toBe("sure");
     expect(container.textContent).toContain("B");
     expect(container.textContent).toContain("97%");
     expect(container.textContent).toContain("ou R");
@@ -45,7 +44,7 @@ describe("what the camera sees, in words", () => {
     ],
   ])("says what to do about: %s", (kind, sight, words) => {
     const { container, getByTestId } = shown(sight);
-    expect(getByTestId(TEST.reading).dataset.kind).toBe(kind);
+    expect(getByTestId("reading").dataset.kind).toBe(kind);
     expect(container.textContent).toBe(words);
   });
 
@@ -58,7 +57,7 @@ describe("what the camera sees, in words", () => {
   test("is what is wrong with the picture, unless a sign is seen in it all the same", () => {
     const { container, getByTestId } = shown(seen());
     act(() => receive(changed("failed", "camera_dark")));
-    expect(getByTestId(TEST.cameraTrouble).textContent).toMatch(/^Está escuro demais/);
+    expect(getByTestId("camera-trouble").textContent).toMatch(/^Está escuro demais/);
     act(() => receive(seen(hand())));
     expect(container.textContent).toContain("97%");
   });

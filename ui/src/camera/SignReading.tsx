@@ -1,7 +1,6 @@
 import { CircleQuestionMark, Hand, type LucideIcon } from "lucide-preact";
 import { language, texts } from "../i18n";
 import { percent } from "../i18n/format";
-import { TEST } from "../shell/testids";
 import type { Reading } from "./reading";
 
 /** Of the ring around the letter; its circumference is 100. */
@@ -20,7 +19,7 @@ export function SignReading({ reading, progress, next }: SignReadingProps) {
   const { steady } = texts.value.camera;
   const whole = Math.round(100 * progress);
   return (
-    <div class="reading" data-testid={TEST.reading} data-kind={reading.kind}>
+    <div class="reading" data-testid="reading" data-kind={reading.kind}>
       <div
         class="reading__ring"
         role="progressbar"
@@ -98,7 +97,7 @@ function Sure({ best, second, confidence, next }: SureProps) {
   return (
     <div class="reading__words">
       <p class="visually-hidden">{camera.sure(best, share)}</p>
-      <div class="reading__sure" aria-hidden="true">
+      <div class="row middle gap-2" aria-hidden="true">
         <span class="reading__bar">
           <span style={{ width: `${100 * confidence}%` }} />
         </span>

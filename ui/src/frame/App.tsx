@@ -1,34 +1,11 @@
 import type { ComponentType } from "preact";
 import { NotLoaded } from "../kit/requests/NotLoaded";
-import { laterScreen } from "../shell/later";
-import {
-  type FirstScreen,
-  keyOf,
-  type ParametersOf,
-  ROUTES,
-  route,
-  SCREENS,
-  type ScreenName,
-} from "../shell/route";
+import { keyOf, route } from "../shell/route";
 import { connection, refreshStatus } from "../shell/session";
-import { StartScreen } from "../start/StartScreen";
-import { StudioScreen } from "../studio/StudioScreen";
 import { Header } from "./header/Header";
 import { Locked } from "./Locked";
 import { Messages } from "./Messages";
-
-/** Screens of the first bundle; all others are loaded on demand. */
-const FIRST: { [Name in FirstScreen]: ComponentType<ParametersOf<Name>> } = {
-  start: StartScreen,
-  studio: StudioScreen,
-};
-
-const PARTS = Object.fromEntries(
-  SCREENS.map((name) => {
-    const { load } = ROUTES[name];
-    return [name, load ? laterScreen(load) : FIRST[name as FirstScreen]];
-  }),
-) as Readonly<Record<ScreenName, ComponentType<object>>>;
+import { PARTS } from "./screens";
 
 export function App() {
   if (connection.value === "locked") return <Locked />;
@@ -48,6 +25,6 @@ function Screen() {
     return <NotLoaded as="screen" again={refreshStatus} ways={null} />;
   }
   const { screen, ...parameters } = now;
-  const Part = PARTS[screen];
+  const Part = PARTS[screen] as ComponentType<object>; // each has one: screens.test.ts
   return <Part key={keyOf(now)} {...parameters} />;
 }

@@ -1,12 +1,11 @@
 import { Lock } from "lucide-preact";
 import { texts } from "../i18n";
-import { TEST } from "../shell/testids";
 
 /** Shown without the session cookie: only the program can open the page. */
 export function Locked() {
   const { trouble } = texts.value;
   return (
-    <main class="locked" data-testid={TEST.locked}>
+    <main class="locked" data-testid="locked">
       <Lock class="locked__icon" aria-hidden="true" />
       <h1>{trouble.lockedTitle}</h1>
       <p>{trouble.locked}</p>

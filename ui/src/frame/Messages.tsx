@@ -10,7 +10,6 @@ import { Unbroken } from "../kit/requests/Unbroken";
 import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/save_file";
 import { connection, notice, problem } from "../shell/session";
-import { TEST } from "../shell/testids";
 import { type OpenProgram, programOnScreen } from "../studio/program/open_program";
 
 /** Notices and errors as lines under the header, never as dialogs. */
@@ -20,12 +19,12 @@ export function Messages() {
   return (
     <div class="messages" role="status">
       {connection.value === "gone" && (
-        <Line words={gone} fault testId={TEST.gone} icon={<Unplug class="icon" />} />
+        <Line words={gone} fault testId="gone" icon={<Unplug class="icon" />} />
       )}
       {notice.value && !isSuperseded(notice.value, unsavedProblem()) && (
-        <Line words={notice.value} testId={TEST.notice} icon={<Database class="icon" />}>
+        <Line words={notice.value} testId="notice" icon={<Database class="icon" />}>
           {notice.value.code === "database_place_missing" && (
-            <Button testId={TEST.beginEmpty} onPress={beginEmpty}>
+            <Button testId="begin-empty" onPress={beginEmpty}>
               {trouble.beginEmpty}
             </Button>
           )}
@@ -33,12 +32,7 @@ export function Messages() {
       )}
       <Unsaved />
       {problem.value && (
-        <Line
-          words={problem.value}
-          fault
-          testId={TEST.problem}
-          icon={<TriangleAlert class="icon" />}
-        >
+        <Line words={problem.value} fault testId="problem" icon={<TriangleAlert class="icon" />}>
           <Button
             kind="plain"
             icon={X}
@@ -83,7 +77,7 @@ function Unsaved() {
   // to wait helps where room can be made, not where nothing can be written
   const patience = isCode(save.problem.value, "database_read_only") ? "" : saved.failedRemedy;
   const words = { message, remedy: `${remedy} ${patience}`.trim() };
-  return <Line words={words} fault testId={TEST.unsaved} icon={<Save class="icon" />} />;
+  return <Line words={words} fault testId="unsaved" icon={<Save class="icon" />} />;
 }
 
 /** The open program or its group was deleted; its text can still be saved as a file. */
@@ -93,11 +87,11 @@ function Deleted({ open, what }: { open: OpenProgram; what: "program" | "group" 
   const canTake = Boolean(document) && !open.isEmpty;
   const words = { message: deleted[what], remedy: canTake ? deleted.take : deleted.leave };
   return (
-    <Line words={words} fault testId={TEST.deleted} icon={<FileX class="icon" />}>
+    <Line words={words} fault testId="deleted" icon={<FileX class="icon" />}>
       {canTake && document && (
         <Button
           icon={Download}
-          testId={TEST.takeText}
+          testId="take-text"
           onPress={() => takeText(document, open.program.name)}
         >
           {deleted.takeText}

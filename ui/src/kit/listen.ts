@@ -1,6 +1,5 @@
-type Listeners = {
-  readonly [Type in keyof WindowEventMap]?: (event: WindowEventMap[Type]) => unknown;
-};
+type EventMap = WindowEventMap & Pick<DocumentEventMap, "visibilitychange">;
+type Listeners = { readonly [Type in keyof EventMap]?: (event: EventMap[Type]) => unknown };
 
 /** Adds listeners to a target. Returns the function that removes all of them. */
 export function listen(

@@ -1,7 +1,6 @@
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { language, type Texts, texts } from "../i18n";
-import { TEST } from "../shell/testids";
 import { theme } from "../shell/theme";
 import type { Chart, PlotInput, Setting } from "./chart";
 import { type FigureName, TIME_FIGURES } from "./figures";
@@ -34,7 +33,7 @@ export function ChartBox({ source, figure }: ChartBoxProps) {
       aria-label={`${plots.titles[figure]}. ${plots.keys}`}
       // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrows go through its moments
       tabIndex={0}
-      data-testid={TEST.plot}
+      data-testid="plot"
       data-figure={figure}
       data-tick={source.moment.value ?? ""}
       onKeyDown={(event) => goThrough(event, source)}

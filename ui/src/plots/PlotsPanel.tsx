@@ -4,7 +4,6 @@ import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Tabs } from "../kit/Tabs";
 import { fileName, saveFile } from "../shell/save_file";
-import { TEST } from "../shell/testids";
 import { ChartBox } from "./ChartBox";
 import { csvOf } from "./csv";
 import { FIGURES, type FigureName } from "./figures";
@@ -25,11 +24,11 @@ export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
   const { plots } = texts.value;
   const more = source.revision.value;
   return (
-    <section class="plots card" aria-label={plots.label} data-testid={TEST.plots} data-more={more}>
+    <section class="plots card" aria-label={plots.label} data-testid="plots" data-more={more}>
       <div class="text__head">
         <Tabs
           label={plots.label}
-          testId={TEST.plotTab}
+          testId="plot-tab"
           value={figure.value}
           options={FIGURES.map((name) => [
             name,
@@ -40,13 +39,13 @@ export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
             figure.value = name;
           }}
         />
-        <div class="plots__tools">
+        <div class="row rigid">
           <Button
             icon={Download}
             label={plots.save}
             kind="plain"
             open={saving.value}
-            testId={TEST.plotSave}
+            testId="plot-save"
             onPress={() => {
               saving.value = !saving.value;
             }}
@@ -76,7 +75,7 @@ function Size({ tall, onTall }: Pick<PlotsPanelProps, "tall" | "onTall">) {
       icon={Icon}
       label={label}
       kind="plain"
-      testId={TEST.plotSize}
+      testId="plot-size"
       onPress={() => onTall(!tall)}
     />
   );
@@ -98,10 +97,10 @@ function Save({ source, figure }: { source: PlotSource; figure: FigureName }) {
   const { rows } = source.samples;
   return (
     <div class="plots__save">
-      <Button icon={Image} disabled={rows === 0} testId={TEST.plotPicture} onPress={picture}>
+      <Button icon={Image} disabled={rows === 0} testId="plot-picture" onPress={picture}>
         {plots.picture}
       </Button>
-      <Button icon={FileSpreadsheet} disabled={rows === 0} testId={TEST.plotTable} onPress={table}>
+      <Button icon={FileSpreadsheet} disabled={rows === 0} testId="plot-table" onPress={table}>
         {plots.table}
       </Button>
     </div>

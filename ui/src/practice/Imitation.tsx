@@ -9,7 +9,6 @@ import { sight } from "../camera/sight";
 import { listenForSigns, signNames } from "../camera/signs";
 import { texts } from "../i18n";
 import { Choice } from "../kit/Choice";
-import { TEST } from "../shell/testids";
 
 /** A letter to imitate: its drawing, and whether the camera sees it now. */
 export function Imitation({ letter }: { letter: Signal<string> }) {
@@ -22,9 +21,9 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
   const isMatched = reading.kind === "sure" && reading.best === letter.value;
   return (
     <section class="imitation card" aria-label={practice.imitate} data-matched={String(isMatched)}>
-      <div class="imitation__model">
+      <div class="column shrinks-down">
         <h2 class="imitation__title">{practice.imitate}</h2>
-        <SignDrawing sign={letter.value} hand={drawnHand.value} class="imitation__drawing" />
+        <SignDrawing sign={letter.value} hand={drawnHand.value} class="grows shrinks-down" />
         <Matched letter={isMatched ? letter.value : null} />
       </div>
       <div class="imitation__choices">
@@ -32,7 +31,7 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
           label={practice.choose}
           class="imitation__letters"
           optionClass="imitation__letter"
-          testId={TEST.practiceSign}
+          testId="practice-sign"
           value={letter.value}
           options={signNames.value.map(option)}
           onChange={choose}
@@ -41,7 +40,7 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
           label={practice.hand}
           legendClass="imitation__legend"
           class="imitation__hands"
-          testId={TEST.practiceHand}
+          testId="practice-hand"
           value={drawnHand.value}
           options={[
             ["left", practice.left],

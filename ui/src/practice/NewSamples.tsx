@@ -7,7 +7,6 @@ import { Button } from "../kit/Button";
 import { Choice } from "../kit/Choice";
 import { Field } from "../kit/Field";
 import { Form } from "../kit/Form";
-import { TEST } from "../shell/testids";
 import { MISSING_LETTERS, MovementDrawing } from "./MovementDrawing";
 
 /** A sign that is to be taught: its name, whether it moves, and how it is shown to the camera. */
@@ -21,13 +20,13 @@ export function NewSamples({ classroom }: { classroom: string }) {
     return sign !== "" && begin(classroom, sign);
   };
   return (
-    <Form class="teaching__new" onSubmit={record}>
+    <Form class="column gap-2" onSubmit={record}>
       <Choice
         label={words.suggested}
         legendClass="imitation__legend"
         class="teaching__letters"
         optionClass="imitation__letter"
-        testId={TEST.teachLetter}
+        testId="teach-letter"
         value={sign}
         options={MISSING_LETTERS.map(({ letter }) => [
           letter,
@@ -44,7 +43,7 @@ export function NewSamples({ classroom }: { classroom: string }) {
           label={words.name}
           value={name.value}
           maxLength={STORE_LIMITS.MAX_SIGN}
-          data-testid={TEST.teachName}
+          data-testid="teach-name"
           onText={(text) => {
             name.value = text;
           }}
@@ -52,7 +51,7 @@ export function NewSamples({ classroom }: { classroom: string }) {
         <Choice
           label={words.kind}
           class="imitation__hands"
-          testId={TEST.teachKind}
+          testId="teach-kind"
           value={moves.value}
           options={[
             [false, words.still],
@@ -62,7 +61,7 @@ export function NewSamples({ classroom }: { classroom: string }) {
             moves.value = chosen;
           }}
         />
-        <Button submit icon={Video} disabled={sign === ""} testId={TEST.teachRecord}>
+        <Button submit icon={Video} disabled={sign === ""} testId="teach-record">
           {words.record}
         </Button>
       </div>

@@ -2,7 +2,6 @@ import { act, cleanup, fireEvent, render, screen } from "@testing-library/preact
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { changed, hand, seen } from "../camera/testing/seen";
 import { passesAxe } from "../kit/testing/control";
-import { TEST } from "../shell/testids";
 
 const cameraApi = { status: vi.fn() };
 vi.mock("../api/camera", () => ({ cameraApi, previewAddress: () => "" }));
@@ -18,19 +17,19 @@ afterEach(cleanup);
 
 const chosen = () =>
   screen
-    .getAllByTestId(TEST.practiceSign)
+    .getAllByTestId("practice-sign")
     .filter((one) => one.getAttribute("aria-pressed") === "true")
     .map((one) => one.dataset.letter);
-const text = () => screen.getByTestId<HTMLInputElement>(TEST.practiceText).value;
+const text = () => screen.getByTestId<HTMLInputElement>("practice-text").value;
 
 describe("practising signs", () => {
   test("a letter to imitate is chosen with its button or its key, for either hand", async () => {
     const { container } = render(<PracticeScreen />);
     expect(chosen()).toEqual(["A"]);
-    fireEvent.click(screen.getAllByTestId(TEST.practiceSign)[1] as HTMLElement);
+    fireEvent.click(screen.getAllByTestId("practice-sign")[1] as HTMLElement);
     expect(chosen()).toEqual(["B"]);
     const right = container.querySelector(".imitation path")?.getAttribute("d");
-    fireEvent.click(screen.getAllByTestId(TEST.practiceHand)[0] as HTMLElement);
+    fireEvent.click(screen.getAllByTestId("practice-hand")[0] as HTMLElement);
     expect(container.querySelector(".imitation path")?.getAttribute("d")).not.toBe(right);
     fireEvent.keyDown(document.body, { key: "l" });
     expect(chosen()).toEqual(["L"]);
@@ -47,23 +46,23 @@ describe("practising signs", () => {
 
   test("the text is written with keys and buttons too", () => {
     render(<PracticeScreen />);
-    fireEvent.input(screen.getByTestId(TEST.practiceText), { target: { value: "OI" } });
-    fireEvent.click(screen.getByTestId(TEST.practiceSpace));
-    fireEvent.click(screen.getByTestId(TEST.practiceBack));
-    fireEvent.click(screen.getByTestId(TEST.practiceBack));
+    fireEvent.input(screen.getByTestId("practice-text"), { target: { value: "OI" } });
+    fireEvent.click(screen.getByTestId("practice-space"));
+    fireEvent.click(screen.getByTestId("practice-back"));
+    fireEvent.click(screen.getByTestId("practice-back"));
     expect(text()).toBe("O");
-    fireEvent.click(screen.getByTestId(TEST.practiceClear));
+    fireEvent.click(screen.getByTestId("practice-clear"));
     expect(text()).toBe("");
-    fireEvent.click(screen.getByTestId(TEST.practiceClear));
+    fireEvent.click(screen.getByTestId("practice-clear"));
     expect(text()).toBe("O");
   });
 
   test("goes on without a camera: drawings, letters and text stay", async () => {
     const { container } = render(<PracticeScreen />);
     act(() => receive(changed("failed", "camera_missing")));
-    expect(screen.getByTestId(TEST.cameraTrouble)).toBeTruthy();
-    expect(screen.queryByTestId(TEST.reading)).toBeNull();
-    expect(screen.getAllByTestId(TEST.practiceSign)).toHaveLength(21);
+    expect(screen.getByTestId("camera-trouble")).toBeTruthy();
+    expect(screen.queryByTestId("reading")).toBeNull();
+    expect(screen.getAllByTestId("practice-sign")).toHaveLength(21);
     await passesAxe(container);
   });
 });

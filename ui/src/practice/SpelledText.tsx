@@ -1,7 +1,6 @@
 import { Delete, Eraser, Space, Undo2 } from "lucide-preact";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { TEST } from "../shell/testids";
 import type { Spelling } from "./spelling";
 
 /** Characters: more than any word or short sentence takes. */
@@ -22,15 +21,15 @@ export function SpelledText({ spelling }: { spelling: Spelling }) {
         spellcheck={false}
         aria-label={words.text}
         placeholder={words.placeholder}
-        data-testid={TEST.practiceText}
+        data-testid="practice-text"
         onInput={(event) => spelling.write(event.currentTarget.value)}
       />
-      <Button icon={Space} testId={TEST.practiceSpace} onPress={() => spelling.write(`${text} `)}>
+      <Button icon={Space} testId="practice-space" onPress={() => spelling.write(`${text} `)}>
         {words.space}
       </Button>
       <Button
         icon={Delete}
-        testId={TEST.practiceBack}
+        testId="practice-back"
         disabled={isEmpty}
         onPress={() => spelling.back()}
       >
@@ -55,7 +54,7 @@ function ClearButton({ spelling }: { spelling: Spelling }) {
   return (
     <Button
       icon={wasCleared ? Undo2 : Eraser}
-      testId={TEST.practiceClear}
+      testId="practice-clear"
       disabled={!wasCleared && spelling.text.value === ""}
       onPress={() => (wasCleared ? spelling.bringBack() : spelling.clear())}
     >

@@ -2,7 +2,6 @@ import { act, cleanup, fireEvent, render, screen, waitFor } from "@testing-libra
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { SignRecordingEvent } from "../api/model";
 import { passesAxe } from "../kit/testing/control";
-import { TEST } from "../shell/testids";
 
 const signsApi = {
   use: vi.fn(),
@@ -51,8 +50,8 @@ beforeEach(() => {
 });
 afterEach(cleanup);
 
-const status = () => screen.getByTestId(TEST.teachTold).textContent;
-const taught = () => screen.queryAllByTestId(TEST.taughtSign).map((one) => one.dataset.sign);
+const status = () => screen.getByTestId("teach-told").textContent;
+const taught = () => screen.queryAllByTestId("taught-sign").map((one) => one.dataset.sign);
 
 describe("teaching a sign", () => {
   test("is for a class", async () => {
@@ -66,8 +65,8 @@ describe("teaching a sign", () => {
   test("begins with its name, counts what is recorded, and says when the camera knows it", async () => {
     const { container } = render(<Teaching />);
     await waitFor(() => expect(taught()).toEqual(["vai"]));
-    fireEvent.input(screen.getByTestId(TEST.teachName), { target: { value: " vai " } });
-    fireEvent.click(screen.getByTestId(TEST.teachRecord));
+    fireEvent.input(screen.getByTestId("teach-name"), { target: { value: " vai " } });
+    fireEvent.click(screen.getByTestId("teach-record"));
     await waitFor(() => expect(signsApi.record).toHaveBeenCalledWith("c", "vai"));
     act(() => receive(told({})));
     expect(status()).toContain("3 de 10");
@@ -94,7 +93,7 @@ describe("teaching a sign", () => {
     expect(screen.getByText("5 movimentos")).toBeTruthy();
     fireEvent.click(screen.getByRole("button", { name: "J" }));
     expect(container.textContent).toContain("Cinco vezes");
-    fireEvent.click(screen.getByTestId(TEST.teachRecord));
+    fireEvent.click(screen.getByTestId("teach-record"));
     await waitFor(() => expect(signsApi.recordMoving).toHaveBeenCalledWith("c", "J"));
     act(() => receive(told({ sign: "J", is_moving: true, n_samples: 2, n_wanted: 5 })));
     expect(status()).toContain("J: 2 de 5. Parem a mão");
@@ -103,19 +102,19 @@ describe("teaching a sign", () => {
 
   test("of Y and of any name chosen so records a hand at rest", async () => {
     render(<Teaching />);
-    await screen.findByTestId(TEST.teachTold);
+    await screen.findByTestId("teach-told");
     fireEvent.click(screen.getByRole("button", { name: "Z" }));
     fireEvent.click(screen.getByRole("button", { name: "Y" }));
-    fireEvent.click(screen.getByTestId(TEST.teachRecord));
+    fireEvent.click(screen.getByTestId("teach-record"));
     await waitFor(() => expect(signsApi.record).toHaveBeenCalledWith("c", "Y"));
     fireEvent.click(screen.getByRole("button", { name: "Se mexe (experimental)" }));
-    fireEvent.click(screen.getByTestId(TEST.teachRecord));
+    fireEvent.click(screen.getByTestId("teach-record"));
     await waitFor(() => expect(signsApi.recordMoving).toHaveBeenCalledWith("c", "Y"));
   });
 
   test("says why it was given up", async () => {
     render(<Teaching />);
-    await screen.findByTestId(TEST.teachTold);
+    await screen.findByTestId("teach-told");
     act(() => receive(told({ code: "x", message: "Sem mão.", remedy: "Mostrem a mão." })));
     expect(status()).toBe("Sem mão. Mostrem a mão.");
     act(() => receive(told({ code: "sign_recording_stopped", message: "No hand.", remedy: "" })));
@@ -127,7 +126,7 @@ describe("teaching a sign", () => {
   test("is taken back", async () => {
     render(<Teaching />);
     signsApi.list.mockResolvedValue([A]);
-    fireEvent.click(await screen.findByTestId(TEST.forgetSign));
+    fireEvent.click(await screen.findByTestId("forget-sign"));
     await waitFor(() => expect(signsApi.forget).toHaveBeenCalledWith("c", "vai"));
     act(() => receive({ type: "signs_changed", classroom: "c" }));
     await waitFor(() => expect(taught()).toEqual([]));

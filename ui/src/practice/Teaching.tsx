@@ -12,7 +12,6 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { classroom, shownClass } from "../shell/classroom";
 import { groupsAndClasses } from "../shell/first_answers";
 import { group } from "../shell/session";
-import { TEST } from "../shell/testids";
 import { NewSamples } from "./NewSamples";
 
 /** The class of the group that works, or the one that the start screen shows; only a class teaches signs. */
@@ -46,7 +45,7 @@ function OfClass({ id }: { id: string }) {
     <details class="teaching card">
       <summary class="teaching__title">{words.title}</summary>
       <NewSamples classroom={id} />
-      <p class="teaching__told" role="status" data-testid={TEST.teachTold}>
+      <p class="teaching__told" role="status" data-testid="teach-told">
         {told && wordsOfRecording(told)}
       </p>
       <Taught
@@ -67,14 +66,14 @@ function Taught({ signs, onForget }: TaughtProps) {
   return (
     <ul class="teaching__signs">
       {signs.map(({ name, n_samples, n_movements }) => (
-        <li key={name} data-testid={TEST.taughtSign} data-sign={name}>
+        <li key={name} data-testid="taught-sign" data-sign={name}>
           <strong>{name}</strong>
           {n_samples > 0 && <span>{words.samples(n_samples)}</span>}
           {n_movements > 0 && <span>{words.movements(n_movements)}</span>}
           <Button
             icon={Trash2}
             label={words.forget(name)}
-            testId={TEST.forgetSign}
+            testId="forget-sign"
             onPress={() => onForget(name)}
           />
         </li>

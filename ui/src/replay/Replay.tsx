@@ -8,7 +8,6 @@ import { VerdictLine } from "../run/real/VerdictLine";
 import { beep } from "../run/sound";
 import { later } from "../shell/later";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
-import { TEST } from "../shell/testids";
 import { ReplayFloor } from "./ReplayFloor";
 import { ReplayBlocks } from "./ReplayParts";
 import { RunNotes } from "./RunNotes";
@@ -62,7 +61,7 @@ function ReplayProgram({ recording, onOpen }: ReplayProps) {
         <p>{run.version ? replay.readOnly : replay.noVersion}</p>
         <RobotName link={run.link} />
         {run.program_id && (
-          <Button icon={Blocks} testId={TEST.replayProgram} onPress={onOpen}>
+          <Button icon={Blocks} testId="replay-program" onPress={onOpen}>
             {replay.openProgram}
           </Button>
         )}

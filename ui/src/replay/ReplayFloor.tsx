@@ -7,7 +7,6 @@ import { Readout } from "../run/panels/Readout";
 import { Shown } from "../run/panels/Shown";
 import { Scene } from "../scene/Scene";
 import { later } from "../shell/later";
-import { TEST } from "../shell/testids";
 import { ReplayWords } from "./ReplayParts";
 import type { Recording } from "./recording";
 
@@ -55,7 +54,7 @@ export function ReplayFloor({ recording }: { recording: Recording }) {
       <div class="floor__foot card">
         <Readout view={playback.view} />
         <FootButton
-          testId={TEST.plotsToggle}
+          testId="plots-toggle"
           icon={ChartLine}
           word={plots.open}
           label={plots.label}

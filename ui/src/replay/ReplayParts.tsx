@@ -8,7 +8,6 @@ import { failureIn } from "../run/failure";
 import { StatusLine } from "../run/panels/StatusLine";
 import { isLive, litBlock, type RunView } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
-import { TEST } from "../shell/testids";
 import { theme } from "../shell/theme";
 
 /** A recorded run and its state at the current tick. */
@@ -67,5 +66,5 @@ export function ReplayBlocks({ run, view }: Shown) {
   useEffect(() => editor.current?.setTheme(theme.value), [theme.value]);
   useEffect(() => editor.current?.setLanguage(language.value), [language.value]);
 
-  return <div class="blocks__editor" ref={container} data-testid={TEST.editor} />;
+  return <div class="blocks__editor" ref={container} data-testid="editor" />;
 }

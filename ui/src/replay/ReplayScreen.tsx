@@ -3,13 +3,13 @@ import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { nameInHeader } from "../shell/named";
-import { go } from "../shell/route";
+import { go, type ParametersOf } from "../shell/route";
 import { couldNotOpen } from "../studio/program/open_program";
 import { Replay } from "./Replay";
 import { loadRecording, type Recording } from "./recording";
 
 /** Loads the recording of a run and shows it. */
-export function ReplayScreen({ run: runId }: { run: string }) {
+export function ReplayScreen({ run: runId }: ParametersOf<"replay">) {
   const recording = useLoaded(runId, () => load(runId), {
     onFailed: couldNotOpen,
     release: ({ playback }) => playback.dispose(),

@@ -4,7 +4,6 @@ import { versionsApi } from "../api/versions";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { useLoaded } from "../kit/requests/useLoaded";
-import { TEST } from "../shell/testids";
 
 /** The teacher's notes about the replayed run. */
 export function RunNotes({ runId }: { runId: string }) {
@@ -18,13 +17,13 @@ export function RunNotes({ runId }: { runId: string }) {
   return (
     <ul class="run-notes" aria-label={words.noteFrom} data-scrolls>
       {notes.value.map((note) => (
-        <li key={note.id} class="run-notes__note" data-testid={TEST.noteCard}>
+        <li key={note.id} class="run-notes__note" data-testid="note-card">
           <Mail class="icon" aria-hidden="true" />
           <p>
             <strong>{words.noteFrom}:</strong> {note.text}
           </p>
           {note.seen_at === null && (
-            <Button icon={Check} testId={TEST.noteSeen} onPress={() => see(note)}>
+            <Button icon={Check} testId="note-seen" onPress={() => see(note)}>
               {words.noteSeen}
             </Button>
           )}

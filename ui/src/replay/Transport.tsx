@@ -7,7 +7,6 @@ import { listen } from "../kit/listen";
 import { Select } from "../kit/Select";
 import { TimeStrip } from "../run/panels/TimeStrip";
 import { type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
-import { TEST } from "../shell/testids";
 
 interface TransportProps {
   playback: Playback;
@@ -27,16 +26,11 @@ export function Transport({ playback, tracks }: TransportProps) {
     <section class="transport" aria-label={replay.title}>
       <PlayButton playback={playback} />
       <div class="transport__steps">
-        <Button
-          icon={StepBack}
-          label={replay.back}
-          testId={TEST.replayBack}
-          onPress={() => step(-1)}
-        />
+        <Button icon={StepBack} label={replay.back} testId="replay-back" onPress={() => step(-1)} />
         <Button
           icon={StepForward}
           label={replay.forward}
-          testId={TEST.replayForward}
+          testId="replay-forward"
           onPress={() => step(1)}
         />
       </div>
@@ -57,7 +51,7 @@ function PlayButton({ playback }: { playback: Playback }) {
       filled={!over}
       kind="main"
       class="transport__play"
-      testId={TEST.replayPlay}
+      testId="replay-play"
       data-does={playing ? "pause" : "play"}
       onPress={() => playback.toggle()}
     >
@@ -75,7 +69,7 @@ function Slider({ playback, tracks }: TransportProps) {
       tick={playback.tick.value}
       end={playback.end}
       time={replay.at(time(playback.tick.value), time(playback.end))}
-      testId={TEST.replaySlider}
+      testId="replay-slider"
       onTick={(tick) => playback.seek(tick)}
     />
   );
@@ -94,7 +88,7 @@ function Speed({ playback }: { playback: Playback }) {
       class="transport__speed"
       label={replay.speed}
       tip={replay.speed}
-      testId={TEST.replaySpeed}
+      testId="replay-speed"
       value={playback.speed.value}
       options={SPEEDS.map((speed) => [speed, `${speedWords(speed)}×`])}
       onChange={(speed) => {

@@ -9,7 +9,6 @@ import { listen } from "../kit/listen";
 import { showBeeps } from "../run/beep_sign";
 import type { Pose, RunView } from "../run/reducer";
 import { program } from "../shell/session";
-import { TEST } from "../shell/testids";
 import { prefersStill, theme } from "../shell/theme";
 import type { Companion } from "./companion";
 import { startOf, toWorld, type XY } from "./frames";
@@ -134,12 +133,12 @@ function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
         role="application"
         aria-label={[label, marks, keys].filter(Boolean).join(" ")}
         tabIndex={0}
-        data-testid={TEST.scene}
+        data-testid="scene"
         data-phase={phase}
         data-tool={tools.tool.value ?? ""}
       />
       {/* the newest mark, told to who does not see it when it is put on the floor */}
-      <output class="visually-hidden" data-testid={TEST.lastMark}>
+      <output class="visually-hidden" data-testid="last-mark">
         {told.at(-1)}
       </output>
     </>
@@ -157,7 +156,7 @@ function MeasureHint({ tools }: { tools: SceneTools }) {
   return (
     <output
       class={words ? "visually-hidden" : "scene__hint"}
-      data-testid={TEST.measure}
+      data-testid="measure"
       data-value={value?.toFixed(3) ?? ""}
     >
       {words || scene[tool === "ruler" ? "rulerHint" : "protractorHint"]}

@@ -1,10 +1,10 @@
 import type { World } from "../api/model";
+import { areaOf, trace } from "./areas";
 import { edgeOf, paintOf } from "./paints";
 import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 type Paint = World["floor"][number];
-type Area = World["zones"][number] | Paint;
 
 /** Colour that the robot's floor sensor reads where nothing is painted; it is the same in every theme. */
 const BARE_FLOOR = "white";
@@ -15,7 +15,7 @@ export function drawPaint(ctx: Ctx, world: World | null, palette: Palette, pixel
   for (const areas of layersOf(world?.floor ?? [])) {
     const paint = paintOf(areas[0].color);
     ctx.beginPath();
-    for (const area of areas) trace(ctx, area);
+    for (const area of areas) trace(ctx, areaOf(area));
     ctx.strokeStyle = edgeOf(paint, palette.tile, palette.number) ?? paint;
     ctx.stroke();
     ctx.fillStyle = palette.tile;
@@ -47,7 +47,7 @@ export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel
   ctx.lineWidth = 2 * pixel;
   for (const zone of zones) {
     ctx.beginPath();
-    trace(ctx, zone);
+    trace(ctx, areaOf(zone));
     ctx.stroke();
   }
   ctx.textAlign = "center";
@@ -65,8 +65,6 @@ const READABLE_PX = 13;
 const HALO_PART = 0.12;
 
 type Zone = World["zones"][number];
-
-const widthOf = (zone: Zone) => zone.size?.[0] ?? 2 * (zone.radius ?? 0.5);
 
 /** Width in m that a name can take without meeting the name of a zone beside. */
 function roomBeside(zone: Zone, zones: readonly Zone[]): number {
@@ -90,7 +88,7 @@ function drawName(
   ctx.scale(0.01, -0.01); // fonts below one pixel render badly
   ctx.font = `700 ${NAME_M * 100}px ${font}`;
   const width = ctx.measureText(zone.name).width / 100;
-  const inside = Math.min(1, (NAME_PART * widthOf(zone)) / width);
+  const inside = Math.min(1, (NAME_PART * areaOf(zone).width) / width);
   const readable = Math.min((READABLE_PX * pixel) / NAME_M, room / width);
   const fit = Math.max(inside, readable);
   ctx.scale(fit, fit);
@@ -102,31 +100,4 @@ function drawName(
   ctx.fillStyle = ink;
   ctx.fillText(zone.name, 0, 0);
   ctx.restore();
-}
-
-function trace(ctx: Ctx, area: Area): void {
-  const [x = 0, y = 0] = area.center;
-  if (area.radius != null) {
-    ctx.moveTo(x + area.radius, y);
-    ctx.arc(x, y, area.radius, 0, 2 * Math.PI);
-    return;
-  }
-  const [width = 0, depth = 0] = area.size ?? [];
-  const turn = ((area.heading_deg ?? 0) * Math.PI) / 180;
-  const corners = [
-    [-1, -1],
-    [1, -1],
-    [1, 1],
-    [-1, 1],
-  ] as const;
-  for (const [i, [right, up]] of corners.entries()) {
-    const [dx, dy] = [(right * width) / 2, (up * depth) / 2];
-    const corner = [
-      x + dx * Math.cos(turn) - dy * Math.sin(turn),
-      y + dx * Math.sin(turn) + dy * Math.cos(turn),
-    ] as const;
-    if (i === 0) ctx.moveTo(...corner);
-    else ctx.lineTo(...corner);
-  }
-  ctx.closePath();
 }

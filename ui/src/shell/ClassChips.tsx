@@ -4,7 +4,6 @@ import { language, texts } from "../i18n";
 import { Choice } from "../kit/Choice";
 import { setClassroom } from "./classroom";
 import { withDistinctNames } from "./namesakes";
-import { TEST } from "./testids";
 
 interface ClassChipsProps {
   classes: readonly Classroom[];
@@ -22,7 +21,7 @@ export function ClassChips({ classes, withNone, shown }: ClassChipsProps) {
       label={words.choose}
       class="class-chips"
       optionClass="class-chips__one"
-      testId={TEST.classChip}
+      testId="class-chip"
       value={shown}
       options={[...withDistinctNames(classes, language.value), ...(withNone ? [none] : [])].map(
         ({ id, name }) => [

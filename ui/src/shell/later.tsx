@@ -7,11 +7,17 @@ import { Button } from "../kit/Button";
 import { wordsOf } from "../kit/requests/problem";
 import { ToStart } from "../kit/ToStart";
 import { connection, problem, refreshStatus, report } from "./session";
-import { TEST } from "./testids";
+
+let fetchStyles: () => Promise<unknown> = async () => {};
+
+/** Says how the styles of all lazy parts are fetched: their list names parts that the shell does not know. */
+export function setLaterStyles(fetch: () => Promise<unknown>): void {
+  fetchStyles = fetch;
+}
 
 /** Imports a lazy part, together with the texts and styles of all lazy parts. */
 export async function fetchPart<Part>(load: () => Promise<Part>): Promise<Part> {
-  const [part] = await Promise.all([load(), import("../styles_later"), fetchLaterTexts()]);
+  const [part] = await Promise.all([load(), fetchStyles(), fetchLaterTexts()]);
   return part;
 }
 
@@ -68,7 +74,7 @@ function NotFetched() {
   return (
     <main class="screen waiting">
       <div class="waiting__ways">
-        <Button icon={RotateCw} testId={TEST.fetchAgain} onPress={again}>
+        <Button icon={RotateCw} testId="fetch-again" onPress={again}>
           {texts.value.saved.retry}
         </Button>
         <ToStart />

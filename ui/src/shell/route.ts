@@ -1,5 +1,4 @@
 import { signal } from "@preact/signals";
-import type { JSX } from "preact";
 
 export const TEACHER_PARTS = [
   "lessons",
@@ -11,10 +10,6 @@ export const TEACHER_PARTS = [
   "files",
   "computer",
 ] as const;
-export type TeacherPart = (typeof TEACHER_PARTS)[number];
-
-/** A component with these parameters; explicit in each row, because a screen's type may depend on `Route`. */
-type Screen<Parameters = unknown> = Promise<(parameters: Parameters) => JSX.Element | null>;
 
 interface Row {
   /** The address after `#/`: `:name` is a parameter, `:name?` an optional one, null if missing. */
@@ -25,76 +20,26 @@ interface Row {
   readonly ofGroup?: true;
   /** Parameters whose change remounts the screen; by default all. */
   readonly remount?: readonly string[];
-  /** Imports the screen; without it the screen is in the first bundle (`frame/App`). */
-  readonly load?: () => Screen<never>;
 }
 
 /**
- * All screens: name, address, component. The title is the text `titles.NAME`. `Route`, `parse`, `hashOf`, the screen
- * switch of `frame/App` and prefetching derive from this table.
+ * All screens: name and address. The title is the text `titles.NAME`, the component stands in a file of its name, which
+ * `frame/screens` finds. `Route`, `parse`, `hashOf` and the switch of screens derive from this table.
  */
 const ROWS = {
   start: { pattern: "" },
   studio: { pattern: "program/:program", ofGroup: true },
-  work: {
-    pattern: "work/:group",
-    ofGroup: true,
-    load: async (): Screen<{ group: string }> => (await import("../work/WorkScreen")).WorkScreen,
-  },
-  activities: {
-    pattern: "activities/:group",
-    ofGroup: true,
-    load: async (): Screen<{ group: string }> =>
-      (await import("../activities/ActivitiesScreen")).ActivitiesScreen,
-  },
-  practice: {
-    pattern: "practice",
-    load: async (): Screen => (await import("../practice/PracticeScreen")).PracticeScreen,
-  },
-  replay: {
-    pattern: "run/:run",
-    ofGroup: true,
-    load: async (): Screen<{ run: string }> =>
-      (await import("../replay/ReplayScreen")).ReplayScreen,
-  },
-  versions: {
-    pattern: "versions/:program/:version?",
-    ofGroup: true,
-    remount: ["program"],
-    load: async (): Screen<{ program: string; version: string | null }> =>
-      (await import("../versions")).VersionsScreen,
-  },
-  differences: {
-    pattern: "differences/:program/:before/:after",
-    ofGroup: true,
-    load: async (): Screen<{ program: string; before: string; after: string }> =>
-      (await import("../versions")).DifferencesScreen,
-  },
-  teacher: {
-    pattern: "teacher/:part",
-    choices: { part: TEACHER_PARTS },
-    remount: [],
-    load: async (): Screen<{ part: TeacherPart }> =>
-      (await import("../teacher/TeacherScreen")).TeacherScreen,
-  },
-  lesson: {
-    pattern: "lesson/:lesson",
-    load: async (): Screen<{ lesson: string }> =>
-      (await import("../teacher/review/lesson/LessonScreen")).LessonScreen,
-  },
-  runs: {
-    pattern: "runs",
-    load: async (): Screen => (await import("../teacher/review/runs/RunsScreen")).RunsScreen,
-  },
-  cards: {
-    pattern: "cards",
-    load: async (): Screen => (await import("../teacher/cards/CardsScreen")).CardsScreen,
-  },
-  compare: {
-    pattern: "compare/:first/:second",
-    load: async (): Screen<{ first: string; second: string }> =>
-      (await import("../teacher/review/compare/CompareScreen")).CompareScreen,
-  },
+  work: { pattern: "work/:group", ofGroup: true },
+  activities: { pattern: "activities/:group", ofGroup: true },
+  practice: { pattern: "practice" },
+  replay: { pattern: "run/:run", ofGroup: true },
+  versions: { pattern: "versions/:program/:version?", ofGroup: true, remount: ["program"] },
+  differences: { pattern: "differences/:program/:before/:after", ofGroup: true },
+  teacher: { pattern: "teacher/:part", choices: { part: TEACHER_PARTS }, remount: [] },
+  lesson: { pattern: "lesson/:lesson" },
+  runs: { pattern: "runs" },
+  cards: { pattern: "cards" },
+  compare: { pattern: "compare/:first/:second" },
 } as const satisfies Record<string, Row>;
 
 type Rows = typeof ROWS;
@@ -112,27 +57,12 @@ type Chosen<R> = R extends { choices: infer Choices extends Record<string, reado
   ? { [Name in keyof Choices]: Choices[Name][number] }
   : unknown;
 
-/** The parameters of a screen, from its pattern. */
+/** The parameters of a screen, from its pattern: what its component takes. */
 export type ParametersOf<Name extends ScreenName> = Named<Rows[Name]["pattern"]> &
   Chosen<Rows[Name]>;
 
 /** A place in the page. */
 export type Route = { [Name in ScreenName]: { screen: Name } & ParametersOf<Name> }[ScreenName];
-
-/** Screens of the first bundle. */
-export type FirstScreen = {
-  [Name in ScreenName]: Rows[Name] extends { load: unknown } ? never : Name;
-}[ScreenName];
-
-/** Compile-time check: each screen takes the parameters of its pattern. */
-type Misfit = {
-  [Name in ScreenName]: Rows[Name] extends { load: () => Screen<infer Taken> }
-    ? ParametersOf<Name> extends Taken
-      ? never
-      : Name
-    : never;
-}[ScreenName];
-null as unknown as Misfit satisfies never;
 
 export const ROUTES: Readonly<Record<ScreenName, Row>> = ROWS;
 export const SCREENS = Object.keys(ROWS) as ScreenName[];

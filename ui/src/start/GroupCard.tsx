@@ -2,7 +2,6 @@ import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { GroupPicture } from "../kit/pictures/GroupPicture";
-import { TEST } from "../shell/testids";
 import { enterGroup } from "../work/entering";
 import { groupCounts } from "./group_counts";
 
@@ -14,7 +13,7 @@ export function GroupCard({ group }: { group: Group }) {
       kind="bare"
       class="group-card card tinted"
       style={{ "--group": group.color }}
-      testId={TEST.groupCard}
+      testId="group-card"
       data-picture={group.picture}
       tip={start.open(group.name)}
       onPress={() => enterGroup(group)}

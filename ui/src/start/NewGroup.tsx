@@ -11,7 +11,6 @@ import { PictureChoice } from "../kit/pictures/PictureChoice";
 import { rarestPicture } from "../kit/pictures/pictures";
 import { useAct } from "../kit/requests/act";
 import { FaultLine } from "../kit/requests/FaultLine";
-import { TEST } from "../shell/testids";
 import { enterGroup } from "../work/entering";
 
 interface NewGroupProps {
@@ -51,12 +50,12 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
   return (
     <Form class={first ? "new-group new-group--first" : "new-group card"} onSubmit={create}>
       {!first && <Title />}
-      <div class="new-group__who">
+      <div class="row shrinks gap-2">
         {!first && <PictureButton {...choice} />}
         <input
           ref={input}
           class="field new-group__field"
-          data-testid={TEST.groupName}
+          data-testid="group-name"
           aria-label={start.nameLabel}
           aria-invalid={fault !== null}
           placeholder={start.namePlaceholder}
@@ -71,7 +70,7 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
         kind="main"
         class="new-group__go"
         iconEnd={ArrowRight}
-        testId={TEST.createGroup}
+        testId="create-group"
         busy={isBusy}
       >
         {isBusy ? start.creating : start.create}

@@ -14,7 +14,6 @@ import { groupsAndClasses } from "../shell/first_answers";
 import { hashOf } from "../shell/route";
 import { group, program, report } from "../shell/session";
 import { loadTeacherSession, teacherSession } from "../shell/teacher/teacher_session";
-import { TEST } from "../shell/testids";
 import { OpenLessonFile } from "../work/OpenLessonFile";
 import { BringIn } from "../work/ProgramFile";
 import { GroupCard } from "./GroupCard";
@@ -65,7 +64,7 @@ function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
       <div class="start__head">
         <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
         <div class="start__teacher">
-          <div class="start__ways">
+          <div class="row wrap end">
             <PracticeLink />
             <BringIn />
             <LessonFileLink onLesson={onLesson} />
@@ -137,10 +136,10 @@ function FirstGroup({ onLesson }: LessonFileProps) {
           <a
             class="prepare"
             href={hashOf({ screen: "teacher", part: "lessons" })}
-            data-testid={TEST.prepare}
+            data-testid="prepare"
           >
             <GraduationCap class="icon prepare__icon" aria-hidden="true" />
-            <span class="prepare__words">
+            <span class="column">
               <strong>{classes.prepare}</strong>
               <span>{classes.prepareHint}</span>
             </span>
@@ -172,7 +171,7 @@ function PracticeLink() {
       class="start__practice"
       icon={Hand}
       href={hashOf({ screen: "practice" })}
-      testId={TEST.practice}
+      testId="practice"
     >
       {texts.value.titles.practice}
     </LinkButton>
@@ -187,7 +186,7 @@ function TeacherLink() {
       class="start__teacher-link"
       icon={teacherSession.value?.is_open ? DoorOpen : DoorClosed}
       href={hashOf({ screen: "teacher", part: "lessons" })}
-      testId={TEST.teacherLink}
+      testId="teacher-link"
     >
       {texts.value.classes.door}
     </LinkButton>

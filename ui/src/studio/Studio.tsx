@@ -10,7 +10,7 @@ import { FloorPane } from "./floor_pane/FloorPane";
 import type { OpenProgram } from "./program/open_program";
 import { StudioControl } from "./studio_control";
 
-const TourBalloon = later(async () => (await import("../tour/TourBalloon")).TourBalloon);
+const TourBalloon = later(async () => (await import("./tour/TourBalloon")).TourBalloon);
 const WorldEditor = later(async () => (await import("../world_editor/WorldEditor")).WorldEditor);
 
 /** The studio: blocks on the left, floor on the right. */

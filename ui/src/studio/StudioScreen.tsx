@@ -12,13 +12,14 @@ import { loadRealRobots } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import { programAndGroups } from "../shell/first_answers";
 import { LEVELS, levelInUse, type MissionLevel, missionLevel } from "../shell/level";
+import type { ParametersOf } from "../shell/route";
 import { group, problem, program, report } from "../shell/session";
 import { OpenSound } from "./OpenSound";
 import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
 
 /** Loads a program and shows it in the studio. */
-export function StudioScreen({ program: programId }: { program: string }) {
+export function StudioScreen({ program: programId }: ParametersOf<"studio">) {
   return <Opening key={`${programId} ${reloads.value}`} programId={programId} />;
 }
 

@@ -8,13 +8,12 @@ import { Form } from "../kit/Form";
 import { useAct } from "../kit/requests/act";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { asTeacher } from "../shell/teacher/teacher_session";
-import { TEST } from "../shell/testids";
 
 interface NameFieldProps {
   name: string;
   /** Tooltip of the pencil. */
   label: string;
-  testId?: (typeof TEST)[keyof typeof TEST];
+  testId?: string;
   onRename(name: string): Promise<unknown>;
   /** The name outside editing. */
   children: ComponentChildren;
@@ -59,7 +58,7 @@ export function NameField({ name, label, testId, onRename, children }: NameField
         maxLength={STORE_LIMITS.MAX_NAME}
         value={draft}
         spellcheck={false}
-        data-testid={TEST.nameField}
+        data-testid="name-field"
         onInput={(event) => setDraft(event.currentTarget.value)}
         onKeyDown={(event) => event.key === "Escape" && leave()}
       />

@@ -11,8 +11,7 @@ import {
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
-import { hashOf, TEACHER_PARTS, type TeacherPart } from "../shell/route";
-import { TEST } from "../shell/testids";
+import { hashOf, type ParametersOf, TEACHER_PARTS } from "../shell/route";
 import { CameraPart } from "./camera/CameraPart";
 import { ClassesPart } from "./classes/ClassesPart";
 import { ComputerPart } from "./computer/ComputerPart";
@@ -36,12 +35,8 @@ const ICONS = {
   computer: Monitor,
 } as const;
 
-interface TeacherScreenProps {
-  part: TeacherPart;
-}
-
 /** The teacher's page: lessons, the plan of one, own activities, classes and groups, camera, real robots, files, this PC. */
-export function TeacherScreen({ part }: TeacherScreenProps) {
+export function TeacherScreen({ part }: ParametersOf<"teacher">) {
   const place = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     if (place.current) place.current.scrollTop = 0; // each part begins with its title
@@ -58,7 +53,7 @@ export function TeacherScreen({ part }: TeacherScreenProps) {
   );
 }
 
-function PartLinks({ part }: TeacherScreenProps) {
+function PartLinks({ part }: ParametersOf<"teacher">) {
   const { parts } = texts.value.teacher;
   return (
     <nav class="teacher__nav" aria-label={parts.label}>
@@ -70,7 +65,7 @@ function PartLinks({ part }: TeacherScreenProps) {
             class="teacher__link"
             href={hashOf({ screen: "teacher", part: one })}
             aria-current={one === part ? "page" : undefined}
-            data-testid={TEST.teacherPart}
+            data-testid="teacher-part"
             data-part={one}
           >
             <Icon class="icon" aria-hidden="true" />
@@ -82,7 +77,7 @@ function PartLinks({ part }: TeacherScreenProps) {
   );
 }
 
-function Part({ part }: TeacherScreenProps) {
+function Part({ part }: ParametersOf<"teacher">) {
   if (part === "activities") return <ActivitiesPart />;
   if (part === "camera") return <CameraPart />;
   if (part === "robot") return <RobotPart />;
@@ -91,7 +86,7 @@ function Part({ part }: TeacherScreenProps) {
   return <SchoolPart part={part} />;
 }
 
-function SchoolPart({ part }: TeacherScreenProps) {
+function SchoolPart({ part }: ParametersOf<"teacher">) {
   // loaded anew for each part: pupils may have created groups in another window
   const school = useTeacherLoaded(part, loadSchool);
   return (

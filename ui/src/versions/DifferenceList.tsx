@@ -5,7 +5,6 @@ import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { hashOf } from "../shell/route";
-import { TEST } from "../shell/testids";
 import { setupOf } from "../studio/program/setup";
 import type { ComparedBlocks } from "./compared_blocks";
 import type { Differing } from "./differences";
@@ -32,21 +31,19 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
     <section class="differences__list">
       <div class="differences__head">
         <LinkButton icon={ArrowLeft} label={words.backToHistory} href={history} />
-        <h2 data-testid={TEST.differenceCount}>
-          {words.differences(list.length + changes.length)}
-        </h2>
+        <h2 data-testid="difference-count">{words.differences(list.length + changes.length)}</h2>
         <Button
           icon={ChevronUp}
           label={words.previous}
           disabled={list.length === 0}
-          testId={TEST.differencePrevious}
+          testId="difference-previous"
           onPress={() => sides.step(-1)}
         />
         <Button
           icon={ChevronDown}
           label={words.next}
           disabled={list.length === 0}
-          testId={TEST.differenceNext}
+          testId="difference-next"
           onPress={() => sides.step(1)}
         />
       </div>
@@ -79,7 +76,7 @@ function SetupDifferences({ changes }: { changes: readonly SetupChange[] }) {
   const { keeping } = texts.value;
   if (changes.length === 0) return null;
   return (
-    <dl class="differences__setup" aria-label={keeping.setup} data-testid={TEST.setupDifferences}>
+    <dl class="differences__setup" aria-label={keeping.setup} data-testid="setup-differences">
       {changes.map((one) => (
         <div key={one.what}>
           <dt>{one.what}</dt>
@@ -110,11 +107,11 @@ function DifferenceLine({ one, text, current, onChoose }: DifferenceLineProps) {
         class="differences__line"
         elementRef={line}
         current={current}
-        testId={TEST.difference}
+        testId="difference"
         data-kind={one.kinds[0]}
         onPress={onChoose}
       >
-        <span class="differences__signs">
+        <span class="grid gap-1">
           {one.kinds.map((kind) => (
             <Sign key={kind} kind={kind} />
           ))}

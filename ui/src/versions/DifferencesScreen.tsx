@@ -3,18 +3,13 @@ import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { nameInHeader } from "../shell/named";
+import type { ParametersOf } from "../shell/route";
 import { couldNotOpen } from "../studio/program/open_program";
 import { Differences } from "./Differences";
 import type { Compared } from "./differences";
 
-interface DifferencesScreenProps {
-  program: string;
-  before: string;
-  after: string;
-}
-
 /** Two versions of a program side by side, with the difference of each block. */
-export function DifferencesScreen({ program, before, after }: DifferencesScreenProps) {
+export function DifferencesScreen({ program, before, after }: ParametersOf<"differences">) {
   const compared = useLoaded(`${program} ${before} ${after}`, () => load(program, before, after), {
     onFailed: couldNotOpen,
   });

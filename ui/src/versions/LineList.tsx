@@ -17,7 +17,6 @@ import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { hashOf } from "../shell/route";
 import { program } from "../shell/session";
-import { TEST } from "../shell/testids";
 import type { VersionHistory } from "./history";
 import { type Fork, faceOf, type Section, type Step } from "./line";
 import { setupFacts } from "./setup_words";
@@ -65,7 +64,7 @@ function SectionOf({ section, history }: { section: Section; history: VersionHis
 function ForkOf({ fork, history }: { fork: Fork; history: VersionHistory }) {
   const words = texts.value.keeping;
   return (
-    <li class="line-list__fork" data-testid={TEST.versionFork}>
+    <li class="line-list__fork" data-testid="version-fork">
       <p class="line-list__fork-words">
         <GitFork class="icon" aria-hidden="true" />
         <span>
@@ -78,7 +77,7 @@ function ForkOf({ fork, history }: { fork: Fork; history: VersionHistory }) {
           <section
             key={branch.steps[0]?.versions[0]?.id}
             class="line-list__branch"
-            data-testid={TEST.versionBranch}
+            data-testid="version-branch"
           >
             <h3>{branch.computer ?? words.unknownComputer}</h3>
             <ol>
@@ -107,7 +106,7 @@ function CompareBranches({ fork }: { fork: Fork }) {
         before: before.id,
         after: after.id,
       })}
-      testId={TEST.versionCompareFork}
+      testId="version-compare-fork"
     >
       {texts.value.keeping.compareBranches}
     </LinkButton>
@@ -123,7 +122,7 @@ function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
   if (versions.length === 1) return <Line version={face} step={step} history={history} />;
   return (
     <>
-      <li class="line-list__burst">
+      <li class="row">
         <LineButton
           version={face}
           step={step}
@@ -134,7 +133,7 @@ function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
           icon={UnfoldIcon}
           label={open ? words.foldAgain : words.showEach(versions.length)}
           kind="plain"
-          testId={TEST.versionUnfold}
+          testId="version-unfold"
           open={open}
           onPress={() => history.fold(step)}
         />
@@ -181,7 +180,7 @@ function LineButton({ version, step, history, current }: LineProps & { current: 
       kind="bare"
       class={`line-list__step line-list__step--${toneOf(version)}`}
       current={current}
-      testId={TEST.versionStep}
+      testId="version-step"
       data-number={version.number}
       data-n={step.versions.length}
       onPress={() => history.choose(version)}

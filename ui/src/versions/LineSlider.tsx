@@ -3,7 +3,6 @@ import type { VersionMark } from "../api/model";
 
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { TEST } from "../shell/testids";
 import type { VersionHistory } from "./history";
 import { versionsIn } from "./line";
 import { dayWords, versionLine } from "./words";
@@ -30,9 +29,9 @@ export function LineSlider({ history }: { history: VersionHistory }) {
   return (
     <div class="transport versions__transport">
       <div class="transport__steps">
-        {stepper(-1, words.older, TEST.versionOlder, ChevronLeft)}
+        {stepper(-1, words.older, "version-older", ChevronLeft)}
         <span class="versions__place">{words.of(place + 1, line.length)}</span>
-        {stepper(1, words.newer, TEST.versionNewer, ChevronRight)}
+        {stepper(1, words.newer, "version-newer", ChevronRight)}
       </div>
       <div class="slider versions__slider">
         <div class="slider__track" aria-hidden="true">
@@ -53,7 +52,7 @@ export function LineSlider({ history }: { history: VersionHistory }) {
           disabled={last < 1}
           aria-label={words.line}
           aria-valuetext={chosen && versionLine(chosen, language.value, texts.value)}
-          data-testid={TEST.versionSlider}
+          data-testid="version-slider"
           onInput={({ currentTarget }) => history.go(Number(currentTarget.value))}
         />
         <div class="versions__days" aria-hidden="true">

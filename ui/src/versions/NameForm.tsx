@@ -3,7 +3,6 @@ import { useEffect, useRef } from "preact/hooks";
 import { STORE_LIMITS } from "../api/declared";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { TEST } from "../shell/testids";
 
 interface NameFormProps {
   now: string;
@@ -32,9 +31,9 @@ export function NameForm({ now, onKeep, onLeave }: NameFormProps) {
         placeholder={words.namePlaceholder}
         maxLength={STORE_LIMITS.MAX_NAME}
         defaultValue={now}
-        data-testid={TEST.versionName}
+        data-testid="version-name"
       />
-      <Button icon={Check} kind="main" submit testId={TEST.versionKeepName}>
+      <Button icon={Check} kind="main" submit testId="version-keep-name">
         {words.keepName}
       </Button>
       <Button kind="plain" onPress={onLeave}>

@@ -3,7 +3,6 @@ import type { VersionMark } from "../api/model";
 import { language, texts } from "../i18n";
 import { Select } from "../kit/Select";
 import { go } from "../shell/route";
-import { TEST } from "../shell/testids";
 import type { Compared } from "./differences";
 import { faceOf, sectionsOf } from "./line";
 import { sectionWords, versionLine } from "./words";
@@ -38,7 +37,7 @@ export function SideChoice({ side, compared, programId }: SideChoiceProps) {
       <strong>{name}</strong>
       <Select
         label={words.choose(name)}
-        testId={TEST.differenceSide}
+        testId="difference-side"
         data-side={side}
         value={shown.id}
         groups={sections.value.map(({ words: heading, versions }) => [

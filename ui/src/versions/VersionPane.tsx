@@ -13,7 +13,6 @@ import { settled } from "../kit/report";
 import { go, hashOf } from "../shell/route";
 import { problem, program, report } from "../shell/session";
 import { reviewOrigin } from "../shell/teacher/review_origin";
-import { TEST } from "../shell/testids";
 import { restoredFrom } from "../studio/program/restored_from";
 import { kindsOf } from "./differences";
 import type { VersionHistory } from "./history";
@@ -70,7 +69,7 @@ export function VersionPane({ history }: { history: VersionHistory }) {
       </div>
       <ReadBlocks
         label={words.readOnly}
-        testId={TEST.versionBlocks}
+        testId="version-blocks"
         onReader={(made) => {
           drawn.current = null;
           reader.value = made;
@@ -92,13 +91,13 @@ function VersionActs({ history, reader, renaming, onName }: VersionActsProps) {
   const words = texts.value.keeping;
   return (
     <div class="versions__acts">
-      <Button icon={Flag} elementRef={renaming} testId={TEST.versionRename} onPress={onName}>
+      <Button icon={Flag} elementRef={renaming} testId="version-rename" onPress={onName}>
         {history.chosen.value?.label ? words.rename : words.name}
       </Button>
       <Button
         icon={Columns2}
         tip={words.compareHelp}
-        testId={TEST.versionCompare}
+        testId="version-compare"
         disabled={history.line.value.length < 2}
         onPress={() => compare(history)}
       >
@@ -108,7 +107,7 @@ function VersionActs({ history, reader, renaming, onName }: VersionActsProps) {
         icon={StepForward}
         tip={words.goOnHelp}
         kind="main"
-        testId={TEST.versionGoOn}
+        testId="version-go-on"
         disabled={history.isNewest}
         onPress={() => goOn(history, reader.peek())}
       >
@@ -157,7 +156,7 @@ function ChosenWords({ history }: { history: VersionHistory }) {
   return (
     <div
       class="versions__chosen"
-      data-testid={TEST.versionShown}
+      data-testid="version-shown"
       data-number={history.shown.value?.number}
     >
       {!reviewOrigin.value && (
@@ -165,7 +164,7 @@ function ChosenWords({ history }: { history: VersionHistory }) {
           icon={ArrowLeft}
           label={header.backToProgram}
           href={hashOf({ screen: "studio", program: program.value?.id ?? "" })}
-          testId={TEST.versionBack}
+          testId="version-back"
         />
       )}
       <p aria-live="polite">

@@ -7,7 +7,7 @@ import { listenForKeys } from "../kit/listen";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { nameInHeader } from "../shell/named";
-import { hashOf } from "../shell/route";
+import { hashOf, type ParametersOf } from "../shell/route";
 import { program, report } from "../shell/session";
 import { couldNotOpen } from "../studio/program/open_program";
 import { VersionHistory } from "./history";
@@ -15,13 +15,11 @@ import { LineList } from "./LineList";
 import { LineSlider } from "./LineSlider";
 import { VersionPane } from "./VersionPane";
 
-interface VersionsScreenProps {
-  program: string;
-  version: string | null;
-}
-
 /** All versions of a program, with stepping and a way to continue from any of them. */
-export function VersionsScreen({ program: programId, version: versionId }: VersionsScreenProps) {
+export function VersionsScreen({
+  program: programId,
+  version: versionId,
+}: ParametersOf<"versions">) {
   const history = useLoaded(programId, () => load(programId, versionId), {
     onFailed: couldNotOpen,
     release: (made) => made.dispose(),

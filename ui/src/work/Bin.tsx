@@ -4,7 +4,6 @@ import type { Program } from "../api/model";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { Button } from "../kit/Button";
-import { TEST } from "../shell/testids";
 import type { ProgramShelf } from "./program_shelf";
 
 /** The programs in the bin; renders nothing while it is empty. */
@@ -18,7 +17,7 @@ export function Bin({ shelf }: { shelf: ProgramShelf }) {
       <Button
         icon={Trash2}
         iconEnd={open.value ? ChevronUp : ChevronDown}
-        testId={TEST.bin}
+        testId="bin"
         open={open.value}
         onPress={() => {
           open.value = !open.value;
@@ -44,8 +43,8 @@ function Thrown({ program, shelf }: { program: Program; shelf: ProgramShelf }) {
   const { keeping, work } = texts.value;
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
   return (
-    <li class="bin__program card" data-testid={TEST.binProgram}>
-      <span class="bin__words">
+    <li class="bin__program card" data-testid="bin-program">
+      <span class="grid grows shrinks">
         <strong class="work-card__name">{program.name}</strong>
         <span class="bin__line">
           {work.changed(changed)} · {work.runCount(program.n_runs)}
@@ -54,7 +53,7 @@ function Thrown({ program, shelf }: { program: Program; shelf: ProgramShelf }) {
       <Button
         icon={RotateCcw}
         label={`${keeping.takeBack}: ${program.name}`}
-        testId={TEST.takeBack}
+        testId="take-back"
         onPress={() => shelf.takeBack(program)}
       >
         {keeping.takeBack}

@@ -14,7 +14,6 @@ import { FaultLine } from "../kit/requests/FaultLine";
 import { valueIn } from "../kit/requests/load_state";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { group as inHeader } from "../shell/session";
-import { TEST } from "../shell/testids";
 
 type Look = Pick<Group, "name" | "color" | "picture">;
 
@@ -48,7 +47,7 @@ export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
           <GroupPicture name={look.picture} />
         </span>
         <NameInput name={look.name} onName={(name) => change({ name })} />
-        <Button submit kind="main" icon={Check} busy={busy} testId={TEST.groupSave}>
+        <Button submit kind="main" icon={Check} busy={busy} testId="group-save">
           {classes.save}
         </Button>
         <Button kind="plain" icon={X} onPress={onDone}>
@@ -70,7 +69,7 @@ function NameInput({ name, onName }: { name: string; onName(name: string): void 
       autocomplete="off"
       spellcheck={false}
       value={name}
-      data-testid={TEST.groupName}
+      data-testid="group-name"
       onInput={(event) => onName(event.currentTarget.value)}
     />
   );
@@ -105,7 +104,7 @@ function ColorChoice({ chosen, onChoose }: { chosen: string; onChoose(color: str
     <fieldset class="pictures group-form__colors">
       <legend class="visually-hidden">{classes.color}</legend>
       {GROUP_COLORS.map((one, index) => (
-        <label key={one} class="pictures__one" data-testid={TEST.groupColor} data-color={one}>
+        <label key={one} class="pictures__one" data-testid="group-color" data-color={one}>
           <input
             type="radio"
             class="visually-hidden"

@@ -4,7 +4,6 @@ import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { GroupPicture } from "../kit/pictures/GroupPicture";
-import { TEST } from "../shell/testids";
 import { GroupForm } from "./GroupForm";
 
 /** The group's name and picture, with a button to edit them. */
@@ -23,7 +22,7 @@ export function GroupHead({ group }: { group: Group }) {
         kind="plain"
         icon={Pencil}
         label={texts.value.classes.change}
-        testId={TEST.groupEdit}
+        testId="group-edit"
         onPress={() => setEditing(true)}
       />
     </div>

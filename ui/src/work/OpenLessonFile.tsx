@@ -5,7 +5,6 @@ import { texts } from "../i18n";
 import { setClassroom } from "../shell/classroom";
 import { report } from "../shell/session";
 import { asTeacher } from "../shell/teacher/teacher_session";
-import { TEST } from "../shell/testids";
 
 interface OpenLessonFileProps {
   onOpened(opened: OpenedLesson): unknown;
@@ -29,7 +28,7 @@ export function OpenLessonFile({ onOpened }: OpenLessonFileProps) {
         type="file"
         class="visually-hidden"
         accept=".pinel"
-        data-testid={TEST.lessonFileOpen}
+        data-testid="lesson-file-open"
         onChange={({ currentTarget }) => {
           void open(currentTarget.files?.[0]).catch(report);
           currentTarget.value = "";

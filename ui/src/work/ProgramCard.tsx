@@ -4,9 +4,8 @@ import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
-import { PathPicture } from "../scene/PathPicture";
+import { PathPicture } from "../scene/small/PathPicture";
 import { hashOf } from "../shell/route";
-import { TEST } from "../shell/testids";
 import { TakeAlong } from "./ProgramFile";
 
 interface ProgramCardProps {
@@ -25,7 +24,7 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
       <a
         class="work-card"
         href={hashOf({ screen: "studio", program: program.id })}
-        data-testid={TEST.programCard}
+        data-testid="program-card"
       >
         <span class="visually-hidden">{work.open}: </span>
         <span class="work-card__picture">
@@ -46,7 +45,7 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
           icon={History}
           href={hashOf({ screen: "versions", program: program.id, version: null })}
           label={about(keeping.history)}
-          testId={TEST.openHistory}
+          testId="open-history"
         >
           {keeping.history}
         </LinkButton>
@@ -55,7 +54,7 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
           kind="plain"
           icon={Trash2}
           label={about(keeping.throwAway)}
-          testId={TEST.throwAway}
+          testId="throw-away"
           onPress={onThrowAway}
         >
           {keeping.throwAway}

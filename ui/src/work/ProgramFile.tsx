@@ -8,7 +8,6 @@ import { setClassroom } from "../shell/classroom";
 import { go } from "../shell/route";
 import { fileName, saveFile } from "../shell/save_file";
 import { problem, report } from "../shell/session";
-import { TEST } from "../shell/testids";
 
 const SUFFIX = ".pinel";
 
@@ -26,7 +25,7 @@ export function TakeAlong({ program }: { program: Program }) {
       icon={Download}
       label={`${programFile.takeAlong}: ${program.name}`}
       tip={programFile.takeAlongHint}
-      testId={TEST.programFile}
+      testId="program-file"
       onPress={take}
     >
       {programFile.take}
@@ -51,7 +50,7 @@ export function BringIn() {
         type="file"
         class="visually-hidden"
         accept={SUFFIX}
-        data-testid={TEST.bringProgram}
+        data-testid="bring-program"
         onChange={({ currentTarget }) => {
           void bring(currentTarget.files?.[0]).catch(report);
           currentTarget.value = "";

@@ -3,9 +3,8 @@ import type { Run } from "../api/model";
 import { language, texts } from "../i18n";
 import { duration, moment } from "../i18n/format";
 import { RobotName } from "../run/real/RobotName";
-import { PathPicture } from "../scene/PathPicture";
+import { PathPicture } from "../scene/small/PathPicture";
 import { hashOf } from "../shell/route";
-import { TEST } from "../shell/testids";
 
 const ICONS = {
   running: LoaderCircle,
@@ -31,7 +30,7 @@ export function RunCard({ run }: { run: Run }) {
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ];
   return (
-    <a class="work-card card" href={placeOf(run)} data-testid={TEST.runCard} data-state={run.state}>
+    <a class="work-card card" href={placeOf(run)} data-testid="run-card" data-state={run.state}>
       <span class="visually-hidden">{work.replay}: </span>
       <span class="work-card__picture">
         <PathPicture path={run.path} />

@@ -3,7 +3,6 @@ import type { Program } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Select } from "../kit/Select";
-import { TEST } from "../shell/testids";
 import { OUTCOMES, type RunList } from "./run_list";
 
 const ICONS = { finished: CircleCheck, stopped: CircleStop, failed: CircleX } as const;
@@ -21,7 +20,7 @@ export function RunFilters({ list, programs }: { list: RunList; programs: readon
           key={one}
           icon={one && ICONS[one]}
           pressed={outcome === one}
-          testId={TEST.runFilter}
+          testId="run-filter"
           data-outcome={one ?? "all"}
           onPress={() => list.choose(one, program)}
         >
@@ -32,7 +31,7 @@ export function RunFilters({ list, programs }: { list: RunList; programs: readon
         <Select
           class="run-filters__program"
           label={keeping.ofProgram}
-          testId={TEST.runProgram}
+          testId="run-program"
           value={program}
           options={[
             [null, keeping.allPrograms],

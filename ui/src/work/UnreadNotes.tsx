@@ -7,7 +7,6 @@ import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { hashOf } from "../shell/route";
-import { TEST } from "../shell/testids";
 
 /** The unread notes of the teacher; renders nothing without any. */
 export function UnreadNotes({ groupId }: { groupId: string }) {
@@ -34,7 +33,7 @@ function Letter({ note, onSeen }: { note: Note; onSeen(): Promise<void> }) {
   const about = words.noteAbout(note.program_name ?? work.noName);
   const written = when(note.written_at, new Date(), language.value, texts.value);
   return (
-    <article class="letter card" data-testid={TEST.noteCard}>
+    <article class="letter card" data-testid="note-card">
       <Mail class="icon letter__icon" aria-hidden="true" />
       <div class="letter__words">
         <h2 class="letter__from">{words.noteFrom}</h2>
@@ -43,15 +42,15 @@ function Letter({ note, onSeen }: { note: Note; onSeen(): Promise<void> }) {
           {about} · {written}
         </p>
       </div>
-      <div class="letter__acts">
+      <div class="row wrap gap-2">
         <LinkButton
           icon={Play}
           href={hashOf({ screen: "replay", run: note.run_id })}
-          testId={TEST.noteRun}
+          testId="note-run"
         >
           {words.noteSeeRun}
         </LinkButton>
-        <Button kind="main" icon={Check} testId={TEST.noteSeen} onPress={onSeen}>
+        <Button kind="main" icon={Check} testId="note-seen" onPress={onSeen}>
           {words.noteSeen}
         </Button>
       </div>

@@ -6,8 +6,8 @@ import { Button } from "../kit/Button";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { WayBack } from "../kit/WayBack";
+import type { ParametersOf } from "../shell/route";
 import { group } from "../shell/session";
-import { TEST } from "../shell/testids";
 import { couldNotOpen } from "../studio/program/open_program";
 import { Bin } from "./Bin";
 import { startProgram } from "./entering";
@@ -44,7 +44,7 @@ class GroupWork {
 }
 
 /** A group's programs and runs, with pictures of their paths. */
-export function WorkScreen({ group: groupId }: { group: string }) {
+export function WorkScreen({ group: groupId }: ParametersOf<"work">) {
   const work = useLoaded(groupId, () => new GroupWork(groupId).load(), { onFailed: couldNotOpen });
   return (
     <Loaded of={work} as="screen">
@@ -77,7 +77,7 @@ function Programs({ work }: { work: GroupWork }) {
             kind="bare"
             class="work__new"
             icon={Plus}
-            testId={TEST.newProgram}
+            testId="new-program"
             onPress={() => startProgram(work.groupId, work.programs)}
           >
             {words.newProgram}
@@ -141,7 +141,7 @@ function WayBackFromBin({ shelf }: { shelf: ProgramShelf }) {
       <WayBack
         words={keeping.thrown(thrown.name)}
         action={keeping.undo}
-        testId={TEST.throwBack}
+        testId="throw-back"
         onBack={() => shelf.takeBack(thrown)}
         onClose={() => {
           shelf.thrown.value = null;

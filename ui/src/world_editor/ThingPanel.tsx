@@ -4,11 +4,10 @@ import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Choice } from "../kit/Choice";
 import { NumberField } from "../kit/NumberField";
-import { TEST } from "../shell/testids";
+import type { Area } from "../scene/areas";
 import type { EditorStore } from "./editor_store";
 import { clean, FINE, GRID } from "./geometry";
 import {
-  type Area,
   type AreaThing,
   isArea,
   ofKind,
@@ -33,12 +32,7 @@ interface PanelProps<T> {
 export function ThingPanel({ store, plan, thing }: PanelProps<Thing>) {
   const words = texts.value.world;
   return (
-    <section
-      class="world-panel"
-      key={thing.id}
-      data-testid={TEST.worldPanel}
-      data-kind={thing.kind}
-    >
+    <section class="world-panel" key={thing.id} data-testid="world-panel" data-kind={thing.kind}>
       <h2>{nameOf(thing, ofKind(plan, thing.kind).indexOf(thing), words)}</h2>
       {isArea(thing) ? (
         <AreaFields store={store} plan={plan} thing={thing} />
@@ -62,7 +56,7 @@ function Acts({ store, thing }: { store: EditorStore; thing: Thing }) {
       <Button icon={Copy} onPress={() => store.double()}>
         {words.double}
       </Button>
-      <Button icon={Trash2} testId={TEST.worldDelete} onPress={() => store.remove()}>
+      <Button icon={Trash2} testId="world-delete" onPress={() => store.remove()}>
         {words.remove}
       </Button>
     </div>
@@ -201,7 +195,7 @@ function OwnFields({ store, thing }: PanelProps<AreaThing>) {
           class="field"
           value={thing.name}
           maxLength={MAX_NAME}
-          data-testid={TEST.worldZoneName}
+          data-testid="world-zone-name"
           onInput={({ currentTarget: { value } }) =>
             store.alter({ ...thing, name: value }, `name ${thing.id}`)
           }
@@ -212,7 +206,7 @@ function OwnFields({ store, thing }: PanelProps<AreaThing>) {
   return (
     <Choice
       label={words.kinds.box}
-      testId={TEST.worldMovable}
+      testId="world-movable"
       options={[
         [false, words.fixed],
         [true, words.movable],
@@ -230,7 +224,7 @@ function ShapeChoice({ store, thing }: { store: EditorStore; thing: Flat }) {
   return (
     <Choice
       label={words.shape}
-      testId={TEST.worldShape}
+      testId="world-shape"
       options={[
         ["rectangle", words.rectangle],
         ["disc", words.disc],
@@ -266,7 +260,7 @@ export function StartPanel({ store, plan }: { store: EditorStore; plan: Plan }) 
     />
   );
   return (
-    <section class="world-panel" data-testid={TEST.worldPanel} data-kind="start">
+    <section class="world-panel" data-testid="world-panel" data-kind="start">
       <h2>{words.kinds.start}</h2>
       <p class="world-panel__hint">{words.startHint}</p>
       <div class="numbers">

@@ -3,7 +3,6 @@ import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Choice } from "../kit/Choice";
 import { paintOf } from "../scene/paints";
-import { TEST } from "../shell/testids";
 import type { EditorStore } from "./editor_store";
 import { TOOLS } from "./gestures";
 import { COLORS, colorWord } from "./words";
@@ -31,7 +30,7 @@ export function Toolbox({ store }: { store: EditorStore }) {
             class="world-tools__tool"
             key={tool}
             pressed={store.tool.value === tool}
-            testId={TEST.worldTool}
+            testId="world-tool"
             data-tool={tool}
             onPress={() => store.choose(tool)}
           >
@@ -79,7 +78,7 @@ export function Swatches({ color, onColor }: { color: string; onColor(color: str
             key={one}
             style={{ "--swatch": paintOf(one) }}
             pressed={color === one}
-            testId={TEST.worldColor}
+            testId="world-color"
             data-color={one}
             onPress={() => onColor(one)}
           />

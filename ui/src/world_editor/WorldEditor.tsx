@@ -6,7 +6,6 @@ import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { listen } from "../kit/listen";
 import { report } from "../shell/session";
-import { TEST } from "../shell/testids";
 import { Board } from "./board/Board";
 import { keepChecked } from "./checks";
 import type { EditorStore } from "./editor_store";
@@ -57,7 +56,7 @@ export function WorldEditor({
       class="world-editor"
       aria-label={words.title}
       tabIndex={-1}
-      data-testid={TEST.worldEditor}
+      data-testid="world-editor"
       onDragOver={(event) => event.preventDefault()}
       onDrop={(event) => {
         event.preventDefault();
@@ -109,7 +108,7 @@ function Bar({ store, onStop, onDone }: BarProps) {
       <Button
         icon={Undo2}
         kind="plain"
-        testId={TEST.worldUndo}
+        testId="world-undo"
         disabled={!store.canUndo.value}
         onPress={() => store.undo()}
       >
@@ -118,7 +117,7 @@ function Bar({ store, onStop, onDone }: BarProps) {
       <Button
         icon={Redo2}
         kind="plain"
-        testId={TEST.worldRedo}
+        testId="world-redo"
         disabled={!store.canRedo.value}
         onPress={() => store.redo()}
       >
@@ -134,7 +133,7 @@ function Bar({ store, onStop, onDone }: BarProps) {
         icon={Check}
         kind="main"
         class="world-editor__done"
-        testId={TEST.worldDone}
+        testId="world-done"
         onPress={onDone}
       >
         {world.done}
@@ -148,7 +147,7 @@ function Refused({ refusal, onClose }: { refusal: Refusal; onClose(): void }) {
   const [first] = refusal.faults;
   const why = first ? `${first.message} ${first.remedy}` : world.tooLarge;
   return (
-    <div class="line-message line-message--fault" role="alert" data-testid={TEST.worldRefused}>
+    <div class="line-message line-message--fault" role="alert" data-testid="world-refused">
       <span>
         <strong>{world.fileRefused}</strong> {why}
       </span>
@@ -162,7 +161,7 @@ function Replaces({ onOwn }: { onOwn(): void }) {
   return (
     <div class="line-message" role="status">
       <span>{world.replaces}</span>
-      <Button testId={TEST.worldOwnInstead} onPress={onOwn}>
+      <Button testId="world-own-instead" onPress={onOwn}>
         {world.ownInstead}
       </Button>
     </div>
@@ -176,7 +175,7 @@ function Hint({ store }: { store: EditorStore }) {
   const isEmpty = store.isBare && tool === "select" && store.selected.value === null;
   const isHeld = tool === "select" && store.selected.value !== null;
   return (
-    <p class="world-hint card" role="status" data-testid={TEST.worldHint}>
+    <p class="world-hint card" role="status" data-testid="world-hint">
       <CircleHelp class="icon" aria-hidden="true" />
       {isEmpty ? hints.empty : isHeld ? hints.selected : hints[tool]}
     </p>
@@ -217,7 +216,7 @@ function Faults({ store }: { store: EditorStore }) {
   const { value: faults } = store.faults;
   if (faults.length === 0) return null;
   return (
-    <div class="world-faults" role="status" data-testid={TEST.worldFaults}>
+    <div class="world-faults" role="status" data-testid="world-faults">
       <h3>
         <TriangleAlert class="icon" aria-hidden="true" />
         {texts.value.studio.faultsTitle(faults.length)}
@@ -229,7 +228,7 @@ function Faults({ store }: { store: EditorStore }) {
             <Button
               kind="bare"
               class="faults__fault"
-              testId={TEST.worldFault}
+              testId="world-fault"
               data-code={fault.code}
               onPress={() => {
                 store.choose("select");

@@ -7,7 +7,6 @@ import { Button } from "../kit/Button";
 import { NumberField } from "../kit/NumberField";
 import { Select } from "../kit/Select";
 import { worlds } from "../shell/session";
-import { TEST } from "../shell/testids";
 import type { EditorStore } from "./editor_store";
 import { GRID } from "./geometry";
 import type { Plan } from "./plan";
@@ -36,14 +35,14 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
     />
   );
   return (
-    <section class="world-panel" data-testid={TEST.worldPanel} data-kind="world">
+    <section class="world-panel" data-testid="world-panel" data-kind="world">
       <label class="world-panel__text">
         {words.name}
         <input
           class="field"
           value={worldTitle(store.world.value, language.value)}
           maxLength={WORLD_LIMITS.MAX_TITLE}
-          data-testid={TEST.worldName}
+          data-testid="world-name"
           onInput={({ currentTarget: { value } }) => store.rename(value)}
         />
       </label>
@@ -55,11 +54,11 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
       <BeginFrom store={store} />
       <div class="world-panel__acts">
         <OpenFile onFile={onFile} />
-        <Button icon={Download} testId={TEST.worldExport} onPress={onExport}>
+        <Button icon={Download} testId="world-export" onPress={onExport}>
           {words.toFile}
         </Button>
         {onForget && (
-          <Button icon={Trash2} testId={TEST.worldForget} onPress={onForget}>
+          <Button icon={Trash2} testId="world-forget" onPress={onForget}>
             {words.forget}
           </Button>
         )}
@@ -74,7 +73,7 @@ function BeginFrom({ store }: { store: EditorStore }) {
     <label class="world-panel__text">
       {words.beginFrom}
       <Select
-        testId={TEST.worldBegin}
+        testId="world-begin"
         value=""
         options={[
           ["", words.choose],
@@ -98,7 +97,7 @@ function OpenFile({ onFile }: { onFile(file: File): void }) {
         type="file"
         accept=".json,application/json"
         hidden
-        data-testid={TEST.worldFile}
+        data-testid="world-file"
         onChange={({ currentTarget }) => {
           const [file] = currentTarget.files ?? [];
           currentTarget.value = "";

@@ -1,5 +1,6 @@
 import type { World } from "../api/model";
-import { type Area, type Kind, newId, ofKind, type Plan, type Thing } from "./plan";
+import { type Area, areaOf } from "../scene/areas";
+import { type Kind, newId, ofKind, type Plan, type Thing } from "./plan";
 
 /** Lists of the document and the kind of thing in each, in drawing order. */
 export const LISTS = { walls: "wall", boxes: "box", zones: "zone", floor: "paint" } as const;
@@ -52,18 +53,6 @@ function boxOf(box: World["boxes"][number]): Thing {
 }
 
 const xy = ([x, y]: readonly number[]) => ({ x: x ?? 0, y: y ?? 0 });
-
-function areaOf(area: {
-  center: readonly number[];
-  size?: readonly number[] | null;
-  radius?: number | null;
-  heading_deg?: number;
-}): Area {
-  const radius = area.radius ?? null;
-  const side = 2 * (radius ?? 0);
-  const [width = side, depth = side] = area.size ?? [];
-  return { ...xy(area.center), width, depth, heading: area.heading_deg ?? 0, radius };
-}
 
 /** The document of a plan. Optional lists are left out while they are empty. */
 export function documentOf(plan: Plan): World {

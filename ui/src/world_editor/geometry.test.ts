@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { corneredTo, cornersOf, headingTo, reachingTo, shifted, snap, snapEnd } from "./geometry";
+import { cornersOf } from "../scene/areas";
+import { corneredTo, headingTo, reachingTo, shifted, snap, snapEnd } from "./geometry";
 import { type Box, type Paint, type Plan, resized, type Wall } from "./plan";
 
 const wall = (from: [number, number], to: [number, number], id = "w"): Wall => ({

@@ -1,3 +1,4 @@
+import { CORNERS, cornersOf } from "../scene/areas";
 import type { XY } from "../scene/frames";
 import { type AreaThing, isArea, type Plan, type Start, type Thing, type Wall } from "./plan";
 
@@ -120,24 +121,6 @@ export function turnedBy({ x, y }: XY, heading: number): XY {
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   return { x: x * cos - y * sin, y: x * sin + y * cos };
 }
-
-/** Corners of a rectangle, counterclockwise from the lower left in its own frame. */
-export function cornersOf(area: AreaThing): XY[] {
-  return CORNERS.map(([right, up]) => {
-    const offset = turnedBy(
-      { x: (right * area.width) / 2, y: (up * area.depth) / 2 },
-      area.heading,
-    );
-    return { x: area.x + offset.x, y: area.y + offset.y };
-  });
-}
-
-const CORNERS = [
-  [-1, -1],
-  [1, -1],
-  [1, 1],
-  [-1, 1],
-] as const;
 
 /** Moves one corner to a point; the opposite corner stays. */
 export function corneredTo(area: AreaThing, corner: number, point: XY, free: boolean): AreaThing {

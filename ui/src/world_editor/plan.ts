@@ -1,4 +1,5 @@
 import type { World } from "../api/model";
+import type { Area } from "../scene/areas";
 import type { XY } from "../scene/frames";
 
 /** A thing on the floor. `id` is valid while the editor is open; a document identifies things by index. */
@@ -13,14 +14,6 @@ interface One<K extends string> {
 export interface Wall extends One<"wall"> {
   readonly from: XY;
   readonly to: XY;
-}
-
-/** Metres and degrees, world frame; a disc where `radius` is set, else a rectangle. */
-export interface Area extends XY {
-  readonly width: number;
-  readonly depth: number;
-  readonly heading: number;
-  readonly radius: number | null;
 }
 
 export interface Box extends One<"box">, Area {

@@ -1,14 +1,10 @@
 import type { BlockArgument } from "../definition";
 import { ALL_DEFINITIONS, argumentsOf, type Row } from "../definitions";
 import type { Branch, Command, Expression } from "../generator/document";
-import { parseCondition } from "./conditions";
 import type { BlockState, Connection, Ids } from "./state";
 import { callParts, defaultOf, valueInput } from "./values";
 
 type Parts = Pick<BlockState, "fields" | "inputs" | "extraState">;
-
-/** As files of the original say it. */
-const OTHER_ACTIONS: Readonly<Record<string, string>> = { classificar_gestos: "classify_gestures" };
 
 /** A stack of blocks: the first, with the others below it; nothing for no commands. */
 export function stackOf(commands: readonly Command[], ids: Ids): { block: BlockState } | undefined {
@@ -53,16 +49,15 @@ const SPECIAL: Readonly<Record<string, (command: Command, ids: Ids) => Parts & {
 
 /** The block whose places fit the parameters best: some actions have one for each way they are used. */
 function rowFor(command: Command): Row {
-  const action = OTHER_ACTIONS[command.action] ?? command.action;
   let best: { row: Row; fit: number } | null = null;
   for (const row of ALL_DEFINITIONS) {
     const { makes } = row;
-    if (!makes || !("action" in makes) || makes.action !== action) continue;
+    if (!makes || !("action" in makes) || makes.action !== command.action) continue;
     const fixed = Object.entries(makes.fixed ?? {});
     if (fixed.some(([key, value]) => command[key] !== value)) continue;
     if (argumentsOf(row).some((argument) => isComputedChoice(argument, command))) continue;
     const keys = argumentsOf(row).flatMap(({ key }) => (key === undefined ? [] : [key]));
-    const given = keys.filter((key) => parameter(command, key) !== undefined).length;
+    const given = keys.filter((key) => command[key] !== undefined).length;
     const fit = 2 * given - (keys.length - given);
     if (!best || fit > best.fit) best = { row, fit };
   }
@@ -72,13 +67,7 @@ function rowFor(command: Command): Row {
 
 /** Whether a value is computed for which the block has written choices only. */
 function isComputedChoice({ type, key = "" }: BlockArgument, command: Command): boolean {
-  return type === "field_dropdown" && typeof parameter(command, key) === "object";
-}
-
-/** A parameter; what the server writes as null was not given. */
-function parameter(command: Command, key: string): unknown {
-  const value = key === "result" ? (command.result ?? command.resultado) : command[key];
-  return value ?? undefined;
+  return type === "field_dropdown" && typeof command[key] === "object";
 }
 
 function partsOf(row: Row, command: Command, ids: Ids): Parts {
@@ -87,19 +76,14 @@ function partsOf(row: Row, command: Command, ids: Ids): Parts {
   for (const argument of argumentsOf(row) as readonly BlockArgument[]) {
     const { name, key, type, shadow } = argument;
     if (!name || key === undefined) continue;
-    const value = parameter(command, key);
+    const value = command[key];
     if (type === "input_statement") Object.assign(inputs, inside(name, value as Command[], ids));
     else if (type === "input_value") {
       const given = value ?? defaultOf(shadow);
-      if (given !== undefined) inputs[name] = valueInput(expressionOf(key, given), shadow);
+      if (given !== undefined) inputs[name] = valueInput(given as Expression, shadow);
     } else fields[name] = fieldValue(value, key);
   }
   return { fields, inputs };
-}
-
-function expressionOf(key: string, value: unknown): Expression {
-  const isText = key === "condition" && typeof value === "string";
-  return isText ? parseCondition(value) : (value as Expression);
 }
 
 function fieldValue(value: unknown, key: string): unknown {
@@ -153,7 +137,7 @@ function branchInputs(
   const inputs = inside(`THEN${suffix}`, commands, ids);
   if (condition === undefined) return inputs;
   return {
-    [`CONDITION${suffix}`]: valueInput(expressionOf("condition", condition)),
+    [`CONDITION${suffix}`]: valueInput(condition),
     ...inputs,
   };
 }

@@ -1,9 +1,7 @@
-import type { Command, FunctionDefinition, ProgramDocument } from "../generator/document";
+import type { FunctionDefinition, ProgramDocument } from "../generator/document";
 import { commentIcon, stackOf } from "./commands";
 import { below, MARGIN } from "./layout";
 import { type BlockState, Ids } from "./state";
-
-export { ConditionError, parseCondition } from "./conditions";
 
 /**
  * What can be shown as blocks: Blockly calls itself for each block under another, and with more of them the browser's
@@ -19,14 +17,14 @@ export function commandCount(value: unknown): number {
 }
 
 /**
- * The workspace that shows a document: its program, and below it its functions one after the other. Takes every document
- * the server's reader takes, also a bare list of commands in the spelling of the original, and conditions as text. What
- * a document's blocks are called they keep, and the same document is always the same workspace.
+ * The workspace that shows a document: its program, and below it its functions one after the other. Takes documents
+ * in the normal form, which the server's reader makes of all that it takes. What a document's blocks are called they
+ * keep, and the same document is always the same workspace.
  *
  * Throws where a block cannot be shown, which for a document without faults does not happen.
  */
 export function workspaceOf(document: object): object {
-  const { functions, commands } = parts(document);
+  const { functions = [], commands } = document as ProgramDocument;
   const ids = new Ids();
   const next = stackOf(commands, ids);
   const start = { type: "program_start", id: "start", x: MARGIN, y: MARGIN, ...(next && { next }) };
@@ -43,12 +41,6 @@ export function shownWorkspace(saved: object): object {
   const { document } = saved as { document?: object };
   if (!document) return saved;
   return commandCount(document) > MOST_SHOWN ? {} : workspaceOf(document);
-}
-
-function parts(document: object): Pick<ProgramDocument, "functions" | "commands"> {
-  if (Array.isArray(document)) return { functions: [], commands: document as Command[] };
-  const { functions = [], commands } = document as ProgramDocument;
-  return { functions, commands };
 }
 
 function definitionBlocks(

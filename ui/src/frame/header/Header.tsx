@@ -21,7 +21,6 @@ import { helpIsOpen } from "../../shell/help";
 import { go, hashOf, ROUTES, route, type ScreenName } from "../../shell/route";
 import { chooseLanguage, group } from "../../shell/session";
 import { reviewOrigin } from "../../shell/teacher/review_origin";
-import { TEST } from "../../shell/testids";
 import { nextTheme, setTheme, theme } from "../../shell/theme";
 import { opened } from "../../studio/program/open_program";
 import { LessonChip } from "./LessonChip";
@@ -41,7 +40,7 @@ export function Header() {
   useRoom(header);
   return (
     <header class="header" ref={header}>
-      <a class="header__home" href="#/" data-testid={TEST.home} title={texts.value.header.home}>
+      <a class="header__home" href="#/" data-testid="home" title={texts.value.header.home}>
         <Mark />
         <span class="header__brand">PINEL</span>
       </a>
@@ -49,7 +48,7 @@ export function Header() {
       {inside && <ProgramName />}
       {route.value.screen === "studio" && <SavedMark />}
       {route.value.screen === "studio" && <LessonChip />}
-      <span class="header__space" />
+      <span class="grows" />
       <RealRobot />
       <TeacherChip />
       {route.value.screen === "studio" && <PracticeLink />}
@@ -73,7 +72,7 @@ function GroupChip() {
       class="header__group tinted"
       href="#/"
       title={`${texts.value.header.group}: ${now.name}. ${texts.value.header.home}`}
-      data-testid={TEST.headerGroup}
+      data-testid="header-group"
       style={{ "--group": now.color }}
     >
       <span class="badge">
@@ -97,7 +96,7 @@ function WorkButton() {
         icon={ArrowLeft}
         label={word}
         tip={word}
-        testId={TEST.backToReview}
+        testId="back-to-review"
       >
         <span class="header__word">{word}</span>
       </LinkButton>
@@ -111,7 +110,7 @@ function WorkButton() {
     <Button
       icon={Route}
       label={header.work}
-      testId={TEST.openWork}
+      testId="open-work"
       disabled={!group.value}
       onPress={() => group.value && go({ screen: "work", group: group.value.id })}
     >
@@ -130,7 +129,7 @@ function ActivitiesLink() {
       class="header__activities"
       label={open}
       href={hashOf({ screen: "activities", group: now.id })}
-      testId={TEST.openActivities}
+      testId="open-activities"
     >
       <span class="header__word">{open}</span>
     </LinkButton>
@@ -144,7 +143,7 @@ function HelpButton() {
       icon={CircleQuestionMark}
       label={help}
       tip={help}
-      testId={TEST.help}
+      testId="help"
       open={helpIsOpen.value}
       onPress={() => {
         helpIsOpen.value = !helpIsOpen.peek();
@@ -164,7 +163,7 @@ function PracticeLink() {
       class="header__practice"
       label={texts.value.titles.practice}
       href={hashOf({ screen: "practice" })}
-      testId={TEST.practice}
+      testId="practice"
     />
   );
 }
@@ -189,7 +188,7 @@ function ThemeButton() {
     <Button
       icon={THEME_ICONS[theme.value]}
       label={header.changeTheme(header.theme[theme.value])}
-      testId={TEST.theme}
+      testId="theme"
       data-theme={theme.value}
       onPress={() => setTheme(nextTheme(theme.value))}
     />
@@ -203,7 +202,7 @@ function LanguageChoice() {
       class="header__language"
       label={texts.value.header.language}
       tip={texts.value.header.language}
-      testId={TEST.language}
+      testId="language"
       value={language.value}
       options={LANGUAGES.map((tag) => [tag, languageRow(tag).name, { lang: tag }])}
       onChange={chooseLanguage}

@@ -1,10 +1,10 @@
 import { BookOpen } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { language, texts } from "../../i18n";
+import { usePolling } from "../../kit/usePolling";
 import { isRunning } from "../../run/live";
 import { lesson, loadOpenLesson } from "../../shell/lesson";
 import { group } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 import { LessonGoal } from "./LessonGoal";
 
 /** The teacher may open a lesson in another window while the group is at work. */
@@ -13,21 +13,14 @@ const EVERY_MS = 15_000;
 /** Title and activity of the open lesson. */
 export function LessonChip() {
   const classroom = group.value?.classroom_id ?? null;
-  useEffect(() => {
-    const look = () => document.visibilityState === "visible" && void loadOpenLesson();
-    look();
-    const timer = setInterval(look, EVERY_MS);
-    document.addEventListener("visibilitychange", look);
-    return () => {
-      clearInterval(timer);
-      document.removeEventListener("visibilitychange", look);
-    };
-  }, [classroom, language.value, isRunning.value]); // a run is graded by the activity of the lesson
+  // a run is graded by the activity of the lesson
+  useEffect(() => void loadOpenLesson(), [classroom, language.value, isRunning.value]);
+  usePolling(loadOpenLesson, { everyMs: EVERY_MS });
   const now = lesson.value;
   if (!now) return null;
   const whole = [texts.value.classes.lesson(now.title), now.activity].filter(Boolean).join(" · ");
   return (
-    <div class="lesson-chip" title={whole} data-testid={TEST.lessonChip}>
+    <div class="lesson-chip" title={whole} data-testid="lesson-chip">
       {now.goal ? (
         <LessonGoal activity={now.activity || now.title} goal={now.goal} />
       ) : (

@@ -5,9 +5,8 @@ import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
 import { later } from "../../shell/later";
-import { TEST } from "../../shell/testids";
 
-const GoalPicture = later(async () => (await import("../../scene/goal/GoalPicture")).GoalPicture);
+const GoalPicture = later(async () => (await import("../../scene/small/GoalPicture")).GoalPicture);
 
 interface LessonGoalProps {
   activity: string;
@@ -36,7 +35,7 @@ export function LessonGoal({ activity, goal }: LessonGoalProps) {
         class="lesson-goal-chip__button"
         label={`${showGoal}: ${activity}`}
         open={open.value}
-        testId={TEST.showGoal}
+        testId="show-goal"
         onPress={() => {
           open.value = !open.value;
         }}
@@ -44,7 +43,7 @@ export function LessonGoal({ activity, goal }: LessonGoalProps) {
         <GoalPicture goal={goal} />
       </Button>
       {open.value && (
-        <figure class="lesson-goal-chip__large card" data-testid={TEST.lessonGoal}>
+        <figure class="lesson-goal-chip__large card" data-testid="lesson-goal">
           <GoalPicture goal={goal} label={label} />
           <figcaption>{activity}</figcaption>
         </figure>

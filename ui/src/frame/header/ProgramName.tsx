@@ -4,7 +4,6 @@ import { STORE_LIMITS } from "../../api/declared";
 import { texts } from "../../i18n";
 import { route } from "../../shell/route";
 import { program } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 import { renameProgram } from "../../studio/program/rename";
 
 /** The program's name, edited in place: Enter or blur saves it, Escape restores it. */
@@ -28,7 +27,7 @@ export function ProgramName() {
       <input
         ref={input}
         class="program-name__input"
-        data-testid={TEST.programName}
+        data-testid="program-name"
         aria-label={header.programName}
         maxLength={STORE_LIMITS.MAX_NAME}
         spellcheck={false}

@@ -6,9 +6,8 @@ import { listen } from "../../kit/listen";
 import { robotWords } from "../../run/real/RobotName";
 import { RobotState } from "../../run/real/RobotState";
 import { EMERGENCY_KEY, emergencyStop, movingLink } from "../../run/real/real_robot";
-import { watchRobot } from "../../run/real/robot_state";
+import { useWatchedRobot } from "../../run/real/robot_state";
 import { report } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 
 const halt = () => void emergencyStop().catch(report);
 
@@ -19,25 +18,25 @@ export function RealRobot() {
     () => (link ? listen(window, { keydown: onKey }, { capture: true }) : undefined),
     [link],
   );
-  useEffect(() => (link ? watchRobot(link) : undefined), [link]);
+  useWatchedRobot(link);
   if (!link) return null;
   const { robot } = texts.value;
   return (
     <section
       class="real-robot"
       aria-label={`${robot.real}: ${robotWords(link)}`}
-      data-testid={TEST.realRobot}
+      data-testid="real-robot"
     >
       <span class="real-robot__words">
         <strong>{robot.real}</strong>
-        <RobotState link={link} testId={TEST.robotState} />
+        <RobotState link={link} testId="robot-state" />
       </span>
       <Button
         class="real-robot__stop"
         kind="stop"
         icon={OctagonX}
         tip={`${robot.emergencyHelp} (${EMERGENCY_KEY})`}
-        testId={TEST.emergencyStop}
+        testId="emergency-stop"
         aria-keyshortcuts={EMERGENCY_KEY}
         onPress={halt}
       >

@@ -1,7 +1,6 @@
 import { Check, LoaderCircle, RefreshCw, TriangleAlert } from "lucide-preact";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 import { programOnScreen } from "../../studio/program/open_program";
 
 const ICONS = {
@@ -23,7 +22,7 @@ export function SavedMark() {
   return (
     <span
       class={`saved saved--${state === "deleted" ? "failed" : state}`}
-      data-testid={TEST.savedMark}
+      data-testid="saved-mark"
       data-state={state}
     >
       <Icon class="icon" aria-hidden="true" />

@@ -9,7 +9,6 @@ import {
   signOut,
   teacherSession,
 } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 
 /** Shown on every screen while the teacher is signed in; a press signs out. */
 export function TeacherChip() {
@@ -24,7 +23,7 @@ export function TeacherChip() {
       icon={LogOut}
       label={classes.leave}
       tip={classes.open}
-      testId={TEST.signOut}
+      testId="sign-out"
       onPress={() => signOut().then(() => go({ screen: "start" }))}
     >
       <span class="header__word">{classes.leave}</span>

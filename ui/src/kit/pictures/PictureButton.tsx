@@ -3,7 +3,6 @@ import type { RefObject } from "preact";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../Button";
-import { KIT_TEST } from "../testids";
 import { GroupPicture } from "./GroupPicture";
 import { PictureChoice } from "./PictureChoice";
 import { isPicture, type PictureName } from "./pictures";
@@ -37,7 +36,7 @@ export function PictureButton(props: PictureButtonProps) {
         open={open}
         label={classes.choosePicture(now)}
         tip={classes.choosePicture(now)}
-        testId={KIT_TEST.choosePicture}
+        testId="choose-picture"
         onPress={() => setOpen(!open)}
       >
         <GroupPicture name={props.chosen} />

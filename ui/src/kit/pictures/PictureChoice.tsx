@@ -1,6 +1,5 @@
 import { useId } from "preact/hooks";
 import { texts } from "../../i18n";
-import { KIT_TEST } from "../testids";
 import { GroupPicture } from "./GroupPicture";
 import { PICTURE_NAMES, type PictureName } from "./pictures";
 
@@ -26,7 +25,7 @@ export function PictureChoice({ chosen, taken, onChoose }: PictureChoiceProps) {
             key={one}
             class={`pictures__one ${isTaken ? "pictures__one--taken" : ""}`}
             title={words}
-            data-testid={KIT_TEST.picture}
+            data-testid="picture"
             data-name={one}
           >
             <input

@@ -3,7 +3,6 @@ import type { ComponentChildren } from "preact";
 import { texts } from "../../i18n";
 import { Button } from "../Button";
 import { ToStart } from "../ToStart";
-import { KIT_TEST } from "../testids";
 
 interface NotLoadedProps {
   /** A whole screen, or a part of one. */
@@ -25,9 +24,9 @@ export function NotLoaded({
   const Place = as === "screen" ? "main" : "div";
   return (
     <Place class={as === "screen" ? "screen waiting" : "waiting"}>
-      <p data-testid={KIT_TEST.notLoaded}>{trouble.notLoaded}</p>
+      <p data-testid="not-loaded">{trouble.notLoaded}</p>
       <div class="waiting__ways">
-        <Button icon={RotateCw} busy={busy} testId={KIT_TEST.tryAgain} onPress={again}>
+        <Button icon={RotateCw} busy={busy} testId="try-again" onPress={again}>
           {trouble.tryAgain}
         </Button>
         {ways}

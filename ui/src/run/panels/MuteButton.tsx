@@ -2,7 +2,6 @@ import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { Volume2, VolumeX } from "lucide-preact";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 import type { RunView } from "../reducer";
 import { muted, setMuted } from "../sound";
 
@@ -21,7 +20,7 @@ export function MuteButton({ view, expected = false }: MuteButtonProps) {
     <Button
       icon={muted.value ? VolumeX : Volume2}
       label={muted.value ? show.unmute : show.mute}
-      testId={TEST.mute}
+      testId="mute"
       data-muted={muted.value}
       onPress={() => setMuted(!muted.value)}
     />

@@ -1,7 +1,6 @@
 import type { ReadonlySignal } from "@preact/signals";
 import { language, texts } from "../../i18n";
 import { decimal, headingDegrees } from "../../i18n/format";
-import { TEST } from "../../shell/testids";
 import type { RunView } from "../reducer";
 
 interface Cell {
@@ -25,7 +24,7 @@ export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
       value: truth.x,
       digits: 2,
       unit: "m",
-      testId: TEST.poseX,
+      testId: "pose-x",
     },
     {
       name: readout.y,
@@ -33,7 +32,7 @@ export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
       value: truth.y,
       digits: 2,
       unit: "m",
-      testId: TEST.poseY,
+      testId: "pose-y",
     },
     {
       name: readout.heading,
@@ -41,7 +40,7 @@ export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
       value: heading,
       digits: 0,
       unit: "°",
-      testId: TEST.poseHeading,
+      testId: "pose-heading",
     },
     {
       name: readout.elapsed,
@@ -49,7 +48,7 @@ export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
       value: tick / 30,
       digits: 1,
       unit: "s",
-      testId: TEST.elapsed,
+      testId: "elapsed",
     },
   ];
   return (

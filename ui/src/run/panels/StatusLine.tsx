@@ -1,7 +1,6 @@
 import { CircleCheck, Info, Navigation, TriangleAlert } from "lucide-preact";
 import { useEffect, useState } from "preact/hooks";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 import type { Sentence, Tone } from "../sentence";
 
 const ICONS: Record<Tone, typeof Info> = {
@@ -21,7 +20,7 @@ export function StatusLine({ sentence }: { sentence: Sentence }) {
   return (
     <div
       class={`status status--${sentence.tone}`}
-      data-testid={TEST.statusLine}
+      data-testid="status-line"
       data-tone={sentence.tone}
     >
       <Icon class="icon status__icon" aria-hidden="true" />

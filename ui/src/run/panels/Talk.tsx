@@ -2,7 +2,6 @@ import { BellRing, CircleQuestionMark, MessageCircle, Reply } from "lucide-preac
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { language, texts } from "../../i18n";
 import { numberWords, seconds } from "../../i18n/format";
-import { TEST } from "../../shell/testids";
 import type { Line } from "../output";
 import { saidWords } from "../values";
 
@@ -39,7 +38,7 @@ export function Talk({ lines }: { lines: readonly Line[] }) {
       aria-label={show.talk}
       // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it
       tabIndex={0}
-      data-testid={TEST.talk}
+      data-testid="talk"
       onScroll={({ currentTarget: { scrollTop, clientHeight, scrollHeight } }) => {
         atEnd.current = scrollTop + clientHeight > scrollHeight - AT_END_PX;
       }}
@@ -56,7 +55,7 @@ export function Talk({ lines }: { lines: readonly Line[] }) {
 function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
   const Icon = ICONS[kind];
   return (
-    <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid={TEST.talkLine}>
+    <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid="talk-line">
       <Icon class="icon" aria-hidden="true" />
       {kind !== "beeped" && <span class="visually-hidden">{texts.value.show[kind]}</span>}
       <span class="talk__text">{wordsOf(kind, text)}</span>

@@ -1,5 +1,4 @@
 import { language, texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 import { valueWords } from "../values";
 
 /** The current values of the program's variables. */
@@ -11,7 +10,7 @@ export function Watch({ rows }: { rows: readonly (readonly [string, unknown])[] 
       // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it
       tabIndex={0}
     >
-      <table class="watch__table" aria-label={show.variables} data-testid={TEST.watch}>
+      <table class="watch__table" aria-label={show.variables} data-testid="watch">
         <thead class="visually-hidden">
           <tr>
             <th scope="col">{show.name}</th>
@@ -34,7 +33,7 @@ function Row({ name, words }: { name: string; words: string }) {
       <th scope="row" title={name}>
         {name}
       </th>
-      <td title={words} data-testid={TEST.watchValue} data-name={name}>
+      <td title={words} data-testid="watch-value" data-name={name}>
         {words}
       </td>
     </tr>

@@ -1,6 +1,5 @@
 import { Bot } from "lucide-preact";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 import { SIMULATOR } from "./real_robot";
 
 interface RobotNameProps {
@@ -11,7 +10,7 @@ interface RobotNameProps {
 export function RobotName({ link }: RobotNameProps) {
   if (link === SIMULATOR) return null;
   return (
-    <span class="robot-name" data-testid={TEST.robotName} data-link={link}>
+    <span class="robot-name" data-testid="robot-name" data-link={link}>
       <Bot class="icon" aria-hidden="true" />
       {robotWords(link)}
     </span>

@@ -1,6 +1,5 @@
 import type { JudgedEvent } from "../../api/model";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 
 interface VerdictLineProps {
   of: Pick<JudgedEvent, "by_robot" | "not_judged">;
@@ -21,7 +20,7 @@ interface JudgingLineProps {
 /** How runs on a real robot are judged. */
 export function JudgingLine({ state, children }: JudgingLineProps) {
   return (
-    <p class="verdict-line" data-state={state} data-testid={TEST.howJudged}>
+    <p class="verdict-line" data-state={state} data-testid="how-judged">
       {children}
     </p>
   );

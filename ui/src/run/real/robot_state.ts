@@ -1,6 +1,8 @@
 import { signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
 import type { RobotStateToldEvent } from "../../api/model";
 import { robotsApi } from "../../api/robots";
+import { usePolling } from "../../kit/usePolling";
 
 export type RobotState = RobotStateToldEvent;
 
@@ -14,20 +16,18 @@ export function receiveState(state: RobotState): void {
   robotStates.value = { ...robotStates.value, [state.link]: state };
 }
 
-/** Watches a robot until the returned function is called. A robot that cannot be watched stays unknown. */
-export function watchRobot(link: string): () => void {
-  let isFirst = true;
-  const ask = () => {
-    robotsApi.watch(link, isFirst).catch(() => {});
-    isFirst = false;
-  };
-  ask();
-  const timer = setInterval(ask, ASK_EACH_MS);
-  return () => {
-    clearInterval(timer);
-    const { [link]: _gone, ...others } = robotStates.value;
-    robotStates.value = others;
-  };
+/** Watches a robot; null for none. A robot that cannot be watched stays unknown. */
+export function useWatchedRobot(link: string | null): void {
+  const ask = (isFirst: boolean) => link && robotsApi.watch(link, isFirst).catch(() => {});
+  useEffect(() => {
+    if (!link) return;
+    ask(true);
+    return () => {
+      const { [link]: _gone, ...others } = robotStates.value;
+      robotStates.value = others;
+    };
+  }, [link]);
+  usePolling(() => ask(false), { everyMs: ASK_EACH_MS, isOn: link !== null, evenHidden: true });
 }
 
 /** Its place in the room; null while nobody knows. */

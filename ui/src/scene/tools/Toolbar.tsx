@@ -16,7 +16,6 @@ import {
 import type { Ring } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 import type { SceneRenderer } from "../renderer";
 import { shownRings, toggleRing } from "./sensor_rings";
 import type { SceneTools } from "./tools";
@@ -54,7 +53,7 @@ export function Toolbar({ scene, tools, again, hasSensors, onPicture }: ToolbarP
           <Tool
             label={words.again}
             Icon={RotateCcw}
-            testId={TEST.startAgain}
+            testId="start-again"
             disabled={!again.able}
             onClick={() => again.act()}
           />
@@ -62,7 +61,7 @@ export function Toolbar({ scene, tools, again, hasSensors, onPicture }: ToolbarP
         <Tool
           label={open.value ? words.lessTools : words.moreTools}
           Icon={open.value ? ChevronsLeft : Wrench}
-          testId={TEST.sceneTools}
+          testId="scene-tools"
           expanded={open.value}
           onClick={() => {
             open.value = !open.value;
@@ -81,7 +80,7 @@ function More({ scene, tools, hasSensors, onPicture }: MoreProps) {
     <Tool
       label={label}
       Icon={Icon}
-      testId={TEST.ring}
+      testId="ring"
       name={name}
       pressed={shownRings.value.includes(name)}
       onClick={() => toggleRing(name)}
@@ -92,7 +91,7 @@ function More({ scene, tools, hasSensors, onPicture }: MoreProps) {
       <Tool
         label={words.ruler}
         Icon={Ruler}
-        testId={TEST.measureTool}
+        testId="measure-tool"
         name="ruler"
         pressed={tools.tool.value === "ruler"}
         onClick={() => tools.take("ruler")}
@@ -100,7 +99,7 @@ function More({ scene, tools, hasSensors, onPicture }: MoreProps) {
       <Tool
         label={words.protractor}
         Icon={Triangle}
-        testId={TEST.measureTool}
+        testId="measure-tool"
         name="protractor"
         pressed={tools.tool.value === "protractor"}
         onClick={() => tools.take("protractor")}
@@ -110,11 +109,11 @@ function More({ scene, tools, hasSensors, onPicture }: MoreProps) {
       <Tool
         label={words.follow}
         Icon={LocateFixed}
-        testId={TEST.follow}
+        testId="follow"
         pressed={tools.follow.value}
         onClick={() => scene()?.follow(!tools.follow.peek())}
       />
-      <Tool label={words.picture} Icon={Camera} testId={TEST.scenePicture} onClick={onPicture} />
+      <Tool label={words.picture} Icon={Camera} testId="scene-picture" onClick={onPicture} />
     </div>
   );
 }

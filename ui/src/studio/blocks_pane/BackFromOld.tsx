@@ -1,7 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { texts } from "../../i18n";
 import { WayBack } from "../../kit/WayBack";
-import { TEST } from "../../shell/testids";
 import { restoredFrom } from "../program/restored_from";
 import type { StudioControl } from "../studio_control";
 
@@ -23,7 +22,7 @@ export function BackFromOld({ control }: { control: StudioControl }) {
     <WayBack
       words={words.wentOn(from.number, instead.number)}
       action={words.backTo(instead.number)}
-      testId={TEST.versionReturn}
+      testId="version-return"
       onBack={back}
       onClose={forget}
     />

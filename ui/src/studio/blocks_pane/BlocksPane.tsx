@@ -27,7 +27,6 @@ import {
 } from "../../shell/level";
 import { go } from "../../shell/route";
 import { problem, program, refreshStatus } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 import { theme } from "../../shell/theme";
 import { breakpoints } from "../debug/debugging";
 import type { StudioControl } from "../studio_control";
@@ -74,9 +73,9 @@ function Tools({ control }: { control: StudioControl }) {
   );
   return (
     <div class="blocks__tools">
-      {tool(TEST.undo, studio.undo, Undo2, (editor) => editor.undo())}
-      {tool(TEST.redo, studio.redo, Redo2, (editor) => editor.redo())}
-      {tool(TEST.tidy, studio.tidy, AlignVerticalJustifyStart, (editor) => editor.tidy())}
+      {tool("undo", studio.undo, Undo2, (editor) => editor.undo())}
+      {tool("redo", studio.redo, Redo2, (editor) => editor.redo())}
+      {tool("tidy", studio.tidy, AlignVerticalJustifyStart, (editor) => editor.tidy())}
       <HistoryButton control={control} />
       <LevelChoice />
     </div>
@@ -97,7 +96,7 @@ function HistoryButton({ control: { open } }: { control: StudioControl }) {
       kind="plain"
       icon={History}
       tip={history}
-      testId={TEST.openHistory}
+      testId="open-history"
       disabled={open.deleted.value !== null}
       onPress={show}
     >
@@ -114,7 +113,7 @@ function LevelChoice() {
       icon={Layers}
       label={words.label}
       tip={words.label}
-      testId={TEST.level}
+      testId="level"
       value={shown.value}
       options={[
         ...(missionLevel.value?.blocks ? ([["mission", words.mission]] as const) : []),
@@ -135,7 +134,7 @@ function Swap({ control }: { control: StudioControl }) {
     <WayBack
       words={placed ? python.placed : python.broughtBack}
       action={placed ? python.bringBack : python.placeAgain}
-      testId={TEST.swapBack}
+      testId="swap-back"
       onBack={() => control.swapBack()}
       onClose={() => {
         control.replaced.value = null;
@@ -193,7 +192,7 @@ function Workspace({ control }: { control: StudioControl }) {
     if (control.open.faults.value.length > 0) control.open.edit(now.content());
   }, [language.value, control]);
 
-  return <div class="blocks__editor" ref={container} data-testid={TEST.editor} />;
+  return <div class="blocks__editor" ref={container} data-testid="editor" />;
 }
 
 function signsForBlocks(): KnownSigns | null {

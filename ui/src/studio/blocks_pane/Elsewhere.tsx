@@ -5,7 +5,6 @@ import { texts } from "../../i18n";
 import { WayBack } from "../../kit/WayBack";
 import { remember, remembered } from "../../shell/remembered";
 import { go } from "../../shell/route";
-import { TEST } from "../../shell/testids";
 
 const COOKIE = "pinel_elsewhere";
 const APART = "_";
@@ -27,7 +26,7 @@ export function Elsewhere({ program }: { program: ProgramWithVersion }) {
       words={words.elsewhere(elsewhere.computer || words.unknownComputer)}
       action={words.compareBranches}
       Icon={Columns2}
-      testId={TEST.elsewhere}
+      testId="elsewhere"
       onBack={() => {
         see();
         const [before, after] = [elsewhere.id, version.id];

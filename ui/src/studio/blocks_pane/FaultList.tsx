@@ -2,7 +2,6 @@ import { ArrowRight, TriangleAlert } from "lucide-preact";
 import type { Fault } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 
 interface FaultListProps {
   faults: readonly Fault[];
@@ -14,7 +13,7 @@ export function FaultList({ faults, onGo }: FaultListProps) {
   const { studio } = texts.value;
   if (faults.length === 0) return null;
   return (
-    <div class="faults" data-testid={TEST.faultList} role="status">
+    <div class="faults" data-testid="fault-list" role="status">
       <h2 class="faults__title">
         <TriangleAlert class="icon" aria-hidden="true" />
         {studio.faultsTitle(faults.length)}
@@ -27,7 +26,7 @@ export function FaultList({ faults, onGo }: FaultListProps) {
               class="faults__fault"
               iconEnd={fault.block ? ArrowRight : undefined}
               tip={studio.goToBlock}
-              testId={TEST.fault}
+              testId="fault"
               data-code={fault.code}
               disabled={!fault.block}
               onPress={() => onGo(fault)}

@@ -2,7 +2,6 @@ import { useSignal } from "@preact/signals";
 import { versionsApi } from "../../api/versions";
 import { texts } from "../../i18n";
 import { WayBack } from "../../kit/WayBack";
-import { TEST } from "../../shell/testids";
 import type { OpenProgram } from "../program/open_program";
 
 /** Reports that the open program was moved to the bin, in any window, and offers undo. */
@@ -18,7 +17,7 @@ export function InBin({ open }: { open: OpenProgram }) {
     <WayBack
       words={words.inBin}
       action={words.takeBack}
-      testId={TEST.takeBack}
+      testId="take-back"
       onBack={takeBack}
       onClose={() => {
         closed.value = true;

@@ -4,7 +4,6 @@ import { texts } from "../../i18n";
 import { WayBack } from "../../kit/WayBack";
 import { beginActivity } from "../../shell/begin_activity";
 import { lesson } from "../../shell/lesson";
-import { TEST } from "../../shell/testids";
 import type { OpenProgram } from "../program/open_program";
 
 /** Offers the activity of the lesson to a group that is at another program. */
@@ -19,7 +18,7 @@ export function LessonMission({ open }: { open: OpenProgram }) {
       words={activity.ofLesson(now.activity || now.title)}
       action={activity.openOfLesson}
       Icon={Target}
-      testId={TEST.lessonMission}
+      testId="lesson-mission"
       onBack={() => beginActivity(open.program.group_id, mission)}
       onClose={() => {
         closedFor.value = mission;

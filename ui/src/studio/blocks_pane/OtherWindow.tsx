@@ -3,7 +3,6 @@ import { FileClock, History } from "lucide-preact";
 import { texts } from "../../i18n";
 import { WayBack } from "../../kit/WayBack";
 import { go } from "../../shell/route";
-import { TEST } from "../../shell/testids";
 import { type OpenProgram, openNewest } from "../program/open_program";
 
 /** Reports that another window has saved a version of the open program. */
@@ -19,7 +18,7 @@ export function OtherWindow({ open }: { open: OpenProgram }) {
       words={words.otherWindow}
       action={toNewest ? words.openNewest : words.seeOther}
       Icon={toNewest ? FileClock : History}
-      testId={TEST.otherWindow}
+      testId="other-window"
       onBack={() =>
         toNewest ? openNewest(open) : go({ screen: "versions", program: open.id, version })
       }

@@ -7,7 +7,6 @@ import { hasDrawing, SignDrawing } from "../../camera/SignDrawing";
 import { hasPicture, sight } from "../../camera/sight";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 
 interface CaptureCameraProps {
   /** The signs that the program compares the answer with. */
@@ -53,7 +52,7 @@ function Expected({ signs, reading, onAnswer }: ExpectedProps) {
                 kind="bare"
                 class="expected__sign"
                 tip={capture.answer(sign)}
-                testId={TEST.expectedSign}
+                testId="expected-sign"
                 data-sign={sign}
                 data-seen={String(sign === seen)}
                 onPress={() => onAnswer(sign)}
@@ -69,7 +68,7 @@ function Expected({ signs, reading, onAnswer }: ExpectedProps) {
           class="expected__hand"
           icon={ArrowLeftRight}
           label={camera.hands[hand]}
-          testId={TEST.drawnHand}
+          testId="drawn-hand"
           data-hand={hand}
           onPress={() => {
             drawnHand.value = hand === "right" ? "left" : "right";

@@ -3,7 +3,6 @@ import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { changed, hand, seen } from "../../camera/testing/seen";
 import { speak } from "../../i18n";
 import { passesAxe } from "../../kit/testing/control";
-import { TEST } from "../../shell/testids";
 
 const cameraApi = { status: vi.fn(), choose: vi.fn(), wake: vi.fn() };
 vi.mock("../../api/camera", () => ({ cameraApi, previewAddress: () => "" }));
@@ -51,7 +50,7 @@ const draw = (expected: readonly string[] = ["B", "L"]) =>
 describe("a program that waits for a sign", () => {
   test("can be answered by hand at once, whatever the camera does", () => {
     const { getAllByTestId } = draw();
-    const letters = getAllByTestId(TEST.captureLetter);
+    const letters = getAllByTestId("capture-letter");
     expect(letters).toHaveLength(22);
     fireEvent.click(letters[1] as HTMLElement);
     fireEvent.click(letters[21] as HTMLElement);
@@ -70,7 +69,7 @@ describe("a program that waits for a sign", () => {
 
   test("shows the signs that it knows what to do with, and marks the one that is seen", async () => {
     const { container, findAllByTestId } = draw();
-    const signs = await findAllByTestId(TEST.expectedSign);
+    const signs = await findAllByTestId("expected-sign");
     expect(signs.map((one) => one.dataset.sign)).toEqual(["B", "L"]);
     act(() => receive(seen(hand({ best: "L" }))));
     expect(signs.map((one) => one.dataset.seen)).toEqual(["false", "true"]);
@@ -79,16 +78,16 @@ describe("a program that waits for a sign", () => {
 
   test("says what is wrong with the camera in place of its picture", async () => {
     const { container, findByTestId } = draw();
-    await findByTestId(TEST.reading);
+    await findByTestId("reading");
     act(() => receive(changed("failed", "camera_missing")));
-    expect((await findByTestId(TEST.cameraTrouble)).dataset.code).toBe("camera_missing");
+    expect((await findByTestId("camera-trouble")).dataset.code).toBe("camera_missing");
     expect(container.querySelector("h2")?.textContent).toBe("Que sinal vocês fizeram?");
     await passesAxe(container);
   });
 
   test("looks through another camera when it is chosen", async () => {
     const { findByTestId } = draw();
-    const choice = (await findByTestId(TEST.cameraChoice)) as HTMLSelectElement;
+    const choice = (await findByTestId("camera-choice")) as HTMLSelectElement;
     expect([...choice.options].map((one) => one.text)).toEqual([
       "Câmera 1",
       "Câmera 2",
@@ -102,10 +101,10 @@ describe("a program that waits for a sign", () => {
   test("can be answered with a sign that the class taught, and with one that only the program knows", async () => {
     await knows("vai", "7");
     const { container, getAllByTestId } = draw(["B", "pare"]);
-    const kinds = getAllByTestId(TEST.captureKind);
+    const kinds = getAllByTestId("capture-kind");
     expect(kinds[0]?.getAttribute("aria-selected")).toBe("true");
     fireEvent.click(kinds[1] as HTMLElement);
-    const answers = getAllByTestId(TEST.captureLetter);
+    const answers = getAllByTestId("capture-letter");
     expect(answers.map((one) => one.dataset.letter)).toEqual(["vai", "7", "pare", ""]);
     fireEvent.click(answers[0] as HTMLElement);
     fireEvent.keyDown(document.body, { key: "7" });
@@ -116,11 +115,8 @@ describe("a program that waits for a sign", () => {
   test("begins with the signs of the class where the program expects no letter", async () => {
     await knows("vai");
     const { getAllByTestId, findAllByTestId } = draw(["vai"]);
-    expect(getAllByTestId(TEST.captureLetter).map((one) => one.dataset.letter)).toEqual([
-      "vai",
-      "",
-    ]);
-    const [expected] = await findAllByTestId(TEST.expectedSign);
+    expect(getAllByTestId("capture-letter").map((one) => one.dataset.letter)).toEqual(["vai", ""]);
+    const [expected] = await findAllByTestId("expected-sign");
     expect(expected?.querySelectorAll("path").length).toBeGreaterThan(10);
     fireEvent.click(expected as HTMLElement);
     expect(onAnswer).toHaveBeenCalledWith("vai");
@@ -129,7 +125,7 @@ describe("a program that waits for a sign", () => {
   test("has a drawing for what the class taught, and its name where there is none", async () => {
     await knows("vai");
     const { findAllByTestId } = draw(["vai", "bom dia"]);
-    const [taught, unknown] = await findAllByTestId(TEST.expectedSign);
+    const [taught, unknown] = await findAllByTestId("expected-sign");
     expect(taught?.querySelector("svg path")).toBeTruthy();
     expect(unknown?.querySelector("svg")).toBeNull();
     expect(unknown?.textContent).toBe("bom dia");
@@ -142,10 +138,10 @@ describe("a program that waits for a sign", () => {
   test("finds one of many signs by its name, and answers it with Enter", async () => {
     await knows(...Array.from({ length: 58 }, (_, n) => `sinal ${n}`), "coração", "cor");
     const { getAllByTestId, getByTestId } = draw(["cor"]);
-    const field = getByTestId(TEST.captureFind);
+    const field = getByTestId("capture-find");
     fireEvent.keyDown(field, { key: "Enter" });
     fireEvent.input(field, { target: { value: "CORAÇ" } });
-    expect(getAllByTestId(TEST.captureLetter).map((one) => one.dataset.letter)).toEqual([
+    expect(getAllByTestId("capture-letter").map((one) => one.dataset.letter)).toEqual([
       ...["", "coração"],
     ]);
     fireEvent.keyDown(field, { key: "Enter" });
@@ -155,7 +151,7 @@ describe("a program that waits for a sign", () => {
   test("turns its drawings to the hand that is seen, or chosen", async () => {
     const { findByTestId, findAllByTestId } = draw();
     const path = async () => {
-      const [first] = await findAllByTestId(TEST.expectedSign);
+      const [first] = await findAllByTestId("expected-sign");
       return first?.querySelector("path")?.getAttribute("d");
     };
     const right = await path();
@@ -163,15 +159,15 @@ describe("a program that waits for a sign", () => {
       for (let n = 0; n < 4; n++) receive(seen(hand({ handedness: "left" })));
     });
     expect(await path()).not.toBe(right);
-    fireEvent.click(await findByTestId(TEST.drawnHand));
+    fireEvent.click(await findByTestId("drawn-hand"));
     expect(await path()).toBe(right);
   });
 
   test("says what is wrong with the camera in the language of the page", async () => {
     const { findByTestId } = draw();
-    await findByTestId(TEST.reading);
+    await findByTestId("reading");
     act(() => receive(changed("failed", "camera_missing")));
-    const trouble = await findByTestId(TEST.cameraTrouble);
+    const trouble = await findByTestId("camera-trouble");
     expect(trouble.textContent).toContain("A câmera 1 não foi encontrada.");
     await act(() => speak("en"));
     expect(trouble.textContent).toContain("Camera 1");

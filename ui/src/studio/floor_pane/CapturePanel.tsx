@@ -6,7 +6,6 @@ import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import type { Capture } from "../../run/reducer";
 import { fetchPart, later } from "../../shell/later";
-import { TEST } from "../../shell/testids";
 import { SignAnswers } from "./SignAnswers";
 
 const load = async () => (await import("./CaptureCamera")).CaptureCamera;
@@ -34,7 +33,7 @@ export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps)
     <section
       class={`capture ${hasPicture.value ? "capture--camera" : ""}`}
       aria-label={words.title}
-      data-testid={TEST.capture}
+      data-testid="capture"
     >
       <Head capture={capture} />
       <CaptureCamera expected={expected} onAnswer={onAnswer} />

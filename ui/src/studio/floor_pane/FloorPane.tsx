@@ -11,7 +11,6 @@ import { StatusLine } from "../../run/panels/StatusLine";
 import { isLive } from "../../run/reducer";
 import { helpIsOpen } from "../../shell/help";
 import { later } from "../../shell/later";
-import { TEST } from "../../shell/testids";
 import { BeforeRun } from "../real_robot/BeforeRun";
 import { Controls } from "../run_bar/Controls";
 import type { StudioControl } from "../studio_control";
@@ -20,7 +19,7 @@ import { prepareCapture } from "./CapturePanel";
 import { Stage } from "./Stage";
 
 const PastRun = later(async () => (await import("./PastRun")).PastRun);
-const HelpPanel = later(async () => (await import("../../help/HelpPanel")).HelpPanel);
+const HelpPanel = later(async () => (await import("../help/HelpPanel")).HelpPanel);
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
@@ -56,7 +55,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <div class="floor__foot card">
         <Readout view={shown} />
         <FootButton
-          testId={TEST.plotsToggle}
+          testId="plots-toggle"
           icon={ChartLine}
           word={plots.open}
           label={plots.label}
@@ -65,7 +64,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
           onPress={() => show("plots")}
         />
         <FootButton
-          testId={TEST.irToggle}
+          testId="ir-toggle"
           icon={FileCode}
           word={python.short}
           label={python.open}
@@ -97,7 +96,7 @@ function Forgotten({ control: { worlds } }: { control: StudioControl }) {
     <WayBack
       words={world.forgotten}
       action={world.bringBack}
-      testId={TEST.worldBringBack}
+      testId="world-bring-back"
       onBack={() => worlds.bringBack()}
       onClose={() => {
         worlds.forgotten.value = null;

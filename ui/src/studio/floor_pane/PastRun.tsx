@@ -10,7 +10,6 @@ import { moment, showMoment } from "../../run/moment";
 import { TimeStrip } from "../../run/panels/TimeStrip";
 import { stepFrom } from "../../run/playback";
 import { hashOf } from "../../shell/route";
-import { TEST } from "../../shell/testids";
 
 const WAYS: Readonly<Record<string, -1 | 1>> = { ArrowLeft: -1, ArrowRight: 1 };
 
@@ -21,13 +20,13 @@ export function PastRun() {
   const { run } = live.value;
   if (!run) return null;
   return (
-    <section class="past-run" aria-label={texts.value.run.time} data-testid={TEST.pastRun}>
+    <section class="past-run" aria-label={texts.value.run.time} data-testid="past-run">
       {record.isWhole && <Strip />}
       <LinkButton
         icon={Film}
         tip={replay.title}
         href={hashOf({ screen: "replay", run })}
-        testId={TEST.pastRunReplay}
+        testId="past-run-replay"
       >
         {work.replay}
       </LinkButton>
@@ -46,13 +45,13 @@ function Strip() {
     return way !== undefined;
   };
   return (
-    <div class="past-run__strip" title={texts.value.run.timeHelp}>
+    <div class="grows shrinks" title={texts.value.run.timeHelp}>
       <TimeStrip
         tracks={[stretches]}
         tick={tick}
         end={end}
         time={texts.value.replay.at(time(tick), time(end))}
-        testId={TEST.pastRunSlider}
+        testId="past-run-slider"
         onTick={showMoment}
         onKey={step}
       />

@@ -5,7 +5,6 @@ import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
 import type { Question } from "../../run/output";
 import { saidWords } from "../../run/values";
-import { TEST } from "../../shell/testids";
 
 /** Maximum length of an answer, as in the server. */
 const LONGEST = 1000;
@@ -27,13 +26,13 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
     <Form
       class="question"
       aria-label={words.title}
-      testId={TEST.question}
+      testId="question"
       onSubmit={() => !isBlank && onAnswer(value)}
     >
       <CircleQuestionMark class="icon question__icon" aria-hidden="true" />
       <div class="question__words">
         <h2 class="question__title">{words.title}</h2>
-        <p class="question__text" data-testid={TEST.questionText}>
+        <p class="question__text" data-testid="question-text">
           {asked}
         </p>
       </div>
@@ -47,7 +46,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           spellcheck={false}
           aria-label={asked}
           placeholder={words.answer}
-          data-testid={TEST.answer}
+          data-testid="answer"
           onInput={(event) => setValue(event.currentTarget.value)}
         />
         <Button
@@ -55,7 +54,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           kind="main"
           class="question__send"
           icon={Send}
-          testId={TEST.sendAnswer}
+          testId="send-answer"
           disabled={isBlank}
         >
           {words.send}

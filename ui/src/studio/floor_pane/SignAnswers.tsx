@@ -4,7 +4,6 @@ import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { rove } from "../../kit/roving";
 import { Tabs } from "../../kit/Tabs";
-import { TEST } from "../../shell/testids";
 
 /** With more signs than these one looks for them by name. */
 const MOST_AT_A_GLANCE = 12;
@@ -37,7 +36,7 @@ export function SignAnswers({ expected, onAnswer }: SignAnswersProps) {
             label={words.kinds}
             value={shown.value}
             options={kinds}
-            testId={TEST.captureKind}
+            testId="capture-kind"
             onChange={(kind) => {
               shown.value = kind;
             }}
@@ -83,7 +82,7 @@ function Signs({ names, onAnswer }: SignsProps) {
             placeholder={words.find}
             autocomplete="off"
             spellcheck={false}
-            data-testid={TEST.captureFind}
+            data-testid="capture-find"
             onInput={(event) => {
               wanted.value = event.currentTarget.value;
             }}
@@ -119,7 +118,7 @@ function Answer({ result, tabIndex, onAnswer }: AnswerProps) {
     <Button
       class="capture__letter"
       label={texts.value.capture.answer(result)}
-      testId={TEST.captureLetter}
+      testId="capture-letter"
       data-letter={result}
       {...(tabIndex === undefined ? {} : { tabIndex, "data-rove": "" })}
       onPress={() => onAnswer(result)}
@@ -135,7 +134,7 @@ function None({ onAnswer }: Pick<AnswerProps, "onAnswer">) {
     <Button
       class="capture__letter capture__none"
       label={words.noneHelp}
-      testId={TEST.captureLetter}
+      testId="capture-letter"
       data-letter=""
       onPress={() => onAnswer("")}
     >

@@ -16,7 +16,6 @@ import { isLive } from "../../run/reducer";
 import { Scene } from "../../scene/Scene";
 import { later } from "../../shell/later";
 import { worlds } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 import { sensorValues } from "../debug/sensor_values";
 import { RobotChoice } from "../real_robot/RobotChoice";
 import type { StudioControl } from "../studio_control";
@@ -114,7 +113,7 @@ function Corner({ control }: { control: StudioControl }) {
         class="floor__change"
         icon={Pencil}
         tip={words.changeHelp}
-        testId={TEST.worldChange}
+        testId="world-change"
         disabled={busy.value || !control.world.value}
         onPress={() => control.worlds.edit()}
       >
@@ -156,7 +155,7 @@ function MissionCorner({ control }: { control: StudioControl }) {
   return (
     <div class="floor__corner">
       <RobotChoice />
-      <p class="floor__locked" title={texts.value.activity.locked} data-testid={TEST.worldLocked}>
+      <p class="floor__locked" title={texts.value.activity.locked} data-testid="world-locked">
         <Lock class="icon" aria-hidden="true" />
         {world.value && worldTitle(world.value, language.value)}
         <span class="visually-hidden">{texts.value.activity.locked}</span>

@@ -2,7 +2,6 @@ import { Map as MapIcon } from "lucide-preact";
 import { OWN_WORLD, type World, worldTitle } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Select } from "../../kit/Select";
-import { TEST } from "../../shell/testids";
 
 interface WorldChoiceProps {
   worlds: readonly World[];
@@ -23,7 +22,7 @@ export function WorldChoice({ worlds, world, own, busy, onWorld }: WorldChoicePr
       icon={MapIcon}
       label={run.world}
       tip={run.world}
-      testId={TEST.world}
+      testId="world"
       value={world}
       options={own === null ? shipped : [[OWN_WORLD, own], ...shipped]}
       disabled={busy}

@@ -1,7 +1,6 @@
 import { CircleAlert, CircleCheck } from "lucide-preact";
 import type { JudgedEvent } from "../../api/model";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 
 /** The other signs, answers or starts with which the program was tried for the verdict. */
 export function CasesTried({ cases }: Pick<JudgedEvent, "cases">) {
@@ -9,7 +8,7 @@ export function CasesTried({ cases }: Pick<JudgedEvent, "cases">) {
   const others = cases.filter(({ seen }) => !seen);
   if (others.length === 0) return null;
   return (
-    <div class="mission__cases" data-testid={TEST.casesTried}>
+    <div class="mission__cases" data-testid="cases-tried">
       <span>{activity.alsoTried}</span>
       <ul>
         {others.map(({ given, passed }) => {

@@ -1,7 +1,6 @@
 import { Circle, CircleAlert, CircleCheck, type LucideIcon } from "lucide-preact";
 import type { CheckLine } from "../../api/model";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 
 const ICONS: Readonly<Record<CheckLine["state"], LucideIcon>> = {
   open: Circle,
@@ -13,7 +12,7 @@ const ICONS: Readonly<Record<CheckLine["state"], LucideIcon>> = {
 export function CheckList({ checks }: { checks: readonly CheckLine[] }) {
   const { activity } = texts.value;
   return (
-    <ul class="checks" aria-label={activity.criteria} data-testid={TEST.checks}>
+    <ul class="checks" aria-label={activity.criteria} data-testid="checks">
       {checks.map(({ criterion, measured, state }, index) => {
         const Icon = ICONS[state];
         return (

@@ -6,9 +6,8 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { checksOf, verdictOf } from "../../run/judgement";
 import * as robot from "../../run/live";
-import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { GoalPicture } from "../../scene/small/GoalPicture";
 import { checksStand, judged, report } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 import type { StudioControl } from "../studio_control";
 import { CasesTried } from "./CasesTried";
 import { CheckList } from "./CheckList";
@@ -33,7 +32,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
     <section
       class="mission"
       aria-label={texts.value.activity.mission}
-      data-testid={TEST.mission}
+      data-testid="mission"
       data-done={done}
     >
       {!folded.value && <GoalPicture goal={mission.goal_picture} />}
@@ -54,7 +53,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
         kind="plain"
         icon={folded.value ? ChevronDown : ChevronUp}
         label={folded.value ? texts.value.activity.unfold : texts.value.activity.fold}
-        testId={TEST.missionFold}
+        testId="mission-fold"
         open={!folded.value}
         onPress={() => {
           folded.value = !folded.value;
@@ -125,7 +124,7 @@ function Help({ control, mission: { hints }, done }: HelpProps) {
         <Button
           kind="plain"
           icon={Lightbulb}
-          testId={TEST.missionHint}
+          testId="mission-hint"
           onPress={() => open.changeSetup({ n_hints: n + 1 })}
         >
           {activity.openHint(n + 1, hints.length)}
@@ -142,7 +141,7 @@ function ShowBlock({ control }: { control: StudioControl }) {
     <Button
       kind="plain"
       icon={LocateFixed}
-      testId={TEST.adviceBlock}
+      testId="advice-block"
       onPress={() => control.goToAdvice()}
     >
       {texts.value.studio.goToBlock}
@@ -153,7 +152,7 @@ function ShowBlock({ control }: { control: StudioControl }) {
 function UnknownMission() {
   const { activity } = texts.value;
   return (
-    <section class="mission" aria-label={activity.mission} data-testid={TEST.mission}>
+    <section class="mission" aria-label={activity.mission} data-testid="mission">
       <p class="mission__words">{activity.unknown}</p>
     </section>
   );

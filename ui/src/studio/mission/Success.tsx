@@ -8,7 +8,6 @@ import { cheer, isSoundWanted, muted, setMuted } from "../../run/sound";
 import { beginActivity } from "../../shell/begin_activity";
 import { hashOf } from "../../shell/route";
 import { judged } from "../../shell/session";
-import { TEST } from "../../shell/testids";
 import type { OpenProgram } from "../program/open_program";
 
 /** A moment to enjoy: what was achieved, a question to talk about, and where to go on. */
@@ -19,18 +18,18 @@ export function Success({ open, mission }: { open: OpenProgram; mission: Activit
     if (judged.value?.passed) cheer();
   });
   return (
-    <div class="mission__success" role="status" data-testid={TEST.missionDone}>
+    <div class="mission__success" role="status" data-testid="mission-done">
       <strong>
         <PartyPopper class="icon" aria-hidden="true" />
         {activity.done}
       </strong>
       {mission.question && <p>{mission.question}</p>}
-      <div class="mission__onward">
+      <div class="row wrap gap-2">
         {next ? (
           <Button
             kind="main"
             iconEnd={ArrowRight}
-            testId={TEST.missionNext}
+            testId="mission-next"
             onPress={() => beginActivity(open.program.group_id, next.name)}
           >
             {activity.next(next.title)}
@@ -38,7 +37,7 @@ export function Success({ open, mission }: { open: OpenProgram; mission: Activit
         ) : (
           <LinkButton
             icon={Target}
-            testId={TEST.missionOthers}
+            testId="mission-others"
             href={hashOf({ screen: "activities", group: open.program.group_id })}
           >
             {activity.others}
@@ -59,7 +58,7 @@ function Sound() {
       kind="plain"
       icon={isOn ? Volume2 : VolumeX}
       label={isOn ? show.mute : show.unmute}
-      testId={TEST.successSound}
+      testId="success-sound"
       onPress={() => {
         setMuted(isOn);
         if (!muted.value) cheer();

@@ -6,7 +6,6 @@ import { decimal } from "../../i18n/format";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
 import { chosenRobot, isChecked } from "../../run/real/real_robot";
-import { TEST } from "../../shell/testids";
 import type { StudioControl } from "../studio_control";
 
 /** The check list before a real robot moves for the first time; Run opens it, over the blocks: the floor stays in sight. */
@@ -40,7 +39,7 @@ function CheckList({ control, paused }: CheckListProps) {
   return (
     <Form
       class="before-run card"
-      testId={TEST.beforeRun}
+      testId="before-run"
       aria-label={before.title}
       onSubmit={go}
       onKeyDown={({ key }) => key === "Escape" && close(control)}
@@ -59,7 +58,7 @@ function CheckList({ control, paused }: CheckListProps) {
           submit
           kind="main"
           icon={Play}
-          testId={TEST.beforeGo}
+          testId="before-go"
           disabled={done.value.length < points.length}
         >
           {before.go}
@@ -85,7 +84,7 @@ function Point({ words, index, done }: PointProps) {
       <input
         type="checkbox"
         checked={done.value.includes(index)}
-        data-testid={TEST.beforePoint}
+        data-testid="before-point"
         onChange={({ currentTarget: { checked } }) => {
           const others = done.value.filter((one) => one !== index);
           done.value = checked ? [...others, index] : others;

@@ -7,7 +7,6 @@ import { chooseRobot, chosenRobot, realRobots, SIMULATOR } from "../../run/real/
 import { robotStates } from "../../run/real/robot_state";
 import { stateWords } from "../../run/real/state_words";
 import { isLive } from "../../run/reducer";
-import { TEST } from "../../shell/testids";
 
 /** The simulator or a real robot; shown where the teacher has set up one. */
 export function RobotChoice() {
@@ -20,7 +19,7 @@ export function RobotChoice() {
       icon={Bot}
       label={say.choice}
       tip={chosen ? `${say.choice}: ${stateWords(robotStates.value[chosen]).short}` : say.choice}
-      testId={TEST.robotChoice}
+      testId="robot-choice"
       value={chosen ?? SIMULATOR}
       options={[
         [SIMULATOR, say.simulator],

@@ -4,7 +4,6 @@ import { decimal } from "../../i18n/format";
 import { Select } from "../../kit/Select";
 import { movingLink } from "../../run/real/real_robot";
 import { isUnderWay } from "../../run/reducer";
-import { TEST } from "../../shell/testids";
 import type { OpenProgram } from "../program/open_program";
 import { LIFELIKE, type LifelikeName, lifelikeOf, SPEEDS } from "../program/setup";
 import { ActionButton, type ActionsProps } from "./ActionButton";
@@ -38,7 +37,7 @@ function SpeedChoice({ open }: { open: OpenProgram }) {
       icon={Gauge}
       label={debug.speed}
       tip={debug.speed}
-      testId={TEST.speed}
+      testId="speed"
       value={open.setup.value.speed}
       options={SPEEDS.map((factor) => [factor, debug.times(timesOf(factor))])}
       onChange={(speed) => open.changeSetup({ speed })}
@@ -59,7 +58,7 @@ function LifelikeChoice({ open }: { open: OpenProgram }) {
       icon={Bot}
       label={debug.lifelike}
       tip={`${debug.lifelike}. ${debug[`${now}Help`]}`}
-      testId={TEST.lifelike}
+      testId="lifelike"
       value={now}
       options={names.map((name) => [name, debug[name], { title: debug[`${name}Help`] }])}
       onChange={(name) => open.changeSetup(LIFELIKE[name])}

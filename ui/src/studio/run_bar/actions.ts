@@ -10,7 +10,6 @@ import {
 } from "lucide-preact";
 import type { Texts } from "../../i18n";
 import type { Phase } from "../../run/reducer";
-import { TEST } from "../../shell/testids";
 import type { StudioControl } from "../studio_control";
 
 /** State that enables and disables actions. */
@@ -48,7 +47,7 @@ const isIdle = ({ phase }: RunState) =>
 export const STOP: RunAction = {
   name: "stop",
   shortcut: "Shift+F8",
-  testId: TEST.stop,
+  testId: "stop",
   icon: () => Square,
   label: ({ run }) => run.stop,
   isShown: always,
@@ -61,7 +60,7 @@ export const RUN_PAUSE_RESUME: readonly RunAction[] = [
   {
     name: "pause",
     shortcut: RUN_KEY,
-    testId: TEST.run,
+    testId: "run",
     icon: () => Pause,
     label: ({ run }) => run.pause,
     isShown: isRunning,
@@ -71,7 +70,7 @@ export const RUN_PAUSE_RESUME: readonly RunAction[] = [
   {
     name: "resume",
     shortcut: RUN_KEY,
-    testId: TEST.run,
+    testId: "run",
     icon: () => Play,
     label: ({ run }) => run.resume,
     isShown: isPaused,
@@ -81,7 +80,7 @@ export const RUN_PAUSE_RESUME: readonly RunAction[] = [
   {
     name: "run",
     shortcut: RUN_KEY,
-    testId: TEST.run,
+    testId: "run",
     icon: () => Play,
     label: ({ run }, { phase }) => (phase === "starting" ? run.starting : run.run),
     isShown: (state) => !isRunning(state) && !isPaused(state),
@@ -94,7 +93,7 @@ export const STEPS: readonly RunAction[] = [
   {
     name: "step",
     shortcut: "F7",
-    testId: TEST.step,
+    testId: "step",
     icon: () => StepForward,
     label: ({ debug }) => debug.step,
     help: ({ debug }) => debug.stepHelp,
@@ -106,7 +105,7 @@ export const STEPS: readonly RunAction[] = [
   {
     name: "over",
     shortcut: "F10",
-    testId: TEST.stepOver,
+    testId: "step-over",
     icon: ({ inFunction }) => (inFunction ? Redo2 : CornerDownRight),
     label: ({ debug }) => debug.over,
     help: ({ debug }) => debug.overHelp,
@@ -117,7 +116,7 @@ export const STEPS: readonly RunAction[] = [
   {
     name: "out",
     shortcut: "Shift+F7",
-    testId: TEST.stepOut,
+    testId: "step-out",
     icon: () => CornerUpLeft,
     label: ({ debug }) => debug.out,
     help: ({ debug }) => debug.outHelp,

@@ -3,7 +3,6 @@ import { useState } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { copyText } from "../../kit/clipboard";
-import { TEST } from "../../shell/testids";
 import { JSON_TOKENS, tokens } from "./tokens";
 
 const COPIED_MS = 2000;
@@ -19,7 +18,7 @@ export function IrPanel({ document }: { document: object | null }) {
         <CopyButton text={text} />
       </div>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <pre class="text__json" tabIndex={0} data-testid={TEST.irJson}>
+      <pre class="text__json" tabIndex={0} data-testid="ir-json">
         {text ? tokens(text, JSON_TOKENS) : ir.empty}
       </pre>
     </section>
@@ -35,7 +34,7 @@ export function CopyButton({ text }: { text: string }) {
     setTimeout(() => setCopied(false), COPIED_MS);
   };
   return (
-    <Button icon={copied ? CopyCheck : Copy} testId={TEST.irCopy} disabled={!text} onPress={copy}>
+    <Button icon={copied ? CopyCheck : Copy} testId="ir-copy" disabled={!text} onPress={copy}>
       <span aria-live="polite">{copied ? ir.copied : ir.copy}</span>
     </Button>
   );

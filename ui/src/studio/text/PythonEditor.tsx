@@ -8,7 +8,6 @@ import { Button } from "../../kit/Button";
 import { settled } from "../../kit/report";
 import { valueIn } from "../../kit/requests/load_state";
 import { useLoaded } from "../../kit/requests/useLoaded";
-import { TEST } from "../../shell/testids";
 import { CodeSheet, showLine } from "./CodeSheet";
 import { listenToTyping } from "./keys";
 import { PythonFaults, placeOf } from "./PythonFaults";
@@ -71,16 +70,10 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
       {faults.length > 0 && <PythonFaults faults={faults} onGo={jump} />}
       <State check={check?.text === text ? check : null} isChanged={isChanged} />
       <div class="text__bar">
-        <Button icon={Undo2} testId={TEST.pythonLeave} onPress={onLeave}>
+        <Button icon={Undo2} testId="python-leave" onPress={onLeave}>
           {python.leave}
         </Button>
-        <Button
-          kind="main"
-          icon={Blocks}
-          testId={TEST.pythonPut}
-          disabled={!document}
-          onPress={place}
-        >
+        <Button kind="main" icon={Blocks} testId="python-put" disabled={!document} onPress={place}>
           {python.put}
         </Button>
       </div>
@@ -105,7 +98,7 @@ function TextField({ elementRef, text, onText }: TextFieldProps) {
       autocomplete="off"
       aria-label={texts.value.python.text}
       aria-describedby="python-keys"
-      data-testid={TEST.pythonEditor}
+      data-testid="python-editor"
       onInput={(event) => onText(event.currentTarget.value)}
     />
   );
@@ -121,7 +114,7 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
       <p
         class={`text__state text__state--${name}`}
         role="status"
-        data-testid={TEST.pythonState}
+        data-testid="python-state"
         data-state={name}
       >
         {name === "fine" && <CircleCheck class="icon" aria-hidden="true" />}

@@ -1,7 +1,6 @@
 import type { Fault } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 
 interface Place {
   readonly line: number;
@@ -34,7 +33,7 @@ export function PythonFaults({ faults, onGo }: PythonFaultsProps) {
             <Button
               kind="bare"
               class="faults__fault"
-              testId={TEST.pythonFault}
+              testId="python-fault"
               data-code={fault.code}
               data-line={line}
               data-column={column}

@@ -7,7 +7,6 @@ import { Loaded } from "../../kit/requests/Loaded";
 import { valueIn } from "../../kit/requests/load_state";
 import { useLoaded } from "../../kit/requests/useLoaded";
 import type { LitBlock } from "../../run/reducer";
-import { TEST } from "../../shell/testids";
 import { CodeSheet } from "./CodeSheet";
 import { CopyButton } from "./IrPanel";
 import { PythonEditor } from "./PythonEditor";
@@ -55,7 +54,7 @@ export function PythonPane(props: PythonPaneProps) {
       <div class="text__bar">
         <Button
           icon={PencilLine}
-          testId={TEST.pythonEdit}
+          testId="python-edit"
           disabled={text === null}
           onPress={() => onEditing(true)}
         >
@@ -78,7 +77,7 @@ function Written({ document, written, running }: WrittenProps) {
   const instead = insteadOfText(document, written);
   if (!written?.text || instead) {
     return (
-      <p class="text__empty" data-testid={TEST.pythonEmpty}>
+      <p class="text__empty" data-testid="python-empty">
         {instead}
       </p>
     );
@@ -88,7 +87,7 @@ function Written({ document, written, running }: WrittenProps) {
       text={written.text.trimEnd()}
       lit={running && lineOf(written.lines, running)}
       label={python.text}
-      testId={TEST.pythonText}
+      testId="python-text"
     />
   );
 }

@@ -3,7 +3,6 @@ import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Tabs } from "../../kit/Tabs";
 import type { LitBlock } from "../../run/reducer";
-import { TEST } from "../../shell/testids";
 import { type DrawerState, TABS } from "./drawer";
 import { IrPanel } from "./IrPanel";
 import { PythonPane } from "./PythonPane";
@@ -44,7 +43,7 @@ function Head({ state, onState }: Pick<TextDrawerProps, "state" | "onState">) {
     <div class="text__head">
       <Tabs
         label={python.tabs}
-        testId={TEST.textTab}
+        testId="text-tab"
         value={tab}
         options={TABS.map((name) => [name, words[name], { "data-tab": name }])}
         onChange={(wanted) => onState({ ...state, tab: wanted })}

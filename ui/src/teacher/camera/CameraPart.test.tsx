@@ -2,7 +2,6 @@ import { act, cleanup, render, screen } from "@testing-library/preact";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { changed, hand, seen } from "../../camera/testing/seen";
 import { passesAxe } from "../../kit/testing/control";
-import { TEST } from "../../shell/testids";
 
 const cameraApi = { status: vi.fn() };
 vi.mock("../../api/camera", () => ({ cameraApi, previewAddress: () => "" }));
@@ -19,8 +18,8 @@ afterEach(() => {
   receive(changed("off"));
 });
 
-const findings = () => screen.getAllByTestId(TEST.cameraPoint).map((one) => one.dataset.finding);
-const isReady = () => screen.getByTestId(TEST.cameraReady).dataset.ready;
+const findings = () => screen.getAllByTestId("camera-point").map((one) => one.dataset.finding);
+const isReady = () => screen.getByTestId("camera-ready").dataset.ready;
 /** A hand that fills this part of the picture's height. */
 const tall = (part: number, top = 0.05) =>
   hand({ points: Array.from({ length: 21 }, (_, n) => [0.5, top + (part * n) / 20]) });
@@ -61,6 +60,6 @@ test.each([
   act(() => receive(seen()));
   expect(findings()).toEqual(expected);
   expect(isReady()).toBe("false");
-  expect(screen.getByTestId(TEST.cameraTrouble).dataset.code).toBe(code);
+  expect(screen.getByTestId("camera-trouble").dataset.code).toBe(code);
   await passesAxe(container);
 });

@@ -4,7 +4,6 @@ import { CameraPicture } from "../../camera/CameraPicture";
 import { NowSeen } from "../../camera/NowSeen";
 import { texts } from "../../i18n";
 import { useInstance } from "../../kit/instance";
-import { TEST } from "../../shell/testids";
 import { CameraCheck, type Finding, POINTS, type Point } from "./camera_check";
 
 /** The teacher tries the camera before a lesson: what it sees, and whether it serves. It is on while this is shown. */
@@ -13,7 +12,7 @@ export function CameraPart() {
   const { camera: say } = texts.value.teacher;
   return (
     <>
-      <div class="teacher__head">
+      <div class="row wrap top apart gap-3">
         <h1>{say.title}</h1>
         <CameraChoice />
       </div>
@@ -22,7 +21,7 @@ export function CameraPart() {
         <div class="camera-try__picture">
           <CameraPicture />
         </div>
-        <div class="camera-try__side">
+        <div class="column shrinks gap-3">
           <Ready isReady={check.isReady.value} />
           <ul class="camera-try__points">
             {POINTS.map((point) => (
@@ -54,7 +53,7 @@ export function CameraPart() {
 function Ready({ isReady }: { isReady: boolean }) {
   const { camera: say } = texts.value.teacher;
   return (
-    <p class="camera-try__ready" role="status" data-testid={TEST.cameraReady} data-ready={isReady}>
+    <p class="camera-try__ready" role="status" data-testid="camera-ready" data-ready={isReady}>
       {isReady ? say.ready : say.notReady}
     </p>
   );
@@ -73,7 +72,7 @@ function Found({ point, finding, sign }: FoundProps) {
   return (
     <li
       class="camera-try__point"
-      data-testid={TEST.cameraPoint}
+      data-testid="camera-point"
       data-name={point}
       data-finding={finding}
     >

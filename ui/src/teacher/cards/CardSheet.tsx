@@ -5,7 +5,6 @@ import type { BlockCard, BlockCards } from "../../editor/block_cards";
 import { language, texts } from "../../i18n";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
-import { TEST } from "../../shell/testids";
 import { blockCards, type CardList, LESSON_LETTERS } from "./card_lists";
 
 interface CardSheetProps {
@@ -25,7 +24,7 @@ export function CardSheet({ list, copies, ink, elementRef }: CardSheetProps) {
       ref={elementRef}
       data-ink={ink}
       data-list={list}
-      data-testid={TEST.cards}
+      data-testid="cards"
     >
       {list === "letters" ? (
         <LetterCards copies={copies} />
@@ -41,7 +40,7 @@ function LetterCards({ copies }: Pick<CardSheetProps, "copies">) {
     <ul class="card-sheet card-sheet--letters">
       {LESSON_LETTERS.flatMap((letter) =>
         times(copies).map((n) => (
-          <li key={`${letter}${n}`} class="card-cut" data-testid={TEST.card} data-name={letter}>
+          <li key={`${letter}${n}`} class="card-cut" data-testid="card" data-name={letter}>
             <SignDrawing sign={letter} class="card-letter" />
             <b>{letter}</b>
           </li>
@@ -68,7 +67,7 @@ function DrawnCards({ list, copies }: DrawnCardsProps) {
               <li
                 key={`${card.name}${n}`}
                 class="card-cut"
-                data-testid={TEST.card}
+                data-testid="card"
                 data-name={card.name}
               >
                 <Card card={card} look={look} />

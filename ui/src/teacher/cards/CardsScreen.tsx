@@ -7,7 +7,6 @@ import { Choice } from "../../kit/Choice";
 import { LinkButton } from "../../kit/LinkButton";
 import { Select } from "../../kit/Select";
 import { hashOf } from "../../shell/route";
-import { TEST } from "../../shell/testids";
 import { savePage } from "../plan/page_file";
 import { usePrintedPage } from "../plan/printed_page";
 import { canPrint } from "../review/lesson/printing";
@@ -38,19 +37,14 @@ export function CardsScreen() {
         <h1>{say.title}</h1>
         <p>{say.about}</p>
         {canPrint() && (
-          <Button
-            kind="main"
-            icon={Printer}
-            testId={TEST.cardsPrint}
-            onPress={() => window.print()}
-          >
+          <Button kind="main" icon={Printer} testId="cards-print" onPress={() => window.print()}>
             {plan.print}
           </Button>
         )}
         <Button
           icon={Save}
           tip={plan.saveHelp}
-          testId={TEST.cardsSave}
+          testId="cards-save"
           onPress={() => savePage(sheet.current, say.title, say.fileName)}
         >
           {plan.save}
@@ -78,7 +72,7 @@ function CardOptions({ list, copies, ink }: CardOptionsProps) {
         <Select<CardList>
           value={list.value}
           options={CARD_LISTS.map((name) => [name, say.lists[name]])}
-          testId={TEST.cardsList}
+          testId="cards-list"
           onChange={(chosen) => {
             list.value = chosen;
           }}
@@ -89,7 +83,7 @@ function CardOptions({ list, copies, ink }: CardOptionsProps) {
         <Select<number>
           value={copies.value}
           options={COPIES.map((n) => [n, String(n)])}
-          testId={TEST.cardsCopies}
+          testId="cards-copies"
           onChange={(chosen) => {
             copies.value = Number(chosen);
           }}
@@ -100,7 +94,7 @@ function CardOptions({ list, copies, ink }: CardOptionsProps) {
         label={say.ink}
         legendClass="switch__word"
         optionClass=""
-        testId={TEST.cardsInk}
+        testId="cards-ink"
         value={ink.value}
         options={[
           ["lines", say.inks.lines],

@@ -7,7 +7,6 @@ import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
 import { withDistinctNames } from "../../shell/namesakes";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { groupCounts } from "../../start/group_counts";
 import { NameField } from "../NameField";
 import type { School } from "../school";
@@ -42,10 +41,10 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
       <NameField
         name={group.name}
         label={say.renameGroup}
-        testId={TEST.groupRename}
+        testId="group-rename"
         onRename={(name) => change({ name })}
       >
-        <span class="class-groups__words">
+        <span class="column shrinks">
           <strong class="class-groups__name" dir="auto" data-shortened title={group.name}>
             {group.name}
           </strong>
@@ -56,7 +55,7 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
         <Select
           class="class-groups__move"
           label={say.moveOf(group.name)}
-          testId={TEST.moveGroup}
+          testId="move-group"
           value=""
           options={[["", say.move], ...others]}
           onChange={(id) => id && act(() => move(id))}

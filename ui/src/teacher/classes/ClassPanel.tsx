@@ -5,7 +5,6 @@ import type { Removed } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { groupsIn } from "../../shell/classroom";
 import { withDistinctNames } from "../../shell/namesakes";
-import { TEST } from "../../shell/testids";
 import { AddForm } from "../AddForm";
 import { Deletion } from "../exchange/Deletion";
 import { NameField } from "../NameField";
@@ -38,9 +37,9 @@ export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPan
       <p class="teacher__hint" role="status">
         {moved || (groups.length === 0 ? say.empty : say.groups(groups.length))}
       </p>
-      <ul class="class-groups">
+      <ul class="column">
         {groups.map((group) => (
-          <li key={group.id} class="class-groups__one" data-testid={TEST.classGroup}>
+          <li key={group.id} class="class-groups__one" data-testid="class-group">
             <ClassGroup group={group} school={school} reload={reload} onMoved={setMoved} />
           </li>
         ))}
@@ -49,8 +48,8 @@ export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPan
         <AddForm
           label={say.newGroup}
           placeholder={say.newGroupPlaceholder}
-          fieldId={TEST.newGroupName}
-          buttonId={TEST.makeGroup}
+          fieldId="new-group-name"
+          buttonId="make-group"
           onAdd={add}
         />
       )}
@@ -84,7 +83,7 @@ function PanelHead({ id, shownName, school, reload }: PanelHeadProps) {
     );
   }
   return (
-    <NameField name={classroom.name} label={say.rename} testId={TEST.renameClass} onRename={rename}>
+    <NameField name={classroom.name} label={say.rename} testId="rename-class" onRename={rename}>
       <h2>{shownName}</h2>
     </NameField>
   );

@@ -4,7 +4,6 @@ import type { Removed } from "../../api/model";
 import { texts } from "../../i18n";
 import { ClassChips } from "../../shell/ClassChips";
 import { classroom, groupsIn, setClassroom, shownClass } from "../../shell/classroom";
-import { TEST } from "../../shell/testids";
 import { AddForm } from "../AddForm";
 import { DeletionDone } from "../exchange/DeletionDone";
 import type { School } from "../school";
@@ -36,13 +35,13 @@ export function ClassesPart({ school, reload }: ClassesPartProps) {
   };
   return (
     <>
-      <div class="teacher__head">
+      <div class="row wrap top apart gap-3">
         <h1>{say.title}</h1>
         <AddForm
           label={say.newClass}
           placeholder={say.newClassPlaceholder}
-          fieldId={TEST.newClass}
-          buttonId={TEST.makeClass}
+          fieldId="new-class"
+          buttonId="make-class"
           onAdd={make}
         />
       </div>

@@ -1,5 +1,4 @@
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 
 interface ComputerCodeProps {
   code: string;
@@ -11,7 +10,7 @@ export function ComputerCode({ code }: ComputerCodeProps) {
   return (
     <section class="panel card">
       <h2>{say.code}</h2>
-      <code class="computer-code" data-testid={TEST.computerCode}>
+      <code class="computer-code" data-testid="computer-code">
         {code}
       </code>
       <p class="labelled__hint">{say.codeHint}</p>

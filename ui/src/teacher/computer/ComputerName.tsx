@@ -1,7 +1,6 @@
 import { classesApi } from "../../api/classes";
 import { texts } from "../../i18n";
 import { Field } from "../../kit/Field";
-import { TEST } from "../../shell/testids";
 import { useDraft } from "../useDraft";
 import { SettingForm, useSetting } from "./SettingForm";
 
@@ -19,10 +18,10 @@ export function ComputerName({ name }: ComputerNameProps) {
       setting={setting}
       done={say.kept}
       hint={say.nameHint}
-      buttonId={TEST.keepComputer}
+      buttonId="keep-computer"
       onKeep={() => setting.keep(() => classesApi.renameComputer(draft.name))}
     >
-      <Field label={say.name} maxLength={60} data-testid={TEST.computerName} {...field("name")} />
+      <Field label={say.name} maxLength={60} data-testid="computer-name" {...field("name")} />
     </SettingForm>
   );
 }

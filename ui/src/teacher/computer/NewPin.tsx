@@ -1,7 +1,6 @@
 import { texts } from "../../i18n";
 import { PinField } from "../../kit/Field";
 import { choosePin } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { pinFault } from "../sign_in/pin";
 import { useDraft } from "../useDraft";
 import { SettingForm, useSetting } from "./SettingForm";
@@ -22,11 +21,11 @@ export function NewPin() {
       setting={setting}
       done={say.pinKept}
       hint={prepare.pinHint}
-      buttonId={TEST.keepPin}
+      buttonId="keep-pin"
       onKeep={keep}
     >
-      <PinField label={say.newPin} data-testid={TEST.newPin} {...field("pin")} />
-      <PinField label={say.newPinAgain} data-testid={TEST.newPinAgain} {...field("again")} />
+      <PinField label={say.newPin} data-testid="new-pin" {...field("pin")} />
+      <PinField label={say.newPinAgain} data-testid="new-pin-again" {...field("again")} />
     </SettingForm>
   );
 }

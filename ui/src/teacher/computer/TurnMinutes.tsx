@@ -1,5 +1,4 @@
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 import { setTurnMinutes, TURN_MINUTES, turnMinutes } from "../../shell/turns";
 
 /** Selects the interval of the reminder to swap. */
@@ -15,7 +14,7 @@ export function TurnMinutes() {
           <label
             key={minutes}
             class="turn-choice__one"
-            data-testid={TEST.swapEvery}
+            data-testid="swap-every"
             data-minutes={minutes}
           >
             <input

@@ -1,7 +1,6 @@
 import { useState } from "preact/hooks";
 import type { PendingDeletion, PendingWork } from "../../api/model";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 import { ConfirmDeletion } from "./ConfirmDeletion";
 import { counted, newsOf } from "./outcome";
 
@@ -26,8 +25,8 @@ export function DeletedElsewhere({ computer, pending, onDelete, onKeep }: Delete
     <ConfirmDeletion
       confirm={kept.size > 0 ? say.deleteRest : say.deleteToo}
       cancel={say.keepHere}
-      testId={TEST.wouldDelete}
-      confirmId={TEST.deleteToo}
+      testId="would-delete"
+      confirmId="delete-too"
       onConfirm={() => onDelete([...kept])}
       onCancel={onKeep}
     >
@@ -58,7 +57,7 @@ function WorkLine({ work, isKept, onToggle }: WorkLineProps) {
   const isGroup = work.kind === "group";
   const content = counted({ programs: isGroup ? work.n_programs : 0, runs: work.n_runs }, say);
   return (
-    <label class="deletion__work" data-testid={TEST.canKeep}>
+    <label class="deletion__work" data-testid="can-keep">
       <input type="checkbox" checked={isKept} onChange={onToggle} />
       <span>
         <strong>{isGroup ? work.name : say.programOf(work.name, work.place)}</strong>

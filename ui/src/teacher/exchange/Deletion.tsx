@@ -8,7 +8,6 @@ import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { ConfirmDeletion } from "./ConfirmDeletion";
 
 interface DeletionProps {
@@ -36,7 +35,7 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
   };
   return (
     <details class="deletion">
-      <summary data-testid={TEST.deletionOpen}>
+      <summary data-testid="deletion-open">
         <Trash2 class="icon" aria-hidden="true" />
         {deletion.title}
       </summary>
@@ -44,7 +43,7 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
       <Select
         class="deletion__what"
         label={deletion.what}
-        testId={TEST.deletionWhat}
+        testId="deletion-what"
         value={chosen}
         options={[
           ["", deletion.nothing],
@@ -57,7 +56,7 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
         <ConfirmDeletion
           confirm={deletion.go}
           cancel={deletion.cancel}
-          confirmId={TEST.deletionGo}
+          confirmId="deletion-go"
           onConfirm={() => act(remove)}
           onCancel={() => setChosen("")}
         >

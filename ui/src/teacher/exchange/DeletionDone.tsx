@@ -1,7 +1,6 @@
 import type { Ref } from "preact";
 import type { Removed } from "../../api/model";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 import { FilesLeft } from "./FilesLeft";
 
 interface DeletionDoneProps {
@@ -19,7 +18,7 @@ export function DeletionDone({ removed, answer }: DeletionDoneProps) {
       class="deletion__done notice-box"
       role="status"
       tabIndex={-1}
-      data-testid={TEST.deletionDone}
+      data-testid="deletion-done"
     >
       <p>{say.deletion.done(say.groups(n_groups), say.programs(n_programs), say.runs(n_runs))}</p>
       <FilesLeft paths={[...removed.files.map(({ path }) => path), ...removed.backups]} />

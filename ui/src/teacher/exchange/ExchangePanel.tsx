@@ -1,11 +1,11 @@
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
 import { classesApi } from "../../api/classes";
 import { exchange } from "../../api/exchange";
 import type { FolderList } from "../../api/model";
 import { texts } from "../../i18n";
 import { Loaded } from "../../kit/requests/Loaded";
 import type { Loadable } from "../../kit/requests/useLoaded";
+import { usePolling } from "../../kit/usePolling";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 import { KnownComputers } from "./KnownComputers";
 import { MergeBox } from "./MergeBox";
@@ -47,7 +47,8 @@ interface BoxesProps {
 
 function Boxes({ found: { folders, shared, takes_backups }, places, known }: BoxesProps) {
   const saved = useSignal<Saved | null>(null);
-  usePolling(places);
+  // a plugged-in stick appears; the first request has already reported a failure
+  usePolling(() => exchange.folders().then(places.set, () => {}), { everyMs: POLL_MS });
   const loadAll = async () => {
     await Promise.all([places.again(), known.again()]);
   };
@@ -87,15 +88,4 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
       />
     </>
   );
-}
-
-/** Polls for folders, so that a plugged-in stick appears. */
-function usePolling({ set }: Loadable<FolderList>): void {
-  useEffect(() => {
-    const timer = setInterval(() => {
-      // the first request has already reported a failure
-      if (!document.hidden) exchange.folders().then(set, () => {});
-    }, POLL_MS);
-    return () => clearInterval(timer);
-  }, []);
 }

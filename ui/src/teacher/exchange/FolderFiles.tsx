@@ -3,7 +3,6 @@ import type { FileFound, Folder } from "../../api/model";
 
 import { language, texts } from "../../i18n";
 import { when } from "../../i18n/format";
-import { TEST } from "../../shell/testids";
 import { size } from "./size";
 
 interface FolderFilesProps {
@@ -49,7 +48,7 @@ function FileLine({ file, isChosen, onToggle }: FileLineProps) {
   const say = texts.value.exchange;
   return (
     <>
-      <label class="exchange__file" data-testid={TEST.foundFile}>
+      <label class="exchange__file" data-testid="found-file">
         <input
           type="checkbox"
           checked={isChosen}

@@ -1,7 +1,7 @@
 import type { KnownComputerList } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { when } from "../../i18n/format";
-import { useProgress } from "../useProgress";
+import { usePolling } from "../../kit/usePolling";
 import { TrustCell } from "./TrustCell";
 import { Unconfirmed } from "./Unconfirmed";
 
@@ -16,7 +16,7 @@ interface KnownComputersProps {
 /** The PCs whose work is here, with the time of the last merge, and which of them are approved. */
 export function KnownComputers({ heard, onChanged, onAgain }: KnownComputersProps) {
   const { computers, unconfirmed } = heard;
-  useProgress(unconfirmed.waiting > 0, onAgain);
+  usePolling(onAgain, { isOn: unconfirmed.waiting > 0 });
   const say = texts.value.exchange;
   const now = new Date();
   const at = (iso: string) => when(iso, now, language.value, texts.value);

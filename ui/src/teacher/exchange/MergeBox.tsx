@@ -3,7 +3,6 @@ import { Combine, RefreshCw } from "lucide-preact";
 import type { FileFound, Folder, KnownComputerList } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 import { FolderFiles } from "./FolderFiles";
 import { MergeResult } from "./MergeResult";
 import { Undecided } from "./Undecided";
@@ -32,7 +31,7 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
   };
   return (
     <section class="panel card" aria-labelledby="exchange-places">
-      <header class="button-row exchange__head">
+      <header class="button-row apart">
         <h2 id="exchange-places">{say.places}</h2>
         <Button kind="plain" icon={RefreshCw} onPress={onLook}>
           {say.lookAgain}
@@ -51,7 +50,7 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
           kind="main"
           class="exchange__merge"
           icon={Combine}
-          testId={TEST.mergeFiles}
+          testId="merge-files"
           onPress={() => mergeAll(chosen.map(({ path }) => path))}
         >
           {progress.value
@@ -62,7 +61,7 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
       <Undecided deletions={undecided} onAsk={(path) => mergeAll([path])} />
       <div role="status" aria-label={say.results}>
         {results.value.length > 0 && (
-          <ul class="exchange__results" data-testid={TEST.mergeResults}>
+          <ul class="grid gap-2" data-testid="merge-results">
             {results.value.map((one) => (
               <MergeResult
                 key={one.path}

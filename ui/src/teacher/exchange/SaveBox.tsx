@@ -8,7 +8,6 @@ import { Unbroken } from "../../kit/requests/Unbroken";
 import { Select, type SelectOption } from "../../kit/Select";
 import { withDistinctNames } from "../../shell/namesakes";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 
 /** A written file and its folder. */
 export interface Saved {
@@ -65,7 +64,7 @@ export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
 /** Work that the file lacks, as other PCs would refuse it. */
 function LeftOut({ of: { message, remedy } }: { of: Notice }) {
   return (
-    <p role="alert" class="notice-box" data-testid={TEST.exportLeftOut}>
+    <p role="alert" class="notice-box" data-testid="export-left-out">
       <b>{message}</b> <Unbroken text={remedy} />
     </p>
   );
@@ -118,7 +117,7 @@ function SaveButtons({ folders, onSave }: SaveButtonsProps) {
         <Button
           key={folder.path}
           icon={Save}
-          testId={TEST.saveBundle}
+          testId="save-bundle"
           busy={saving.value !== null}
           onPress={() => save(folder)}
         >

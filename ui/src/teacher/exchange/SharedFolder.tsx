@@ -7,7 +7,6 @@ import { Form } from "../../kit/Form";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 
 interface SharedFolderProps {
   path: string;
@@ -49,7 +48,7 @@ export function SharedFolder(props: SharedFolderProps) {
         <input
           id="shared-folder"
           class="field exchange__path"
-          data-testid={TEST.sharedFolder}
+          data-testid="shared-folder"
           aria-describedby="shared-folder-hint"
           aria-invalid={shown !== null}
           placeholder={say.sharedExample}
@@ -83,7 +82,7 @@ function BackupsTick({ isTicked, onTick }: BackupsTickProps) {
     <label class="exchange__file">
       <input
         type="checkbox"
-        data-testid={TEST.sharedBackups}
+        data-testid="shared-backups"
         checked={isTicked}
         onChange={(event) => onTick(event.currentTarget.checked)}
       />

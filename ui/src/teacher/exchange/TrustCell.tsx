@@ -6,7 +6,6 @@ import { Button } from "../../kit/Button";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 
 const ICONS = {
   own: ShieldCheck,
@@ -31,7 +30,7 @@ export function TrustCell({ computer, onApproved }: TrustCellProps) {
   const change = (public_key: string) =>
     act(async () => onApproved(await exchange.approve(public_key, !isApproved)));
   return (
-    <div class="trust" data-testid={TEST.computerTrust} data-trust={trust}>
+    <div class="trust" data-testid="computer-trust" data-trust={trust}>
       <span class="trust__state">
         <Icon class="icon" aria-hidden="true" />
         {say.states[trust]}
@@ -41,7 +40,7 @@ export function TrustCell({ computer, onApproved }: TrustCellProps) {
         <Button
           kind={isApproved ? "plain" : undefined}
           busy={busy}
-          testId={TEST.approveComputer}
+          testId="approve-computer"
           label={(isApproved ? say.withdrawOf : say.approveOf)(computer.name)}
           onPress={() => change(key)}
         >

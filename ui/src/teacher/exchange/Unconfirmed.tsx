@@ -1,6 +1,5 @@
 import type { KnownComputerList } from "../../api/model";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 
 interface UnconfirmedProps {
   counts: KnownComputerList["unconfirmed"];
@@ -12,7 +11,7 @@ export function Unconfirmed({ counts }: UnconfirmedProps) {
   const wrong = counts.differs + counts.not_passed;
   if (counts.waiting + wrong + counts.not_repeatable === 0) return null;
   return (
-    <div class="notice-box" role="status" data-testid={TEST.unconfirmed}>
+    <div class="notice-box" role="status" data-testid="unconfirmed">
       {counts.waiting > 0 && <p>{say.waiting(counts.waiting)}</p>}
       {wrong > 0 && (
         <p>

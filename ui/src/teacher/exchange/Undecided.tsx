@@ -2,7 +2,6 @@ import type { KnownComputerList } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { when } from "../../i18n/format";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 import { counted } from "./outcome";
 
 interface UndecidedProps {
@@ -17,7 +16,7 @@ export function Undecided({ deletions, onAsk }: UndecidedProps) {
   if (deletions.length === 0) return null;
   const at = (iso: string) => when(iso, new Date(), language.value, texts.value);
   return (
-    <div class="notice-box exchange__undecided" data-testid={TEST.undecided}>
+    <div class="notice-box exchange__undecided" data-testid="undecided">
       <strong>{say.undecided.title}</strong>
       <ul>
         {deletions.map((one) => (

@@ -8,7 +8,6 @@ import { Select, type SelectOption } from "../../kit/Select";
 import { LEVELS, levelNames } from "../../shell/level";
 import { worlds } from "../../shell/session";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { TURN_MINUTES, type TurnMinutes } from "../../shell/turns";
 
 interface ClassPresetProps {
@@ -35,26 +34,26 @@ export function ClassPreset({ classroom, preset, activities, onChanged }: ClassP
         <Part
           label={say.level}
           value={preset.level ?? null}
-          testId={TEST.presetLevel}
+          testId="preset-level"
           options={[[null, say.free], ...LEVELS.map((one) => [one, levelNames()[one]] as const)]}
           onChange={(level) => change({ level })}
         />
         <Part
           label={say.world}
           value={preset.world ?? null}
-          testId={TEST.presetWorld}
+          testId="preset-world"
           options={[[null, say.free], ...worldOptions(activities, say.worldOf)]}
           onChange={(world) => change({ world })}
         />
         <Part
           label={say.activity}
           value={preset.activity ?? null}
-          testId={TEST.presetActivity}
+          testId="preset-activity"
           options={[[null, say.free], ...activities.map((one) => [one.name, one.title] as const)]}
           onChange={(activity) => change({ activity })}
         />
         <Swap minutes={preset.swap_minutes ?? null} onChange={change} />
-        <p role="status" data-testid={TEST.presetSaved}>
+        <p role="status" data-testid="preset-saved">
           {isSaved.value && say.saved}
         </p>
       </div>
@@ -77,7 +76,7 @@ function Swap({ minutes, onChange }: SwapProps) {
     <Part
       label={making.preset.swap}
       value={minutes}
-      testId={TEST.presetSwap}
+      testId="preset-swap"
       options={[
         [null, making.preset.ofComputer],
         ...TURN_MINUTES.map((one) => [one, wordsOf(one)] as const),

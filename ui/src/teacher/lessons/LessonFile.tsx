@@ -10,7 +10,6 @@ import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
 import { fileName, saveFile } from "../../shell/save_file";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { OpenLessonFile, openedWords } from "../../work/OpenLessonFile";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 
@@ -51,7 +50,7 @@ export function LessonFile({ lesson, onOpened }: LessonFileProps) {
                 <Button
                   key={file.path}
                   icon={FolderOpen}
-                  testId={TEST.lessonFileFound}
+                  testId="lesson-file-found"
                   onPress={() => openFound(file)}
                 >
                   {say.openFound(file.name)}
@@ -60,7 +59,7 @@ export function LessonFile({ lesson, onOpened }: LessonFileProps) {
           </div>
         )}
       </Loaded>
-      <p role="status" class="teacher__done" data-testid={TEST.lessonFileDone}>
+      <p role="status" class="teacher__done" data-testid="lesson-file-done">
         {told.value}
       </p>
       <FaultLine fault={fault} />
@@ -88,7 +87,7 @@ function SaveButtons({ lesson, folders, told, act }: SaveButtonsProps) {
   };
   return (
     <>
-      <Button icon={Download} testId={TEST.lessonFileSave} onPress={() => act(save)}>
+      <Button icon={Download} testId="lesson-file-save" onPress={() => act(save)}>
         {say.save}
       </Button>
       {folders
@@ -97,7 +96,7 @@ function SaveButtons({ lesson, folders, told, act }: SaveButtonsProps) {
           <Button
             key={path}
             icon={Save}
-            testId={TEST.lessonFileSaveIn}
+            testId="lesson-file-save-in"
             onPress={() => act(() => saveIn(path))}
           >
             {say.saveIn(name)}

@@ -7,7 +7,6 @@ import { Button } from "../../kit/Button";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { LessonRow } from "./LessonRow";
 import { titleOf, whole, withParts } from "./lessons";
 
@@ -47,7 +46,7 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
                   class="lessons__pick"
                   aria-label={say.pick(titleOf(lesson))}
                   checked={picked.includes(lesson.id)}
-                  data-testid={TEST.lessonPick}
+                  data-testid="lesson-pick"
                   onChange={({ currentTarget }) => mark(lesson.id, currentTarget.checked)}
                 />
               )}
@@ -74,7 +73,7 @@ function Join({ n, onJoin }: JoinProps) {
   const { lessons: say } = texts.value.teacher;
   return (
     <div class="button-row lessons__join">
-      <Button icon={Link2} disabled={n < 2} testId={TEST.lessonJoin} onPress={onJoin}>
+      <Button icon={Link2} disabled={n < 2} testId="lesson-join" onPress={onJoin}>
         {say.join}
       </Button>
       <p class="labelled__hint">{n > 1 ? say.picked(n) : say.joinHint}</p>

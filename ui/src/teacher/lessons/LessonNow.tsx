@@ -5,9 +5,8 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
-import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { GoalPicture } from "../../scene/small/GoalPicture";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { dateAndTime } from "../time_words";
 
 interface LessonNowProps {
@@ -27,7 +26,7 @@ export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
     await onClosed();
   };
   return (
-    <div class="lesson-now" data-testid={TEST.lessonNow}>
+    <div class="lesson-now" data-testid="lesson-now">
       {activity ? (
         <div class="lesson-goal">
           <GoalPicture goal={activity.goal_picture} />
@@ -42,7 +41,7 @@ export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
         <strong class="lesson-now__title">{lesson.title}</strong>
         {activity && activity.title !== lesson.title && <span>{activity.title}</span>}
       </p>
-      <Button filled icon={Square} testId={TEST.closeLesson} onPress={() => act(close)}>
+      <Button filled icon={Square} testId="close-lesson" onPress={() => act(close)}>
         {say.close}
       </Button>
       <FaultLine fault={fault} />

@@ -7,7 +7,6 @@ import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
 import { hashOf } from "../../shell/route";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { NameField } from "../NameField";
 import { dateAndTime } from "../time_words";
 import { titleOf } from "./lessons";
@@ -36,9 +35,9 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
     say.runs(lesson.n_runs),
   ];
   return (
-    <div class={`lesson-row ${isPart ? "lesson-row--part" : ""}`} data-testid={TEST.lessonRow}>
+    <div class={`lesson-row ${isPart ? "lesson-row--part" : ""}`} data-testid="lesson-row">
       {children}
-      <div class="lesson-row__words">
+      <div class="grows shrinks">
         <NameField
           name={lesson.title}
           label={say.rename}
@@ -55,7 +54,7 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
           kind="plain"
           icon={Unlink2}
           label={say.apartOf(title)}
-          testId={TEST.lessonApart}
+          testId="lesson-apart"
           onPress={() => asTeacher(() => change({ part_of: "" }))}
         >
           {say.apart}
@@ -65,7 +64,7 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
           iconEnd={ArrowRight}
           href={hashOf({ screen: "lesson", lesson: lesson.id })}
           label={say.reviewOf(title)}
-          testId={TEST.lessonLink}
+          testId="lesson-link"
         >
           {say.review}
         </LinkButton>

@@ -10,9 +10,8 @@ import { Form } from "../../kit/Form";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
-import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { GoalPicture } from "../../scene/small/GoalPicture";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { useDraft } from "../useDraft";
 
 interface OpenLessonProps {
@@ -49,25 +48,25 @@ export function OpenLesson(props: OpenLessonProps) {
           label={say.name}
           placeholder={say.namePlaceholder}
           maxLength={STORE_LIMITS.MAX_NAME}
-          data-testid={TEST.lessonTitle}
+          data-testid="lesson-title"
           {...field("title")}
         />
         <label class="labelled">
           <span class="labelled__label">{say.activity}</span>
           <Select
             value={activity}
-            testId={TEST.lessonActivity}
+            testId="lesson-activity"
             options={[["", say.noActivity]]}
             groups={groupsOf(activities)}
             onChange={(name) => setActivity(name)}
           />
         </label>
-        <Button submit kind="main" icon={Play} busy={busy} testId={TEST.openLesson}>
+        <Button submit kind="main" icon={Play} busy={busy} testId="open-lesson">
           {say.go}
         </Button>
       </div>
       {goal && (
-        <div class="lesson-goal" data-testid={TEST.lessonGoal}>
+        <div class="lesson-goal" data-testid="lesson-goal">
           <GoalPicture goal={goal} label={texts.value.activity.goal} />
         </div>
       )}

@@ -7,7 +7,6 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Loaded } from "../../kit/requests/Loaded";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 import { ActivityForm } from "./ActivityForm";
 import { OwnActivityRow } from "./OwnActivityRow";
@@ -52,7 +51,7 @@ export function ActivitiesPart() {
               <Button
                 kind="main"
                 icon={Plus}
-                testId={TEST.makingNew}
+                testId="making-new"
                 onPress={() => {
                   form.value = "new";
                 }}
@@ -118,7 +117,7 @@ function Deleted({ one, onBack }: DeletedProps) {
   return (
     <div class="notice-box button-row" role="status">
       <span>{say.deleted(gone.title)}</span>
-      <Button icon={Undo2} testId={TEST.makingUndo} onPress={takeBack}>
+      <Button icon={Undo2} testId="making-undo" onPress={takeBack}>
         {say.takeBack}
       </Button>
     </div>

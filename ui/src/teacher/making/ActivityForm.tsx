@@ -9,7 +9,6 @@ import { useInstance } from "../../kit/instance";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { ChecksPart } from "./ChecksPart";
 import { criteriaOf } from "./criteria";
 import { Maker } from "./maker";
@@ -41,7 +40,7 @@ export function ActivityForm({ kept, groups, onSaved, onCancel }: ActivityFormPr
     else if (await act(() => makingApi.keep(maker.id, draft))) await onSaved();
   };
   return (
-    <Form class="panel card making" testId={TEST.makingForm} onSubmit={save}>
+    <Form class="panel card making" testId="making-form" onSubmit={save}>
       <SolutionPart maker={maker} groups={groups} />
       <ChecksPart maker={maker} />
       <TextsPart maker={maker} />
@@ -51,7 +50,7 @@ export function ActivityForm({ kept, groups, onSaved, onCancel }: ActivityFormPr
         <Button
           icon={FlaskConical}
           disabled={!maker.draft.value}
-          testId={TEST.makingTry}
+          testId="making-try"
           onPress={() => {
             clear();
             return act(() => maker.tryOut());
@@ -59,7 +58,7 @@ export function ActivityForm({ kept, groups, onSaved, onCancel }: ActivityFormPr
         >
           {say.tryOut}
         </Button>
-        <Button submit kind="main" icon={Save} busy={busy} testId={TEST.makingSave}>
+        <Button submit kind="main" icon={Save} busy={busy} testId="making-save">
           {say.save}
         </Button>
         <Button kind="plain" icon={X} onPress={onCancel}>

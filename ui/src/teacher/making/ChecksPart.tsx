@@ -2,7 +2,6 @@ import type { Measured } from "../../api/model";
 import { texts } from "../../i18n";
 import { NumberField } from "../../kit/NumberField";
 import { Select } from "../../kit/Select";
-import { TEST } from "../../shell/testids";
 import { CHECK_KINDS, type CheckKind, type Chosen, rowOf } from "./check_rows";
 import type { Maker } from "./maker";
 
@@ -46,7 +45,7 @@ interface CheckLineProps {
 function CheckLine({ kind, chosen, measured, onChange }: CheckLineProps) {
   const { making: say } = texts.value;
   return (
-    <li class="making__check" data-testid={TEST.makingCheck} data-kind={kind}>
+    <li class="making__check" data-testid="making-check" data-kind={kind}>
       <label class="making__choice">
         <input
           type="checkbox"
@@ -57,14 +56,14 @@ function CheckLine({ kind, chosen, measured, onChange }: CheckLineProps) {
         {kind === "visits" && <strong>{measured.zones.join(", ")}</strong>}
       </label>
       {chosen.on && (
-        <span class="making__numbers">
+        <span class="row wrap middle gap-3">
           {rowOf(kind).numbers.map(({ name, least, most, step }) => (
             <NumberField
               key={name}
               label={say.numbers[name as keyof typeof say.numbers]}
               value={chosen.numbers[name] ?? least}
               {...{ least, most, step }}
-              testId={TEST.makingNumber}
+              testId="making-number"
               onNumber={(value) => onChange({ numbers: { ...chosen.numbers, [name]: value } })}
             />
           ))}

@@ -2,8 +2,7 @@ import { Pencil, Trash2 } from "lucide-preact";
 import type { OwnActivity } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { GoalPicture } from "../../scene/goal/GoalPicture";
-import { TEST } from "../../shell/testids";
+import { GoalPicture } from "../../scene/small/GoalPicture";
 
 interface OwnActivityRowProps {
   activity: OwnActivity;
@@ -16,7 +15,7 @@ export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowPro
   const { making: say } = texts.value;
   const { title, goal_picture, problem } = activity;
   return (
-    <li class="making__row card" data-testid={TEST.makingRow}>
+    <li class="making__row card" data-testid="making-row">
       {goal_picture && (
         <div class="making__goal">
           <GoalPicture goal={goal_picture} />
@@ -31,7 +30,7 @@ export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowPro
         )}
       </div>
       {!problem && (
-        <Button icon={Pencil} label={say.editOf(title)} testId={TEST.makingEdit} onPress={onEdit}>
+        <Button icon={Pencil} label={say.editOf(title)} testId="making-edit" onPress={onEdit}>
           {say.edit}
         </Button>
       )}
@@ -39,7 +38,7 @@ export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowPro
         kind="plain"
         icon={Trash2}
         label={say.deleteOf(title)}
-        testId={TEST.makingDelete}
+        testId="making-delete"
         onPress={onDelete}
       />
     </li>

@@ -10,7 +10,6 @@ import { useLoaded } from "../../kit/requests/useLoaded";
 import { Select, type SelectOption } from "../../kit/Select";
 import { worlds } from "../../shell/session";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import type { Maker } from "./maker";
 
 interface SolutionPartProps {
@@ -32,7 +31,7 @@ export function SolutionPart({ maker, groups }: SolutionPartProps) {
           <span class="labelled__label">{say.solution.group}</span>
           <Select
             value={group.value}
-            testId={TEST.makingGroup}
+            testId="making-group"
             options={[["", maker.id ? say.solution.kept : say.solution.choose], ...options]}
             onChange={(id) => {
               group.value = id;
@@ -72,7 +71,7 @@ function Programs({ group, maker }: { group: string; maker: Maker }) {
           <span class="labelled__label">{say.program}</span>
           <Select
             value={chosen.value}
-            testId={TEST.makingProgram}
+            testId="making-program"
             options={[
               ["", say.choose],
               ...list.map(({ id, name }): SelectOption<string> => [id, name]),
@@ -112,7 +111,7 @@ function WorldAndInputs({ maker }: { maker: Maker }) {
         <span class="labelled__label">{say.world}</span>
         <Select
           value={shown}
-          testId={TEST.makingWorld}
+          testId="making-world"
           options={[...own, ...shipped]}
           onChange={(name) => name && act(() => maker.takeWorld(name))}
         />

@@ -1,7 +1,4 @@
 import { useId } from "preact/hooks";
-import type { TEST } from "../../shell/testids";
-
-type TestId = (typeof TEST)[keyof typeof TEST];
 
 /** Letters that a text of an activity may have (pinel_desktop/activities/model.py). */
 const MOST = 1000;
@@ -11,7 +8,7 @@ interface TextAreaProps {
   value: string;
   placeholder?: string;
   rows?: number;
-  testId?: TestId;
+  testId?: string;
   onText(text: string): void;
 }
 

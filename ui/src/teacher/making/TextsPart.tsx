@@ -5,7 +5,6 @@ import { Field } from "../../kit/Field";
 import { NumberField } from "../../kit/NumberField";
 import { Select } from "../../kit/Select";
 import { LEVELS, levelNames } from "../../shell/level";
-import { TEST } from "../../shell/testids";
 import { criteriaOf } from "./criteria";
 import { blocksNotOffered } from "./level_notices";
 import type { Maker } from "./maker";
@@ -22,14 +21,14 @@ export function TextsPart({ maker }: { maker: Maker }) {
         label={say.texts.name}
         placeholder={say.texts.namePlaceholder}
         maxLength={STORE_LIMITS.MAX_NAME}
-        data-testid={TEST.makingTitle}
+        data-testid="making-title"
         value={title}
         onText={(text) => maker.write({ title: text })}
       />
       <TextArea
         label={say.texts.story}
         value={story}
-        testId={TEST.makingStory}
+        testId="making-story"
         onText={(text) => maker.write({ story: text })}
       />
       <Criteria maker={maker} />
@@ -78,11 +77,11 @@ function Hints({ maker }: { maker: Maker }) {
               label={say.texts.hint(index + 1)}
               value={hint}
               rows={1}
-              testId={TEST.makingHint}
+              testId="making-hint"
               onText={(text) => change(index, text)}
             />
             {unknown.length > 0 && (
-              <p class="notice-box" role="status" data-testid={TEST.makingNotice}>
+              <p class="notice-box" role="status" data-testid="making-notice">
                 {say.texts.notOffered(unknown.join("”, “"), levelNames()[level])}
               </p>
             )}
@@ -116,7 +115,7 @@ function LevelAndTime({ maker }: { maker: Maker }) {
           label={say.texts.minutes}
           value={maker.minutes.value}
           {...{ least: 1, most: 600, step: 5 }}
-          testId={TEST.makingMinutes}
+          testId="making-minutes"
           onNumber={(minutes) => {
             maker.minutes.value = minutes;
           }}

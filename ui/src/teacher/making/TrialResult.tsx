@@ -2,7 +2,6 @@ import { CircleCheck, TriangleAlert } from "lucide-preact";
 import type { Trial, Trials } from "../../api/model";
 import { texts } from "../../i18n";
 import { FaultLine } from "../../kit/requests/FaultLine";
-import { TEST } from "../../shell/testids";
 
 /** What the trial said: the solution must pass, a program without commands must not, under both robots. */
 export function TrialResult({ trials: { faults, trials } }: { trials: Trials }) {
@@ -10,7 +9,7 @@ export function TrialResult({ trials: { faults, trials } }: { trials: Trials }) 
   const isRight = faults.length === 0 && trials.every((one) => one.is_right);
   const key = trials.every((one) => one.is_right || one.preset !== "ideal") ? "onlyIdeal" : "wrong";
   return (
-    <div role="status" data-testid={TEST.makingTrials} data-right={isRight}>
+    <div role="status" data-testid="making-trials" data-right={isRight}>
       {faults.map((fault) => (
         <FaultLine key={fault.pointer} fault={fault} />
       ))}

@@ -7,7 +7,6 @@ import { Loaded } from "../../kit/requests/Loaded";
 import { ClassChips } from "../../shell/ClassChips";
 import { classroom, shownClass } from "../../shell/classroom";
 import { hashOf } from "../../shell/route";
-import { TEST } from "../../shell/testids";
 import { canPrint } from "../review/lesson/printing";
 import type { School } from "../school";
 import { useTeacherLoaded } from "../useTeacherLoaded";
@@ -28,7 +27,7 @@ export function PlanPart({ school: { classes } }: PlanPartProps) {
   const shown = classes.length > 0 ? shownClass(classroom.value, classes, []) : null;
   const found = useTeacherLoaded(`${shown} ${language.value}`, () => loadPlanClass(shown));
   return (
-    <div class="plan" ref={page} data-testid={TEST.plan}>
+    <div class="plan" ref={page} data-testid="plan">
       <h1>{say.title}</h1>
       <p>{say.about}</p>
       <PlanTools onSave={() => savePage(page.current, say.title, say.fileName)} />
@@ -58,16 +57,16 @@ function PlanTools({ onSave }: { onSave(): Promise<void> }) {
         kind="main"
         icon={Scissors}
         href={hashOf({ screen: "cards" })}
-        testId={TEST.planCards}
+        testId="plan-cards"
       >
         {say.links.cards}
       </LinkButton>
       {canPrint() && (
-        <Button icon={Printer} testId={TEST.planPrint} onPress={() => window.print()}>
+        <Button icon={Printer} testId="plan-print" onPress={() => window.print()}>
           {say.print}
         </Button>
       )}
-      <Button icon={Save} tip={say.saveHelp} testId={TEST.planSave} onPress={onSave}>
+      <Button icon={Save} tip={say.saveHelp} testId="plan-save" onPress={onSave}>
         {say.save}
       </Button>
     </div>

@@ -6,7 +6,6 @@ import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { hashOf, type Route } from "../../shell/route";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { openForClass, type PlanClass } from "./open_for_class";
 
 type Step = keyof typeof texts.value.plan.steps;
@@ -63,7 +62,7 @@ export function PlanTable({ classroom, found, reload }: PlanTableProps) {
             const { minutes, teacher, groups, screen } = say.steps[step];
             const { activity, link } = STEPS[step];
             return (
-              <tr key={step} data-testid={TEST.planStep} data-name={step}>
+              <tr key={step} data-testid="plan-step" data-name={step}>
                 <th scope="row">{minutes}</th>
                 <td>{teacher}</td>
                 <td>{groups}</td>
@@ -101,7 +100,7 @@ function OpenActivity({ name, found: { current, activities }, onOpen }: OpenActi
       <Button
         icon={isOpen ? CircleCheck : Play}
         pressed={isOpen}
-        testId={TEST.planOpen}
+        testId="plan-open"
         data-name={name}
         onPress={() => !isOpen && onOpen()}
       >

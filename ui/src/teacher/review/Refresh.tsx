@@ -1,7 +1,6 @@
 import { RefreshCw } from "lucide-preact";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { TEST } from "../../shell/testids";
 import { timeOfDay } from "../time_words";
 
 interface RefreshProps {
@@ -20,7 +19,7 @@ export function Refresh({ at, busy, onRefresh }: RefreshProps) {
       icon={RefreshCw}
       tip={say.help}
       busy={busy}
-      testId={TEST.reviewRefresh}
+      testId="review-refresh"
       data-at={at.toISOString()}
       onPress={onRefresh}
     >

@@ -8,7 +8,6 @@ import { Button } from "../../kit/Button";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 
 /** Tries whether the robot, as it is saved, can be reached; it does not move. */
 export function Contact({ link }: { link: string }) {
@@ -23,10 +22,10 @@ export function Contact({ link }: { link: string }) {
     <section class="robot-contact" aria-label={say.title}>
       <h2>{say.title}</h2>
       <p class="teacher__hint">{say.hint}</p>
-      <Button icon={Radio} busy={busy} testId={TEST.robotContact} onPress={ask}>
+      <Button icon={Radio} busy={busy} testId="robot-contact" onPress={ask}>
         {say.ask}
       </Button>
-      <p role="status" class="robot-contact__found" data-testid={TEST.robotFound}>
+      <p role="status" class="robot-contact__found" data-testid="robot-found">
         {busy && say.asking}
         {found && !found.problem && wordsOf(found)}
       </p>

@@ -7,7 +7,6 @@ import { Button } from "../../kit/Button";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { type Draft, recordOf } from "./record";
 
 interface FoundRobotsProps {
@@ -36,7 +35,7 @@ export function FoundRobots({ robot, draft, fill }: FoundRobotsProps) {
   };
   return (
     <div class="robots-found">
-      <Button icon={Search} busy={busy} testId={TEST.robotsFind} onPress={look}>
+      <Button icon={Search} busy={busy} testId="robots-find" onPress={look}>
         {say.ask}
       </Button>
       <p class="labelled__hint">{say.hint(draft.domain ?? "")}</p>
@@ -64,7 +63,7 @@ function List({ robots, onUse }: ListProps) {
       {robots.map((one) => (
         <li
           key={`${one.namespace} ${one.command_topic}`}
-          data-testid={TEST.robotOnNetwork}
+          data-testid="robot-on-network"
           data-namespace={one.namespace}
         >
           <span>
@@ -73,7 +72,7 @@ function List({ robots, onUse }: ListProps) {
             {" · "}
             {one.holder ? state.held(one.holder) : say.free}
           </span>
-          <Button testId={TEST.robotUse} onPress={() => onUse(one)}>
+          <Button testId="robot-use" onPress={() => onUse(one)}>
             {say.use}
           </Button>
         </li>

@@ -6,7 +6,6 @@ import { listen } from "../../kit/listen";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { type Direction, held, hold, jogFault, release } from "../../run/real/jog";
 import { robotStates } from "../../run/real/robot_state";
-import { TEST } from "../../shell/testids";
 
 const KEYS: readonly (readonly [Direction, string, LucideIcon])[] = [
   ["ahead", "ArrowUp", ArrowUp],
@@ -44,7 +43,7 @@ export function JogPad({ link }: { link: string }) {
         ))}
       </fieldset>
       <Moving link={link} />
-      <div data-testid={TEST.jogFault}>
+      <div data-testid="jog-fault">
         <FaultLine fault={jogFault.value} />
       </div>
     </div>
@@ -66,7 +65,7 @@ function JogKey({ link, direction, shortcut, icon }: JogKeyProps) {
       tip={texts.value.robotSetup.jog[direction]}
       label={texts.value.robotSetup.jog[direction]}
       pressed={held.value?.direction === direction}
-      testId={TEST.jog}
+      testId="jog"
       data-direction={direction}
       aria-keyshortcuts={shortcut}
       onPointerDown={(event) => {

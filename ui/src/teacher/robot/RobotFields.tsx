@@ -1,7 +1,6 @@
 import type { RealRobot, RobotField } from "../../api/model";
 import { texts } from "../../i18n";
 import { Field } from "../../kit/Field";
-import { TEST } from "../../shell/testids";
 import { FoundRobots } from "./FoundRobots";
 import { RoomPicture } from "./RoomPicture";
 import type { Draft } from "./record";
@@ -26,7 +25,7 @@ export function RobotFields({ robot, draft, field, fill }: RobotFieldsProps) {
           hint={hint}
           maxLength={100}
           inputMode={low === null ? "text" : "decimal"}
-          data-testid={TEST.robotField}
+          data-testid="robot-field"
           data-name={name}
           value={field(name).value ?? ""}
           onText={field(name).onText}

@@ -9,7 +9,6 @@ import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { knownLink } from "../../run/real/RobotName";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { useDraft } from "../useDraft";
 import { Contact } from "./Contact";
 import { RobotFields } from "./RobotFields";
@@ -42,13 +41,13 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
       </p>
       <RobotFields robot={robot} draft={draft} field={field} fill={fill} />
       <div class="teacher__row">
-        <Button submit kind="main" icon={Check} busy={busy} testId={TEST.robotKeep}>
+        <Button submit kind="main" icon={Check} busy={busy} testId="robot-keep">
           {say.keep}
         </Button>
         {robot.is_set_up && (
           <Button
             icon={Trash2}
-            testId={TEST.robotForget}
+            testId="robot-forget"
             onPress={() => change(() => robotsApi.forget(robot.link))}
           >
             {say.forget}

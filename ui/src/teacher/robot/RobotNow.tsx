@@ -11,10 +11,9 @@ import {
   placeOf,
   robotStates,
   type RobotState as State,
-  watchRobot,
+  useWatchedRobot,
 } from "../../run/real/robot_state";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { JogPad } from "./JogPad";
 import { RoomPicture } from "./RoomPicture";
 import { type Draft, startAt } from "./record";
@@ -29,7 +28,7 @@ interface RobotNowProps {
 export function RobotNow({ robot, draft, fill }: RobotNowProps) {
   const { now: say } = texts.value.robotSetup;
   const { link } = robot;
-  useEffect(() => watchRobot(link), [link]);
+  useWatchedRobot(link);
   const [isUsed, setUsed] = useState(false);
   useEffect(() => setUsed(false), [robot]); // it was saved
   const state = robotStates.value[link];
@@ -44,7 +43,7 @@ export function RobotNow({ robot, draft, fill }: RobotNowProps) {
     <section class="robot-now" aria-label={say.title}>
       <h2>{say.title}</h2>
       <p class="robot-now__state">
-        <RobotState link={link} testId={TEST.robotNow} />
+        <RobotState link={link} testId="robot-now" />
         {state && more(state)}
       </p>
       <FaultLine fault={state?.code ? state : null} />
@@ -53,10 +52,10 @@ export function RobotNow({ robot, draft, fill }: RobotNowProps) {
         <RoomPicture draft={draft} link={link} />
       </div>
       <div class="teacher__row">
-        <Button icon={MapPin} disabled={!place} testId={TEST.robotHere} onPress={use}>
+        <Button icon={MapPin} disabled={!place} testId="robot-here" onPress={use}>
           {say.use}
         </Button>
-        <Button icon={Flag} disabled={!place} testId={TEST.robotAtStart} onPress={standAtStart}>
+        <Button icon={Flag} disabled={!place} testId="robot-at-start" onPress={standAtStart}>
           {say.atStart}
         </Button>
       </div>

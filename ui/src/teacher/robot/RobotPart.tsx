@@ -6,7 +6,6 @@ import { Choice } from "../../kit/Choice";
 import { Loaded } from "../../kit/requests/Loaded";
 import { robotWords } from "../../run/real/RobotName";
 import { realRobots } from "../../run/real/real_robot";
-import { TEST } from "../../shell/testids";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 import { RobotForm } from "./RobotForm";
 
@@ -57,7 +56,7 @@ function Kinds({ robots, onChanged }: KindsProps) {
           link.value = chosen;
         }}
         class="robot-kinds"
-        testId={TEST.robotKind}
+        testId="robot-kind"
       />
       <RobotForm
         key={`${robot.link} ${forgotten.value}`}

@@ -1,7 +1,6 @@
 import { texts } from "../../i18n";
 import { numberIn } from "../../kit/NumberField";
 import { placeOf, robotStates } from "../../run/real/robot_state";
-import { TEST } from "../../shell/testids";
 import type { Draft } from "./record";
 
 /** Radius of the drawn robot: the Pioneer 3-DX. */
@@ -51,7 +50,7 @@ function Place({ link }: { link: string }) {
   if (!place) return null;
   return (
     <g
-      data-testid={TEST.robotPlace}
+      data-testid="robot-place"
       transform={`translate(${place.x_m} ${-place.y_m}) rotate(${-place.heading_deg})`}
     >
       <circle class="room-picture__place" r={RADIUS_M} />

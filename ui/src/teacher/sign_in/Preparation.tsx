@@ -13,7 +13,6 @@ import { useLoaded } from "../../kit/requests/useLoaded";
 import { setClassroom } from "../../shell/classroom";
 import { go } from "../../shell/route";
 import { asTeacher, choosePin, teacherSession } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 import { useDraft } from "../useDraft";
 import { pinFault } from "./pin";
 
@@ -63,27 +62,27 @@ function PreparationForm({ known, onDone }: PreparationProps & { known: Known })
         <h1>{say.title}</h1>
         <p class="teacher__hint">{say.hint}</p>
         <div class="sign-in__pair">
-          <PinField label={say.pin} autoFocus data-testid={TEST.pin} {...field("pin")} />
-          <PinField label={say.pinAgain} data-testid={TEST.pinAgain} {...field("again")} />
+          <PinField label={say.pin} autoFocus data-testid="pin" {...field("pin")} />
+          <PinField label={say.pinAgain} data-testid="pin-again" {...field("again")} />
           <p class="labelled__hint">{say.pinHint}</p>
         </div>
         <Field
           label={say.className}
           hint={say.classHint}
           maxLength={STORE_LIMITS.MAX_NAME}
-          data-testid={TEST.className}
+          data-testid="class-name"
           {...field("name")}
         />
         <Field
           label={say.computer}
           hint={say.computerHint}
           maxLength={STORE_LIMITS.MAX_NAME}
-          data-testid={TEST.computerName}
+          data-testid="computer-name"
           {...field("computer")}
         />
         <FaultLine fault={fault} />
         <div class="button-row">
-          <Button submit kind="main" iconEnd={ArrowRight} busy={busy} testId={TEST.prepareDone}>
+          <Button submit kind="main" iconEnd={ArrowRight} busy={busy} testId="prepare-done">
             {say.done}
           </Button>
           <LinkButton kind="plain" icon={ArrowLeft} href="#/">

@@ -9,7 +9,6 @@ import { LinkButton } from "../../kit/LinkButton";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { signIn } from "../../shell/teacher/teacher_session";
-import { TEST } from "../../shell/testids";
 
 interface SignInFormProps {
   /** The teacher was signed in before. */
@@ -31,13 +30,13 @@ export function SignInForm({ again }: SignInFormProps) {
         <PinField
           label={say.pin}
           value={pin}
-          data-testid={TEST.pin}
+          data-testid="pin"
           aria-invalid={fault !== null}
           onText={write}
         />
         <FaultLine fault={fault} />
         {left > 0 && (
-          <p class="notice-box" role="timer" data-testid={TEST.pinWait}>
+          <p class="notice-box" role="timer" data-testid="pin-wait">
             {say.wait(left)}
           </p>
         )}
@@ -48,7 +47,7 @@ export function SignInForm({ again }: SignInFormProps) {
             icon={DoorOpen}
             busy={busy}
             disabled={left > 0}
-            testId={TEST.signIn}
+            testId="sign-in"
           >
             {say.enter}
           </Button>

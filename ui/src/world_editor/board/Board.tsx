@@ -5,7 +5,6 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
-import { TEST } from "../../shell/testids";
 import { theme } from "../../shell/theme";
 import type { EditorStore } from "../editor_store";
 import { pressed } from "../keys";
@@ -33,7 +32,7 @@ export function Board({ store, children }: { store: EditorStore; children: Compo
 
   return (
     <div class="world-editor__floor">
-      <div class="world-editor__lead">
+      <div class="row rigid gap-2">
         {children}
         <Buttons
           onZoom={(factor) => {
@@ -103,7 +102,7 @@ function Overlay({ store, view, byHand }: OverlayProps) {
       role="application"
       aria-label={words.board}
       tabindex={0}
-      data-testid={TEST.worldBoard}
+      data-testid="world-board"
       data-camera={`${camera.x} ${camera.y} ${camera.scale}`}
       onKeyDown={(event) => {
         if (!pressed(store, event)) return;

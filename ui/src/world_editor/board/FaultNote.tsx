@@ -1,5 +1,4 @@
 import { TriangleAlert } from "lucide-preact";
-import { TEST } from "../../shell/testids";
 import type { EditorStore } from "../editor_store";
 import { type Plan, thingOf } from "../plan";
 import type { View } from "./board_view";
@@ -27,7 +26,7 @@ export function FaultNote({ store, view }: { store: EditorStore; view: View }) {
     <p
       class={`fault-note ${isAbove ? "" : "fault-note--below"}`}
       style={{ left: `${left}px`, top: `${isAbove ? span.top - GAP : span.bottom + GAP}px` }}
-      data-testid={TEST.worldFaultNote}
+      data-testid="world-fault-note"
       aria-hidden="true"
     >
       <TriangleAlert class="icon" aria-hidden="true" />

@@ -1,7 +1,7 @@
+import { cornersOf } from "../../scene/areas";
 import type { XY } from "../../scene/frames";
-import { TEST } from "../../shell/testids";
 import type { EditorStore } from "../editor_store";
-import { cornersOf, turnedBy } from "../geometry";
+import { turnedBy } from "../geometry";
 import { type AreaThing, isArea, type Plan, type Thing, thingOf } from "../plan";
 import type { View } from "./board_view";
 import { onBoard } from "./outline";
@@ -28,7 +28,7 @@ export function Handles({ store, view }: { store: EditorStore; view: View }) {
         <g
           key={name}
           data-handle={name}
-          data-testid={TEST.worldHandle}
+          data-testid="world-handle"
           class={`handle handle--${name}`}
         >
           {root && <line class="handle__arm" x1={root.x} y1={root.y} x2={at.x} y2={at.y} />}

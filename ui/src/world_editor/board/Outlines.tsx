@@ -1,11 +1,10 @@
 import { useComputed } from "@preact/signals";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
 import type { EditorStore } from "../editor_store";
 import { isOuter, ofKind, type Thing } from "../plan";
 import { nameOf } from "../words";
 import type { View } from "./board_view";
-import { onBoard, outlineOf } from "./outline";
+import { edgeOf, onBoard } from "./outline";
 
 /** Touch radius of the robot in metres, and its minimum in pixels. */
 const ROBOT_M = 0.3;
@@ -54,7 +53,7 @@ interface OutlineProps extends OutlinesProps {
 
 function Outline({ store, view, thing, index, isFaulty }: OutlineProps) {
   const isSelected = store.selected.value === thing.id;
-  const path = outlineOf(view, thing);
+  const path = edgeOf(view, thing);
   return (
     // biome-ignore lint/a11y/useSemanticElements: an SVG has no button
     <g
@@ -67,7 +66,7 @@ function Outline({ store, view, thing, index, isFaulty }: OutlineProps) {
       data-kind={thing.kind}
       data-index={index}
       data-faulty={isFaulty}
-      data-testid={TEST.worldThing}
+      data-testid="world-thing"
       onFocus={() => store.select(thing.id)}
     >
       <path class="outline__reach" d={path} />
@@ -95,7 +94,7 @@ function StartOutline({ store, view, isFaulty }: StartOutlineProps) {
       data-thing="start"
       data-kind="start"
       data-faulty={isFaulty}
-      data-testid={TEST.worldThing}
+      data-testid="world-thing"
       onFocus={() => store.select("start")}
     >
       <circle class="outline__reach" cx={x} cy={y} r={r} />

@@ -1,5 +1,4 @@
 import { language, texts } from "../../../i18n";
-import { TEST } from "../../../shell/testids";
 import { figureWords } from "../words";
 import { FIGURES } from "./FigureRow";
 
@@ -8,7 +7,7 @@ export function Explanations() {
   const { lesson: say } = texts.value.review;
   const now = new Date().toLocaleString(language.value, { dateStyle: "long", timeStyle: "short" });
   return (
-    <section class="lesson__explained" data-testid={TEST.lessonExplained}>
+    <section class="lesson__explained" data-testid="lesson-explained">
       <h2>{say.counts}</h2>
       <p>{say.noRanking}</p>
       <dl>

@@ -3,7 +3,6 @@ import type { Figures, OpenedHints } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { rove } from "../../../kit/roving";
-import { TEST } from "../../../shell/testids";
 import { roundDuration } from "../../time_words";
 import { hideTip, showTip } from "../marks/tip";
 import type { FigureName } from "../model";
@@ -67,7 +66,7 @@ function Figure({ name, value, first, more }: FigureProps) {
       class="figure"
       tabIndex={first ? 0 : -1}
       data-rove
-      testId={TEST.reviewFigure}
+      testId="review-figure"
       data-name={name}
       data-value={value ?? ""}
       label={say.ask(`${shown} ${unit}`)}

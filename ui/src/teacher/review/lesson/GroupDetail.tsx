@@ -1,6 +1,5 @@
 import type { GroupReview } from "../../../api/model";
 import { texts } from "../../../i18n";
-import { TEST } from "../../../shell/testids";
 import type { MarkBook } from "../marks/mark_words";
 import { BlockChips } from "./BlockChips";
 import { HintsRead } from "./HintsRead";
@@ -16,7 +15,7 @@ export function GroupDetail({ review, book }: GroupDetailProps) {
   const { detail } = texts.value.review;
   const runs = review.marks.filter(({ kind }) => kind === "run");
   return (
-    <div class="detail" data-testid={TEST.reviewDetail}>
+    <div class="detail" data-testid="review-detail">
       <div class="detail__runs">
         <h2 class="detail__title">{detail.runs}</h2>
         {runs.length === 0 && <p class="detail__none">{detail.noRuns}</p>}

@@ -4,7 +4,6 @@ import type { GroupReview } from "../../../api/model";
 import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { GroupPicture } from "../../../kit/pictures/GroupPicture";
-import { TEST } from "../../../shell/testids";
 import { MarkBook } from "../marks/mark_words";
 import { Line } from "../timeline/Line";
 import type { LineLayout } from "../timeline/line_layout";
@@ -34,7 +33,7 @@ export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowP
       id={`group-${group.id}`}
       class="group-row tinted"
       style={{ "--group": group.color }}
-      data-testid={TEST.reviewGroup}
+      data-testid="review-group"
       data-name={group.name}
       data-need={review.need}
     >
@@ -44,7 +43,7 @@ export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowP
           class="group-row__name"
           open={open}
           tip={`${group.name}. ${open ? detail.close(group.name) : detail.open(group.name)}`}
-          testId={TEST.reviewOpen}
+          testId="review-open"
           onPress={onToggle}
         >
           <GroupPicture name={group.picture} class="group-row__picture" />

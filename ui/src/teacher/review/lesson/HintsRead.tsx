@@ -1,6 +1,5 @@
 import type { OpenedHints } from "../../../api/model";
 import { texts } from "../../../i18n";
-import { TEST } from "../../../shell/testids";
 
 interface HintsReadProps {
   hints: readonly OpenedHints[];
@@ -11,7 +10,7 @@ export function HintsRead({ hints }: HintsReadProps) {
   const { detail } = texts.value.review;
   if (hints.length === 0) return null;
   return (
-    <div class="detail__hints" data-testid={TEST.reviewHints}>
+    <div class="detail__hints" data-testid="review-hints">
       <h2 class="detail__title">{detail.hints}</h2>
       {hints.map(({ title, n, texts: read }) => (
         <section key={title}>

@@ -10,7 +10,6 @@ import { LinkButton } from "../../../kit/LinkButton";
 import { hashOf } from "../../../shell/route";
 import { fileName, saveFile } from "../../../shell/save_file";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
-import { TEST } from "../../../shell/testids";
 import { BackToLessons } from "../BackToLessons";
 import { daysInWords, daysOf } from "../days";
 import type { TimeOf } from "../timeline/lines";
@@ -92,13 +91,13 @@ function Tools({ review, timeOf }: ToolsProps) {
       <Button
         icon={Sheet}
         tip={say.tableHelp}
-        testId={TEST.lessonTable}
+        testId="lesson-table"
         onPress={() => saveTable(review)}
       >
         {say.table}
       </Button>
       {canPrint() && (
-        <Button icon={Printer} testId={TEST.lessonPrint} onPress={printPage}>
+        <Button icon={Printer} testId="lesson-print" onPress={printPage}>
           {say.print}
         </Button>
       )}
@@ -119,7 +118,7 @@ function TimeChoice({ timeOf }: Pick<ToolsProps, "timeOf">) {
       label={say.clock}
       legendClass="switch__word"
       optionClass=""
-      testId={TEST.lessonTime}
+      testId="lesson-time"
       value={timeOf.value}
       options={[
         ["group", say.ownTime, { tip: say.ownTimeHelp }],

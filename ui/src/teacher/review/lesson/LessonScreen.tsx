@@ -5,9 +5,9 @@ import { language, texts } from "../../../i18n";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { valueIn } from "../../../kit/requests/load_state";
 import { useScrollPlace } from "../../../kit/scroll_place";
-import { TEST } from "../../../shell/testids";
+import { usePolling } from "../../../kit/usePolling";
+import type { ParametersOf } from "../../../shell/route";
 import { RequireTeacher } from "../../sign_in/RequireTeacher";
-import { useProgress } from "../../useProgress";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { EmptyList } from "../EmptyList";
 import { TipBubble } from "../marks/TipBubble";
@@ -20,7 +20,7 @@ import { placeOf } from "./lesson_place";
 import { type LessonPage, loadLesson } from "./load_lesson";
 
 /** The review of a lesson: a timeline for each group. */
-export function LessonScreen({ lesson }: { lesson: string }) {
+export function LessonScreen({ lesson }: ParametersOf<"lesson">) {
   return (
     <RequireTeacher>
       <LoadedLesson lessonId={lesson} />
@@ -32,7 +32,7 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
   const page = useTeacherLoaded(`${lessonId} ${language.value}`, () => loadLesson(lessonId));
   const isWaiting = valueIn(page)?.review.groups.some(({ marks }) => marks.some(waits)) ?? false;
   // quietly: the rows stay, so that nothing that is open or read moves away; a failure is left to the next look
-  useProgress(isWaiting, () => loadLesson(lessonId).then(page.set, () => {}));
+  usePolling(() => loadLesson(lessonId).then(page.set, () => {}), { isOn: isWaiting });
   useEffect(() => {
     document.documentElement.dataset.page = "lesson"; // for print.css
     return () => {
@@ -63,10 +63,10 @@ function Lesson({ page, refresh }: LessonProps) {
   const main = useScrollPlace(place, true);
   const hasRuns = groups.some(({ figures }) => figures.n_runs > 0);
   return (
-    <main class="screen lesson" ref={main} data-testid={TEST.lessonPage}>
+    <main class="screen lesson" ref={main} data-testid="lesson-page">
       <LessonHead page={page} place={place} refresh={refresh} />
       {groups.length === 0 ? (
-        <EmptyList title={say.emptyTitle} text={say.empty} testId={TEST.lessonEmpty} />
+        <EmptyList title={say.emptyTitle} text={say.empty} testId="lesson-empty" />
       ) : (
         <>
           <Legend />

@@ -4,7 +4,6 @@ import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { LinkButton } from "../../../kit/LinkButton";
 import { hashOf } from "../../../shell/route";
-import { TEST } from "../../../shell/testids";
 import { rowOf } from "./GroupRow";
 import type { LessonPlace } from "./lesson_place";
 
@@ -22,7 +21,7 @@ export function LessonSummary({ review: { summary, groups }, place }: LessonSumm
   const n_other = unconfirmed.length + stuck.length + not_begun.length + differing.length;
   if (n_passed === null && !fault && n_other === 0) return null;
   return (
-    <ul class="lesson__summary" aria-label={say.summary} data-testid={TEST.lessonSummary}>
+    <ul class="lesson__summary" aria-label={say.summary} data-testid="lesson-summary">
       {n_passed !== null && n_groups > 0 && (
         <li class="lesson__passed">{say.passedBy(n_passed, n_groups)}</li>
       )}
@@ -83,7 +82,7 @@ function StuckGroup({ review: { group }, place: { open } }: StuckGroupProps) {
       class="tinted"
       style={{ "--group": group.color }}
       tip={texts.value.review.detail.open(group.name)}
-      testId={TEST.lessonStuck}
+      testId="lesson-stuck"
       onPress={show}
     >
       {group.name}

@@ -6,7 +6,6 @@ import { LinkButton } from "../../../kit/LinkButton";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { useLoaded } from "../../../kit/requests/useLoaded";
 import { hashOf } from "../../../shell/route";
-import { TEST } from "../../../shell/testids";
 import { changesInWords, facts, type MarkBook, runTitle } from "../marks/mark_words";
 import { differenceOf } from "../marks/version_differences";
 import { outcomeOf } from "../model";
@@ -23,7 +22,7 @@ export function RunLine({ mark, book }: RunLineProps) {
   const outcome = outcomeOf(mark);
   if (!mark.run_id) return null;
   return (
-    <li class="run-line" data-testid={TEST.reviewRun} data-outcome={outcome}>
+    <li class="run-line" data-testid="review-run" data-outcome={outcome}>
       <OutcomeSign outcome={outcome} />
       <div class="run-line__words">
         <p>
@@ -58,7 +57,7 @@ function Repair({ mark, book }: RunLineProps) {
   if (!mark.repairs) return null;
   const changes = changesInWords(mark, differenceOf(mark));
   return (
-    <p class="run-line__repair" data-testid={TEST.reviewRepair}>
+    <p class="run-line__repair" data-testid="review-repair">
       {line.repairs(book.numberOf(mark.repairs))}{" "}
       {changes.length > 0 && `${line.between} ${changes.join("; ")}.`}
     </p>

@@ -5,7 +5,6 @@ import { STORE_LIMITS } from "../../../api/declared";
 import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Form } from "../../../kit/Form";
-import { TEST } from "../../../shell/testids";
 import { type NoteEditor, stateInWords } from "./note_editor";
 
 interface NoteFormProps {
@@ -28,7 +27,7 @@ export function NoteForm({ editor }: NoteFormProps) {
   return (
     <Form
       class="note"
-      testId={TEST.note}
+      testId="note"
       data-state={changed ? "changed" : state.value}
       onSubmit={editor.save}
     >
@@ -46,7 +45,7 @@ export function NoteForm({ editor }: NoteFormProps) {
         placeholder={say.placeholder}
         aria-describedby="teacher-note-help"
         value={text.value}
-        data-testid={TEST.noteText}
+        data-testid="note-text"
         onInput={(event) => editor.write(event.currentTarget.value)}
       />
       <p class="note__help" id="teacher-note-help" role="status">
@@ -75,9 +74,9 @@ function NoteButtons({ editor, onDelete }: NoteButtonsProps) {
   const { note, text, state, changed } = editor;
   const busy = state.value === "saving";
   return (
-    <div class="note__buttons">
+    <div class="row wrap end gap-2">
       {note.value && (
-        <Button icon={Trash2} busy={busy} testId={TEST.noteDelete} onPress={onDelete}>
+        <Button icon={Trash2} busy={busy} testId="note-delete" onPress={onDelete}>
           {say.delete}
         </Button>
       )}
@@ -87,7 +86,7 @@ function NoteButtons({ editor, onDelete }: NoteButtonsProps) {
         icon={Check}
         busy={busy}
         disabled={!changed || !text.value.trim()}
-        testId={TEST.noteSave}
+        testId="note-save"
       >
         {note.value ? say.change : say.save}
       </Button>
@@ -106,11 +105,11 @@ function ConfirmDelete({ onConfirm, onCancel }: ConfirmDeleteProps) {
   const cancel = useRef<HTMLButtonElement>(null);
   useEffect(() => cancel.current?.focus(), []);
   return (
-    <div class="note__buttons">
+    <div class="row wrap end gap-2">
       <Button elementRef={cancel} onPress={onCancel}>
         {say.keep}
       </Button>
-      <Button kind="stop" icon={Trash2} testId={TEST.noteDeleteSure} onPress={onConfirm}>
+      <Button kind="stop" icon={Trash2} testId="note-delete-sure" onPress={onConfirm}>
         {say.deleteSure}
       </Button>
     </div>

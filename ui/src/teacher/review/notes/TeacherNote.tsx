@@ -5,7 +5,6 @@ import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { useLoaded } from "../../../kit/requests/useLoaded";
-import { TEST } from "../../../shell/testids";
 import { NoteForm } from "./NoteForm";
 import { useNoteEditor } from "./note_editor";
 
@@ -37,7 +36,7 @@ function LastNote({ run, last }: LastNoteProps) {
   if (open.value) return <NoteForm editor={editor} />;
   return (
     <div class="note note--shut">
-      <Button icon={StickyNote} testId={TEST.noteOpen} onPress={show}>
+      <Button icon={StickyNote} testId="note-open" onPress={show}>
         {changed && text.value.trim() ? say.unsent : say.title}
       </Button>
     </div>

@@ -5,7 +5,6 @@ import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { LinkButton } from "../../../kit/LinkButton";
 import { hashOf } from "../../../shell/route";
-import { TEST } from "../../../shell/testids";
 
 interface ChosenRunsProps {
   chosen: Signal<readonly HistoryRun[]>;
@@ -30,7 +29,7 @@ export function ChosenRuns({ chosen }: ChosenRunsProps) {
           kind="main"
           icon={Columns2}
           href={hashOf({ screen: "compare", first: first.id, second: second.id })}
-          testId={TEST.compareOpen}
+          testId="compare-open"
         >
           {say.compare}
         </LinkButton>

@@ -4,9 +4,8 @@ import { language, texts } from "../../../i18n";
 import { duration, moment } from "../../../i18n/format";
 import { GroupPicture } from "../../../kit/pictures/GroupPicture";
 import { RobotName } from "../../../run/real/RobotName";
-import { PathPicture } from "../../../scene/PathPicture";
+import { PathPicture } from "../../../scene/small/PathPicture";
 import { hashOf } from "../../../shell/route";
-import { TEST } from "../../../shell/testids";
 import { worldWords } from "../../../versions/setup_words";
 import { type Outcome, outcomeOf } from "../model";
 import { OutcomeSign } from "../OutcomeSign";
@@ -46,7 +45,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
     <div
       class="work-card card tinted run-card"
       style={run.group ? { "--group": run.group.color } : {}}
-      data-testid={TEST.historyRun}
+      data-testid="history-run"
       data-outcome={outcome}
     >
       <a class="run-card__open" href={hashOf({ screen: "replay", run: run.id })}>
@@ -69,11 +68,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
             </span>
           )}
           <span class="work-card__line">{name}</span>
-          <span
-            class="work-card__line run-card__place"
-            title={place}
-            data-testid={TEST.historyPlace}
-          >
+          <span class="work-card__line run-card__place" title={place} data-testid="history-place">
             {place}
           </span>
           <span class="work-card__line work-card__line--facts">{facts.join(" · ")}</span>
@@ -94,7 +89,7 @@ function Choose({ run, chosen, title }: Omit<HistoryCardProps, "lesson"> & { tit
         checked={isChosen}
         disabled={run.state === "running"}
         aria-label={runs.chooseOf(title)}
-        data-testid={TEST.compareChoose}
+        data-testid="compare-choose"
         onChange={() => {
           const others = chosen.value.filter(({ id }) => id !== run.id);
           // a third selection replaces the first

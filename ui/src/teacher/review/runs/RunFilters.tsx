@@ -8,7 +8,6 @@ import { Button } from "../../../kit/Button";
 import { Select, type SelectOption } from "../../../kit/Select";
 import { withDistinctNames } from "../../../shell/namesakes";
 import { worlds } from "../../../shell/session";
-import { TEST } from "../../../shell/testids";
 import { dateAndTime } from "../../time_words";
 import { type FilterChoices, NO_FILTER } from "./run_list";
 
@@ -113,7 +112,7 @@ function SelectFilter({ filter, name, all, options }: SelectFilterProps) {
         class="filters__select"
         value={value}
         options={[["", all], ...options]}
-        testId={TEST.historyFilter}
+        testId="history-filter"
         data-name={name}
         data-on={value !== ""}
         onChange={(chosen) => {
@@ -135,7 +134,7 @@ function DayFilter({ filter }: Pick<RunFiltersProps, "filter">) {
         type="date"
         class="filters__day"
         value={day}
-        data-testid={TEST.historyFilter}
+        data-testid="history-filter"
         data-name="day"
         data-on={day !== ""}
         onChange={(event) => {

@@ -3,7 +3,6 @@ import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { useScrollPlace } from "../../../kit/scroll_place";
-import { TEST } from "../../../shell/testids";
 import { RequireTeacher } from "../../sign_in/RequireTeacher";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { BackToLessons } from "../BackToLessons";
@@ -29,7 +28,7 @@ function Runs() {
   const choices = useTeacherLoaded(language.value, loadFilterChoices);
   const main = useScrollPlace(left, list.status === "ready");
   return (
-    <main class="screen runs" ref={main} data-testid={TEST.historyPage}>
+    <main class="screen runs" ref={main} data-testid="history-page">
       <div class="review-head runs__head">
         <BackToLessons />
         <h1>{say.title}</h1>
@@ -69,7 +68,7 @@ function RunCards({ page: { runs, next }, lessons, busy, onOlder }: RunCardsProp
       <EmptyList
         title={isFiltered ? say.emptyTitle : say.noneTitle}
         text={isFiltered ? say.empty : say.none}
-        testId={TEST.historyEmpty}
+        testId="history-empty"
       />
     );
   }
@@ -83,7 +82,7 @@ function RunCards({ page: { runs, next }, lessons, busy, onOlder }: RunCardsProp
         ))}
       </ul>
       {next && (
-        <Button class="work__older" testId={TEST.historyOlder} onPress={onOlder}>
+        <Button class="work__older" testId="history-older" onPress={onOlder}>
           {say.older}
         </Button>
       )}

@@ -3,7 +3,6 @@ import type { ReviewMark } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { rove } from "../../../kit/roving";
 import { hashOf } from "../../../shell/route";
-import { TEST } from "../../../shell/testids";
 import { roundDuration, timeOfDay } from "../../time_words";
 import { shortDay } from "../days";
 import { type MarkBook, wordsOf } from "../marks/mark_words";
@@ -66,7 +65,7 @@ function Mark({ placed: { mark, index }, book }: { placed: PlacedMark; book: Mar
       href={addressOf(mark)}
       tabIndex={index === 0 ? 0 : -1}
       data-rove
-      data-testid={TEST.reviewMark}
+      data-testid="review-mark"
       data-kind={mark.kind}
       data-outcome={isRun ? outcome : undefined}
       data-repairs={mark.repairs ?? undefined}

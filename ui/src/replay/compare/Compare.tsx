@@ -1,0 +1,104 @@
+import { type Signal, useComputed, useSignal } from "@preact/signals";
+import { ArrowLeft } from "lucide-preact";
+import type { ComponentChildren } from "preact";
+import { texts } from "../../i18n";
+import { Choice } from "../../kit/Choice";
+import { LinkButton } from "../../kit/LinkButton";
+import type { Companion } from "../../scene/companion";
+import { Scene } from "../../scene/Scene";
+import { hashOf } from "../../shell/route";
+import { reviewOrigin } from "../../shell/teacher/review_origin";
+import { Transport } from "../Transport";
+import { ComparedRun } from "./ComparedRun";
+import type { LoadedPair } from "./load_pair";
+import { PairDifferences } from "./PairDifferences";
+import type { Pair } from "./pair";
+
+type View = "apart" | "together";
+
+/** Two runs on two floors or overlaid on one, their blocks with the differences marked, and playback controls. */
+export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
+  const view = useSignal<View>("apart");
+  const isTogether = view.value === "together";
+  return (
+    <main class={`screen replay compare compare--${view.value}`} data-testid="compare-page">
+      <Head pair={pair} view={view}>
+        {blocks && <PairDifferences blocks={blocks} isOneProgram={isOneProgram} />}
+      </Head>
+      {isTogether && <OneFloor pair={pair} />}
+      {pair.sides.map((side, index) => (
+        <ComparedRun
+          key={side.recording.run.id + index}
+          side={side}
+          number={index + 1}
+          groups={groups}
+          blocks={blocks}
+          together={isTogether}
+        />
+      ))}
+      <Transport
+        playback={pair.playback}
+        tracks={pair.sides.map(({ recording }) => recording.stretches)}
+      />
+    </main>
+  );
+}
+
+interface HeadProps {
+  pair: Pair;
+  children: ComponentChildren;
+  view: Signal<View>;
+}
+
+function Head({ pair, view, children }: HeadProps) {
+  const { compare: say } = texts.value.review;
+  const from = reviewOrigin.value ?? { screen: "runs" };
+  const back = from.screen === "runs" ? say.back : texts.value.header.backToLesson;
+  const [first, second] = pair.sides.map(({ recording }) => recording.run.world_document?.name);
+  return (
+    <div class="review-head compare__head">
+      <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
+      <h1>{say.title}</h1>
+      {children}
+      {/* on one floor the second path may cross walls that its own world did not have */}
+      {view.value === "together" && first !== second && (
+        <p class="compare__elsewhere">{say.otherWorld}</p>
+      )}
+      <Choice<View>
+        class="switch"
+        label={say.view}
+        legendClass="switch__word"
+        optionClass=""
+        testId="compare-view"
+        value={view.value}
+        options={[
+          ["apart", say.apart],
+          ["together", say.together],
+        ]}
+        onChange={(chosen) => {
+          view.value = chosen;
+        }}
+      />
+    </div>
+  );
+}
+
+function OneFloor({ pair: { sides } }: { pair: Pair }) {
+  const [first, second] = sides;
+  const companion = useComputed<Companion>(() => ({
+    world: second.recording.run.world_document,
+    view: second.view.value,
+    pose: second.pose,
+  }));
+  return (
+    <div class="compare__floor">
+      <Scene
+        world={first.recording.run.world_document}
+        view={first.view}
+        poseAt={first.pose}
+        playing={first.playing}
+        companion={companion}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,68 @@
+import { useSignalEffect } from "@preact/signals";
+import { ChevronDown, ChevronUp } from "lucide-preact";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Sign } from "../../versions/Sign";
+import type { PairBlocks } from "./load_pair";
+
+interface PairDifferencesProps {
+  blocks: PairBlocks;
+  isOneProgram: boolean;
+}
+
+/** The difference of the blocks that is in view, in words, and the buttons to the others. */
+export function PairDifferences({ blocks, isOneProgram }: PairDifferencesProps) {
+  const { keeping, review } = texts.value;
+  useSignalEffect(() => {
+    if (blocks.list.value.length > 0 && blocks.chosen.peek() === null) blocks.step(1);
+  });
+  const count = blocks.list.value.length;
+  if (!isOneProgram) return <p class="compare__same">{review.compare.otherProgram}</p>;
+  if (blocks.drawn.value === 0) return null;
+  if (count === 0) return <p class="compare__same">{keeping.nothingDiffers}</p>;
+  return (
+    <section class="compare__differences" aria-label={keeping.differences(count)}>
+      <Difference blocks={blocks} />
+      <Button
+        icon={ChevronUp}
+        label={keeping.previous}
+        disabled={count < 2}
+        testId="difference-previous"
+        onPress={() => blocks.step(-1)}
+      />
+      <Button
+        icon={ChevronDown}
+        label={keeping.next}
+        disabled={count < 2}
+        testId="difference-next"
+        onPress={() => blocks.step(1)}
+      />
+    </section>
+  );
+}
+
+function Difference({ blocks }: { blocks: PairBlocks }) {
+  const { keeping, review } = texts.value;
+  const place = blocks.chosen.value ?? 0;
+  const { kinds = [] } = blocks.list.value[place] ?? {};
+  const words = blocks.lines.value[place] ?? "";
+  return (
+    <p
+      class="compare__difference"
+      aria-live="polite"
+      title={words}
+      data-testid="difference"
+      data-kind={kinds[0]}
+    >
+      {kinds.map((kind) => (
+        <Sign key={kind} kind={kind} />
+      ))}
+      <span class="compare__words" data-shortened>
+        <strong>{kinds.map((kind) => keeping.kinds[kind]).join(", ")}</strong> {words}
+      </span>
+      <span class="compare__place">
+        {review.compare.place(place + 1, blocks.list.value.length)}
+      </span>
+    </p>
+  );
+}

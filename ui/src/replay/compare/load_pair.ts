@@ -1,0 +1,49 @@
+import { api } from "../../api/client";
+import type { Group, RunWithVersion, VersionDifference } from "../../api/model";
+import { versionsApi } from "../../api/versions";
+import { report } from "../../shell/session";
+import { ComparedBlocks } from "../../versions/compared_blocks";
+import type { ComparedWorkspaces } from "../../versions/differences";
+import { loadRecording } from "../recording";
+import { Pair } from "./pair";
+
+export type PairBlocks = ComparedBlocks<ComparedWorkspaces>;
+
+/** Two runs, ready to be shown side by side. */
+export interface LoadedPair {
+  readonly pair: Pair;
+  readonly groups: readonly Group[];
+  /** Null where the blocks of one run were not kept. */
+  readonly blocks: PairBlocks | null;
+  /** Whether the runs are of one program: blocks are compared by their ids, which others do not share. */
+  readonly isOneProgram: boolean;
+}
+
+const NOTHING_DIFFERS: VersionDifference = { added: [], removed: [], changed: [], moved: [] };
+
+export async function loadPair(first: string, second: string): Promise<LoadedPair> {
+  const [one, other, groups] = await Promise.all([
+    loadRecording(first),
+    loadRecording(second),
+    api.groups(),
+  ]);
+  const isOneProgram = one.run.program_id !== null && one.run.program_id === other.run.program_id;
+  const blocks = await blocksOf(one.run, other.run, isOneProgram);
+  return { pair: new Pair(one, other), groups, blocks, isOneProgram };
+}
+
+async function blocksOf(
+  { version: before }: RunWithVersion,
+  { version: after }: RunWithVersion,
+  isOneProgram: boolean,
+): Promise<PairBlocks | null> {
+  if (!before || !after) return null;
+  const differ = isOneProgram && before.id !== after.id;
+  const difference = differ
+    ? await versionsApi.difference(before.id, after.id).catch((error) => {
+        report(error);
+        return NOTHING_DIFFERS;
+      })
+    : NOTHING_DIFFERS;
+  return new ComparedBlocks<ComparedWorkspaces>({ before, after, difference });
+}

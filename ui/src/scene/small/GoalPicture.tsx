@@ -1,0 +1,115 @@
+import type { GoalPicture as Goal, GoalLine } from "../../api/model";
+import type { XY } from "../frames";
+import { type Frame, frameOfGoal, HEIGHT, middleOf, pointsOf, WIDTH } from "./frame";
+import { GroundPicture, NamesPicture, ThingsPicture } from "./GroundPicture";
+import { WaitingRobot } from "./PathPicture";
+import { Line } from "./parts";
+
+interface GoalPictureProps {
+  goal: Goal;
+  /** Read aloud; without it the picture stands beside words that say the same. */
+  label?: string;
+}
+
+/** The goal of an activity: its floor, the robot at the start, where it has to get, and what it drives or draws. */
+export function GoalPicture({ goal, label }: GoalPictureProps) {
+  const frame = frameOfGoal(goal);
+  return (
+    <svg
+      class="goal"
+      viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+      role="img"
+      aria-label={label}
+      aria-hidden={label ? undefined : "true"}
+    >
+      <GroundPicture goal={goal} frame={frame} />
+      {goal.lines.map((line, index) => (
+        <Line key={index} frame={frame} points={line.points} color={line.color} />
+      ))}
+      <ThingsPicture goal={goal} frame={frame} />
+      <StartedRobot goal={goal} frame={frame} />
+      <NamesPicture goal={goal} frame={frame} />
+      {goal.lines.map((line, index) => (
+        <Marks key={index} line={line} frame={frame} />
+      ))}
+    </svg>
+  );
+}
+
+interface PartProps {
+  goal: Goal;
+  frame: Frame;
+}
+
+/** The icon of a robot is 32 wide; it is not drawn smaller than can be recognised. */
+const ROBOT_M = 0.455;
+const ROBOT_ICON = 32;
+const SMALLEST_ROBOT = 0.55;
+
+function StartedRobot({ goal: { world }, frame }: PartProps) {
+  const { x_m, y_m, heading_deg } = world.start;
+  const size = Math.max(SMALLEST_ROBOT, (ROBOT_M * frame.scale) / ROBOT_ICON);
+  const { x, y } = frame.place({ x: x_m, y: y_m });
+  return (
+    <g transform={`translate(${x} ${y}) rotate(${-heading_deg}) scale(${size})`}>
+      <WaitingRobot at={[0, 0]} />
+    </g>
+  );
+}
+
+interface LineProps {
+  line: GoalLine;
+  frame: Frame;
+}
+
+/** What explains a line, above everything else. */
+function Marks({ line: { points, color, sign }, frame }: LineProps) {
+  const places = pointsOf(points).map(frame.place);
+  return (
+    <>
+      {color === null && <Arrows places={places} />}
+      {sign !== null && <Sign sign={sign} at={middleOf(places)} />}
+    </>
+  );
+}
+
+/** Shorter stretches have no room for an arrow head, and ends nearer to the start need none. */
+const SHORTEST_PX = 22;
+
+/** Which way to drive: an arrow head on the first stretch, and one at the end unless that is the start. */
+function Arrows({ places }: { places: readonly XY[] }) {
+  const [first, second] = places;
+  const [last, before] = [places.at(-1), places.at(-2)];
+  if (!first || !second || !last || !before) return null;
+  const middle = { x: (first.x + second.x) / 2, y: (first.y + second.y) / 2 };
+  return (
+    <>
+      {places.length > 2 && distance(first, second) > SHORTEST_PX && (
+        <ArrowHead at={middle} from={first} />
+      )}
+      {distance(first, last) > SHORTEST_PX && <ArrowHead at={last} from={before} />}
+    </>
+  );
+}
+
+function ArrowHead({ at: { x, y }, from }: { at: XY; from: XY }) {
+  const turn = (Math.atan2(y - from.y, x - from.x) * 180) / Math.PI;
+  return (
+    <path class="goal__arrow" d="M8 0-7-8v16z" transform={`translate(${x} ${y}) rotate(${turn})`} />
+  );
+}
+
+const distance = (one: XY, other: XY) => Math.hypot(one.x - other.x, one.y - other.y);
+
+/** The sign that the line answers, in the middle of what it draws. */
+function Sign({ sign, at: { x, y } }: { sign: string; at: XY }) {
+  const width = 16 + 10 * sign.length;
+  return (
+    <g transform={`translate(${x} ${y})`}>
+      <rect class="goal__sign" x={-width / 2} y="-13" width={width} height="26" rx="13" />
+      <text class="goal__letter" y="1">
+        {sign}
+      </text>
+    </g>
+  );
+}

@@ -1,0 +1,116 @@
+import type { GoalPicture, World } from "../../api/model";
+import { areaOf, lineThrough, outlineOf } from "../areas";
+import { paintOf } from "../paints";
+import { type Frame, pointsOf } from "./frame";
+import { Grid } from "./parts";
+
+interface GroundProps {
+  goal: GoalPicture;
+  frame: Frame;
+}
+
+/** The floor of a goal: metre grid, colours and zones. */
+export function GroundPicture({ goal: { world, zones }, frame }: GroundProps) {
+  return (
+    <>
+      <Tiles frame={frame} />
+      {world.floor.map((paint, index) => (
+        <Shape
+          key={index}
+          area={paint}
+          frame={frame}
+          class="goal__paint"
+          fill={paintOf(paint.color)}
+        />
+      ))}
+      {world.zones.map((zone) => (
+        <Shape
+          key={zone.name}
+          area={zone}
+          frame={frame}
+          class={zones.includes(zone.name) ? "goal__zone goal__zone--wanted" : "goal__zone"}
+        />
+      ))}
+    </>
+  );
+}
+
+/** What stands on the floor: boxes, where they are to be pushed, and walls. */
+export function ThingsPicture({ goal: { world, boxes }, frame }: GroundProps) {
+  return (
+    <>
+      {world.boxes.map((box, index) => (
+        <Shape key={index} area={box} frame={frame} class="goal__box" />
+      ))}
+      {Object.entries(boxes).map(([index, [x, y, yaw]]) => {
+        const box = world.boxes[Number(index)];
+        if (!box) return null;
+        const there = { ...box, center: [x, y], heading_deg: (yaw * 180) / Math.PI } as typeof box;
+        return <Shape key={index} area={there} frame={frame} class="goal__box goal__box--wanted" />;
+      })}
+      <path
+        class="goal__walls"
+        stroke-width={Math.max(2, 0.09 * frame.scale)}
+        d={world.walls
+          .map(({ from, to }) => lineThrough(pointsOf([from, to]).map(frame.place)))
+          .join("")}
+      />
+    </>
+  );
+}
+
+/** Longer names do not fit into a zone of this picture. */
+const LONGEST_NAME = 2;
+const NAME_M = 0.34;
+const NAME_PLACE = 0.3;
+
+/** Names of zones, and a flag on what is to be reached where no line leads there. */
+export function NamesPicture({ goal: { world, zones, lines }, frame }: GroundProps) {
+  return (
+    <>
+      {world.zones.map(({ name, center, size }) => {
+        const { x, y } = frame.place(areaOf({ center }));
+        if (name.length <= LONGEST_NAME) {
+          // in a corner of its zone: lines lead to the middle
+          const [dx = 0, dy = 0] = (size ?? []).map((side) => NAME_PLACE * side * frame.scale);
+          const font = Math.min(18, NAME_M * frame.scale);
+          return (
+            <text key={name} class="goal__name" x={x - dx} y={y - dy} font-size={font}>
+              {name}
+            </text>
+          );
+        }
+        const isFlagged = zones.includes(name) && lines.length === 0;
+        return (
+          isFlagged && (
+            <path key={name} class="goal__flag" d={`M${x - 5} ${y + 10}v-21l14 6-14 6`} />
+          )
+        );
+      })}
+    </>
+  );
+}
+
+function Tiles({ frame }: { frame: Frame }) {
+  const { left, right, bottom, top } = frame.box;
+  const { x, y } = frame.place({ x: left, y: top });
+  const { x: x2, y: y2 } = frame.place({ x: right, y: bottom });
+  return (
+    <>
+      <rect class="goal__floor" x={x} y={y} width={x2 - x} height={y2 - y} />
+      <Grid frame={frame} />
+    </>
+  );
+}
+
+interface ShapeProps {
+  area: World["floor"][number] | World["zones"][number] | World["boxes"][number];
+  frame: Frame;
+  class: string;
+  fill?: string;
+}
+
+/** A disc or a rectangle on the floor. */
+function Shape({ area, frame: { place, scale }, ...look }: ShapeProps) {
+  return <path {...look} d={outlineOf(areaOf(area), place, scale)} />;
+}

@@ -1,0 +1,55 @@
+import type { XY } from "../frames";
+import { paintOf } from "../paints";
+import { type Frame, pointsOf } from "./frame";
+
+interface GridProps {
+  frame: Frame;
+  /** Distance of the lines, metres. */
+  every?: number;
+}
+
+/** The lines of the metre grid that are seen. */
+export function Grid({ frame: { box, place }, every = 1 }: GridProps) {
+  const [from, to] = [place({ x: box.left, y: box.top }), place({ x: box.right, y: box.bottom })];
+  const across = stepsIn(box.left, box.right, every).map(
+    (x) => `M${place({ x, y: 0 }).x} ${from.y}V${to.y}`,
+  );
+  const up = stepsIn(box.bottom, box.top, every).map(
+    (y) => `M${from.x} ${place({ x: 0, y }).y}H${to.x}`,
+  );
+  return <path class="goal__grid" d={[...across, ...up].join("")} />;
+}
+
+function stepsIn(from: number, to: number, every: number): number[] {
+  const first = Math.ceil(from / every);
+  const n = Math.max(0, Math.floor(to / every) - first + 1);
+  return Array.from({ length: n }, (_, index) => (first + index) * every);
+}
+
+interface LineProps {
+  frame: Frame;
+  points: readonly (readonly number[])[];
+  /** That of a pen; without it the line is where the robot drives. */
+  color?: string | null;
+  /** Whether an edge sets the line off from what is below it. */
+  edged?: boolean;
+}
+
+/** What was or is to be driven or drawn. */
+export function Line({ frame, points, color = null, edged = true }: LineProps) {
+  const line = pointsOf(points)
+    .map(frame.place)
+    .map(({ x, y }) => `${x},${y}`)
+    .join(" ");
+  return (
+    <g style={color === null ? {} : { "--goal-line": paintOf(color) }}>
+      {edged && <polyline class="goal__edge" points={line} />}
+      <polyline class="goal__line" points={line} />
+    </g>
+  );
+}
+
+/** Where a path began. */
+export function StartMark({ at: { x, y } }: { at: XY }) {
+  return <circle class="path-picture__start" cx={x} cy={y} r="5" />;
+}

@@ -1,0 +1,58 @@
+import { Plus } from "lucide-preact";
+import { useLayoutEffect, useRef } from "preact/hooks";
+import type { TextKey } from "../../blocks/words";
+import type { BlockDrawing } from "../../editor/block_drawings";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { FilmPicture } from "./FilmPicture";
+import { filmOf } from "./film";
+import { useHelpContent } from "./help_content";
+
+interface BlockListProps {
+  drawings: readonly BlockDrawing[];
+}
+
+/** Blocks as the palette draws them, with what the robot does at them; each can be put into the program. */
+export function BlockList({ drawings }: BlockListProps) {
+  return (
+    <ul class="help__blocks">
+      {drawings.map((one) => (
+        <li key={one.type} data-testid="help-block" data-block={one.type}>
+          <HelpOfBlock drawing={one} />
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
+  const { type, words } = drawing;
+  const { drawings, put } = useHelpContent();
+  const { help, blocks } = texts.value;
+  const film = filmOf(type);
+  const picture = useRef<HTMLDivElement>(null);
+  useLayoutEffect(() => picture.current?.replaceChildren(drawing.svg.cloneNode(true)), [drawing]);
+  return (
+    <>
+      <div class="help__block">
+        <div ref={picture} role="img" aria-label={words} class={`help__picture ${drawings.look}`} />
+        <Button
+          icon={Plus}
+          label={`${help.tryIt}: ${words}`}
+          tip={help.tryItHelp}
+          testId="help-try"
+          onPress={({ currentTarget }) => {
+            put(type);
+            currentTarget.focus();
+          }}
+        >
+          {help.tryIt}
+        </Button>
+      </div>
+      <div class="help__about-block">
+        {film && <FilmPicture film={film} words={words} />}
+        <p>{blocks[`${type.toUpperCase()}_TIP` as TextKey]}</p>
+      </div>
+    </>
+  );
+}

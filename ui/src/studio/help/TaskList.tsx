@@ -1,0 +1,31 @@
+import { texts } from "../../i18n";
+import { BlockList } from "./BlockList";
+import { ExampleList } from "./ExampleList";
+import { useHelpContent } from "./help_content";
+import { TASKS, type TaskName } from "./tasks";
+
+/** What can be done, with the blocks for it and with examples that open as copies. */
+export function TaskList({ names }: { names: readonly TaskName[] }) {
+  return (
+    <>
+      {names.map((name) => (
+        <Task key={name} name={name} />
+      ))}
+    </>
+  );
+}
+
+function Task({ name }: { name: TaskName }) {
+  const { drawings, examples } = useHelpContent();
+  const { help } = texts.value;
+  const wanted: { blocks: readonly string[]; examples: readonly string[] } = TASKS[name];
+  const offered = drawings.all.filter(({ type }) => wanted.blocks.includes(type));
+  return (
+    <section class="help__task" data-testid="help-task" data-task={name}>
+      <h2>{help.tasks[name]}</h2>
+      <BlockList drawings={offered} />
+      {offered.length < wanted.blocks.length && <p class="help__more">{help.moreInLevel}</p>}
+      <ExampleList examples={examples.filter((one) => wanted.examples.includes(one.name))} />
+    </section>
+  );
+}

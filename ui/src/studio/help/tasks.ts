@@ -1,0 +1,20 @@
+import type { BlockType } from "../../blocks/definitions";
+
+/** What pupils want to do, each with the blocks for it and with examples of it; words are in `texts.help.tasks`. */
+export const TASKS = {
+  drive: { blocks: ["move_forward", "turn", "arc", "go_to"], examples: ["spiral", "dice"] },
+  draw: { blocks: ["pen_down", "pen_up", "mark"], examples: ["flower_of_arcs", "snowflake"] },
+  sense: {
+    blocks: ["distance_sensor", "floor", "bumper"],
+    examples: ["vacuum_cleaner", "line_follower"],
+  },
+  decide: {
+    blocks: ["if", "classify_gestures", "ask"],
+    examples: ["dance_of_signs", "guessing_game"],
+  },
+  repeat: { blocks: ["repeat", "forever", "until"], examples: ["snail", "shy"] },
+} as const satisfies Record<string, { blocks: readonly BlockType[]; examples: readonly string[] }>;
+
+export type TaskName = keyof typeof TASKS;
+
+export const TASK_NAMES = Object.keys(TASKS) as TaskName[];

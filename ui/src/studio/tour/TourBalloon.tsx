@@ -1,0 +1,152 @@
+import { Check, Hand } from "lucide-preact";
+import { useEffect, useRef } from "preact/hooks";
+import type { TextKey } from "../../blocks/words";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { useInstance } from "../../kit/instance";
+import { beginActivity } from "../../shell/begin_activity";
+import type { StudioControl } from "../studio_control";
+import { type Progress, STEPS, type Step } from "./steps";
+import { useTargets } from "./targets";
+import { Tour } from "./tour";
+
+/** The activity that the tour ends with. */
+const FIRST_MISSION = "to_the_bakery";
+
+/** The guided first drive: one balloon beside a ring. It takes no focus and covers nothing that a step needs. */
+export function TourBalloon({ control }: { control: StudioControl }) {
+  const tour = useInstance(() => new Tour(control));
+  const balloon = useRef<HTMLElement>(null);
+  const { progress } = tour;
+  const { step } = progress.value;
+  const { rings, corner, drag } = useTargets(step, control, balloon);
+  useFocus(balloon, step);
+  const words = texts.value.help.tour;
+  return (
+    <>
+      {rings.map(({ x, y, width, height }, index) => (
+        <div
+          key={index}
+          class="tour__ring"
+          data-testid="tour-ring"
+          style={{ left: x, top: y, width, height }}
+        />
+      ))}
+      {drag && (
+        <Hand
+          class="tour__hand"
+          aria-hidden="true"
+          style={{
+            left: drag.x,
+            top: drag.y,
+            "--right": `${drag.right}px`,
+            "--down": `${drag.down}px`,
+          }}
+        />
+      )}
+      <section
+        ref={balloon}
+        class="tour card"
+        aria-label={words.title}
+        tabIndex={-1}
+        data-testid="tour"
+        data-step={step}
+        style={{ left: corner.x, top: corner.y }}
+        onKeyDown={({ key }) => key === "Escape" && tour.end()}
+      >
+        <Ticks step={step} />
+        <p class="tour__words" role="status">
+          {wordsOf(progress.value)}
+        </p>
+        <Buttons tour={tour} step={step} control={control} />
+      </section>
+    </>
+  );
+}
+
+/** Follows the steps for those who use the keyboard, unless they are at something already. */
+function useFocus(balloon: { readonly current: HTMLElement | null }, step: Step): void {
+  useEffect(() => {
+    if (document.activeElement !== document.body) return;
+    const { current: element } = balloon;
+    (step === "hello" ? element?.querySelector("button") : element)?.focus();
+  }, [step]);
+}
+
+function wordsOf({ step, isOther }: Progress): string {
+  const { tour } = texts.value.help;
+  const { run } = texts.value.run;
+  switch (step) {
+    case "hello":
+      return tour.hello;
+    case "move":
+      return tour.move(blockName("MOVE_FORWARD"), blockName("PROGRAM_START"));
+    case "run":
+      return isOther ? tour.other : tour.run(run);
+    case "watch":
+      return isOther ? tour.watchOther : tour.watch;
+    case "turn":
+      return tour.turn(blockName("TURN"));
+    case "again":
+      return isOther ? tour.other : tour.again;
+    case "end":
+      return tour.end(texts.value.run.stop);
+  }
+}
+
+/** What a block is called: its words up to its first value. */
+function blockName(key: TextKey): string {
+  return texts.value.blocks[key].replace(/^%1 /, "").replace(/ ?%.*/, "");
+}
+
+function Ticks({ step }: { step: Step }) {
+  const now = STEPS.indexOf(step);
+  return (
+    <p class="row gap-1">
+      <span class="visually-hidden">{texts.value.help.tour.place(now + 1, STEPS.length)}</span>
+      {STEPS.map((one, index) => (
+        <span key={one} class="tour__tick" data-now={index === now} aria-hidden="true">
+          {index < now && <Check class="icon" />}
+        </span>
+      ))}
+    </p>
+  );
+}
+
+function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: StudioControl }) {
+  const words = texts.value.help.tour;
+  const group = control.open.program.group_id;
+  if (step === "end") {
+    return (
+      <div class="row wrap gap-2">
+        <Button
+          kind="main"
+          testId="tour-mission"
+          onPress={() => beginActivity(group, FIRST_MISSION)}
+        >
+          {words.mission}
+        </Button>
+        <Button testId="tour-free" onPress={() => tour.end()}>
+          {words.free}
+        </Button>
+      </div>
+    );
+  }
+  return (
+    <div class="row wrap gap-2">
+      {step === "hello" && (
+        <Button kind="main" testId="tour-go" onPress={() => tour.next()}>
+          {words.go}
+        </Button>
+      )}
+      {tour.canShow.value && step !== "watch" && step !== "hello" && (
+        <Button testId="tour-show" onPress={() => tour.show()}>
+          {words.show}
+        </Button>
+      )}
+      <Button testId="tour-skip" onPress={() => tour.end()}>
+        {words.skip}
+      </Button>
+    </div>
+  );
+}

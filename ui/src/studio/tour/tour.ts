@@ -1,0 +1,93 @@
+import { effect, signal } from "@preact/signals";
+import * as robot from "../../run/live";
+import { TOUR_OVER, tourFor, tourSteps } from "../../shell/help";
+import { report } from "../../shell/session";
+import type { StudioControl } from "../studio_control";
+import { advanced, after, beginning, isStep, type Progress, type Seen } from "./steps";
+
+/** After this time in a step the pupils may have it shown. */
+const SHOW_AFTER_MS = 20_000;
+
+/** The guided first drive in a studio: where the pupils are, and what shows them the step. */
+export class Tour {
+  readonly progress = signal<Progress>(beginning({ actions: [], run: null, isRunning: false }));
+  /** The step has lasted so long that it can be shown. */
+  readonly canShow = signal(false);
+  private readonly stops: (() => void)[];
+  private timer = 0;
+
+  constructor(private readonly control: StudioControl) {
+    const kept = tourSteps.of(this.group);
+    this.progress.value = beginning(this.seen(), isStep(kept) ? kept : "hello");
+    this.keep();
+    this.stops = [
+      effect(() => {
+        const seen = this.seen();
+        this.take(advanced(this.progress.peek(), seen));
+      }),
+    ];
+    this.wait();
+  }
+
+  /** Goes on from a step that has nothing to do. */
+  next(): void {
+    this.take(after(this.progress.peek(), this.seen()));
+  }
+
+  /** Does what the step asks for. */
+  show(): void {
+    const { step } = this.progress.peek();
+    const { editor } = this.control;
+    if (step === "move") editor?.append("move_forward");
+    if (step === "turn") editor?.append("turn");
+    if (step === "run" || step === "again") this.control.run().catch(report);
+  }
+
+  /** Leaves it, at any step; what was built stays. */
+  end(): void {
+    tourFor.value = null;
+  }
+
+  dispose(): void {
+    tourSteps.keep(this.group, TOUR_OVER);
+    clearTimeout(this.timer);
+    for (const stop of this.stops) stop();
+  }
+
+  private take(progress: Progress): void {
+    const before = this.progress.peek();
+    if (progress === before) return;
+    this.progress.value = progress;
+    if (progress.step === before.step) return;
+    this.wait();
+    this.keep();
+  }
+
+  private keep(): void {
+    tourSteps.keep(this.group, this.progress.peek().step);
+  }
+
+  private get group(): string {
+    return this.control.open.program.group_id;
+  }
+
+  private wait(): void {
+    clearTimeout(this.timer);
+    this.canShow.value = false;
+    this.timer = window.setTimeout(() => {
+      this.canShow.value = true;
+    }, SHOW_AFTER_MS);
+  }
+
+  private seen(): Seen {
+    const { mine, open } = this.control;
+    const { commands = [] } = (open.content.value?.document ?? {}) as {
+      commands?: { action: string }[];
+    };
+    return {
+      actions: commands.map(({ action }) => action),
+      run: mine.value ? robot.live.value.run : null,
+      isRunning: mine.value && robot.isRunning.value,
+    };
+  }
+}
