@@ -38,10 +38,10 @@ def test_simulator_has_every_sensor() -> None:
 
 
 def test_robot_record_knows_sixteen_sonars_in_four_directions() -> None:
-    assert len(PIONEER_3DX.sonar_angles_rad) == 16
+    assert len(PIONEER_3DX.sonars) == 16
     directions = PIONEER_3DX.distance_sonars
     assert sorted(index for indices in directions.values() for index in indices) == list(range(16))
     for direction, degrees in (("front", 0), ("left", 90), ("right", -90), ("back", 180)):
-        angles = [PIONEER_3DX.sonar_angles_rad[index] for index in directions[direction]]  # type: ignore[index]
+        angles = [PIONEER_3DX.sonars[index].angle_rad for index in directions[direction]]  # type: ignore[index]
         off = [abs(math.remainder(angle - math.radians(degrees), math.tau)) for angle in angles]
         assert max(off) <= math.radians(41)

@@ -34,17 +34,17 @@ def test_wheels_are_under_the_body(robot: RobotModel) -> None:
 
 @robots
 def test_each_direction_has_the_sonars_that_look_there(robot: RobotModel) -> None:
-    n_sonars = len(robot.sonar_angles_rad)
+    n_sonars = len(robot.sonars)
     towards = {"front": 0.0, "left": 90.0, "right": -90.0, "back": 180.0}
     assert set(robot.distance_sonars) == set(towards)
     for direction, indices in robot.distance_sonars.items():
         for index in indices:
             assert 0 <= index < n_sonars
-            off = robot.sonar_angles_rad[index] - math.radians(towards[direction])
+            off = robot.sonars[index].angle_rad - math.radians(towards[direction])
             assert abs(math.remainder(off, math.tau)) <= math.radians(46)
 
 
 def test_small_robot_has_three_sonars_none_behind_and_no_scanner() -> None:
-    assert len(SMALL_ROBOT.sonar_angles_rad) == 3
+    assert len(SMALL_ROBOT.sonars) == 3
     assert SMALL_ROBOT.distance_sonars["back"] == ()
     assert SMALL_ROBOT.lidar_range_m == 0.0

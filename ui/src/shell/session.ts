@@ -23,6 +23,7 @@ import { isLanguage } from "../i18n/languages";
 import { reportTo } from "../kit/report";
 import { type Problem, wordsOf } from "../kit/requests/problem";
 import { serverStatus } from "./first_answers";
+import { robotModels } from "./robots";
 import { navigationBlocked, ROUTES, route } from "./route";
 import { openStream } from "./stream";
 
@@ -224,7 +225,7 @@ export async function open(
     onLost: () => void refreshStatus(),
   });
   try {
-    worlds.value = await api.worlds();
+    [worlds.value, robotModels.value] = await Promise.all([api.worlds(), api.robots()]);
   } catch (error) {
     report(error);
   }

@@ -1,5 +1,7 @@
 import type { GoalPicture as Goal, GoalLine } from "../../api/model";
-import { WaitingRobot } from "../PathPicture";
+import { robotOf } from "../../shell/robots";
+import { extentOf } from "../hull";
+import { ROBOT_ICON, WaitingRobot } from "../PathPicture";
 import { paintOf } from "../paints";
 import { GroundPicture, NamesPicture, ThingsPicture } from "./GroundPicture";
 import { frameOf, type GoalFrame, HEIGHT, middleOf, type Pixels, WIDTH } from "./goal_frame";
@@ -40,14 +42,14 @@ interface PartProps {
   frame: GoalFrame;
 }
 
-/** The icon of a robot is 32 wide; it is not drawn smaller than can be recognised. */
-const ROBOT_M = 0.455;
-const ROBOT_ICON = 32;
+/** The icon of a robot is not drawn smaller than can be recognised. */
 const SMALLEST_ROBOT = 0.55;
 
 function StartedRobot({ goal: { world }, frame }: PartProps) {
   const { x_m, y_m, heading_deg } = world.start;
-  const size = Math.max(SMALLEST_ROBOT, (ROBOT_M * frame.scale) / ROBOT_ICON);
+  const robot = robotOf(null);
+  const length = robot ? extentOf(robot).length : 0;
+  const size = Math.max(SMALLEST_ROBOT, (length * frame.scale) / ROBOT_ICON);
   const [x, y] = frame.place([x_m, y_m]);
   return (
     <g transform={`translate(${x} ${y}) rotate(${-heading_deg}) scale(${size})`}>

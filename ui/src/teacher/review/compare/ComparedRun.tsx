@@ -7,6 +7,7 @@ import { ReplayWords } from "../../../replay/ReplayParts";
 import { Readout } from "../../../run/panels/Readout";
 import { RobotName } from "../../../run/real/RobotName";
 import { Scene } from "../../../scene/Scene";
+import { robotOf } from "../../../shell/robots";
 import { TEST } from "../../../shell/testids";
 import { outcomeOf } from "../model";
 import { OutcomeSign } from "../OutcomeSign";
@@ -42,6 +43,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
         <div class="compare__scene">
           <Scene
             world={run.world_document}
+            robot={robotOf(run.model)}
             view={side.view}
             poseAt={side.pose}
             playing={side.playing}
