@@ -23,6 +23,8 @@ from sim.realistic import REALISTIC, MeasurementNoise, RealisticDrive
 from sim.simulator import TICK_S, Simulator
 from sim.world import World, WorldError, load_world, world_from_document
 
+_ROUNDING_M = 1e-6  # a scan is computed in single precision
+
 
 class SimSensors(Sensors):
     """Exact sensors of the simulated robot, computed by ray casting and point-in-area tests."""
@@ -62,8 +64,11 @@ class SimSensors(Sensors):
         laser = self._laser()
         if self._scanner is None:
             self._scanner = self._simulator.scanner(laser.angles_rad, (laser.x_m, laser.y_m))
-        found = self._scanner(laser.range_m)
-        return [max(laser.min_m, one) for one in found] if laser.min_m else found
+        nothing = laser.range_m - _ROUNDING_M
+        return [
+            laser.range_m if found > nothing else max(laser.min_m, found)
+            for found in self._scanner(laser.range_m)
+        ]
 
     def _laser(self) -> Laser:
         return self._robot.laser or missing("lidar")

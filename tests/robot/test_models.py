@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from pinel_desktop.robot import PIONEER_3DX, ROBOTS, SMALL_ROBOT, RobotModel
+from pinel_desktop.robot import PIONEER_3DX, ROBOTS, SMALL_ROBOT, RobotModel, Sonar
+from sim.simulator import SUBSTEPS
 
 robots = pytest.mark.parametrize("robot", ROBOTS.values(), ids=ROBOTS)
 
@@ -30,6 +31,42 @@ def test_usual_speeds_are_within_the_greatest(robot: RobotModel) -> None:
 @robots
 def test_wheels_are_under_the_body(robot: RobotModel) -> None:
     assert robot.radius_m < robot.track_m < 2 * robot.radius_m
+
+
+@robots
+def test_wheels_reach_a_planned_velocity_within_a_substep(robot: RobotModel) -> None:
+    inertia = 0.5 * robot.mass_kg * robot.radius_m**2
+    assert robot.max_force_n >= SUBSTEPS * robot.mass_kg * robot.acceleration_mps2
+    assert robot.max_torque_nm >= SUBSTEPS * inertia * robot.angular_acceleration_radps2
+
+
+@robots
+def test_hull_is_a_ring_of_corners_around_the_centre(robot: RobotModel) -> None:
+    ring = zip(robot.hull_m, robot.hull_m[1:] + robot.hull_m[:1], strict=True)
+    assert all(ax * by - ay * bx > 0 for (ax, ay), (bx, by) in ring)  # counterclockwise
+    assert all(math.hypot(x, y) < 1.3 * robot.radius_m for x, y in robot.hull_m)
+
+
+@robots
+def test_the_line_of_a_sonar_leads_through_its_place(robot: RobotModel) -> None:
+    for sonar in robot.sonars:
+        (x, y), along = sonar.ray
+        assert (x, y, along) == (0.0, 0.0, robot.radius_m)  # all are on the simulated hull
+
+
+def test_a_sonar_beside_the_centre_looks_from_beside_it() -> None:
+    start, along = Sonar(0.1, 0.05, math.pi / 2).ray
+    assert (start, along) == ((0.1, 0.0), 0.05)
+
+
+@robots
+def test_what_a_robot_lacks_is_what_its_record_does_not_have(robot: RobotModel) -> None:
+    assert robot.lacks("sonar") == (not robot.sonars)
+    assert robot.lacks("sonar", len(robot.sonars))
+    assert robot.lacks("lidar", 0) == (robot.laser is None)
+    assert robot.lacks("bumper") != robot.has_bumper
+    assert robot.lacks("distance", "back") == (not robot.distance_sonars["back"])
+    assert not robot.lacks("heading")
 
 
 @robots

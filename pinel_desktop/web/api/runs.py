@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from pinel_desktop.engine.commands import Command, LiveCommand, SetBreakpoints, SetSpeed, Step
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain
-from pinel_desktop.robot import PIONEER_3DX, RobotModel, Setting
+from pinel_desktop.robot import RobotModel, Setting
 from pinel_desktop.robot.record import ROOM
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
@@ -324,11 +324,5 @@ def run_model(row: RunRow | RunLine) -> Run:
         "message": words.message if words else None,
         "remedy": words.remedy if words else None,
         "passed": row.counted if isinstance(row, RunRow) else row.passed,
-        "model": _model_of(row) if isinstance(row, RunRow) else None,
     }
     return Run.of(row, **ended, **texts)
-
-
-def _model_of(row: RunRow) -> str:
-    """Name of the robot model; runs of the first releases had the Pioneer and do not tell."""
-    return str(row.parameters.get("model", PIONEER_3DX.name))

@@ -29,7 +29,10 @@ class Run(Shape):
     version_id: Id | None
     group_id: Id | None
     link: str
-    model: Annotated[str | None, Field(description="which robot drove; null in lists")]
+    model: Annotated[
+        str | None,
+        Field(description="which robot drove; null of the first releases, which had the default"),
+    ]
     world: str
     seed: int
     state: Literal["running", "finished", "stopped", "failed"]
