@@ -31,7 +31,7 @@ class Run(Shape):
     link: str
     model: Annotated[
         str | None,
-        Field(description="which robot drove; null of the first releases, which had the default"),
+        Field(description="which robot drove; null of the first releases: the default"),
     ]
     world: str
     seed: int

@@ -75,7 +75,11 @@ export function WaitingRobot({ at: [x, y] }: { at: readonly [number, number] }) 
           rx={0.36 * width_m}
         />
       ))}
-      <path class="path-picture__robot" d={hullPath(robot)} />
+      <path
+        class="path-picture__robot"
+        style={{ strokeWidth: (2 * length) / ROBOT_ICON }}
+        d={hullPath(robot)}
+      />
       <path
         fill="#fff"
         transform={`translate(${back} 0) scale(${length} ${width})`}

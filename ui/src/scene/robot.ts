@@ -9,6 +9,9 @@ type Ctx = CanvasRenderingContext2D;
 const RING_M = 0.0675;
 const ARROW_M = [0.0975, 0.1975] as const;
 
+/** A robot is drawn this long at least, in pixels of the screen, so that it is seen where it looks. */
+const MIN_PX = 18;
+
 /** A path is built once for each robot. */
 const outlines = new WeakMap<Robot, Path2D>();
 
@@ -29,6 +32,11 @@ export function drawRobot(
   ctx.save();
   ctx.translate(pose.x, pose.y);
   ctx.rotate(pose.yaw);
+  const enlarged = Math.max(
+    1,
+    (MIN_PX * (window.devicePixelRatio || 1)) / (pixels * extentOf(robot).length),
+  );
+  ctx.scale(enlarged, enlarged);
   drawShadow(ctx, robot, pose.yaw, palette, pixels);
   drawWheels(ctx, robot, palette);
   drawBody(ctx, robot, palette);
@@ -41,7 +49,7 @@ export function drawRobot(
 function drawShadow(ctx: Ctx, robot: Robot, yaw: number, palette: Palette, pixels: number): void {
   ctx.save();
   ctx.rotate(-yaw);
-  ctx.translate(0.015, -0.035);
+  ctx.translate(0.07 * robot.radius_m, -0.16 * robot.radius_m);
   ctx.rotate(yaw);
   ctx.shadowColor = palette.shadow;
   ctx.shadowBlur = Math.min(24, pixels * 0.08);
@@ -89,9 +97,10 @@ function drawDeck(ctx: Ctx, robot: Robot, palette: Palette): void {
   ctx.fill();
   if (robot.laser) {
     ctx.beginPath();
-    ctx.arc(robot.laser.x_m, robot.laser.y_m, 0.4 * width, 0, 2 * Math.PI);
-    ctx.fillStyle = palette.wheel;
-    ctx.fill();
+    ctx.arc(robot.laser.x_m, robot.laser.y_m, 0.29 * width, 0, 2 * Math.PI);
+    ctx.strokeStyle = palette.mark;
+    ctx.lineWidth = 0.03 * width;
+    ctx.stroke();
   }
   ctx.beginPath();
   ctx.moveTo(x(0.69), 0);

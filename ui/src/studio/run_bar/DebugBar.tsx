@@ -5,7 +5,7 @@ import { Select } from "../../kit/Select";
 import { clear } from "../../run/live";
 import { movingLink } from "../../run/real/real_robot";
 import { isUnderWay } from "../../run/reducer";
-import { robotModels } from "../../shell/robots";
+import { robotModels, robotOf } from "../../shell/robots";
 import { TEST } from "../../shell/testids";
 import type { OpenProgram } from "../program/open_program";
 import { LIFELIKE, type LifelikeName, lifelikeOf, SPEEDS } from "../program/setup";
@@ -58,17 +58,18 @@ const timesOf = (factor: number) => decimal(factor, factor < 1 ? 2 : 0, language
 /** Selects the model of the simulated robot. */
 function ModelChoice({ open }: { open: OpenProgram }) {
   const { debug } = texts.value;
+  const { model } = open.setup.value;
   return (
     <Select
       class="debug-bar__model"
       icon={Truck}
       label={debug.model}
-      tip={debug.model}
+      tip={`${debug.model}: ${robotOf(model)?.title ?? model}`}
       testId="robot-model"
-      value={open.setup.value.model}
+      value={model}
       options={robotModels.value.map(({ name, title }) => [name, title])}
-      onChange={(model) => {
-        open.changeSetup({ model });
+      onChange={(chosen) => {
+        open.changeSetup({ model: chosen });
         clear();
       }}
     />
