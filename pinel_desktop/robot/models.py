@@ -221,4 +221,32 @@ SMALL_ROBOT = RobotModel(
     has_bumper=True,
 )
 
-ROBOTS = {robot.name: robot for robot in (PIONEER_3DX, SMALL_ROBOT)}
+TURTLEBOT3_BURGER = RobotModel(
+    # ROBOTIS e-Manual, TurtleBot3, Specifications: 138 x 178 mm over the wheels, 1 kg, 0.22 m/s, 2.84 rad/s. Track,
+    # wheels, radius and the middle of the hull, 32 mm behind the axle, are those of its ROS packages. The hull is 140 mm
+    # wide between the wheels. Force is what its tyres hold on a floor; accelerations are chosen within it.
+    name="turtlebot3_burger",
+    title="TurtleBot3 Burger",
+    radius_m=0.105,
+    hull_m=_both_sides((0.037, 0.035), (0.002, 0.07), (-0.066, 0.07), (-0.101, 0.035)),
+    hull_round_m=0.012,
+    wheels=_wheels(0.0, 0.08, 0.033, 0.018),
+    mass_kg=1.0,
+    max_force_n=6.0,
+    max_torque_nm=0.4,
+    max_v_mps=0.22,
+    max_omega_radps=2.84,
+    start_v_mps=0.2,
+    start_omega_radps=math.radians(90.0),
+    acceleration_mps2=0.6,
+    angular_acceleration_radps2=3.2,
+    smoothing_s=0.1,
+    sonars=(),
+    sonar_range_m=0.0,
+    distance_sonars={"front": (), "left": (), "right": (), "back": ()},
+    # e-Manual, Appendix LDS-01: 360 degrees, one reading per degree, 0.12 to 3.5 m
+    laser=Laser(field_deg=360, range_m=3.5, min_m=0.12, x_m=-0.032),
+    has_bumper=False,
+)
+
+ROBOTS = {robot.name: robot for robot in (PIONEER_3DX, SMALL_ROBOT, TURTLEBOT3_BURGER)}

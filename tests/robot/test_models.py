@@ -85,3 +85,12 @@ def test_small_robot_has_three_sonars_none_behind_and_no_scanner() -> None:
     assert len(SMALL_ROBOT.sonars) == 3
     assert SMALL_ROBOT.distance_sonars["back"] == ()
     assert SMALL_ROBOT.lidar_range_m == 0.0
+
+
+def test_turtlebot_has_a_scanner_all_around_and_neither_sonars_nor_bumper() -> None:
+    burger = ROBOTS["turtlebot3_burger"]
+    assert (burger.max_v_mps, burger.max_omega_radps, burger.track_m) == (0.22, 2.84, 0.16)
+    assert not burger.lacks("lidar", 180)
+    assert all(burger.lacks(sensor) for sensor in ("sonar", "distance", "bumper"))
+    assert burger.laser is not None
+    assert (burger.laser.min_m, burger.laser.range_m) == (0.12, 3.5)
