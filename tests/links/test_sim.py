@@ -6,7 +6,9 @@ import pytest
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links import LINK_NAMES, open_link
+from pinel_desktop.messages import LANGUAGES, catalogue, describe
 from pinel_desktop.robot import PIONEER_3DX, PRESETS, ROBOTS, Laser, Setting, Sonar
+from pinel_desktop.robot.record import RECORDS
 from tests.links.link_contract import LinkContract
 
 
@@ -85,3 +87,12 @@ def test_a_robot_without_a_bumper_reads_none_but_is_seen_touching(
         link.sensors.reader("bumper")()
     assert error.value.code == "sensor_missing"
     assert link.bumper() is False
+
+
+@pytest.mark.parametrize("name", RECORDS)
+def test_every_kind_of_real_robot_has_a_name_and_a_description_in_every_language(name: str) -> None:
+    for language in LANGUAGES:
+        words = describe(f"robot_link_{name}", {}, language)
+        assert words.message
+        assert words.remedy
+        assert f"review_robot_{name}" in catalogue(language)
