@@ -222,9 +222,9 @@ SMALL_ROBOT = RobotModel(
 )
 
 TURTLEBOT3_BURGER = RobotModel(
-    # ROBOTIS e-Manual, TurtleBot3, Specifications: 138 x 178 mm over the wheels, 1 kg, 0.22 m/s, 2.84 rad/s. Track,
-    # wheels, radius and the middle of the hull, 32 mm behind the axle, are those of its ROS packages. The hull is 140 mm
-    # wide between the wheels. Force is what its tyres hold on a floor; accelerations are chosen within it.
+    # ROBOTIS e-Manual, TurtleBot3, Specifications: 138 x 178 mm with the wheels, 1 kg, 0.22 m/s, 2.84 rad/s. Track,
+    # wheels, radius and the middle of the hull, 32 mm behind the axle, are those of its ROS packages; the hull is 140
+    # mm wide between the wheels. Force is what its tyres hold on a floor; accelerations are chosen within it.
     name="turtlebot3_burger",
     title="TurtleBot3 Burger",
     radius_m=0.105,

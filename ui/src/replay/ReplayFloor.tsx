@@ -7,7 +7,7 @@ import { Readout } from "../run/panels/Readout";
 import { Shown } from "../run/panels/Shown";
 import { Scene } from "../scene/Scene";
 import { later } from "../shell/later";
-import { robotOf } from "../shell/robots";
+import { robotOf } from "../shell/session";
 import { TEST } from "../shell/testids";
 import { ReplayWords } from "./ReplayParts";
 import type { Recording } from "./recording";

@@ -1,4 +1,4 @@
-import { robotOf } from "../shell/robots";
+import { robotOf } from "../shell/session";
 import { extentOf, hullPath } from "./hull";
 
 type Points = readonly (readonly number[])[];

@@ -2,8 +2,7 @@ import { OWN_WORLD, type Setup, type VersionMark, worldTitle } from "../api/mode
 import type { Language, Texts } from "../i18n";
 import { decimal } from "../i18n/format";
 import { ROOM_WORLD } from "../run/real/real_robot";
-import { robotOf } from "../shell/robots";
-import { worlds } from "../shell/session";
+import { robotOf, worlds } from "../shell/session";
 import { lifelikeOf } from "../studio/program/setup";
 
 /** A changed part of where and how a program runs, in words. */

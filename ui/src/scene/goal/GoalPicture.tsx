@@ -1,5 +1,5 @@
 import type { GoalPicture as Goal, GoalLine } from "../../api/model";
-import { robotOf } from "../../shell/robots";
+import { robotOf } from "../../shell/session";
 import { extentOf } from "../hull";
 import { ROBOT_ICON, WaitingRobot } from "../PathPicture";
 import { paintOf } from "../paints";

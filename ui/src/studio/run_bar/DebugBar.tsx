@@ -5,7 +5,7 @@ import { Select } from "../../kit/Select";
 import { clear } from "../../run/live";
 import { movingLink } from "../../run/real/real_robot";
 import { isUnderWay } from "../../run/reducer";
-import { robotModels, robotOf } from "../../shell/robots";
+import { robotModels, robotOf } from "../../shell/session";
 import { TEST } from "../../shell/testids";
 import type { OpenProgram } from "../program/open_program";
 import { LIFELIKE, type LifelikeName, lifelikeOf, SPEEDS } from "../program/setup";

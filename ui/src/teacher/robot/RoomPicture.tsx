@@ -2,7 +2,7 @@ import { texts } from "../../i18n";
 import { numberIn } from "../../kit/NumberField";
 import { placeOf, robotStates } from "../../run/real/robot_state";
 import { extentOf, hullPath } from "../../scene/hull";
-import { robotOf } from "../../shell/robots";
+import { robotOf } from "../../shell/session";
 import { TEST } from "../../shell/testids";
 import type { Draft } from "./record";
 

@@ -5,7 +5,7 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
-import { robotOf } from "../../shell/robots";
+import { robotOf } from "../../shell/session";
 import { TEST } from "../../shell/testids";
 import { theme } from "../../shell/theme";
 import type { EditorStore } from "../editor_store";

@@ -7,7 +7,7 @@ import { ReplayWords } from "../../../replay/ReplayParts";
 import { Readout } from "../../../run/panels/Readout";
 import { RobotName } from "../../../run/real/RobotName";
 import { Scene } from "../../../scene/Scene";
-import { robotOf } from "../../../shell/robots";
+import { robotOf } from "../../../shell/session";
 import { TEST } from "../../../shell/testids";
 import { outcomeOf } from "../model";
 import { OutcomeSign } from "../OutcomeSign";
