@@ -84,22 +84,24 @@ class Rays:
 
 
 class Fan:
-    """A few rays from the centre of a body; `beams` are their ends in the body's frame, in m."""
+    """A few rays; `beams` are the starts (x, y) and ends (x, y) of each in a body's frame, in m."""
 
     def __init__(
         self,
         space: pymunk.Space,
         shape_filter: pymunk.ShapeFilter,
-        beams: Sequence[tuple[float, float]],
+        beams: Sequence[tuple[float, float, float, float]],
     ) -> None:
         self._space, self._handle = space, space._space
         self._query = lib.cpSpaceSegmentQueryFirst
-        self._start, self._filter = ffi.new("cpVect *"), ffi.new("cpShapeFilter *")
+        self._filter = ffi.new("cpShapeFilter *")
         self._filter[0] = tuple(shape_filter)
-        self._ends = ffi.new("cpVect[]", len(beams))
+        self._starts, self._ends = (ffi.new("cpVect[]", len(beams)) for _ in range(2))
         self._hits = ffi.new("cpSegmentQueryInfo[]", len(beams))
-        # each beam with the structs from which Chipmunk reads its end and to which it writes the hit
-        self._beams = [(*beam, self._ends[i], self._hits + i) for i, beam in enumerate(beams)]
+        # each beam with the structs from which Chipmunk reads its ends and to which it writes the hit
+        self._beams = [
+            (*beam, self._starts[i], self._ends[i], self._hits + i) for i, beam in enumerate(beams)
+        ]
         numbers = memoryview(ffi.buffer(self._hits)).cast("d")
         whole, alpha = (n // numbers.itemsize for n in _SIZE_AND_ALPHA)
         self._fractions = numbers[alpha::whole]
@@ -110,9 +112,10 @@ class Fan:
         The returned buffer is overwritten by the next call.
         """
         cos, sin = math.cos(yaw), math.sin(yaw)
-        self._start.x, self._start.y = x, y
-        query, handle, start, mask = self._query, self._handle, self._start[0], self._filter[0]
-        for ahead, left, end, hit in self._beams:
+        query, handle, mask = self._query, self._handle, self._filter[0]
+        for from_ahead, from_left, ahead, left, start, end, hit in self._beams:
+            start.x = x + cos * from_ahead - sin * from_left
+            start.y = y + sin * from_ahead + cos * from_left
             end.x, end.y = x + cos * ahead - sin * left, y + sin * ahead + cos * left
             query(handle, start, end, 0.0, mask, hit)
         return self._fractions

@@ -193,21 +193,34 @@ class Simulator:
         self._body.each_arbiter(note)
         return touched
 
-    def ray(self, angle_rad: float, length_m: float) -> float:
-        """Distance (m) from the robot's centre to the nearest shape in a direction, at most `length_m`.
+    def ray(
+        self, angle_rad: float, length_m: float, start: tuple[float, float] = (0.0, 0.0)
+    ) -> float:
+        """Distance (m) from a place of the robot to the nearest shape in a direction, at most `length_m`.
 
-        The angle is relative to the heading, in rad, positive to the left.
+        The angle is relative to the heading, in rad, positive to the left; `start` is in the robot's frame, in m.
         """
-        x, y = self._robot.position()
+        x, y = self._at(start)
         angle = self._yaw + angle_rad
         end_x, end_y = x + length_m * math.cos(angle), y + length_m * math.sin(angle)
         return self._rays.fraction(x, y, end_x, end_y) * length_m
 
-    def fan(self, beams: Sequence[tuple[float, float]]) -> Callable[[], Sequence[float]]:
+    def _at(self, place: tuple[float, float]) -> tuple[float, float]:
+        """A place of the robot (m, in its frame) in the world's frame."""
+        x, y = self._robot.position()
+        ahead, left = place
+        if ahead or left:
+            cos, sin = math.cos(self._yaw), math.sin(self._yaw)
+            return x + cos * ahead - sin * left, y + sin * ahead + cos * left
+        return x, y
+
+    def fan(
+        self, beams: Sequence[tuple[float, float, float, float]]
+    ) -> Callable[[], Sequence[float]]:
         """A function that casts a few rays and returns the free fraction of each, 0 to 1.
 
         Args:
-            beams: end of each ray in the robot's frame, in m.
+            beams: start (x, y) and end (x, y) of each ray in the robot's frame, in m.
 
         The returned buffer is overwritten by the next call.
         """
@@ -215,8 +228,10 @@ class Simulator:
         position = self._robot.position
         return lambda: fractions(*position(), self._yaw)
 
-    def scanner(self, angles_rad: Sequence[float]) -> Callable[[float], list[float]]:
-        """A function from a length (m) to the distances (m) of `ray` at all these angles.
+    def scanner(
+        self, angles_rad: Sequence[float], start: tuple[float, float] = (0.0, 0.0)
+    ) -> Callable[[float], list[float]]:
+        """A function from a length (m) to the distances (m) of `ray` at all these angles from one start.
 
         They agree with `ray` within 2 mm; for many angles it is much faster.
         """
@@ -231,7 +246,7 @@ class Simulator:
             if self._movable:
                 poses = self.boxes().items()
                 moved = [Box((x, y), boxes[index].size, yaw) for index, (x, y, yaw) in poses]
-            return scan.ranges(*self._robot.position(), self._yaw, length_m, moved)
+            return scan.ranges(*self._at(start), self._yaw, length_m, moved)
 
         return ranges
 

@@ -248,9 +248,19 @@ class RunRow:
         return _estimated_closing_error_m(self.summary)
 
     @property
+    def model(self) -> str | None:
+        """Name of the robot model that drove; None for a run of the first releases, which had one model."""
+        return _model(self.parameters)
+
+    @property
     def counted(self) -> bool | None:
         """`passed`, but None while that does not count."""
         return None if self.unconfirmed else self.passed
+
+
+def _model(parameters: Json) -> str | None:
+    value = parameters.get("model")
+    return value if isinstance(value, str) else None
 
 
 def _estimated_closing_error_m(summary: Json) -> float | None:
@@ -293,7 +303,13 @@ class RunLine(NamedTuple):
     passed_bit: int | None
     path_json: str | None
     summary_json: str | None
+    parameters_json: str | None
     unconfirmed: str | None
+
+    @property
+    def model(self) -> str | None:
+        """As in `RunRow`."""
+        return _model(readable_object(self.parameters_json) or {})
 
     @property
     def params(self) -> Json:

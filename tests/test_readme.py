@@ -164,7 +164,8 @@ def unindented(text: str) -> str:
     [
         ("A block", ["program", "execution", "blocks", "i18n", "blocks"]),
         ("A sensor", ["program", "links", "i18n"]),
-        ("A robot link", ["links", "links", "tests"]),
+        ("A robot", ["robot"]),
+        ("A robot link", ["links", "links", "robot", "messages"]),
         ("An event", ["events", "execution"]),
         ("A request of the page", ["models", "api", "api"]),
         ("A route and a screen", ["shell", "teacher", "i18n"]),

@@ -17,6 +17,7 @@ from pinel_desktop.activities.model import Activity, Case
 from pinel_desktop.activities.reading import solution_of
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
+from pinel_desktop.program.sensors import SENSORS
 from pinel_desktop.robot import Setting
 from pinel_desktop.robot.record import RobotRecord
 from sim.world import Wall, World, WorldError, world_from_document
@@ -28,8 +29,7 @@ Missing = Literal[Need, "walls", "sensors", "starts"]
 Reason = Literal[Missing, "inputs", "stopped", "failed", "record"]
 _ORDER: tuple[Missing, ...] = ("zones", "boxes", "walls", "sensors", "starts", "contact", "pace")
 
-# What a program reads of the world around the robot, or where it drives by a place's name.
-_OF_WORLD = frozenset({"distance", "bumper", "sonar", "lidar", "floor", "cell"})
+# Drives by a place's name.
 _BY_PLACE = frozenset({"go_to_place"})
 
 # Poses of wheels and of cameras are good to some mm, headings to some tenths of a degree.
@@ -214,7 +214,8 @@ def _is_edge(wall: Wall, x_m: float, y_m: float) -> bool:
 def _reads_world(value: Any) -> bool:
     """Whether a program has a sensor that reads the world, or drives to a place by name."""
     if isinstance(value, dict):
-        if value.get("sensor") in _OF_WORLD or value.get("action") in _BY_PLACE:
+        sensor = SENSORS.get(str(value.get("sensor")))
+        if (sensor and sensor.of_world) or value.get("action") in _BY_PLACE:
             return True
         return any(map(_reads_world, value.values()))
     return isinstance(value, list) and any(map(_reads_world, value))

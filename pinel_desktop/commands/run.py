@@ -39,7 +39,7 @@ from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
 from pinel_desktop.robot.record import ROOM, RobotRecord
 from pinel_desktop.runs.plotting import Curves, draw, plot_format
 from pinel_desktop.runs.record import record_of
-from pinel_desktop.runs.robot_checks import missing_on_real_robots
+from pinel_desktop.runs.robot_checks import missing_on_model, missing_on_real_robots
 from pinel_desktop.runs.spec import RunInputs, RunSpec
 from pinel_desktop.runs.start import all_of, start
 from storage import Recorder, RunStart, Store, StoreError, open_store
@@ -147,7 +147,7 @@ def command(
     language = language_of_system()
     wrong = _wrong_plot(options["plot"])
     reading = read_file(file)
-    faults = reading.faults or _faults_on(options["robot"], reading)
+    faults = reading.faults or _faults_on(options["robot"], options["model"], reading)
     if faults:
         summary = _faulty(faults, language)
     elif wrong is not None:
@@ -179,9 +179,11 @@ def _status(summary: dict[str, Any]) -> int:
     return _FINISHED if summary["state"] == "finished" else _NOT_FINISHED
 
 
-def _faults_on(link: str, reading: Reading) -> Sequence[Fault]:
-    """What a program asks of a robot that a real one cannot tell."""
-    return () if link == "sim" else missing_on_real_robots(reading.document)
+def _faults_on(link: str, model: str, reading: Reading) -> Sequence[Fault]:
+    """What a program asks of a robot that this one cannot tell."""
+    if link == "sim":
+        return missing_on_model(reading.document, ROBOTS[model])
+    return missing_on_real_robots(reading.document)
 
 
 def _faulty(faults: Sequence[Fault], language: str) -> dict[str, Any]:

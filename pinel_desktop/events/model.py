@@ -337,7 +337,7 @@ class Ranges(Event):
 
     Attributes:
         sonar: distance in m by index; null when nobody subscribed or the robot has none.
-        lidar: distance in m from -90 to 90 degrees, one beam per degree; null likewise.
+        lidar: distance in m over the scanner's field, from the right to the left, one beam per degree; null likewise.
     """
 
     type: ClassVar[str] = "ranges"

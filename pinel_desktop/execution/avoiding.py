@@ -65,10 +65,12 @@ class Obstacles:
         """Where beams hit: those of the scanner, or of the sonars without a scanner; empty without both."""
         if not self._sees:
             return []
-        x, y, yaw = self._context.pose
+        pose = self._context.pose
+        yaw = pose.yaw_rad
         hits = []
         try:
-            for angle, distance in self._beams():
+            for start, angle, distance in self._beams():
+                x, y, _ = pose.compose(Pose2D(*start))
                 px = x + distance * math.cos(yaw + angle)
                 py = y + distance * math.sin(yaw + angle)
                 hits.append((px, py, px, py))
@@ -76,15 +78,20 @@ class Obstacles:
             self._sees = False
         return hits
 
-    def _beams(self) -> list[tuple[float, float]]:
+    def _beams(self) -> list[tuple[Point, float, float]]:
+        """Where each beam that hit something begins in the robot's frame, its angle, and its length."""
         robot, sensors = self._robot, self._context.sensors
         try:
             scan = [(angle, sensors.lidar(angle)) for angle in _BEAMS_RAD]
         except PinelError:
-            sonars = [(a, sensors.sonar(i)) for i, a in enumerate(robot.sonar_angles_rad)]
+            sonars = [(*sonar.ray, sonar.angle_rad) for sonar in robot.sonars]
+            seen = [sensors.sonar(index) for index in range(len(sonars))]
             reach = robot.sonar_range_m * _NEAR
-            return [(angle, robot.radius_m + seen) for angle, seen in sonars if seen < reach]
-        return [(angle, seen) for angle, seen in scan if seen < robot.lidar_range_m * _NEAR]
+            beams = zip(sonars, seen, strict=True)
+            return [(start, a, along + one) for (start, along, a), one in beams if one < reach]
+        place = (robot.laser.x_m, robot.laser.y_m) if robot.laser else (0.0, 0.0)
+        reach = robot.lidar_range_m * _NEAR
+        return [(place, angle, seen) for angle, seen in scan if seen < reach]
 
 
 def drive_around(context: RunContext, x_m: float, y_m: float) -> Routine:

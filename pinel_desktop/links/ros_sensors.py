@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import RobotModel, Sensors
-from pinel_desktop.robot.sensors import SCAN_RAD, missing
+from pinel_desktop.robot.sensors import missing
 
 # An older reading says nothing about what is ahead of the robot now.
 _SILENT_S = 1.0
@@ -115,9 +115,9 @@ class RosSensors(Sensors):
 
     def scan(self) -> list[float]:
         """Beams outside of the scanner's field find nothing."""
-        scan, reach_m = self._fresh_scan(), self._robot.lidar_range_m
-        readings = (scan.at(angle, reach_m) for angle in SCAN_RAD)
-        return [reach_m if reading is None else reading for reading in readings]
+        scan, laser = self._fresh_scan(), self._robot.laser or missing("lidar")
+        readings = (scan.at(angle, laser.range_m) for angle in laser.angles_rad)
+        return [laser.range_m if reading is None else reading for reading in readings]
 
     def bumper(self) -> bool:
         self._require("bumper")
@@ -131,7 +131,7 @@ class RosSensors(Sensors):
         found_m = min(max(range_m, 0.0), reach_m) if is_measured else reach_m
         if range_m == -math.inf:
             found_m = 0.0
-        if index < len(self._robot.sonar_angles_rad):
+        if index < len(self._robot.sonars):
             self._sonars = {**self._sonars, index: (found_m, time.monotonic())}
 
     def _fresh_scan(self) -> Scan:

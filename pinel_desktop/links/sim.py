@@ -7,6 +7,7 @@ from typing import Any
 from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import (
     STANDSTILL,
+    Laser,
     Pose2D,
     RobotModel,
     RobotState,
@@ -17,10 +18,12 @@ from pinel_desktop.robot import (
     wrap_angle,
 )
 from pinel_desktop.robot.record import RobotRecord
-from pinel_desktop.robot.sensors import SCAN_RAD, missing
+from pinel_desktop.robot.sensors import missing
 from sim.realistic import REALISTIC, MeasurementNoise, RealisticDrive
 from sim.simulator import TICK_S, Simulator
 from sim.world import World, WorldError, load_world, world_from_document
+
+_ROUNDING_M = 1e-6  # a scan is computed in single precision
 
 
 class SimSensors(Sensors):
@@ -28,42 +31,50 @@ class SimSensors(Sensors):
 
     def __init__(self, simulator: Simulator, robot: RobotModel, world: World) -> None:
         self._simulator, self._robot, self._world = simulator, robot, world
-        self._reach = reach = robot.radius_m + robot.sonar_range_m
-        angles = robot.sonar_angles_rad
-        beams = [(reach * math.cos(angle), reach * math.sin(angle)) for angle in angles]
-        self._sonar_parts = simulator.fan(beams)
+        self._rays = [(*sonar.ray, sonar.angle_rad) for sonar in robot.sonars]
+        self._reaches = [along + robot.sonar_range_m for _, along, _ in self._rays]
+        self._sonar_parts = simulator.fan(
+            [
+                (*start, start[0] + reach * math.cos(angle), start[1] + reach * math.sin(angle))
+                for (start, _, angle), reach in zip(self._rays, self._reaches, strict=True)
+            ]
+        )
         self._scanner: Callable[[float], list[float]] | None = None
 
     def sonar(self, index: int) -> float:
-        robot = self._robot
-        if index >= len(robot.sonar_angles_rad):
+        if index >= len(self._rays):
             missing("sonar")
-        # cast from the centre: a ray from the hull could begin inside a wall that the hull touches
-        distance = self._simulator.ray(robot.sonar_angles_rad[index], self._reach)
-        return max(0.0, min(distance - robot.radius_m, robot.sonar_range_m))
+        start, along, angle = self._rays[index]
+        distance = self._simulator.ray(angle, self._reaches[index], start)
+        return max(0.0, min(distance - along, self._robot.sonar_range_m))
 
     def sonars(self) -> list[float]:
-        robot = self._robot
-        reach, hull, longest = self._reach, robot.radius_m, robot.sonar_range_m
+        longest, rays = self._robot.sonar_range_m, zip(self._rays, self._reaches, strict=True)
         return [
-            0.0 if (found := part * reach - hull) < 0.0 else longest if found > longest else found
-            for part in self._sonar_parts()
+            0.0 if (found := part * reach - along) < 0.0 else longest if found > longest else found
+            for part, ((_, along, _), reach) in zip(self._sonar_parts(), rays, strict=True)
         ]
 
     def lidar(self, angle_rad: float) -> float:
-        if not self._robot.lidar_range_m:
-            missing("lidar")
-        return self._simulator.ray(angle_rad, self._robot.lidar_range_m)
+        laser = self._laser()
+        found = self._simulator.ray(angle_rad, laser.range_m, (laser.x_m, laser.y_m))
+        return max(laser.min_m, found)
 
     def scan(self) -> list[float]:
-        if not self._robot.lidar_range_m:
-            missing("lidar")
+        laser = self._laser()
         if self._scanner is None:
-            self._scanner = self._simulator.scanner(SCAN_RAD)
-        return self._scanner(self._robot.lidar_range_m)
+            self._scanner = self._simulator.scanner(laser.angles_rad, (laser.x_m, laser.y_m))
+        nothing = laser.range_m - _ROUNDING_M
+        return [
+            laser.range_m if found > nothing else max(laser.min_m, found)
+            for found in self._scanner(laser.range_m)
+        ]
+
+    def _laser(self) -> Laser:
+        return self._robot.laser or missing("lidar")
 
     def bumper(self) -> bool:
-        return self._simulator.touching()
+        return self._simulator.touching() if self._robot.has_bumper else missing("bumper")
 
     def floor(self) -> str:
         return self._simulator.floor_color()
@@ -106,7 +117,7 @@ class RealisticSensors(SimSensors):
         return self._lidar_errs(angle_rad, super().lidar(angle_rad))
 
     def scan(self) -> list[float]:
-        beams = zip(SCAN_RAD, super().scan(), strict=True)
+        beams = zip(self._laser().angles_rad, super().scan(), strict=True)
         return [self._lidar_errs(angle, exact) for angle, exact in beams]
 
     def _sonar_errs(self, index: int, exact: float) -> float:
@@ -117,11 +128,11 @@ class RealisticSensors(SimSensors):
         return max(0.0, min(measured, reach))
 
     def _lidar_errs(self, angle_rad: float, exact: float) -> float:
-        reach = self._robot.lidar_range_m
-        if exact >= reach:
-            return reach
+        laser = self._laser()
+        if exact >= laser.range_m:
+            return laser.range_m
         measured = self._measuring.lidar(self._drive.tick_number, angle_rad, exact)
-        return max(0.0, min(measured, reach))
+        return max(laser.min_m, min(measured, laser.range_m))
 
 
 class SimLink:

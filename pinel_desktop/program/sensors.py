@@ -61,6 +61,7 @@ class Sensor:
         block: type of its block, which sensors without an argument may share; empty is the name.
         cost: evaluation time, as a number of parts of an expression.
         simulated_only: True if no real robot can have it; a program that reads it is not run on one.
+        of_world: True if it tells of the world around the robot, which a real robot's room replaces.
     """
 
     name: str
@@ -75,6 +76,7 @@ class Sensor:
     block: str = ""
     cost: int = 2
     simulated_only: bool = False
+    of_world: bool = False
 
     @property
     def block_type(self) -> str:
@@ -106,8 +108,9 @@ _ROWS = (
         argument=_DIRECTION,
         block="distance_sensor",
         cost=_RAY,
+        of_world=True,
     ),
-    Sensor("bumper", "boolean", "whether the robot touches something", level=2),
+    Sensor("bumper", "boolean", "whether the robot touches something", level=2, of_world=True),
     Sensor("x", "number", "how far ahead of its start the robot is", 2, "m", block="position"),
     Sensor("y", "number", "how far to the left of its start", 2, "m", block="position"),
     Sensor("heading", "number", "where it looks; left is positive", 2, DEGREES, -180.0, 180.0),
@@ -119,6 +122,7 @@ _ROWS = (
         level=2,
         texts=get_args(Color),
         simulated_only=True,
+        of_world=True,
     ),
     Sensor("has_mark", "boolean", "whether the place under the robot has a mark", 2, cost=_MARKS),
     Sensor(
@@ -130,7 +134,12 @@ _ROWS = (
         cost=_MARKS,
     ),
     Sensor(
-        "cell", "text", 'name of the place under the robot, or ""', level=3, simulated_only=True
+        "cell",
+        "text",
+        'name of the place under the robot, or ""',
+        level=3,
+        simulated_only=True,
+        of_world=True,
     ),
     Sensor(
         "sonar",
@@ -142,6 +151,7 @@ _ROWS = (
         high=5.0,
         argument=Argument("index", 0, 0.0, 15.0, whole=True),
         cost=_RAY,
+        of_world=True,
     ),
     Sensor(
         "lidar",
@@ -151,8 +161,9 @@ _ROWS = (
         unit="m",
         low=0.0,
         high=8.0,
-        argument=Argument("angle", 0, -90.0, 90.0, DEGREES),
+        argument=Argument("angle", 0, -180.0, 180.0, DEGREES),
         cost=_RAY,
+        of_world=True,
     ),
 )
 SENSORS = {sensor.name: sensor for sensor in _ROWS}

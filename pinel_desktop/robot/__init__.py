@@ -2,7 +2,15 @@
 
 from pinel_desktop.robot.geometry import STANDSTILL, Pose2D, Twist2D, wrap_angle
 from pinel_desktop.robot.link import RobotLink, RobotState
-from pinel_desktop.robot.models import PIONEER_3DX, ROBOTS, SMALL_ROBOT, Direction, RobotModel
+from pinel_desktop.robot.models import (
+    PIONEER_3DX,
+    ROBOTS,
+    SMALL_ROBOT,
+    Direction,
+    Laser,
+    RobotModel,
+    Sonar,
+)
 from pinel_desktop.robot.sensors import Segment, Sensors
 from pinel_desktop.robot.setting import (
     FEEDBACKS,
@@ -22,6 +30,7 @@ __all__ = [
     "STANDSTILL",
     "Direction",
     "Feedback",
+    "Laser",
     "Pose2D",
     "Preset",
     "RobotLink",
@@ -30,6 +39,7 @@ __all__ = [
     "Segment",
     "Sensors",
     "Setting",
+    "Sonar",
     "Twist2D",
     "setting_from",
     "wrap_angle",

@@ -1,21 +1,77 @@
-"""Robot models: the dimensions and limits that `sim` and `execution` use."""
+"""Robot models: the shape, sensors and limits of each; the page draws them, `sim` and `execution` drive by them."""
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 Direction = Literal["front", "left", "right", "back"]
+# m in the robot's frame: x ahead, y to the left, from the point about which the wheels turn it
+Point = tuple[float, float]
+
+_PLACES = 9  # a nanometre: what is left of a sum of rounded products
+
+
+class Wheel(NamedTuple):
+    """A driven wheel: its middle in the robot's frame, and its size, in m."""
+
+    x_m: float
+    y_m: float
+    radius_m: float
+    width_m: float
+
+
+class Sonar(NamedTuple):
+    """A sonar: its place in the robot's frame (m) and its direction from the heading (rad)."""
+
+    x_m: float
+    y_m: float
+    angle_rad: float
+
+    @property
+    def ray(self) -> tuple[Point, float]:
+        """Where its line passes nearest to the robot's centre, and how far along that line it stands (m).
+
+        A ray from there cannot begin inside a wall that the hull touches.
+        """
+        cos, sin = math.cos(self.angle_rad), math.sin(self.angle_rad)
+        along = round(self.x_m * cos + self.y_m * sin, _PLACES)
+        start = (round(self.x_m - along * cos, _PLACES), round(self.y_m - along * sin, _PLACES))
+        return start, along
+
+
+class Laser(NamedTuple):
+    """A laser scanner: its place in the robot's frame, and what it sees.
+
+    Attributes:
+        field_deg: width of its field, half of it to each side of the heading.
+        min_m: reading of everything nearer.
+        range_m: reading with nothing in range.
+    """
+
+    field_deg: int
+    range_m: float
+    min_m: float = 0.0
+    x_m: float = 0.0
+    y_m: float = 0.0
+
+    @property
+    def angles_rad(self) -> tuple[float, ...]:
+        """Directions of a whole scan, from the right to the left, one per degree."""
+        half = self.field_deg // 2
+        return tuple(math.radians(angle) for angle in range(-half, half + 1))
 
 
 @dataclass(frozen=True, slots=True)
 class RobotModel:
-    """Dimensions and limits of one robot model, in SI units.
+    """One robot model, in SI units.
 
     Attributes:
         name: key of the record.
         title: name for people.
-        radius_m: radius of the circle around the body.
-        track_m: distance between the middles of the two wheels.
+        radius_m: radius of the circle around the body; the simulated hull.
+        hull_m: corners of the outline seen from above, counterclockwise; for drawing.
+        hull_round_m: how far a corner of the drawing is rounded along its sides.
+        wheels: the driven ones, the left one first.
         mass_kg: mass without payload.
         max_force_n: largest force with which the wheels push the body.
         max_torque_nm: largest torque with which the wheels turn the body.
@@ -23,18 +79,20 @@ class RobotModel:
         start_v_mps, start_omega_radps: limits of motion commands until a program sets others.
         acceleration_mps2, angular_acceleration_radps2: of planned motions.
         smoothing_s: time over which an acceleration builds up, the S of the S-curve.
-        sonar_angles_rad: direction of each sonar from the heading, by index; a sonar is on the hull in its direction,
-            `radius_m` from the centre.
+        sonars: by index.
         sonar_range_m: reading of a sonar with nothing in range.
         distance_sonars: indices of the sonars of each direction, possibly none; their smallest reading is the
             distance in that direction. Ahead and behind it passes over walls beside the robot's way.
-        lidar_range_m: reading of the laser scanner, in the robot's centre, with nothing in range; 0 without a scanner.
+        laser: None without a scanner.
+        has_bumper: whether a program can ask if the robot touches something.
     """
 
     name: str
     title: str
     radius_m: float
-    track_m: float
+    hull_m: tuple[Point, ...]
+    hull_round_m: float
+    wheels: tuple[Wheel, Wheel]
     mass_kg: float
     max_force_n: float
     max_torque_nm: float
@@ -45,25 +103,67 @@ class RobotModel:
     acceleration_mps2: float
     angular_acceleration_radps2: float
     smoothing_s: float
-    sonar_angles_rad: tuple[float, ...]
+    sonars: tuple[Sonar, ...]
     sonar_range_m: float
     distance_sonars: dict[Direction, tuple[int, ...]]
-    lidar_range_m: float
+    laser: Laser | None
+    has_bumper: bool
+
+    @property
+    def track_m(self) -> float:
+        """Distance between the middles of the two wheels."""
+        left, right = self.wheels
+        return left.y_m - right.y_m
+
+    @property
+    def lidar_range_m(self) -> float:
+        """Range of the laser scanner; 0 without one."""
+        return self.laser.range_m if self.laser else 0.0
+
+    def lacks(self, sensor: str, asked: object = None) -> bool:
+        """Whether the model has no such sensor of the language, there where it is asked.
+
+        Args:
+            asked: direction or number that the program names; None for one that only its run knows.
+        """
+        if sensor == "distance":
+            return not any(self.distance_sonars.get(one) for one in _directions(asked))
+        if sensor == "sonar":
+            return (asked if isinstance(asked, int | float) else 0) >= len(self.sonars)
+        return (sensor == "lidar" and not self.laser) or (
+            sensor == "bumper" and not self.has_bumper
+        )
 
 
-# Angles of SonarUnit 0 to 15 in ARIA's parameter file p3dx.p (Adept MobileRobots): eight in front, 0 on the left, and
-# eight behind, 8 on the right. ARIA's positions are up to 0.27 m from the centre, because the real hull is longer
-# behind; here all sonars are on the simulated hull, a circle.
-_PIONEER_SONARS_DEG = (90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90)
+def _directions(asked: object) -> tuple[Direction, ...]:
+    every: tuple[Direction, ...] = ("front", "left", "right", "back")
+    return tuple(one for one in every if asked in (one, None))
+
+
+def _both_sides(*left: Point) -> tuple[Point, ...]:
+    """A hull that is the same on both sides, by its corners on the left from the front to the back."""
+    return (*left, *((x, -y) for x, y in reversed(left)))
+
+
+def _on_the_hull(radius_m: float, *angles_deg: int) -> tuple[Sonar, ...]:
+    angles = [math.radians(angle) for angle in angles_deg]
+    return tuple(Sonar(radius_m * math.cos(a), radius_m * math.sin(a), a) for a in angles)
+
+
+def _wheels(x_m: float, y_m: float, radius_m: float, width_m: float) -> tuple[Wheel, Wheel]:
+    return Wheel(x_m, y_m, radius_m, width_m), Wheel(x_m, -y_m, radius_m, width_m)
+
 
 PIONEER_3DX = RobotModel(
-    # Adept MobileRobots, Pioneer 3-DX datasheet: 9 kg, 445 x 393 mm (swing radius 0.26 m with the bumpers),
-    # 1.2 m/s, 300 degrees/s. The track is rounded from its ROS models. Force and torque let the wheels reach any
-    # planned acceleration and stall at a wall.
+    # Adept MobileRobots, Pioneer 3-DX datasheet: 9 kg, 455 x 381 mm (swing radius 0.26 m with the bumpers), wheels of
+    # 195 mm, 1.2 m/s, 300 degrees/s. The track is rounded from its ROS models. Force and torque let the wheels reach
+    # any planned acceleration and stall at a wall.
     name="pioneer_3dx",
     title="Pioneer 3-DX",
     radius_m=0.2225,
-    track_m=0.33,
+    hull_m=_both_sides((0.2275, 0.065), (0.15, 0.1605), (-0.2275, 0.1605)),
+    hull_round_m=0.07,
+    wheels=_wheels(0.03, 0.165, 0.0975, 0.05),
     mass_kg=9.0,
     max_force_n=80.0,
     max_torque_nm=25.0,
@@ -74,7 +174,12 @@ PIONEER_3DX = RobotModel(
     acceleration_mps2=1.0,
     angular_acceleration_radps2=4.0,
     smoothing_s=0.1,
-    sonar_angles_rad=tuple(math.radians(angle) for angle in _PIONEER_SONARS_DEG),
+    # Angles of SonarUnit 0 to 15 in ARIA's parameter file p3dx.p: eight in front, 0 on the left, and eight behind, 8 on
+    # the right. ARIA's positions are up to 0.27 m from the centre, because the real hull is longer behind; here all
+    # sonars are on the simulated hull, a circle.
+    sonars=_on_the_hull(
+        0.2225, 90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90
+    ),
     # Pioneer 3 Operations Manual: sensitivity from 10 cm to 5 m
     sonar_range_m=5.0,
     # a quarter of the ring each, which covers everything that the hull could hit
@@ -84,8 +189,10 @@ PIONEER_3DX = RobotModel(
         "right": (6, 7, 8, 9),
         "back": (10, 11, 12, 13),
     },
-    # SICK LMS 200 technical description: 8 m at a resolution of 1 mm; ARIA mounts it 2 cm from the centre
-    lidar_range_m=8.0,
+    # SICK LMS 200 technical description: 8 m at a resolution of 1 mm; ARIA mounts it 2 cm from the centre, which is 0
+    # here
+    laser=Laser(field_deg=180, range_m=8.0),
+    has_bumper=True,
 )
 
 SMALL_ROBOT = RobotModel(
@@ -94,7 +201,9 @@ SMALL_ROBOT = RobotModel(
     name="small_robot",
     title="Mini 16",
     radius_m=0.08,
-    track_m=0.13,
+    hull_m=_both_sides((0.08, 0.033), (0.033, 0.08), (-0.033, 0.08), (-0.08, 0.033)),
+    hull_round_m=0.033,
+    wheels=_wheels(0.0, 0.065, 0.033, 0.026),
     mass_kg=0.8,
     max_force_n=6.0,
     max_torque_nm=0.25,
@@ -105,10 +214,39 @@ SMALL_ROBOT = RobotModel(
     acceleration_mps2=0.8,
     angular_acceleration_radps2=8.0,
     smoothing_s=0.1,
-    sonar_angles_rad=tuple(math.radians(angle) for angle in (45, 0, -45)),
+    sonars=_on_the_hull(0.08, 45, 0, -45),
     sonar_range_m=4.0,
     distance_sonars={"front": (1,), "left": (0,), "right": (2,), "back": ()},
-    lidar_range_m=0.0,
+    laser=None,
+    has_bumper=True,
 )
 
-ROBOTS = {robot.name: robot for robot in (PIONEER_3DX, SMALL_ROBOT)}
+TURTLEBOT3_BURGER = RobotModel(
+    # ROBOTIS e-Manual, TurtleBot3, Specifications: 138 x 178 mm with the wheels, 1 kg, 0.22 m/s, 2.84 rad/s. Track,
+    # wheels, radius and the middle of the hull, 32 mm behind the axle, are those of its ROS packages; the hull is 140
+    # mm wide between the wheels. Force is what its tyres hold on a floor; accelerations are chosen within it.
+    name="turtlebot3_burger",
+    title="TurtleBot3 Burger",
+    radius_m=0.105,
+    hull_m=_both_sides((0.037, 0.035), (0.002, 0.07), (-0.066, 0.07), (-0.101, 0.035)),
+    hull_round_m=0.012,
+    wheels=_wheels(0.0, 0.08, 0.033, 0.018),
+    mass_kg=1.0,
+    max_force_n=6.0,
+    max_torque_nm=0.4,
+    max_v_mps=0.22,
+    max_omega_radps=2.84,
+    start_v_mps=0.2,
+    start_omega_radps=math.radians(90.0),
+    acceleration_mps2=0.6,
+    angular_acceleration_radps2=3.2,
+    smoothing_s=0.1,
+    sonars=(),
+    sonar_range_m=0.0,
+    distance_sonars={"front": (), "left": (), "right": (), "back": ()},
+    # e-Manual, Appendix LDS-01: 360 degrees, one reading per degree, 0.12 to 3.5 m
+    laser=Laser(field_deg=360, range_m=3.5, min_m=0.12, x_m=-0.032),
+    has_bumper=False,
+)
+
+ROBOTS = {robot.name: robot for robot in (PIONEER_3DX, SMALL_ROBOT, TURTLEBOT3_BURGER)}

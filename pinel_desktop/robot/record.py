@@ -71,10 +71,12 @@ class RobotRecord(BaseModel):
         move_tolerance_m, turn_tolerance_deg: a motion that ends this near to its goal has arrived. Wheels stick before
             they move by less.
         room: a robot that comes to its edge is stopped.
+        comes_to_us: it connects to this PC, which waits for it; all others are looked for.
     """
 
     model_config = _SETTINGS
     link: ClassVar[str]
+    comes_to_us: ClassVar[bool] = False
 
     max_v_mps: Annotated[float, Field(ge=0.05, le=1.2)] = 0.3
     max_omega_dps: Annotated[float, Field(ge=5.0, le=300.0)] = 60.0
@@ -175,6 +177,7 @@ class BridgeRecord(RobotRecord):
     """
 
     link = "bridge"
+    comes_to_us = True
 
     host: HostName = "127.0.0.1"
     port: Annotated[int, Field(ge=0, le=65535)] = 5000

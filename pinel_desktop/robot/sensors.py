@@ -1,12 +1,10 @@
 """The sensors of a robot: a link implements those that its robot has; reading any other raises an error."""
 
-import math
 from collections.abc import Callable, Mapping
 from typing import Any, NoReturn
 
 from pinel_desktop.errors import PinelError
 
-SCAN_RAD = tuple(math.radians(angle) for angle in range(-90, 91))
 Segment = tuple[float, float, float, float]  # x1, y1, x2, y2 in m
 
 
@@ -36,8 +34,8 @@ class Sensors:
         missing("sonar")
 
     def scan(self) -> list[float]:
-        """Readings of the scanner in m from -90 (right) to 90 degrees (left), one per degree."""
-        return [self.lidar(angle) for angle in SCAN_RAD]
+        """Readings of the scanner in m over its field, from the right to the left, one per degree."""
+        missing("lidar")
 
     def obstacles(self) -> tuple[Segment, ...]:
         """Obstacles of the map, in the link's frame; empty without a map."""

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 
 from pinel_desktop.gestures.letters import LETTERS
 from pinel_desktop.program import limits as program
+from pinel_desktop.robot import PIONEER_3DX
 from sim import document, floor, world
 from storage import choices
 from storage import limits as store
@@ -46,6 +47,8 @@ def declared() -> str:
             _numbers("WORLD_LIMITS", _WORLD),
             "/** The world of a program for which none was chosen: sim/world.py. */",
             f'export const DEFAULT_WORLD = "{world.DEFAULT_WORLD}";\n',
+            "/** The robot model of a program for which none was chosen: pinel_desktop/robot/models.py. */",
+            f'export const DEFAULT_ROBOT = "{PIONEER_3DX.name}";\n',
             "/** Limits of stored texts, in characters: storage/limits.py. */",
             _numbers("STORE_LIMITS", _STORE),
             "/** Colours of groups: storage/choices.py. */",

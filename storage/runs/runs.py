@@ -32,6 +32,7 @@ _LINE = selected(
     passed_bit=counted(),
     path_json="path",
     summary_json="summary",
+    parameters_json="parameters",
     unconfirmed=mark(),
 )
 _OBJECTS = ("document", "world_document", "parameters", "params", "summary", "check_report")

@@ -14,12 +14,13 @@ from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.links.dds import messages as m
 from pinel_desktop.links.dds.session import Session
 from pinel_desktop.links.sim import SimLink
-from pinel_desktop.robot import STANDSTILL, Pose2D, Setting, Twist2D
-from pinel_desktop.robot.sensors import SCAN_RAD
+from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, Setting, Twist2D
 from sim.simulator import TICK_S
 
 WATCHDOG_S = 0.6
 _SCAN_EACH_TICKS = 6
+assert PIONEER_3DX.laser
+_SCAN_RAD = PIONEER_3DX.laser.angles_rad
 
 
 class PioneerDouble:
@@ -73,9 +74,9 @@ class PioneerDouble:
     def _scanned(self) -> m.LaserScan:
         return m.LaserScan(
             _header("laser"),
-            angle_min=SCAN_RAD[0],
-            angle_max=SCAN_RAD[-1],
-            angle_increment=SCAN_RAD[1] - SCAN_RAD[0],
+            angle_min=_SCAN_RAD[0],
+            angle_max=_SCAN_RAD[-1],
+            angle_increment=_SCAN_RAD[1] - _SCAN_RAD[0],
             range_min=0.02,
             range_max=8.0,
             ranges=self.link.sensors.scan(),

@@ -163,7 +163,7 @@ def test_every_operator_is_read(name: str) -> None:
         (say({"sensor": "sonar", "index": 16}), "sonar_out_of_range", "/text/index"),
         (say({"sensor": "sonar", "index": 1.5}), "wrong_type_whole_number", "/text/index"),
         (say({"sensor": "sonar"}), "missing_parameter", "/text"),
-        (say({"sensor": "lidar", "angle": 91}), "angle_out_of_range", "/text/angle"),
+        (say({"sensor": "lidar", "angle": 181}), "angle_out_of_range", "/text/angle"),
         (say({"sensor": "distance", "direction": "up"}), "wrong_value", "/text/direction"),
         (say({"sensor": "x", "index": 1}), "unknown_key", "/text/index"),
         (say(op("+", 1)), "wrong_argument_count", "/text"),

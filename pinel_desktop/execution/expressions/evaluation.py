@@ -191,7 +191,9 @@ class Evaluator:
         weight = cost(self._context, name, asked)
         if argument.choices:
             return Compiled(weight, lambda: read(asked))
-        bounds = Bounds.of(name, argument.name)
+        bounds, laser = Bounds.of(name, argument.name), self._context.robot.laser
+        if name == "lidar" and laser:
+            bounds = bounds.narrowed(laser.field_deg / 2)
         return self._measured(lambda value: read(bounds.checked(value)), asked, weight)
 
     def _measured(self, measure: Compute, asked: Any, cost_of_reading: int) -> Compiled:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -27,6 +27,10 @@ class Bounds:
     def of(kind: str, name: str) -> Bounds:
         """The bounds of a parameter of an action or a sensor."""
         return Bounds(name, TAKES[kind, name])
+
+    def narrowed(self, most: float) -> Bounds:
+        """The same for a number within -most to most."""
+        return Bounds(self.name, replace(self.takes, ge=-most, le=most))
 
     def checked(self, value: Value) -> float:
         """Returns the value if it is a number within the bounds. Raises RunFailureError."""

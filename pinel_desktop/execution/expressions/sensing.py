@@ -61,7 +61,7 @@ def _distance(context: EvaluationContext, direction: str) -> Value:
         missing("distance")
     if direction not in _WAYS:
         return float(min(measured(index) for index in indices))
-    echoes = [(robot.sonar_angles_rad[index], measured(index)) for index in indices]
+    echoes = [(robot.sonars[index].angle_rad, measured(index)) for index in indices]
     return min(
         (found for angle, found in echoes if _is_in_the_way(robot, angle, found)),
         default=robot.sonar_range_m,

@@ -64,7 +64,7 @@ class Telling:
         return {
             "type": ROBOT_STATE,
             "link": seen.record.link,
-            "address": seen.record.address if seen.record.link == "bridge" else "",
+            "address": seen.record.address if seen.record.comes_to_us else "",
             "use": seen.use,
             **heard,
             "holder": link and link.holder,
@@ -104,7 +104,6 @@ class Telling:
 
 
 def _nothing(seen: Seen) -> Message:
-    """The bridge's client comes by itself; all other robots are looked for."""
-    waits = seen.record.link == "bridge" and seen.problem is None
+    waits = seen.record.comes_to_us and seen.problem is None
     fields = ("age_s", "rate_hz", "battery", "x_m", "y_m", "heading_deg")
     return {"state": "waiting" if waits else "searching", **dict.fromkeys(fields)}

@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from flask import Response
@@ -10,7 +11,7 @@ from pydantic import ValidationError
 from pinel_desktop.engine.commands import Command, LiveCommand, SetBreakpoints, SetSpeed, Step
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain
-from pinel_desktop.robot import Setting
+from pinel_desktop.robot import RobotModel, Setting
 from pinel_desktop.robot.record import ROOM
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
@@ -36,6 +37,7 @@ from storage import SIMULATOR, RunLine, RunRow, StoreError, VersionRow
 
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity
+    from pinel_desktop.program.faults import Fault
 
 api = resource("runs", "Runs: live and recorded.", __name__)
 
@@ -121,21 +123,30 @@ def _spec(version: VersionRow, body: NewRun, parts: Services) -> RunSpec:
         return _real_spec(document, body, parts)
     if activity:
         world, setting = _stage(activity)
-        return RunSpec(document, world, setting=setting, seed=body.seed or 0, pace="live")
-    world = _world(version, body.world, parts)
-    if body.start:
-        world = _moved(world, body.start, body.model, parts)
-    setting = _setting(body)
+    else:
+        world, setting = _world(version, body.world, parts), _setting(body)
+        if body.start:
+            world = _moved(world, body.start, body.model, parts)
+    _refuse(_missing_on(setting.robot, document), parts)
     return RunSpec(document, world, setting=setting, seed=body.seed or 0, pace="live")
+
+
+def _missing_on(robot: RobotModel, document: object) -> "Sequence[Fault]":
+    from pinel_desktop.runs.robot_checks import missing_on_model  # noqa: PLC0415 - heavy
+
+    return missing_on_model(document, robot)
+
+
+def _refuse(faults: "Sequence[Fault]", parts: Services) -> None:
+    if faults:
+        raise InvalidProgramError(describe_faults(faults, parts.preferences.language))
 
 
 def _real_spec(document: dict[str, object], body: NewRun, parts: Services) -> RunSpec:
     from pinel_desktop.runs.robot_checks import missing_on_real_robots  # noqa: PLC0415 - heavy
 
     record = parts.robots.record(body.robot)
-    faults = missing_on_real_robots(document)
-    if faults:
-        raise InvalidProgramError(describe_faults(faults, parts.preferences.language))
+    _refuse(missing_on_real_robots(document), parts)
     if body.slow:
         record = record.slowed()
     world = record.room.as_world()

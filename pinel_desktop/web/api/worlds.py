@@ -4,7 +4,7 @@ from typing import Any
 
 from flask import Response
 
-from pinel_desktop.robot import ROBOTS, RobotModel
+from pinel_desktop.robot import ROBOTS
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.errors import InvalidWorldError
 from pinel_desktop.web.models.robots import Robot, RobotList
@@ -45,9 +45,4 @@ def _model(document: dict[str, Any]) -> World:
 @api.get("/robots", responses=answers(RobotList))
 def list_robots() -> Response:
     """All robot models, the default first."""
-    return answer(RobotList(robots=[_robot(robot) for robot in ROBOTS.values()]))
-
-
-def _robot(robot: RobotModel) -> Robot:
-    angles, range_m = list(robot.sonar_angles_rad), robot.lidar_range_m or None
-    return Robot.of(robot, sonar_angles_rad=angles, lidar_range_m=range_m)
+    return answer(RobotList(robots=[Robot.of(robot) for robot in ROBOTS.values()]))

@@ -4,21 +4,55 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from pinel_desktop.robot import ROBOTS
 from pinel_desktop.web.models import DEFERRED, Body, Json, Shape
 from pinel_desktop.web.models.worlds import World
 
+RobotName = Annotated[str, Field(json_schema_extra={"enum": list(ROBOTS)})]
+
+
+class Wheel(Shape):
+    """A driven wheel from above; its middle in the robot's frame."""
+
+    x_m: float
+    y_m: float
+    radius_m: float
+    width_m: float
+
+
+class Sonar(Shape):
+    """A sonar: its place in the robot's frame, and its direction from the heading, counterclockwise."""
+
+    x_m: float
+    y_m: float
+    angle_rad: float
+
+
+class Laser(Shape):
+    """A laser scanner: its place in the robot's frame; half of its field is to each side of the heading."""
+
+    x_m: float
+    y_m: float
+    field_deg: int
+    min_m: float
+    range_m: float
+
 
 class Robot(Shape):
-    """Dimensions and sensors of a robot model; angles are from its heading, counterclockwise."""
+    """A robot model: what a page needs to draw it. The robot's frame has x ahead and y to the left."""
 
-    name: Annotated[str, Field(description="the `model` of a run")]
+    name: Annotated[RobotName, Field(description="the `model` of a run")]
     title: str
-    radius_m: float
+    radius_m: Annotated[float, Field(description="of the circle around the body")]
+    hull_m: Annotated[list[tuple[float, float]], Field(description="corners from above")]
+    hull_round_m: Annotated[float, Field(description="how far corners are rounded")]
+    wheels: list[Wheel]
     max_v_mps: float
     max_omega_radps: float
-    sonar_angles_rad: Annotated[list[float], Field(description="by index; each on the hull")]
+    sonars: Annotated[list[Sonar], Field(description="by index")]
     sonar_range_m: float
-    lidar_range_m: Annotated[float | None, Field(description="null without a laser scanner")]
+    laser: Annotated[Laser | None, Field(description="null without a laser scanner")]
+    has_bumper: bool
 
 
 class RobotList(Shape):

@@ -5,9 +5,10 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from pinel_desktop.engine.commands import BlockIds, SpeedFactor
-from pinel_desktop.robot import PIONEER_3DX, ROBOTS, Feedback, Preset
+from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
 from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.events import Event
+from pinel_desktop.web.models.robots import RobotName
 from pinel_desktop.web.models.work import Version
 from pinel_desktop.web.models.worlds import Start, World
 from storage import SIMULATOR
@@ -28,6 +29,10 @@ class Run(Shape):
     version_id: Id | None
     group_id: Id | None
     link: str
+    model: Annotated[
+        str | None,
+        Field(description="which robot drove; null of the first releases: the default"),
+    ]
     world: str
     seed: int
     state: Literal["running", "finished", "stopped", "failed"]
@@ -91,9 +96,6 @@ class RunPage(Body):
 
     before: Id | None = None
     limit: Annotated[int, Field(ge=1, le=200)] = 50
-
-
-RobotName = Annotated[str, Field(json_schema_extra={"enum": list(ROBOTS)})]
 
 
 class NewRun(Body):

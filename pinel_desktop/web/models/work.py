@@ -5,9 +5,10 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from pinel_desktop.engine.commands import SpeedFactor
-from pinel_desktop.robot import Feedback, Preset
+from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
 from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.errors import Fault
+from pinel_desktop.web.models.robots import RobotName
 from pinel_desktop.web.models.worlds import Start, World
 
 Name = Annotated[
@@ -85,6 +86,7 @@ class Setup(Shape):
 
     world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
     start: Annotated[Start | None, Field(description="another start than the world's")] = None
+    model: RobotName = PIONEER_3DX.name
     preset: Preset = "ideal"
     feedback: Feedback = "pose"
     speed: SpeedFactor = 1.0

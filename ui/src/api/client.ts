@@ -108,6 +108,7 @@ export const api = {
   runTelemetry: async (id: string) =>
     (await file(get("/api/runs/{id}/telemetry", asFile(id)))).arrayBuffer(),
 
+  robots: async () => (await get("/api/robots")).robots,
   worlds: async () => (await get("/api/worlds")).worlds,
   /** Everything that is wrong with a world, in words. */
   checkWorld: async (world: unknown) =>

@@ -24,6 +24,9 @@ export const WORLD_LIMITS = {
 /** The world of a program for which none was chosen: sim/world.py. */
 export const DEFAULT_WORLD = "empty_room";
 
+/** The robot model of a program for which none was chosen: pinel_desktop/robot/models.py. */
+export const DEFAULT_ROBOT = "pioneer_3dx";
+
 /** Limits of stored texts, in characters: storage/limits.py. */
 export const STORE_LIMITS = {
   MAX_NAME: 60,

@@ -14,6 +14,10 @@ export function reasonWords(
   return filled(code === null ? undefined : textsOf(language).reasons[code], params, language);
 }
 
+/** The name of a kind of real robot, and what it is as the remedy; null for that of a newer release. */
+export const linkWords = (link: string, language: Language): Message | null =>
+  reasonWords(`robot_link_${link}`, {}, language);
+
 /** What is wrong with the camera or with the recording of a sign; null for a code that has no words there. */
 export function cameraWords(
   code: string,

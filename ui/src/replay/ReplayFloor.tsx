@@ -7,6 +7,7 @@ import { Readout } from "../run/panels/Readout";
 import { Shown } from "../run/panels/Shown";
 import { Scene } from "../scene/Scene";
 import { later } from "../shell/later";
+import { robotOf } from "../shell/session";
 import { ReplayWords } from "./ReplayParts";
 import type { Recording } from "./recording";
 
@@ -27,6 +28,7 @@ export function ReplayFloor({ recording }: { recording: Recording }) {
           <div class="floor__scene">
             <Scene
               world={run.world_document}
+              robot={robotOf(run.model)}
               view={playback.view}
               poseAt={playback.pose}
               playing={playback.playing}

@@ -1,7 +1,7 @@
 import type { ReadonlySignal } from "@preact/signals";
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { World } from "../api/model";
+import type { Robot, World } from "../api/model";
 import { language, texts } from "../i18n";
 import { degrees, headingDegrees, metres } from "../i18n/format";
 import { useInstance } from "../kit/instance";
@@ -31,6 +31,8 @@ export interface RobotHold {
 
 interface SceneProps {
   world: World | null;
+  /** The robot that drives here; null until the records of the robots are loaded. */
+  robot: Robot | null;
   view: ReadonlySignal<RunView>;
   /** The robot's pose at a time of the screen's clock, interpolated between the ticks of `view`. */
   poseAt(now: number): Pose;
@@ -45,7 +47,7 @@ interface SceneProps {
 }
 
 /** The floor from above. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
-export function Scene({ world, view, poseAt, whole, companion, hold, playing }: SceneProps) {
+export function Scene({ world, robot, view, poseAt, whole, companion, hold, playing }: SceneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const renderer = useRef<SceneRenderer | null>(null);
   const tools = useInstance(() => new SceneTools());
@@ -87,6 +89,7 @@ export function Scene({ world, view, poseAt, whole, companion, hold, playing }: 
   }, [view, poseAt, whole, companion, hold, playing]);
 
   useEffect(() => renderer.current?.setWorld(world), [world]);
+  useEffect(() => renderer.current?.setRobot(robot), [robot, view, poseAt, hold]);
 
   return (
     <div class="scene">
@@ -95,7 +98,7 @@ export function Scene({ world, view, poseAt, whole, companion, hold, playing }: 
         scene={() => renderer.current}
         tools={tools}
         again={hold ? { able: hold.canReset.value, act: () => hold.again() } : null}
-        hasSensors={hold !== undefined}
+        sensors={hold ? robot : null}
         onPicture={() => {
           if (renderer.current) void savePicture(renderer.current, program.peek()?.name ?? "PINEL");
         }}

@@ -11,8 +11,8 @@ const LINE_PX = 5;
 const EDGE_PX = 9;
 const ARCS = 3;
 
-/** Radius around the robot's centre that the sign leaves free, in metres; in pixels where the floor is shown small. */
-const FREE_M = 0.3;
+/** Distance from the robot's circle that the sign leaves free, in metres; its radius in pixels where the floor is small. */
+const FREE_M = 0.08;
 const FREE_PX = 16;
 
 /** Duration in which the arcs leave the robot, in ms. Only the first beep of a row moves them. */
@@ -26,6 +26,8 @@ const CHIP_PX = 36;
 export interface Beeping {
   /** Upright and short. */
   readonly words: string;
+  /** Radius of the robot's circle in metres. */
+  readonly radius: number;
   /** How far the arcs have left the robot, 0 to 1. */
   readonly grown: number;
 }
@@ -33,12 +35,12 @@ export interface Beeping {
 /** Draws sound waves beside the robot at `at` and the words above it, in pixels of the canvas. `scale` in pixels per metre. */
 export function drawBeep(
   ctx: Ctx,
-  { words, grown }: Beeping,
+  { words, radius, grown }: Beeping,
   at: XY,
   [scale, size]: readonly [number, Size],
   palette: Palette,
 ): void {
-  const free = Math.max(FREE_PX, FREE_M * scale);
+  const free = Math.max(FREE_PX, (radius + FREE_M) * scale);
   ctx.save();
   ctx.lineCap = "round";
   for (const [colour, width] of [

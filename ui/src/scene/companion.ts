@@ -1,4 +1,4 @@
-import type { World } from "../api/model";
+import type { Robot, World } from "../api/model";
 import type { Pose, RunView } from "../run/reducer";
 import { points } from "../run/trail";
 import type { Camera } from "./camera";
@@ -9,6 +9,7 @@ import { drawRobot } from "./robot";
 /** A second run on the same floor, with its own start pose. */
 export interface Companion {
   readonly world: World | null;
+  readonly robot: Robot | null;
   readonly view: RunView;
   pose(): Pose;
 }
@@ -16,7 +17,7 @@ export interface Companion {
 /** Draws it with a dashed path in the start's colour, so that the two do not differ by colour alone. */
 export function drawCompanion(
   ctx: CanvasRenderingContext2D,
-  { world, view, pose }: Companion,
+  { world, robot, view, pose }: Companion,
   { scale }: Camera,
   palette: Palette,
   ratio: number,
@@ -35,6 +36,6 @@ export function drawCompanion(
   ctx.setLineDash([12 / scale, 7 / scale]);
   ctx.stroke();
   ctx.setLineDash([]);
-  drawRobot(ctx, here, { ...palette, robot: palette.start }, scale * ratio);
+  if (robot) drawRobot(ctx, robot, here, { ...palette, robot: palette.start }, scale * ratio);
   ctx.restore();
 }

@@ -1,17 +1,12 @@
+import type { Laser, Robot, Sonar } from "../api/model";
 import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** Direction of each sonar of the Pioneer 3-DX by its index, in degrees; each is mounted on the hull's rim. */
-export const SONAR_DEG = [
-  90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90,
-] as const;
-const HULL_M = 0.2225;
-
 /** Half of the opening angle of a drawn sonar cone, degrees. */
 const CONE_DEG = 7;
-/** A distance above this means that the sonar detects nothing. */
-const FAR_M = 4.95;
+/** A distance less than this below a sonar's range means that it detects nothing. */
+const FAR_M = 0.05;
 
 export interface Measurements {
   readonly sonar: readonly number[] | null;
@@ -19,23 +14,37 @@ export interface Measurements {
 }
 
 /** Draws the measured distances around the robot at the origin; metres. */
-export function drawRanges(ctx: Ctx, ranges: Measurements, palette: Palette, pixel: number): void {
+export function drawRanges(
+  ctx: Ctx,
+  robot: Robot,
+  ranges: Measurements,
+  palette: Palette,
+  pixel: number,
+): void {
+  const { laser, sonars, sonar_range_m } = robot;
   ctx.save();
-  if (ranges.lidar) drawLidar(ctx, ranges.lidar, palette, pixel);
+  if (ranges.lidar && laser) drawLidar(ctx, laser, ranges.lidar, palette, pixel);
   ranges.sonar?.forEach((metres, index) => {
-    const angle = SONAR_DEG[index];
-    if (angle !== undefined) drawCone(ctx, angle, metres, palette, pixel);
+    const sonar = sonars[index];
+    const isNear = metres < sonar_range_m - FAR_M;
+    if (sonar) drawCone(ctx, sonar, [metres, isNear], palette, pixel);
   });
   ctx.restore();
 }
 
-/** Draws one beam per degree from -90 (right) to 90 (left). */
-function drawLidar(ctx: Ctx, beams: readonly number[], palette: Palette, pixel: number): void {
+/** Draws one beam per degree over the scanner's field, from the right to the left. */
+function drawLidar(
+  ctx: Ctx,
+  { x_m, y_m, field_deg }: Laser,
+  beams: readonly number[],
+  palette: Palette,
+  pixel: number,
+): void {
   ctx.beginPath();
-  ctx.moveTo(0, 0);
+  if (field_deg < 360) ctx.moveTo(x_m, y_m);
   beams.forEach((metres, degree) => {
-    const angle = ((degree - 90) * Math.PI) / 180;
-    ctx.lineTo(metres * Math.cos(angle), metres * Math.sin(angle));
+    const angle = ((degree - field_deg / 2) * Math.PI) / 180;
+    ctx.lineTo(x_m + metres * Math.cos(angle), y_m + metres * Math.sin(angle));
   });
   ctx.closePath();
   ctx.globalAlpha = 0.1;
@@ -49,15 +58,12 @@ function drawLidar(ctx: Ctx, beams: readonly number[], palette: Palette, pixel: 
 
 function drawCone(
   ctx: Ctx,
-  degrees: number,
-  metres: number,
+  { x_m: x, y_m: y, angle_rad: angle }: Sonar,
+  [metres, near]: readonly [number, boolean],
   palette: Palette,
   pixel: number,
 ): void {
-  const angle = (degrees * Math.PI) / 180;
   const half = (CONE_DEG * Math.PI) / 180;
-  const [x, y] = [HULL_M * Math.cos(angle), HULL_M * Math.sin(angle)];
-  const near = metres < FAR_M;
   ctx.beginPath();
   ctx.moveTo(x, y);
   ctx.arc(x, y, metres, angle - half, angle + half);

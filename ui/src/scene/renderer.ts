@@ -1,4 +1,4 @@
-import type { World } from "../api/model";
+import type { Robot, World } from "../api/model";
 import { IDLE, type Pose, type RunView } from "../run/reducer";
 import type { Point } from "../run/trail";
 import { drawBeep, GROWING_MS } from "./beep_view";
@@ -44,6 +44,7 @@ export class SceneRenderer {
   private readonly ctx: CanvasRenderingContext2D;
   private palette: Palette = readPalette();
   private world: World | null = null;
+  private robot: Robot | null = null;
   private view: RunView = IDLE;
   /** The camera takes in what this state has driven. */
   private whole: RunView = IDLE;
@@ -91,6 +92,11 @@ export class SceneRenderer {
     this.setFraming("subject");
     this.camera = null;
     this.aim();
+  }
+
+  setRobot(robot: Robot | null): void {
+    this.robot = robot;
+    this.wake();
   }
 
   setMovable(movable: boolean): void {
@@ -212,8 +218,8 @@ export class SceneRenderer {
     const ctx = canvas.getContext("2d");
     if (!ctx) return canvas;
     const camera = cameraFor(subjectOf(this.world, this.view, this.companion), size);
-    const { world, view } = this;
-    const input = { world, view, palette, size, ratio };
+    const { world, robot, view } = this;
+    const input = { world, robot, view, palette, size, ratio };
     this.paintCached(ctx, input, new SceneCache(), camera, performance.now());
     return canvas;
   }
@@ -266,8 +272,8 @@ export class SceneRenderer {
     this.lastFrame = now;
     const moving = approach(this.camera, this.target, elapsed, this.still());
     const pushing = this.pushed.approach(this.view.things, elapsed, this.still());
-    const { world, view, palette, size, ratio } = this;
-    const input = { world, view, palette, size, ratio };
+    const { world, robot, view, palette, size, ratio } = this;
+    const input = { world, robot, view, palette, size, ratio };
     const camera = this.cache.aligned(this.camera, ratio);
     const blurred = this.paintCached(this.ctx, input, this.cache, camera, now);
     this.drawBeep(pose, camera, now);
@@ -310,33 +316,35 @@ export class SceneRenderer {
   }
 
   private drawBeep(pose: Pose, camera: Camera, now: number): void {
-    const { beep, world, size, palette } = this;
+    const { beep, world, robot, size, palette } = this;
     if (!beep) return;
     const at = toScreen(camera, size, toWorld(startOf(world), pose.x, pose.y));
     const grown = this.still() ? 1 : Math.min(1, Math.max(0, now - beep.since) / GROWING_MS);
-    drawBeep(this.ctx, { words: beep.words, grown }, at, [camera.scale, size], palette);
+    const radius = robot?.radius_m ?? 0;
+    drawBeep(this.ctx, { words: beep.words, radius, grown }, at, [camera.scale, size], palette);
   }
 
   private drawRobot(
     ctx: CanvasRenderingContext2D,
     pose: Pose,
     { scale }: Camera,
-    { palette, ratio }: CacheInput,
+    { robot, palette, ratio }: CacheInput,
   ): void {
     const { view, ranges } = this;
+    if (!robot) return;
     if (ranges && this.view.run) {
       ctx.save();
       ctx.translate(pose.x, pose.y);
       ctx.rotate(pose.yaw);
-      drawRanges(ctx, ranges, palette, 1 / scale);
+      drawRanges(ctx, robot, ranges, palette, 1 / scale);
       ctx.restore();
     }
-    if (this.movable && !view.run) drawKnob(ctx, HANDLE_M, palette, 1 / scale);
-    drawRobot(ctx, pose, palette, scale * ratio);
+    if (this.movable && !view.run) drawKnob(ctx, robot, HANDLE_M, palette, 1 / scale);
+    drawRobot(ctx, robot, pose, palette, scale * ratio);
     const off = { x: view.pose.x - view.truth.x, y: view.pose.y - view.truth.y };
     if (Math.hypot(off.x, off.y) < OFF_M) return;
     const yaw = pose.yaw + view.pose.yaw - view.truth.yaw;
-    drawBelief(ctx, { x: pose.x + off.x, y: pose.y + off.y, yaw }, palette, 1 / scale);
+    drawBelief(ctx, robot, { x: pose.x + off.x, y: pose.y + off.y, yaw }, palette, 1 / scale);
   }
 }
 

@@ -1,128 +1,152 @@
+import type { Robot } from "../api/model";
 import type { Pose } from "../run/reducer";
+import { extentOf, hullPath, onHull } from "./hull";
 import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** Pioneer 3-DX from its data sheet: 455 x 381 mm, wheels of 195 mm, front along +x. Metres. */
-const LENGTH = 0.455;
-const WIDTH = 0.381;
-const WHEEL = { length: 0.195, width: 0.05, x: 0.03, y: 0.165 };
-const SONARS = [-75, -50, -30, -10, 10, 30, 50, 75];
+/** Distances from the robot's circle: of the ring around the start, and of its arrow's back and tip. Metres. */
+const RING_M = 0.0675;
+const ARROW_M = [0.0975, 0.1975] as const;
 
-/** Draws the robot from above in metres, y up. `pixels` is the number of pixels per metre. */
-export function drawRobot(ctx: Ctx, pose: Pose, palette: Palette, pixels: number): void {
+/** A robot is drawn this long at least, in pixels of the screen, so that it is seen where it looks. */
+const MIN_PX = 18;
+
+/** A path is built once for each robot. */
+const outlines = new WeakMap<Robot, Path2D>();
+
+function outlineOf(robot: Robot): Path2D {
+  const outline = outlines.get(robot) ?? new Path2D(hullPath(robot));
+  outlines.set(robot, outline);
+  return outline;
+}
+
+/** Draws the robot from above in metres, y up, as its record says. `pixels` is the number of pixels per metre. */
+export function drawRobot(
+  ctx: Ctx,
+  robot: Robot,
+  pose: Pose,
+  palette: Palette,
+  pixels: number,
+): void {
   ctx.save();
   ctx.translate(pose.x, pose.y);
   ctx.rotate(pose.yaw);
-  drawShadow(ctx, pose.yaw, palette, pixels);
-  drawWheels(ctx, palette);
-  drawBody(ctx, palette);
-  drawSonars(ctx);
-  drawDeck(ctx, palette);
+  const enlarged = Math.max(
+    1,
+    (MIN_PX * (window.devicePixelRatio || 1)) / (pixels * extentOf(robot).length),
+  );
+  ctx.scale(enlarged, enlarged);
+  drawShadow(ctx, robot, pose.yaw, palette, pixels);
+  drawWheels(ctx, robot, palette);
+  drawBody(ctx, robot, palette);
+  drawSonars(ctx, robot);
+  drawDeck(ctx, robot, palette);
   ctx.restore();
 }
 
-function outline(ctx: Ctx, grow = 0): void {
-  const front = LENGTH / 2 + grow;
-  const back = -LENGTH / 2 - grow;
-  const side = WIDTH / 2 - 0.03 + grow;
-  ctx.beginPath();
-  ctx.moveTo(back + 0.07, -side);
-  ctx.lineTo(front - 0.13, -side);
-  ctx.quadraticCurveTo(front, -side * 0.72, front, 0);
-  ctx.quadraticCurveTo(front, side * 0.72, front - 0.13, side);
-  ctx.lineTo(back + 0.07, side);
-  ctx.quadraticCurveTo(back, side, back, side * 0.45);
-  ctx.lineTo(back, -side * 0.45);
-  ctx.quadraticCurveTo(back, -side, back + 0.07, -side);
-  ctx.closePath();
-}
-
 /** The light does not turn with the robot, so the shadow always falls in the same direction. */
-function drawShadow(ctx: Ctx, yaw: number, palette: Palette, pixels: number): void {
+function drawShadow(ctx: Ctx, robot: Robot, yaw: number, palette: Palette, pixels: number): void {
   ctx.save();
   ctx.rotate(-yaw);
-  ctx.translate(0.015, -0.035);
+  ctx.translate(0.07 * robot.radius_m, -0.16 * robot.radius_m);
   ctx.rotate(yaw);
   ctx.shadowColor = palette.shadow;
   ctx.shadowBlur = Math.min(24, pixels * 0.08);
   ctx.fillStyle = palette.shadow;
-  outline(ctx, 0.01);
-  ctx.fill();
+  ctx.fill(outlineOf(robot));
   ctx.restore();
 }
 
-function drawWheels(ctx: Ctx, palette: Palette): void {
+function drawWheels(ctx: Ctx, { wheels }: Robot, palette: Palette): void {
   ctx.fillStyle = palette.wheel;
-  for (const side of [-1, 1]) {
+  for (const { x_m, y_m, radius_m, width_m } of wheels) {
     ctx.beginPath();
-    ctx.roundRect(
-      WHEEL.x - WHEEL.length / 2,
-      side * WHEEL.y - WHEEL.width / 2,
-      WHEEL.length,
-      WHEEL.width,
-      0.018,
-    );
+    ctx.roundRect(x_m - radius_m, y_m - width_m / 2, 2 * radius_m, width_m, 0.36 * width_m);
     ctx.fill();
   }
 }
 
-function drawBody(ctx: Ctx, palette: Palette): void {
-  outline(ctx);
+function drawBody(ctx: Ctx, robot: Robot, palette: Palette): void {
+  const outline = outlineOf(robot);
   ctx.fillStyle = palette.robot;
-  ctx.fill();
+  ctx.fill(outline);
   ctx.strokeStyle = palette.deck;
-  ctx.lineWidth = 0.012;
-  ctx.stroke();
+  ctx.lineWidth = 0.05 * robot.radius_m;
+  ctx.stroke(outline);
 }
 
-function drawSonars(ctx: Ctx): void {
+/** A sonar is on the drawn hull, inside of the simulated one, which is a circle. */
+function drawSonars(ctx: Ctx, robot: Robot): void {
   ctx.fillStyle = "#e9b949";
-  for (const angle of SONARS) {
-    const turn = (angle * Math.PI) / 180;
+  for (const { x_m, y_m } of robot.sonars) {
+    const { x, y } = onHull(robot, { x: x_m, y: y_m });
     ctx.beginPath();
-    ctx.arc(0.035 + Math.cos(turn) * 0.168, Math.sin(turn) * 0.138, 0.011, 0, 2 * Math.PI);
+    ctx.arc(0.9 * x, 0.9 * y, 0.05 * robot.radius_m, 0, 2 * Math.PI);
     ctx.fill();
   }
 }
 
-function drawDeck(ctx: Ctx, palette: Palette): void {
+/** The deck with an arrow ahead, in parts of the hull's length and width; the laser scanner stands on it. */
+function drawDeck(ctx: Ctx, robot: Robot, palette: Palette): void {
+  const { back, length, width } = extentOf(robot);
+  const x = (part: number) => back + part * length;
   ctx.beginPath();
-  ctx.roundRect(-0.16, -0.1, 0.26, 0.2, 0.06);
+  ctx.roundRect(x(0.15), -0.31 * width, 0.57 * length, 0.62 * width, 0.19 * width);
   ctx.fillStyle = palette.deck;
   ctx.fill();
+  if (robot.laser) {
+    ctx.beginPath();
+    ctx.arc(robot.laser.x_m, robot.laser.y_m, 0.29 * width, 0, 2 * Math.PI);
+    ctx.strokeStyle = palette.mark;
+    ctx.lineWidth = 0.03 * width;
+    ctx.stroke();
+  }
   ctx.beginPath();
-  ctx.moveTo(0.085, 0);
-  ctx.lineTo(-0.07, 0.085);
-  ctx.lineTo(-0.035, 0);
-  ctx.lineTo(-0.07, -0.085);
+  ctx.moveTo(x(0.69), 0);
+  ctx.lineTo(x(0.35), 0.26 * width);
+  ctx.lineTo(x(0.42), 0);
+  ctx.lineTo(x(0.35), -0.26 * width);
   ctx.closePath();
   ctx.fillStyle = palette.mark;
   ctx.fill();
 }
 
 /** Draws the believed pose as an outline. */
-export function drawBelief(ctx: Ctx, pose: Pose, palette: Palette, pixel: number): void {
+export function drawBelief(
+  ctx: Ctx,
+  robot: Robot,
+  pose: Pose,
+  palette: Palette,
+  pixel: number,
+): void {
   ctx.save();
   ctx.translate(pose.x, pose.y);
   ctx.rotate(pose.yaw);
-  outline(ctx);
-  ctx.moveTo(0, 0);
-  ctx.lineTo(LENGTH / 2, 0);
   ctx.setLineDash([4 * pixel, 3 * pixel]);
   ctx.strokeStyle = palette.number;
   ctx.lineWidth = 2 * pixel;
+  ctx.stroke(outlineOf(robot));
+  ctx.beginPath();
+  ctx.moveTo(0, 0);
+  ctx.lineTo(extentOf(robot).front, 0);
   ctx.stroke();
   ctx.restore();
 }
 
 /** Draws the handle that turns the robot at its start, `reach` metres ahead of it. */
-export function drawKnob(ctx: Ctx, reach: number, palette: Palette, pixel: number): void {
+export function drawKnob(
+  ctx: Ctx,
+  robot: Robot,
+  reach: number,
+  palette: Palette,
+  pixel: number,
+): void {
   ctx.save();
   ctx.strokeStyle = palette.start;
   ctx.lineWidth = 2 * pixel;
   ctx.beginPath();
-  ctx.moveTo(LENGTH / 2, 0);
+  ctx.moveTo(extentOf(robot).front, 0);
   ctx.lineTo(reach, 0);
   ctx.stroke();
   ctx.beginPath();
@@ -134,21 +158,22 @@ export function drawKnob(ctx: Ctx, reach: number, palette: Palette, pixel: numbe
   ctx.restore();
 }
 
-/** Draws the start pose. */
-export function drawStart(ctx: Ctx, palette: Palette, pixels: number): void {
+/** Draws the start pose: a ring with room for the robot. */
+export function drawStart(ctx: Ctx, robot: Robot, palette: Palette, pixels: number): void {
   const line = Math.max(2, 0.025 * pixels) / pixels;
+  const [base, tip] = ARROW_M.map((distance) => robot.radius_m + distance) as [number, number];
   ctx.save();
   ctx.strokeStyle = palette.start;
   ctx.fillStyle = palette.start;
   ctx.lineWidth = line;
   ctx.beginPath();
-  ctx.arc(0, 0, 0.29, 0, 2 * Math.PI);
+  ctx.arc(0, 0, robot.radius_m + RING_M, 0, 2 * Math.PI);
   ctx.setLineDash([0.07, 0.05]);
   ctx.stroke();
   ctx.beginPath();
-  ctx.moveTo(0.42, 0);
-  ctx.lineTo(0.32, 0.055);
-  ctx.lineTo(0.32, -0.055);
+  ctx.moveTo(tip, 0);
+  ctx.lineTo(base, 0.055);
+  ctx.lineTo(base, -0.055);
   ctx.closePath();
   ctx.fill();
   ctx.restore();

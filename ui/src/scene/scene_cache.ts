@@ -1,4 +1,4 @@
-import type { World } from "../api/model";
+import type { Robot, World } from "../api/model";
 import type { Output, Stroke } from "../run/output";
 import type { RunView } from "../run/reducer";
 import { lastPoint, type Point, type Trail } from "../run/trail";
@@ -14,6 +14,7 @@ type Ctx = CanvasRenderingContext2D;
 /** Input of the cached image. */
 export interface CacheInput {
   readonly world: World | null;
+  readonly robot: Robot | null;
   readonly view: RunView;
   readonly palette: Palette;
   readonly size: Size;
@@ -98,11 +99,12 @@ export class SceneCache {
   }
 
   /** Whether the cache is still valid: it holds the beginning of what the input shows. */
-  private isSame({ world, view, palette, size, ratio }: CacheInput): boolean {
+  private isSame({ world, robot, view, palette, size, ratio }: CacheInput): boolean {
     const { input } = this;
     return (
       input !== null &&
       input.world === world &&
+      input.robot === robot &&
       input.palette === palette &&
       input.size === size &&
       input.ratio === ratio &&
@@ -127,7 +129,7 @@ export class SceneCache {
 
   private redraw(ctx: Ctx, input: CacheInput, camera: Camera, now: number): void {
     const { canvas } = this;
-    const { size, ratio, palette, world } = input;
+    const { size, ratio, palette, world, robot } = input;
     this.camera = { ...camera };
     this.path = { chunks: 0, length: 0 };
     this.ideal = { chunks: 0, length: 0 };
@@ -144,7 +146,7 @@ export class SceneCache {
     this.place(ctx, input);
     drawFloor(ctx, world, palette, camera.scale, false);
     this.toStart(ctx, input);
-    drawStart(ctx, palette, camera.scale);
+    if (robot) drawStart(ctx, robot, palette, camera.scale);
     if (this.strokeCtx) this.drawMarks(this.strokeCtx, input);
     this.drawFull(ctx, input);
     this.cost = performance.now() - before;

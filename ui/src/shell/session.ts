@@ -10,6 +10,7 @@ import type {
   Notice,
   Program,
   ProgramChangedEvent,
+  Robot,
   RobotStateToldEvent,
   RunEvent,
   SignRecordingEvent,
@@ -40,6 +41,14 @@ export const checksStand = signal<ChecksStandEvent | null>(null);
 export const changed = signal<ProgramChangedEvent | null>(null);
 export const problem = signal<Problem | null>(null);
 export const worlds = signal<World[]>([]);
+/** The robot models that the server knows, the default first; empty until they are loaded. */
+export const robotModels = signal<readonly Robot[]>([]);
+
+/** The record of a model; the default for null and for one of a newer release, null until the records are loaded. */
+export function robotOf(model: string | null | undefined): Robot | null {
+  const { value: models } = robotModels;
+  return models.find(({ name }) => name === model) ?? models[0] ?? null;
+}
 
 /** Group and program in the header of all screens. */
 export const group = signal<Group | null>(null);
@@ -224,7 +233,7 @@ export async function open(
     onLost: () => void refreshStatus(),
   });
   try {
-    worlds.value = await api.worlds();
+    [worlds.value, robotModels.value] = await Promise.all([api.worlds(), api.robots()]);
   } catch (error) {
     report(error);
   }

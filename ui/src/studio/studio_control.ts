@@ -29,7 +29,8 @@ import { parameterIn, type Sentence, sentenceOf, type Voice } from "../run/sente
 import { valueWords } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
 import { subscribeToRings } from "../scene/tools/sensor_rings";
-import { connection, engine, judged, problem, report } from "../shell/session";
+import { level } from "../shell/level";
+import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
 import { breakpoints, runSettings, tellRun } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
 import type { OpenProgram } from "./program/open_program";
@@ -111,6 +112,14 @@ export class StudioControl {
   get world() {
     return this.start.world;
   }
+
+  /** The robot that is on the floor: that of the run, or else of the next one. */
+  readonly robot = computed(() => {
+    const { value: run } = robot.liveRun;
+    if (run && robot.live.value.run !== null) return robotOf(run.model);
+    const isChosen = level.value > 1 && !chosenRobot.value && !this.open.mission.value;
+    return robotOf(isChosen ? this.open.setup.value.model : null);
+  });
 
   /** The robot as an object that can be dragged. */
   readonly hold: RobotHold = {

@@ -2,7 +2,7 @@ import { OWN_WORLD, type Setup, type VersionMark, worldTitle } from "../api/mode
 import type { Language, Texts } from "../i18n";
 import { decimal } from "../i18n/format";
 import { ROOM_WORLD } from "../run/real/real_robot";
-import { worlds } from "../shell/session";
+import { robotOf, worlds } from "../shell/session";
 import { lifelikeOf } from "../studio/program/setup";
 
 /** A changed part of where and how a program runs, in words. */
@@ -53,6 +53,7 @@ function partsOf(setup: Setup, texts: Texts, language: Language): [string, strin
   return [
     [run.world, worldWords(setup.world, texts, language)],
     [keeping.start, startWords(setup, texts, language)],
+    [debug.model, robotOf(setup.model)?.title ?? setup.model],
     [keeping.robot, debug[lifelikeOf(setup)]],
     [debug.speed, debug.times(decimal(setup.speed, setup.speed < 1 ? 2 : 0, language))],
   ];

@@ -109,7 +109,8 @@ def find_real_robots(path: LinkPath, body: RealRobotRecord) -> Response:
     except PinelError as error:
         raise _in_words(error, path.link) from error
     if not isinstance(record, RosRecord):
-        raise PinelError("unknown_link", value=path.link, allowed=["dds", "ros2"])
+        found_by_search = [one for one, kind in RECORDS.items() if issubclass(kind, RosRecord)]
+        raise PinelError("unknown_link", value=path.link, allowed=found_by_search)
     found = services().engine.find(record)
     return answer(FoundRobots(domain=record.domain, robots=[FoundRobot(**one) for one in found]))
 

@@ -89,7 +89,8 @@ export const blocks: typeof first = {
   SONAR: "sonar %1 (m)",
   SONAR_TIP: "What one of the sonars measures, 0 to 15. It says 5 metres when nothing is near.",
   LIDAR: "laser at %1 ° (m)",
-  LIDAR_TIP: "The distance the laser measures at this angle: 0 is ahead, from −90 to 90 degrees.",
+  LIDAR_TIP:
+    "The distance that the laser measures at this angle: 0 is ahead, positive is left. How far it sees to the sides depends on the robot.",
 
   REPEAT: "%1 repeat %2 times",
   REPEAT_TIP: "Does everything inside again and again, as many times as you say.",

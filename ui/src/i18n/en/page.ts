@@ -95,6 +95,7 @@ export const page: typeof first = {
     out: "Out",
     outHelp: "Runs until the function is over",
     speed: "Speed",
+    model: "Robot model",
     lifelike: "Which robot to simulate",
     ideal: "Ideal robot",
     camera: "Realistic, with camera",

@@ -286,11 +286,6 @@ export const robotSetup = {
   hint: "Say how this PC reaches the robot, how fast it may drive, and where. Groups then choose it above the floor, in place of the simulator.",
   none: "This release drives no real robot.",
   kind: "Kind of robot",
-  about: {
-    dds: "A robot that speaks ROS 2 on the same network. The PC needs no ROS.",
-    ros2: "A robot that speaks ROS 2, by the ROS installed on this PC.",
-    bridge: "A simulator or robot that asks this PC for its velocity, as AuRoRA does.",
-  },
   isSetUp: "Set up: groups can choose it.",
   notSetUp: "Not set up yet: groups do not see it.",
   parts: {

@@ -77,11 +77,6 @@ export const robot = {
   choice: "Which robot is to drive",
   simulator: "Simulator",
   real: "Real robot",
-  names: {
-    dds: "Robot with ROS 2",
-    ros2: "Robot by the ROS of this PC",
-    bridge: "Robot by the bridge",
-  },
   room: "Real room",
   emergency: "STOP",
   emergencyWhat: "THE ROBOT",

@@ -92,7 +92,8 @@ export const blocks: typeof first = {
   SONAR: "sonar %1 (m)",
   SONAR_TIP: "Lo que mide uno de los sonares, de 0 a 15. Da 5 metros si no hay nada cerca.",
   LIDAR: "láser a %1 ° (m)",
-  LIDAR_TIP: "La distancia que mide el láser en ese ángulo: 0 es adelante, de −90 a 90 grados.",
+  LIDAR_TIP:
+    "La distancia que mide el láser en ese ángulo: 0 es adelante, positivo a la izquierda. Hasta dónde ve hacia los lados depende del robot.",
 
   REPEAT: "%1 repetir %2 veces",
   REPEAT_TIP: "Hace todo lo que está dentro una y otra vez, tantas veces como digan.",

@@ -95,6 +95,7 @@ export const page: typeof first = {
     out: "Salir",
     outHelp: "Ejecuta hasta salir de la función",
     speed: "Velocidad",
+    model: "Modelo del robot",
     lifelike: "Qué robot simular",
     ideal: "Robot ideal",
     camera: "Realista, con cámara",

@@ -291,11 +291,6 @@ export const robotSetup = {
   hint: "Diga cómo llega esta computadora al robot, qué tan rápido puede andar y dónde. Después los grupos lo eligen sobre el piso, en lugar del simulador.",
   none: "Esta versión no maneja ningún robot de verdad.",
   kind: "Tipo de robot",
-  about: {
-    dds: "Un robot que habla ROS 2 en la misma red. La computadora no necesita ROS.",
-    ros2: "Un robot que habla ROS 2, por el ROS instalado en esta computadora.",
-    bridge: "Un simulador o robot que le pide la velocidad a esta computadora, como AuRoRA.",
-  },
   isSetUp: "Configurado: los grupos pueden elegirlo.",
   notSetUp: "Todavía sin configurar: los grupos no lo ven.",
   parts: {

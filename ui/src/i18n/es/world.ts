@@ -78,11 +78,6 @@ export const robot = {
   choice: "Qué robot va a andar",
   simulator: "Simulador",
   real: "Robot de verdad",
-  names: {
-    dds: "Robot con ROS 2",
-    ros2: "Robot por el ROS de esta computadora",
-    bridge: "Robot por el puente",
-  },
   room: "Sala de verdad",
   emergency: "PARAR",
   emergencyWhat: "EL ROBOT",

@@ -88,7 +88,8 @@ export const blocks = {
   SONAR: "sonar %1 (m)",
   SONAR_TIP: "O que um dos sonares mede, de 0 a 15. Dá 5 metros se não há nada perto.",
   LIDAR: "laser a %1 ° (m)",
-  LIDAR_TIP: "A distância que o laser mede nesse ângulo: 0 é à frente, de −90 a 90 graus.",
+  LIDAR_TIP:
+    "A distância que o laser mede nesse ângulo: 0 é à frente, positivo à esquerda. Até onde ele vê para os lados depende do robô.",
 
   REPEAT: "%1 repetir %2 vezes",
   REPEAT_TIP: "Faz tudo o que está dentro, de novo e de novo, tantas vezes quantas vocês disserem.",

@@ -97,6 +97,7 @@ export const page = {
     out: "Sair",
     outHelp: "Roda até sair da função",
     speed: "Velocidade",
+    model: "Modelo do robô",
     lifelike: "Que robô simular",
     ideal: "Robô ideal",
     camera: "Realista, com câmera",

@@ -290,11 +290,6 @@ export const robotSetup = {
   hint: "Diga como este computador chega ao robô, quão rápido ele pode andar e onde. Depois os grupos o escolhem em cima do chão, no lugar do simulador.",
   none: "Esta versão não dirige nenhum robô de verdade.",
   kind: "Tipo de robô",
-  about: {
-    dds: "Um robô que fala ROS 2 na mesma rede. O computador não precisa ter ROS.",
-    ros2: "Um robô que fala ROS 2, pelo ROS instalado neste computador.",
-    bridge: "Um simulador ou robô que pergunta a velocidade a este computador, como o AuRoRA.",
-  },
   isSetUp: "Configurado: os grupos podem escolhê-lo.",
   notSetUp: "Ainda não configurado: os grupos não o veem.",
   parts: {

@@ -76,11 +76,6 @@ export const robot = {
   choice: "Que robô vai andar",
   simulator: "Simulador",
   real: "Robô de verdade",
-  names: {
-    dds: "Robô com ROS 2",
-    ros2: "Robô pelo ROS deste computador",
-    bridge: "Robô pela ponte",
-  },
   room: "Sala de verdade",
   emergency: "PARAR",
   emergencyWhat: "O ROBÔ",

@@ -7,6 +7,7 @@ import { LinkButton } from "../../kit/LinkButton";
 import type { Companion } from "../../scene/companion";
 import { Scene } from "../../scene/Scene";
 import { hashOf } from "../../shell/route";
+import { robotOf } from "../../shell/session";
 import { reviewOrigin } from "../../shell/teacher/review_origin";
 import { Transport } from "../Transport";
 import { ComparedRun } from "./ComparedRun";
@@ -87,6 +88,7 @@ function OneFloor({ pair: { sides } }: { pair: Pair }) {
   const [first, second] = sides;
   const companion = useComputed<Companion>(() => ({
     world: second.recording.run.world_document,
+    robot: robotOf(second.recording.run.model),
     view: second.view.value,
     pose: second.pose,
   }));
@@ -94,6 +96,7 @@ function OneFloor({ pair: { sides } }: { pair: Pair }) {
     <div class="compare__floor">
       <Scene
         world={first.recording.run.world_document}
+        robot={robotOf(first.recording.run.model)}
         view={first.view}
         poseAt={first.pose}
         playing={first.playing}

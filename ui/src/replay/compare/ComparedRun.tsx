@@ -6,6 +6,7 @@ import { GroupPicture } from "../../kit/pictures/GroupPicture";
 import { Readout } from "../../run/panels/Readout";
 import { RobotName } from "../../run/real/RobotName";
 import { Scene } from "../../scene/Scene";
+import { robotOf } from "../../shell/session";
 import { outcomeOf } from "../../teacher/review/model";
 import { OutcomeSign } from "../../teacher/review/OutcomeSign";
 import { ReplayWords } from "../ReplayParts";
@@ -41,6 +42,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
         <div class="compare__scene">
           <Scene
             world={run.world_document}
+            robot={robotOf(run.model)}
             view={side.view}
             poseAt={side.pose}
             playing={side.playing}

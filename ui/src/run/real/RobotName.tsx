@@ -1,5 +1,6 @@
 import { Bot } from "lucide-preact";
-import { texts } from "../../i18n";
+import { language } from "../../i18n";
+import { linkWords } from "../../i18n/reasons";
 import { SIMULATOR } from "./real_robot";
 
 interface RobotNameProps {
@@ -17,13 +18,6 @@ export function RobotName({ link }: RobotNameProps) {
   );
 }
 
-const LINKS = ["dds", "ros2", "bridge"] as const;
-
-/** The link, where this release knows it. */
-export const knownLink = (link: string) => LINKS.find((one) => one === link);
-
 /** The name of a real robot's kind; that of a newer release is its link. */
-export function robotWords(link: string): string {
-  const known = knownLink(link);
-  return known ? texts.value.robot.names[known] : link;
-}
+export const robotWords = (link: string): string =>
+  linkWords(link, language.value)?.message ?? link;

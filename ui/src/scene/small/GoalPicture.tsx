@@ -1,8 +1,10 @@
 import type { GoalPicture as Goal, GoalLine } from "../../api/model";
+import { robotOf } from "../../shell/session";
 import type { XY } from "../frames";
+import { extentOf } from "../hull";
 import { type Frame, frameOfGoal, HEIGHT, middleOf, pointsOf, WIDTH } from "./frame";
 import { GroundPicture, NamesPicture, ThingsPicture } from "./GroundPicture";
-import { WaitingRobot } from "./PathPicture";
+import { ROBOT_ICON, WaitingRobot } from "./PathPicture";
 import { Line } from "./parts";
 
 interface GoalPictureProps {
@@ -41,14 +43,14 @@ interface PartProps {
   frame: Frame;
 }
 
-/** The icon of a robot is 32 wide; it is not drawn smaller than can be recognised. */
-const ROBOT_M = 0.455;
-const ROBOT_ICON = 32;
+/** The icon of a robot is not drawn smaller than can be recognised. */
 const SMALLEST_ROBOT = 0.55;
 
 function StartedRobot({ goal: { world }, frame }: PartProps) {
   const { x_m, y_m, heading_deg } = world.start;
-  const size = Math.max(SMALLEST_ROBOT, (ROBOT_M * frame.scale) / ROBOT_ICON);
+  const robot = robotOf(null);
+  const length = robot ? extentOf(robot).length : 0;
+  const size = Math.max(SMALLEST_ROBOT, (length * frame.scale) / ROBOT_ICON);
   const { x, y } = frame.place({ x: x_m, y: y_m });
   return (
     <g transform={`translate(${x} ${y}) rotate(${-heading_deg}) scale(${size})`}>

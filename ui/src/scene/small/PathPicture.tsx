@@ -1,3 +1,5 @@
+import { robotOf } from "../../shell/session";
+import { extentOf, hullPath } from "../hull";
 import { frameOfPath, HEIGHT, pointsOf, WIDTH } from "./frame";
 import { Grid, Line, StartMark } from "./parts";
 
@@ -32,14 +34,39 @@ export function PathPicture({ path }: { path: Points }) {
   );
 }
 
-/** Nothing has been driven yet: the robot stands at the start pose. */
+/** Length of the icon of a robot, which is not drawn to the scale of its picture. */
+export const ROBOT_ICON = 32;
+
+/** Nothing has been driven yet: the robot, as its record says, stands at the start pose. */
 export function WaitingRobot({ at: [x, y] }: { at: readonly [number, number] }) {
+  const robot = robotOf(null);
+  if (!robot) return null;
+  const { back, length, width } = extentOf(robot);
   return (
-    <g class="path-picture__waiting" transform={`translate(${x} ${y})`}>
-      <rect x="-5" y="-14" width="14" height="5" rx="2" />
-      <rect x="-5" y="9" width="14" height="5" rx="2" />
-      <path class="path-picture__robot" d="M-16-7q0-4 5-4H6q11 1.500 11 11T6 11h-17q-5 0-5-4z" />
-      <path fill="#fff" d="M9 0-4 6l3-6-3-6z" />
+    <g
+      class="path-picture__waiting"
+      transform={`translate(${x} ${y}) scale(${ROBOT_ICON / length})`}
+    >
+      {robot.wheels.map(({ x_m, y_m, radius_m, width_m }) => (
+        <rect
+          key={y_m}
+          x={x_m - radius_m}
+          y={-y_m - width_m / 2}
+          width={2 * radius_m}
+          height={width_m}
+          rx={0.36 * width_m}
+        />
+      ))}
+      <path
+        class="path-picture__robot"
+        style={{ strokeWidth: (2 * length) / ROBOT_ICON }}
+        d={hullPath(robot)}
+      />
+      <path
+        fill="#fff"
+        transform={`translate(${back} 0) scale(${length} ${width})`}
+        d="M.69 0 .35.26.42 0 .35-.26z"
+      />
     </g>
   );
 }

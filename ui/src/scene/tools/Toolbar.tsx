@@ -13,7 +13,7 @@ import {
   Triangle,
   Wrench,
 } from "lucide-preact";
-import type { Ring } from "../../api/model";
+import type { Ring, Robot } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import type { SceneRenderer } from "../renderer";
@@ -27,13 +27,13 @@ interface ToolbarProps {
   tools: SceneTools;
   /** Resets everything to the start; null where the floor has no reset. */
   again: { readonly able: boolean; act(): void } | null;
-  /** The robot has sensors that can be displayed. */
-  hasSensors: boolean;
+  /** The robot whose sensors can be displayed; null where none can. */
+  sensors: Robot | null;
   onPicture(): void;
 }
 
 /** The floor's main buttons, and a menu with the other tools. */
-export function Toolbar({ scene, tools, again, hasSensors, onPicture }: ToolbarProps) {
+export function Toolbar({ scene, tools, again, sensors, onPicture }: ToolbarProps) {
   const words = texts.value.scene;
   const open = useSignal(false);
   const act = (what: (now: SceneRenderer) => void) => () => {
@@ -42,9 +42,7 @@ export function Toolbar({ scene, tools, again, hasSensors, onPicture }: ToolbarP
   };
   return (
     <div class="scene__tools">
-      {open.value && (
-        <More tools={tools} scene={scene} hasSensors={hasSensors} onPicture={onPicture} />
-      )}
+      {open.value && <More tools={tools} scene={scene} sensors={sensors} onPicture={onPicture} />}
       <div class="scene__buttons">
         <Tool label={words.zoomIn} Icon={Plus} onClick={act((now) => now.zoom(ZOOM_STEP))} />
         <Tool label={words.zoomOut} Icon={Minus} onClick={act((now) => now.zoom(1 / ZOOM_STEP))} />
@@ -72,9 +70,9 @@ export function Toolbar({ scene, tools, again, hasSensors, onPicture }: ToolbarP
   );
 }
 
-type MoreProps = Pick<ToolbarProps, "scene" | "tools" | "hasSensors" | "onPicture">;
+type MoreProps = Pick<ToolbarProps, "scene" | "tools" | "sensors" | "onPicture">;
 
-function More({ scene, tools, hasSensors, onPicture }: MoreProps) {
+function More({ scene, tools, sensors, onPicture }: MoreProps) {
   const words = texts.value.scene;
   const ring = (name: Ring, label: string, Icon: typeof Plus) => (
     <Tool
@@ -104,8 +102,8 @@ function More({ scene, tools, hasSensors, onPicture }: MoreProps) {
         pressed={tools.tool.value === "protractor"}
         onClick={() => tools.take("protractor")}
       />
-      {hasSensors && ring("sonar", words.sonar, Radio)}
-      {hasSensors && ring("lidar", words.lidar, Radar)}
+      {sensors && sensors.sonars.length > 0 && ring("sonar", words.sonar, Radio)}
+      {sensors?.laser && ring("lidar", words.lidar, Radar)}
       <Tool
         label={words.follow}
         Icon={LocateFixed}

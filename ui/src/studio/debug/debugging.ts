@@ -9,9 +9,9 @@ export const breakpoints = signal<readonly string[]>([]);
 
 /** The settings that a new run of a program begins with. */
 export function runSettings({ setup }: OpenProgram, paused: boolean): robot.Debugging {
-  const { preset, feedback, speed } = setup.peek();
+  const { model, preset, feedback, speed } = setup.peek();
   // on the first level the choice is hidden, so an earlier choice must not apply
-  const chosen = level.peek() > 1 ? { preset, feedback } : LIFELIKE.ideal;
+  const chosen = level.peek() > 1 ? { model, preset, feedback } : LIFELIKE.ideal;
   return { breakpoints: [...breakpoints.peek()], speed, paused, ...chosen };
 }
 

@@ -51,6 +51,7 @@ export function Stage({ control, drawer }: StageProps) {
         <div class="floor__scene">
           <Scene
             world={control.world.value}
+            robot={control.robot.value}
             view={shown}
             poseAt={shownPose}
             whole={robot.live}

@@ -1,4 +1,4 @@
-import { DEFAULT_WORLD } from "../../api/declared";
+import { DEFAULT_ROBOT, DEFAULT_WORLD } from "../../api/declared";
 import { type Lifelike, OWN_WORLD, type Setup, type Version } from "../../api/model";
 
 /** Speed factors of the simulated robot. */
@@ -18,6 +18,7 @@ export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup
   const world = version?.world ? OWN_WORLD : DEFAULT_WORLD;
   return (
     version?.setup ?? {
+      model: DEFAULT_ROBOT,
       ...LIFELIKE.ideal,
       world,
       start: null,

@@ -1,9 +1,11 @@
-import { Bot, Gauge } from "lucide-preact";
+import { Bot, Gauge, Truck } from "lucide-preact";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import { Select } from "../../kit/Select";
+import { clear } from "../../run/live";
 import { movingLink } from "../../run/real/real_robot";
 import { isUnderWay } from "../../run/reducer";
+import { robotModels, robotOf } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 import { LIFELIKE, type LifelikeName, lifelikeOf, SPEEDS } from "../program/setup";
 import { ActionButton, type ActionsProps } from "./ActionButton";
@@ -20,7 +22,12 @@ export function DebugBar(props: ActionsProps) {
       ))}
       {!movingLink.value && (
         <>
-          {!isUnderWay(props.state.phase) && !open.mission.value && <LifelikeChoice open={open} />}
+          {!isUnderWay(props.state.phase) && !open.mission.value && (
+            <>
+              <ModelChoice open={open} />
+              <LifelikeChoice open={open} />
+            </>
+          )}
           <SpeedChoice open={open} />
         </>
       )}
@@ -46,6 +53,27 @@ function SpeedChoice({ open }: { open: OpenProgram }) {
 }
 
 const timesOf = (factor: number) => decimal(factor, factor < 1 ? 2 : 0, language.value);
+
+/** Selects the model of the simulated robot. */
+function ModelChoice({ open }: { open: OpenProgram }) {
+  const { debug } = texts.value;
+  const { model } = open.setup.value;
+  return (
+    <Select
+      class="debug-bar__model"
+      icon={Truck}
+      label={debug.model}
+      tip={`${debug.model}: ${robotOf(model)?.title ?? model}`}
+      testId="robot-model"
+      value={model}
+      options={robotModels.value.map(({ name, title }) => [name, title])}
+      onChange={(chosen) => {
+        open.changeSetup({ model: chosen });
+        clear();
+      }}
+    />
+  );
+}
 
 /** Selects preset and feedback of the next simulated run. */
 function LifelikeChoice({ open }: { open: OpenProgram }) {

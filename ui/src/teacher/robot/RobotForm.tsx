@@ -3,11 +3,11 @@ import { useState } from "preact/hooks";
 import type { RealRobot } from "../../api/model";
 import { robotsApi } from "../../api/robots";
 import { language, texts } from "../../i18n";
+import { linkWords } from "../../i18n/reasons";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
-import { knownLink } from "../../run/real/RobotName";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { useDraft } from "../useDraft";
 import { Contact } from "./Contact";
@@ -32,10 +32,9 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
   const change = (work: () => Promise<RealRobot>) => act(async () => onChanged(await work()));
   const keep = async () =>
     setKept(await change(() => robotsApi.keep(robot.link, recordOf(robot.fields, draft))));
-  const known = knownLink(robot.link);
   return (
     <Form class="panel card robot-form" onSubmit={keep}>
-      {known && <p>{say.about[known]}</p>}
+      <p>{linkWords(robot.link, language.value)?.remedy}</p>
       <p class="robot-form__state" data-set-up={robot.is_set_up}>
         {robot.is_set_up ? say.isSetUp : say.notSetUp}
       </p>

@@ -1,10 +1,9 @@
 import { texts } from "../../i18n";
 import { numberIn } from "../../kit/NumberField";
 import { placeOf, robotStates } from "../../run/real/robot_state";
+import { extentOf, hullPath } from "../../scene/hull";
+import { robotOf } from "../../shell/session";
 import type { Draft } from "./record";
-
-/** Radius of the drawn robot: the Pioneer 3-DX. */
-const RADIUS_M = 0.25;
 
 interface RoomPictureProps {
   draft: Draft;
@@ -35,8 +34,7 @@ export function RoomPicture({ draft, link }: RoomPictureProps) {
         height={depth}
       />
       <g transform={`translate(${x} ${-y}) rotate(${-heading})`}>
-        <circle class="room-picture__robot" r={RADIUS_M} />
-        <path class="room-picture__nose" d={`M 0 0 H ${RADIUS_M}`} />
+        <Hull hull="room-picture__robot" nose="room-picture__nose" />
       </g>
       {link && <Place link={link} />}
     </svg>
@@ -53,8 +51,19 @@ function Place({ link }: { link: string }) {
       data-testid="robot-place"
       transform={`translate(${place.x_m} ${-place.y_m}) rotate(${-place.heading_deg})`}
     >
-      <circle class="room-picture__place" r={RADIUS_M} />
-      <path class="room-picture__place" d={`M 0 0 H ${RADIUS_M}`} />
+      <Hull hull="room-picture__place" nose="room-picture__place" />
     </g>
+  );
+}
+
+/** Outline of the robot, and a line to its front. */
+function Hull({ hull, nose }: { hull: string; nose: string }) {
+  const robot = robotOf(null);
+  if (!robot) return null;
+  return (
+    <>
+      <path class={hull} d={hullPath(robot)} />
+      <path class={nose} d={`M 0 0 H ${extentOf(robot).front}`} />
+    </>
   );
 }

@@ -5,6 +5,7 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
+import { robotOf } from "../../shell/session";
 import { theme } from "../../shell/theme";
 import type { EditorStore } from "../editor_store";
 import { pressed } from "../keys";
@@ -27,7 +28,7 @@ export function Board({ store, children }: { store: EditorStore; children: Compo
   const world = store.world.value;
 
   useLayoutEffect(() => {
-    if (canvas.current && view.value) paintBoard(canvas.current, world, view.value);
+    if (canvas.current && view.value) paintBoard(canvas.current, world, robotOf(null), view.value);
   }, [world, view.value, theme.value]);
 
   return (

@@ -1,4 +1,4 @@
-import type { World } from "../../api/model";
+import type { Robot, World } from "../../api/model";
 import { type Camera, cameraFor, clampScale, type Size } from "../../scene/camera";
 import { drawFloor, drawRulers } from "../../scene/floor";
 import type { XY } from "../../scene/frames";
@@ -43,7 +43,12 @@ export function panned(view: View, dx: number, dy: number): View {
 }
 
 /** Draws the floor with the scene's functions; tiles and numbers count from the start, as blocks do. */
-export function paintBoard(canvas: HTMLCanvasElement, world: World, view: View): void {
+export function paintBoard(
+  canvas: HTMLCanvasElement,
+  world: World,
+  robot: Robot | null,
+  view: View,
+): void {
   const ctx = canvas.getContext("2d");
   if (!ctx) return;
   const palette = readPalette();
@@ -58,7 +63,7 @@ export function paintBoard(canvas: HTMLCanvasElement, world: World, view: View):
   ctx.scale(camera.scale, -camera.scale);
   ctx.translate(-camera.x, -camera.y);
   drawFloor(ctx, world, palette, camera.scale);
-  drawStanding(ctx, world, palette, camera.scale * ratio);
+  if (robot) drawStanding(ctx, world, robot, palette, camera.scale * ratio);
   ctx.restore();
   drawRulers(ctx, world, camera, size, palette);
 }
@@ -66,13 +71,14 @@ export function paintBoard(canvas: HTMLCanvasElement, world: World, view: View):
 function drawStanding(
   ctx: CanvasRenderingContext2D,
   { start }: World,
+  robot: Robot,
   palette: Palette,
   pixels: number,
 ): void {
   ctx.translate(start.x_m, start.y_m);
   ctx.rotate((start.heading_deg * Math.PI) / 180);
-  drawStart(ctx, palette, pixels);
-  drawRobot(ctx, { x: 0, y: 0, yaw: 0 }, palette, pixels);
+  drawStart(ctx, robot, palette, pixels);
+  drawRobot(ctx, robot, { x: 0, y: 0, yaw: 0 }, palette, pixels);
 }
 
 function fitTo(canvas: HTMLCanvasElement, { width, height }: Size): void {
