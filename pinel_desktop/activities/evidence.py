@@ -4,6 +4,7 @@ The same evidence comes from a run that was just executed and from one that the 
 record rounds them, so that both are judged alike.
 """
 
+import math
 from array import array
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.activities.commands import MOTIONS, Command, commands_of
-from pinel_desktop.activities.drawing import Points, Sampled, sampled
+from pinel_desktop.activities.drawing import Points, Sampled, at_steps, length, sampled
 from pinel_desktop.events.model import Event, RunEnded, Telemetry
 from pinel_desktop.events.types import KEPT
 from pinel_desktop.execution.clock import TICK_HZ
@@ -182,12 +183,12 @@ class Evidence:
     def path(self) -> Points:
         """The path in the start frame without what is noise, shape (n, 2)."""
         step_m = WAY_STEP_M if self.log.is_true else MEASURED_STEP_M
-        return _at_steps(self.log.poses[:, :2], step_m)
+        return at_steps(self.log.poses[:, :2], step_m)
 
     @cached_property
     def path_m(self) -> float:
         """Length of the path, without what is noise."""
-        return _length(self.path)
+        return length(self.path)
 
     @cached_property
     def turned_rad(self) -> tuple[float, float]:
@@ -236,6 +237,16 @@ class Evidence:
         index = int(_zone_indices(self.world.zones, np.array([[x_m, y_m]]))[0])
         return self.world.zones[index].name if index >= 0 else ""
 
+    def zone_center(self, name: str) -> tuple[float, float] | None:
+        """Centre of a zone in the world's frame; None where the world has none of that name."""
+        centers = (zone.shape.center for zone in self.world.zones if zone.name == name)
+        return next(centers, None)
+
+    def off_zone_m(self, name: str, x_m: float, y_m: float) -> float:
+        """Distance of a point in the world's frame from the centre of a zone."""
+        center = self.zone_center(name)
+        return math.dist((x_m, y_m), center) if center else 0.0
+
     @cached_property
     def end_zone(self) -> str:
         x, y = self.in_world[-1]
@@ -251,7 +262,7 @@ class Evidence:
             until = pens[i + 1]["tick"] if i + 1 < len(pens) else last
             if event["down"] and until > event["tick"]:
                 line = self.log.poses[event["tick"] : until + 1, :2]
-                if _length(_at_steps(line, _DOT_M)) > _DOT_M:
+                if length(at_steps(line, _DOT_M)) > _DOT_M:
                     found.append(Trail(line, event["tick"]))
         return tuple(found)
 
@@ -320,8 +331,15 @@ class Evidence:
         return before[-1] if before else None
 
     @cached_property
-    def last_motion(self) -> Begun | None:
-        return self.motion_at(len(self.log.poses))
+    def last_motion(self) -> str | None:
+        """Pointer of the last motion."""
+        motion = self.motion_at(len(self.log.poses))
+        return motion.pointer if motion else None
+
+    def last_begun(self, *actions: str) -> str | None:
+        """Pointer of the last command of these kinds that began."""
+        found = [one.pointer for one in self.begun if one.action in actions]
+        return found[-1] if found else None
 
     @cached_property
     def touch_tick(self) -> int | None:
@@ -341,17 +359,6 @@ class Evidence:
         return next((one for one in self.commands if one.pointer == pointer), None)
 
 
-def _at_steps(points: Points, step_m: float) -> Points:
-    """The points that are a step from the one before, and the last."""
-    kept = [points[0]]
-    x, y = float(points[0, 0]), float(points[0, 1])
-    for index, (px, py) in enumerate(points.tolist()):
-        if (px - x) ** 2 + (py - y) ** 2 >= step_m**2:
-            kept.append(points[index])
-            x, y = px, py
-    return np.array([*kept, points[-1]])
-
-
 def _swing(values: Sequence[float], least: float) -> float:
     """How far values go up and down in all, without reversals that are less than `least`."""
     turning_point = extreme = values[0]
@@ -366,10 +373,6 @@ def _swing(values: Sequence[float], least: float) -> float:
             total += abs(extreme - turning_point)
             turning_point, extreme, direction = extreme, value, -direction
     return total + abs(extreme - turning_point)
-
-
-def _length(points: Points) -> float:
-    return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
 
 def _zone_indices(zones: Sequence[Zone], points: Points) -> NDArray[np.int64]:

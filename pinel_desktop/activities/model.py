@@ -5,7 +5,8 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field
 from pydantic_core import PydanticCustomError
 
-from pinel_desktop.activities.check_kinds import MOST, Check, Metres, Name
+from pinel_desktop.activities.checks import Check
+from pinel_desktop.activities.checks.base import MAX_ITEMS, Metres, Name
 from pinel_desktop.activities.texts import Model, Texts, Title
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
 
@@ -32,9 +33,9 @@ class Case(Model):
 
     seed: Annotated[int, Field(ge=0, le=2**53 - 1)] = 0
     start: Start | None = None
-    gestures: list[str] = Field(default_factory=list, max_length=MOST)
-    answers: list[str] = Field(default_factory=list, max_length=MOST)
-    checks: list[Check] = Field(default_factory=list, max_length=MOST)
+    gestures: list[str] = Field(default_factory=list, max_length=MAX_ITEMS)
+    answers: list[str] = Field(default_factory=list, max_length=MAX_ITEMS)
+    checks: list[Check] = Field(default_factory=list, max_length=MAX_ITEMS)
 
 
 # with them, `n_ACTION`: how many of that block the program has, and `x_ACTION`: how many were begun in the run
@@ -124,14 +125,14 @@ class Activity(Model):
     number: Annotated[str, Field(pattern=r"^[1-9][0-9]?\.[1-9][0-9]?$")] | None = None
     minutes: Annotated[int, Field(ge=1, le=600)] | None = None
     level: Literal[1, 2, 3] | None = None
-    blocks: Annotated[list[Name], Field(min_length=1, max_length=MOST)] | None = None
+    blocks: Annotated[list[Name], Field(min_length=1, max_length=MAX_ITEMS)] | None = None
     story: Texts | None = None
     criteria: Texts | None = None
     hints: list[Texts] = Field(default_factory=list, max_length=3)
     question: Texts | None = None
-    cases: list[Case] = Field(default_factory=lambda: [Case()], min_length=1, max_length=MOST)
-    checks: list[Check] = Field(default_factory=list, max_length=MOST)
-    diagnoses: list[Diagnosis] = Field(default_factory=list, max_length=MOST)
+    cases: list[Case] = Field(default_factory=lambda: [Case()], min_length=1, max_length=MAX_ITEMS)
+    checks: list[Check] = Field(default_factory=list, max_length=MAX_ITEMS)
+    diagnoses: list[Diagnosis] = Field(default_factory=list, max_length=MAX_ITEMS)
     solution: dict[str, Any] | None = None
     shows_path: bool = True
 
