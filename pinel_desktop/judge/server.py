@@ -2,6 +2,7 @@
 
 import logging
 from dataclasses import asdict
+from functools import lru_cache
 from typing import BinaryIO
 
 from pinel_desktop.activities import (
@@ -62,7 +63,7 @@ class Followed:
         self._evaluation: LiveEvaluation | None = None
         self._writer = LogWriter()
 
-    def evaluate(self, told: Told) -> list[CheckStatus] | None:
+    def stand(self, told: Told) -> list[CheckStatus] | None:
         """Status of each check of its activity; None where they are not about it, or its beginning is unknown.
 
         Raises:
@@ -78,7 +79,7 @@ class Followed:
 
     def _begin(self, run: str, begun: BegunRun) -> None:
         evaluation = LiveEvaluation(
-            Activity.model_validate(begun.activity),
+            _read(begun.activity),
             begun.document,
             begun.world,
             setting_from(begun.parameters),
@@ -92,7 +93,7 @@ def _answer(message: Message, followed: Followed) -> Message:
     number = message["request"]
     try:
         if "follow" in message:
-            lines = followed.evaluate(Told.from_message(message))
+            lines = followed.stand(Told.from_message(message))
             return response(number, None if lines is None else [asdict(line) for line in lines])
         return response(number, asdict(verdict_on(Question.from_message(message))))
     except PinelError as error:
@@ -104,6 +105,12 @@ def _answer(message: Message, followed: Followed) -> Message:
         return response(number, error=PinelError("internal_error", detail=detail))
 
 
+@lru_cache(maxsize=4)
+def _read(activity: str) -> Activity:
+    """An activity, which is read once for the check list of a run and its verdict."""
+    return Activity.model_validate_json(activity)
+
+
 def verdict_on(question: Question) -> Verdict:
     """Judges a program: the run that was seen where it was a case of the activity, the other cases in the simulator.
 
@@ -112,7 +119,7 @@ def verdict_on(question: Question) -> Verdict:
     Raises:
         PinelError: what `check_program`, `case_of_run` and `judging_blockers` raise.
     """
-    activity = Activity.model_validate(question.activity)
+    activity = _read(question.activity)
     seen = _recorded(activity, question.seen) if question.seen else None
     if question.seen and tolerance_of(question.seen.parameters):
         found = judging_blockers(activity)
