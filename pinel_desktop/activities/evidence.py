@@ -221,16 +221,20 @@ class Evidence:
         return float(cos * dx + sin * dy), float(cos * dy - sin * dx)
 
     @cached_property
-    def zones(self) -> tuple[str, ...]:
-        """Names of the zones that the robot's centre entered, in order, the same not twice in a row."""
-        names = _zone_indices(self.world.zones, self.in_world)
-        changes = np.flatnonzero(np.diff(names, prepend=-2))
-        entered: list[str] = []
-        for index in names[changes].tolist():
-            name = self.world.zones[index].name if index >= 0 else ""
-            if name and (not entered or entered[-1] != name):
-                entered.append(name)
+    def entries(self) -> tuple[tuple[str, int], ...]:
+        """Zones that the robot's centre entered, in order, the same not twice in a row: name and tick."""
+        indices = _zone_indices(self.world.zones, self.in_world)
+        entered: list[tuple[str, int]] = []
+        for tick in np.flatnonzero(np.diff(indices, prepend=-2)).tolist():
+            name = self.world.zones[indices[tick]].name if indices[tick] >= 0 else ""
+            if name and (not entered or entered[-1][0] != name):
+                entered.append((name, tick))
         return tuple(entered)
+
+    @cached_property
+    def zones(self) -> tuple[str, ...]:
+        """Names of the zones that the robot's centre entered, in order."""
+        return tuple(name for name, _ in self.entries)
 
     def zone_at(self, x_m: float, y_m: float) -> str:
         """Name of the zone at a point in the world's frame; "" outside of all zones."""
@@ -293,11 +297,6 @@ class Evidence:
     def said(self) -> tuple[str, ...]:
         return tuple(str(event["text"]) for event in self._of_type("said"))
 
-    @cached_property
-    def captures(self) -> int:
-        """How many signs were read, with or without a result."""
-        return len(self._of_type("capture_started"))
-
     def _of_type(self, kind: str) -> tuple[Wire, ...]:
         return tuple(event for event in self.log.events if event["type"] == kind)
 
@@ -322,7 +321,7 @@ class Evidence:
         if action in counted:
             return len(self._of_type(counted[action]))
         if action == "classify_gestures":
-            return self.captures
+            return len(self._of_type("capture_started"))  # with or without a result
         return sum(one.action == action for one in self.begun)
 
     def motion_at(self, tick: int) -> Begun | None:

@@ -1,5 +1,6 @@
 """Each kind of check, true and false, on real runs: what it measures, what it says, which block it points at."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -49,6 +50,38 @@ IN_B = {"check": "ends_in", "zone": "B"}
 MARK = {"action": "mark", "symbol": "X"}
 HELLO = {"action": "say", "text": "Olá, Turma"}
 TO_B: list[dict[str, Any]] = [move(2), MARK, HELLO]  # from left of A through A into B
+
+
+# parameters of a kind that has some
+ONE_OF_EACH: Mapping[str, Mapping[str, Any]] = {
+    "ends_at": {"x_m": 1.0, "y_m": -2.0},
+    "ends_heading": {"heading_deg": -90.0},
+    "ends_in": {"zone": "A"},
+    "visits": {"zones": ["A", "E"]},
+    "pushed": {"box": 0, "zone": "A"},
+    "uses": {"action": "repeat", "at_least": 2, "at_most": 3},
+    "marks": {"symbol": "X", "zone": "A"},
+    "says": {"text": "oi"},
+    "path_length": {"at_least_m": 1.0, "at_most_m": 3.0},
+    "draws": {"template": [[[0.0, 0.0], [1.0, 0.0]]]},
+    "symmetric": {"axes": 2},
+    "turned_total": {"at_least_deg": 90.0, "net_deg": 90.0},
+    "block_count": {"at_most": 3},
+    "nesting": {"at_least": 2},
+    "executed": {"action": "turn", "n": 0},
+    "mark_count": {"n": 1},
+    "time": {"at_most_s": 20.0},
+    "any_of": {"checks": [{"check": "closed"}, {"check": "finished"}]},
+}
+# what kinds need that only the simulator tells
+SIMULATOR_ONLY = {
+    "ends_in": "zones",
+    "visits": "zones",
+    "marks": "zones",
+    "pushed": "boxes",
+    "touches_nothing": "contact",
+    "time": "pace",
+}
 
 
 @pytest.mark.parametrize(

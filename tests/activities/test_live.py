@@ -1,10 +1,8 @@
 """The check list of a run that goes on: filled by the code of the verdict, never ahead of the run."""
 
 import re
-from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -29,6 +27,7 @@ from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import Reading, read_document
 from pinel_desktop.robot import Setting
 from pinel_desktop.runs.start import start
+from tests.activities.test_checks import ONE_OF_EACH
 
 PROGRAMS = Path(__file__).parent / "programs"
 ENDLESS = ("until_b/wrong_no_reading", "maze/wrong_no_move")
@@ -148,28 +147,6 @@ def test_the_list_ends_as_the_verdict_and_has_no_open_ends(file: Path) -> None:
     for words, measured, _ in (line for lines in lists for line in lines):
         assert not re.search(r"[{}_]", words + measured)
     assert all(state != "open" for _, _, state in lists[-1])
-
-
-ONE_OF_EACH: Mapping[str, Mapping[str, Any]] = {
-    "ends_at": {"x_m": 1.0, "y_m": -2.0},
-    "ends_heading": {"heading_deg": -90.0},
-    "ends_in": {"zone": "A"},
-    "visits": {"zones": ["A", "E"]},
-    "pushed": {"box": 0, "zone": "A"},
-    "uses": {"action": "repeat", "at_least": 2, "at_most": 3},
-    "marks": {"symbol": "X", "zone": "A"},
-    "says": {"text": "oi"},
-    "path_length": {"at_least_m": 1.0, "at_most_m": 3.0},
-    "draws": {"template": [[[0.0, 0.0], [1.0, 0.0]]]},
-    "symmetric": {"axes": 2},
-    "turned_total": {"at_least_deg": 90.0, "net_deg": 90.0},
-    "block_count": {"at_most": 3},
-    "nesting": {"at_least": 2},
-    "executed": {"action": "turn", "n": 0},
-    "mark_count": {"n": 1},
-    "time": {"at_most_s": 20.0},
-    "any_of": {"checks": [{"check": "closed"}, {"check": "finished"}]},
-}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -35,7 +35,7 @@ from pinel_desktop.program.sensors import SENSORS
 from pinel_desktop.robot import Setting
 from pinel_desktop.robot.record import BridgeRecord, Room
 from pinel_desktop.runs.start import start
-from tests.activities.test_checks import activity
+from tests.activities.test_checks import SIMULATOR_ONLY, activity
 
 PROGRAMS = Path(__file__).parent / "programs"
 BRIDGE = {"robot": BridgeRecord().as_record()}
@@ -54,20 +54,12 @@ JUDGED = (
     "until_b",
     "up_to_three_metres",
 )
-MISSING = {
-    "ends_in": "zones",
-    "visits": "zones",
-    "marks": "zones",
-    "pushed": "boxes",
-    "touches_nothing": "contact",
-    "time": "pace",
-}
 EMPTY = "empty_room"
 
 
 def test_every_kind_declares_what_it_needs_of_the_simulator() -> None:
     assert {name: kind.requires for name, kind in KINDS.items() if "requires" in vars(kind)} == {
-        name: MISSING.get(name) for name in KINDS
+        name: SIMULATOR_ONLY.get(name) for name in KINDS
     }
 
 
