@@ -10,8 +10,10 @@ from pinel_desktop.activities import (
     Activity,
     Report,
     check_program,
+    goal_of,
 )
 from pinel_desktop.activities.checks import KINDS
+from pinel_desktop.activities.faults import semantic_faults
 from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE, catalogue
 from pinel_desktop.program.reading import read_document
 from sim.world import world_document
@@ -58,6 +60,7 @@ ONE_OF_EACH: Mapping[str, Mapping[str, Any]] = {
     "ends_heading": {"heading_deg": -90.0},
     "ends_in": {"zone": "A"},
     "visits": {"zones": ["A", "E"]},
+    "avoids": {"zone": "A"},
     "pushed": {"box": 0, "zone": "A"},
     "uses": {"action": "repeat", "at_least": 2, "at_most": 3},
     "marks": {"symbol": "X", "zone": "A"},
@@ -77,6 +80,7 @@ ONE_OF_EACH: Mapping[str, Mapping[str, Any]] = {
 SIMULATOR_ONLY = {
     "ends_in": "zones",
     "visits": "zones",
+    "avoids": "zones",
     "marks": "zones",
     "pushed": "boxes",
     "touches_nothing": "contact",
@@ -99,6 +103,8 @@ SIMULATOR_ONLY = {
         ({"check": "visits", "zones": ["B", "A"]}, TO_B, False),
         ({"check": "visits", "zones": ["B", "A"], "ordered": False}, TO_B, True),
         ({"check": "visits", "zones": ["A", "C"], "ordered": False}, TO_B, False),
+        ({"check": "avoids", "zone": "C"}, TO_B, True),
+        ({"check": "avoids", "zone": "A"}, TO_B, False),
         ({"check": "touches_nothing"}, TO_B, True),
         ({"check": "touches_nothing"}, [turn(180), move(9)], False),
         ({"check": "uses", "action": "say"}, TO_B, True),
@@ -195,6 +201,17 @@ def test_a_box_is_pushed_into_a_zone() -> None:
     assert run(pushed, move(distance)).passed
     there_is_no_such = activity({"check": "pushed", "box": 99, "zone": "A"}, world=world)
     assert not run(there_is_no_such, move(1)).passed
+
+
+def test_a_zone_that_was_to_be_avoided_is_told_with_the_block_that_drove_into_it() -> None:
+    commands = [turn(0.5), {**move(1), "block": "in"}, {**move(1), "block": "out"}]
+    wanted = activity({"check": "avoids", "zone": "A"})
+    (found,) = run(wanted, *commands).cases[0].checks
+    assert (found.holds, found.block, found.measured) == (False, "in", "A, B")
+    assert found.words["pt-BR"].startswith("O robô passou por “A”, onde não devia.")
+    assert goal_of(wanted, None).zones == []  # it is no place to get to
+    (fault,) = semantic_faults(activity({"check": "avoids", "zone": "?"}))
+    assert (fault.code, fault.pointer) == ("activity_unknown_zone", "/checks/0/zone")
 
 
 def test_each_case_has_its_own_gestures_and_checks() -> None:

@@ -19,6 +19,7 @@ from pinel_desktop.activities.checks.floor import (
     symmetric,
 )
 from pinel_desktop.activities.checks.movement import (
+    avoids,
     ends_at,
     ends_heading,
     ends_in,
@@ -36,6 +37,7 @@ Check = Annotated[
     | ends_at.EndsAt
     | ends_heading.EndsHeading
     | visits.Visits
+    | avoids.Avoids
     | touches_nothing.TouchesNothing
     | pushed.Pushed
     | draws.Draws

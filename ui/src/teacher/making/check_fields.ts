@@ -5,6 +5,7 @@ export const CHECK_FIELDS = {
   ends_in: [{ key: "zone", input: "zone" }],
   ends_at: [{ key: "within_m", input: "number", label: "cm", min: 1, max: 500, step: 1, factor: 100 }],
   visits: [{ key: "zones", input: "shown" }],
+  avoids: [{ key: "zone", input: "zone" }],
   touches_nothing: [],
   draws: [{ key: "tolerance", input: "number", label: "cm", min: 2, max: 100, step: 1, factor: 100 }],
   closed: [{ key: "within_m", input: "number", label: "cm", min: 1, max: 500, step: 1, factor: 100 }],
