@@ -164,6 +164,10 @@ def unindented(text: str) -> str:
     [
         ("A block", ["program", "execution", "blocks", "i18n", "blocks"]),
         ("A sensor", ["program", "links", "i18n"]),
+        (
+            "A check kind of an activity",
+            ["checks", "checks", "catalogue", "i18n", "activities"],
+        ),
         ("A robot link", ["links", "links", "tests"]),
         ("An event", ["events", "execution"]),
         ("A request of the page", ["models", "api", "api"]),
