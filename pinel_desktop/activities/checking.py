@@ -21,7 +21,7 @@ from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import Setting
 from pinel_desktop.runs.spec import CUT_OFF, RunSpec
 from pinel_desktop.runs.start import start
-from sim.world import World, world_from_document
+from sim.world import world_from_document
 
 # busy loops of 10 s at rest, of 33 s of robot time in all; a program that passes an activity takes some thousand steps
 STEP_LIMIT = StepLimit(at_rest=300_000, total=1_000_000)
@@ -170,21 +170,6 @@ def run_case(activity: Activity, case: Case, reading: Reading) -> RunLog:
     return writer.log()
 
 
-def evidence_of(
-    activity: Activity,
-    document: Mapping[str, Any],
-    world: World,
-    log: RunLog,
-    tolerance: RealRobotTolerance | None = None,
-) -> Evidence:
-    """What is known of a run that goes on, was just executed or was recorded.
-
-    A real robot, which has a tolerance, has no limit of time: its speed is limited for people's safety.
-    """
-    limited = log if tolerance else _with_time_limit(log, activity.limit_s)
-    return Evidence(document, world, limited)
-
-
 def evaluate(check: Check, evidence: Evidence, tolerance: RealRobotTolerance | None) -> CheckResult:
     """The result, of a real robot with a tolerance that it can meet; what is missing is told of the check itself."""
     if tolerance is not None:
@@ -217,7 +202,7 @@ def judge_run(
     case = activity.cases[number - 1]
     world = world_from_document(world_of(activity, case))
     checks = [*activity.checks, *case.checks]
-    evidence = evidence_of(activity, document, world, log, tolerance)
+    evidence = Evidence(document, world, in_time(log, activity, tolerance))
     reports = tuple(
         _check_report(check, evaluate(check, evidence, tolerance), evidence) for check in checks
     )
@@ -235,12 +220,16 @@ def judge_run(
     )
 
 
-def _with_time_limit(log: RunLog, limit_s: float) -> RunLog:
-    """The log of a run that took too long, whoever stopped it or will stop it, ends as a failure."""
+def in_time(log: RunLog, activity: Activity, tolerance: RealRobotTolerance | None) -> RunLog:
+    """The log of a run that took too long, whoever stopped it or will stop it, ends as a failure.
+
+    A real robot, which has a tolerance, has no limit of time: its speed is limited for people's safety.
+    """
+    limit_s = activity.limit_s
     duration_s = (len(log.poses) - 1) / TICK_HZ
     ended = log.ended
     is_stopped = ended["state"] == "stopped" and duration_s >= limit_s
-    if not is_stopped and duration_s <= limit_s + _REST_S:
+    if tolerance or (not is_stopped and duration_s <= limit_s + _REST_S):
         return log
     end = {**ended, "state": "failed", "reason": "too_long", "params": {"limit": limit_s}}
     before = log.events[:-1] if log.is_over else log.events

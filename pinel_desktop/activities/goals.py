@@ -129,5 +129,6 @@ def _rounded(value: float) -> float:
 
 
 def _zones(activity: Activity) -> list[str]:
-    checks = (*activity.checks, *(one for case in activity.cases for one in case.checks))
-    return list(dict.fromkeys(zone for check in checks for zone in check.goal_zones()))
+    return list(
+        dict.fromkeys(zone for check in activity.all_checks() for zone in check.goal_zones())
+    )

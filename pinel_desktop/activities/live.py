@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
-from pinel_desktop.activities.checking import evaluate, evidence_of
+from pinel_desktop.activities.checking import evaluate, in_time
 from pinel_desktop.activities.checks import Check
 from pinel_desktop.activities.checks.base import CheckResult, RealRobotTolerance
-from pinel_desktop.activities.evidence import RunLog
+from pinel_desktop.activities.evidence import Evidence, RunLog
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.activities.recorded import (
     begins_like,
@@ -81,10 +81,11 @@ class LiveEvaluation:
 
     def evaluate(self, log: RunLog, language: str) -> list[CheckStatus]:
         """The check list after all that the run has told so far."""
-        evidence = evidence_of(self._activity, self._document, self._floor, log, self._tolerance)
+        log = in_time(log, self._activity, self._tolerance)
+        evidence = Evidence(self._document, self._floor, log)
         return [
-            self._status(check, evaluate(check, evidence, self._tolerance), evidence.log, language)
-            for check in self._checks(evidence.log)
+            self._status(check, evaluate(check, evidence, self._tolerance), log, language)
+            for check in self._checks(log)
         ]
 
     @cached_property

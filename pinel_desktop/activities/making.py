@@ -4,8 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from pinel_desktop.activities.checking import check_program, evidence_of, run_case
+from pinel_desktop.activities.checking import check_program, run_case
 from pinel_desktop.activities.checks import KINDS
+from pinel_desktop.activities.evidence import Evidence
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.program.reading import Reading, read_document
@@ -41,7 +42,7 @@ def proposal_for(activity: Activity, solution: Reading) -> Proposal:
     assert solution.document is not None
     case = activity.cases[0]
     world, log = world_from_document(world_of(activity, case)), run_case(activity, case, solution)
-    evidence = evidence_of(activity, solution.document, world, log)
+    evidence = Evidence(solution.document, world, log)
     proposed = {name: kind.proposed(evidence) for name, kind in KINDS.items()}
     return Proposal(
         finished=evidence.log.ended["state"] == "finished",

@@ -1,5 +1,6 @@
 """The models of an activity: what a group reads, its world, the inputs of its cases, its checks and its diagnoses."""
 
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
@@ -135,6 +136,12 @@ class Activity(Model):
     diagnoses: list[Diagnosis] = Field(default_factory=list, max_length=MAX_ITEMS)
     solution: dict[str, Any] | None = None
     shows_path: bool = True
+
+    def all_checks(self) -> Iterator[Check]:
+        """Its own, and those of its cases."""
+        yield from self.checks
+        for case in self.cases:
+            yield from case.checks
 
 
 # the keys of an activity in format 1, whose cases have no `start`

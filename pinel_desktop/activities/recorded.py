@@ -10,7 +10,6 @@ from typing import Any, Literal, NamedTuple, get_args
 
 from pydantic import ValidationError
 
-from pinel_desktop.activities.checks import Check
 from pinel_desktop.activities.checks.base import RealRobotTolerance, SimulatorRequirement
 from pinel_desktop.activities.evidence import RunLog
 from pinel_desktop.activities.faults import world_of
@@ -141,7 +140,7 @@ def judging_blockers(activity: Activity) -> tuple[JudgingBlocker, ...]:
         PinelError: what `world_of` raises.
     """
     found: dict[Missing, list[str]] = {one: [] for one in _of_world(activity)}
-    for check in _checks(activity):
+    for check in activity.all_checks():
         for requirement in check.requirements():
             kinds = found.setdefault(requirement, [])
             if check.check not in kinds:
@@ -184,12 +183,6 @@ def tolerance_of(parameters: Mapping[str, Any]) -> RealRobotTolerance | None:
         raise PinelError("run_damaged", part="parameters") from error
     move_m, turn_deg = record.move_tolerance_m, record.turn_tolerance_deg
     return RealRobotTolerance(move_m + _NOISE_M, turn_deg + _NOISE_DEG, _PATH)
-
-
-def _checks(activity: Activity) -> Iterator[Check]:
-    yield from activity.checks
-    for case in activity.cases:
-        yield from case.checks
 
 
 def _of_world(activity: Activity) -> Iterator[Missing]:
