@@ -40,6 +40,7 @@ from storage.file.temporary import remove_leftovers
 from storage.maintenance import Maintenance
 
 if TYPE_CHECKING:
+    from pinel_desktop.judge.messages import BegunRun
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
     from pinel_desktop.web.legacy.api import BridgeChoice, LegacyApi
@@ -163,7 +164,6 @@ class App:
         self._confirmer = Confirmer(self._store, self._grader.verdict_on, self._grader.grade)
         undo.callback(self._confirmer.close)
         self._live_checks = LiveChecks(
-            self._store,
             lambda: self._grader.judge,
             self._hub.publish,
             lambda: self._preferences.language,
@@ -252,7 +252,7 @@ class App:
             database_state=self._database_state,
             show_window=self._on_show,
             flush_recording=self._flush_recording,
-            prepare_judge=self._grader.prepare,
+            prepare_judge=self._prepare_judge,
             confirm_runs=self._confirmer.wake,
             unsaved_end=self._unsaved_end,
             begin_empty=self._begin_empty,
@@ -268,6 +268,10 @@ class App:
         self._live_checks.observe(event)
         if event["type"] == "run_ended":
             self._grader.grade(event["run"])
+
+    def _prepare_judge(self, run_id: str, begun: "BegunRun") -> None:
+        self._grader.prepare(run_id, begun)
+        self._live_checks.expect(run_id, begun)
 
     def _flush_recording(self) -> None:
         with contextlib.suppress(StoreError, TimeoutError):

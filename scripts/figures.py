@@ -22,7 +22,13 @@ FOLDER_LIMIT = 20
 PACKAGES = ("pinel_desktop", "sim", "storage")
 CODE = re.compile(rf"(({'|'.join(PACKAGES)})/.*\.py|ui/src/.*\.(tsx?|css))$")
 GENERATED = tuple(
-    f"ui/src/{name}.ts" for name in ("api/declared", "api/types", "blocks/table/sensor_rows")
+    f"ui/src/{name}.ts"
+    for name in (
+        "api/declared",
+        "api/types",
+        "blocks/table/sensor_rows",
+        "teacher/making/check_fields",
+    )
 )
 WORDS = re.compile(r"ui/src/i18n/[\w-]+/")
 PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/: imported only by tests

@@ -166,6 +166,10 @@ def unindented(text: str) -> str:
         ("A sensor", ["program", "links", "i18n"]),
         ("A robot", ["robot"]),
         ("A robot link", ["links", "links", "robot", "messages"]),
+        (
+            "A check kind of an activity",
+            ["checks", "checks", "catalogue", "i18n", "activities"],
+        ),
         ("An event", ["events", "execution"]),
         ("A request of the page", ["models", "api", "api"]),
         ("A route and a screen", ["shell", "teacher", "i18n"]),

@@ -19,7 +19,8 @@ from pinel_desktop.activities.examples import (
 )
 from pinel_desktop.activities.faults import ActivityError, world_of
 from pinel_desktop.activities.goals import Goal, goal_of, shipped_goal
-from pinel_desktop.activities.making import Sample, Trial, sample_of, trials
+from pinel_desktop.activities.live import CheckStatus, LiveEvaluation, initial_check_list
+from pinel_desktop.activities.making import Proposal, Trial, proposal_for, trials
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.activities.reading import (
     PATHS,
@@ -34,14 +35,13 @@ from pinel_desktop.activities.reading import (
     world_titles,
 )
 from pinel_desktop.activities.recorded import (
-    before_words,
     case_of_real_run,
     case_of_run,
+    judging_blockers,
+    not_judgeable_notice,
     not_judged_words,
-    obstacles,
-    slack_of,
+    tolerance_of,
 )
-from pinel_desktop.activities.standing import RunStanding, Standing, standings_before
 
 __all__ = [
     "EXAMPLES",
@@ -51,18 +51,17 @@ __all__ = [
     "Advice",
     "CaseReport",
     "CheckReport",
+    "CheckStatus",
     "Goal",
+    "LiveEvaluation",
     "LogWriter",
+    "Proposal",
     "RecordedRun",
     "Report",
     "RunLog",
-    "RunStanding",
-    "Sample",
-    "Standing",
     "Trial",
     "activity_names",
     "activity_titles",
-    "before_words",
     "case_of_real_run",
     "case_of_run",
     "check_files",
@@ -71,19 +70,20 @@ __all__ = [
     "example",
     "example_picture",
     "goal_of",
+    "initial_check_list",
     "input_words",
     "judge_run",
+    "judging_blockers",
+    "not_judgeable_notice",
     "not_judged_words",
-    "obstacles",
     "program_of_example",
+    "proposal_for",
     "read_activity",
-    "sample_of",
     "shipped_activity",
     "shipped_goal",
     "shipped_texts",
-    "slack_of",
     "solution_of",
-    "standings_before",
+    "tolerance_of",
     "trials",
     "world_of",
     "world_title",

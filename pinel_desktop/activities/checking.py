@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from pinel_desktop.activities.check_kinds import Check, Slack
-from pinel_desktop.activities.checks import Finding, Value, find
+from pinel_desktop.activities.checks import Check
+from pinel_desktop.activities.checks.base import CheckResult, RealRobotTolerance, Value
 from pinel_desktop.activities.diagnosis import Advice, Facts, advice_of, fits
 from pinel_desktop.activities.evidence import Evidence, LogWriter, RunLog
 from pinel_desktop.activities.faults import world_of
@@ -26,7 +26,7 @@ from sim.world import world_from_document
 # busy loops of 10 s at rest, of 33 s of robot time in all; a program that passes an activity takes some thousand steps
 STEP_LIMIT = StepLimit(at_rest=300_000, total=1_000_000)
 _REST_S = 1.0  # the robot may roll on for that long when it is stopped at the limit
-_NO_PARAMS = {"check": True, "label": True, "checks": {"__all__": {"label"}}}
+_NO_PARAMS: dict[str, Any] = {"check": True, "label": True, "checks": {"__all__": {"label"}}}
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,12 +106,12 @@ class RecordedRun:
     Attributes:
         log: all that it told.
         case: number of the case that it is, from 1.
-        slack: how exactly its robot drives; None for the simulator's.
+        tolerance: how exactly its robot drives; None for the simulator's.
     """
 
     log: RunLog
     case: int = 1
-    slack: Slack | None = None
+    tolerance: RealRobotTolerance | None = None
 
 
 def check_program(
@@ -129,20 +129,14 @@ def check_program(
     if reading.program is None or reading.document is None:
         return Report(program, reading.faults, ())
     reports = []
-    for number in range(1, len(activity.cases) + 1):
-        if recorded is not None and recorded.case == number:
-            reports.append(
-                judge_run(
-                    activity,
-                    number,
-                    reading.document,
-                    recorded.log,
-                    recorded=True,
-                    slack=recorded.slack,
-                )
-            )
-        else:
-            reports.append(_run(activity, number, reading))
+    for number, case in enumerate(activity.cases, 1):
+        seen = recorded if recorded and recorded.case == number else None
+        log = seen.log if seen else run_case(activity, case, reading)
+        tolerance = seen.tolerance if seen else None
+        is_seen, document = seen is not None, reading.document
+        reports.append(
+            judge_run(activity, number, document, log, recorded=is_seen, tolerance=tolerance)
+        )
         if reports[-1].reason == "too_busy":
             break  # nor would it end in the other cases
     return Report(program, (), tuple(reports))
@@ -162,9 +156,8 @@ def spec_of(activity: Activity, case: Case, reading: Reading) -> RunSpec:
     )
 
 
-def _run(activity: Activity, number: int, reading: Reading) -> CaseReport:
-    assert reading.document is not None
-    spec = spec_of(activity, activity.cases[number - 1], reading)
+def run_case(activity: Activity, case: Case, reading: Reading) -> RunLog:
+    """Runs a program without faults in a case, until the activity's limit of time. Raises what `world_of` raises."""
     writer, control = LogWriter(), RunControl()
     last_tick = round(activity.limit_s * TICK_HZ)
 
@@ -173,8 +166,17 @@ def _run(activity: Activity, number: int, reading: Reading) -> CaseReport:
         if tick >= last_tick:
             control.stop()
 
-    start(spec, observe, control, step_limit=STEP_LIMIT)
-    return judge_run(activity, number, reading.document, writer.log())
+    start(spec_of(activity, case, reading), observe, control, step_limit=STEP_LIMIT)
+    return writer.log()
+
+
+def evaluate(check: Check, evidence: Evidence, tolerance: RealRobotTolerance | None) -> CheckResult:
+    """The result, of a real robot with a tolerance that it can meet; what is missing is told of the check itself."""
+    if tolerance is not None:
+        result = check.with_tolerance(tolerance).evaluate(evidence)
+        if result.passed:
+            return result
+    return check.evaluate(evidence)
 
 
 def judge_run(
@@ -184,7 +186,7 @@ def judge_run(
     log: RunLog,
     *,
     recorded: bool = False,
-    slack: Slack | None = None,
+    tolerance: RealRobotTolerance | None = None,
 ) -> CaseReport:
     """Judges one run of a program, executed just now or long ago.
 
@@ -192,21 +194,19 @@ def judge_run(
         number: the case, from 1.
         document: the program in its normal form.
         recorded: whether it is a run that the group saw.
-        slack: of a run on a real robot, which has no limit of time either: its speed is limited for people's safety.
+        tolerance: of a run on a real robot.
 
     Raises:
         PinelError: what `world_of` raises.
     """
     case = activity.cases[number - 1]
-    log = log if slack else limited(log, activity.limit_s)
-    evidence = Evidence(document, world_from_document(world_of(activity, case)), log)
+    world = world_from_document(world_of(activity, case))
     checks = [*activity.checks, *case.checks]
-    findings = [find_on_robot(check, evidence, slack) for check in checks]
+    evidence = Evidence(document, world, in_time(log, activity, tolerance))
     reports = tuple(
-        _check_report(check, finding, evidence)
-        for check, finding in zip(checks, findings, strict=True)
+        _check_report(check, evaluate(check, evidence, tolerance), evidence) for check in checks
     )
-    ended = log.ended
+    ended = evidence.log.ended
     return CaseReport(
         state=str(ended["state"]),
         reason=ended.get("reason"),
@@ -220,38 +220,33 @@ def judge_run(
     )
 
 
-def find_on_robot(check: Check, evidence: Evidence, slack: Slack | None) -> Finding:
-    """Evaluates a check, of a real robot with a tolerance that it can meet; what is missing is told of the check."""
-    if slack is not None:
-        found = find(check.widened(slack), evidence)
-        if found.holds:
-            return found
-    return find(check, evidence)
+def in_time(log: RunLog, activity: Activity, tolerance: RealRobotTolerance | None) -> RunLog:
+    """The log of a run that took too long, whoever stopped it or will stop it, ends as a failure.
 
-
-def limited(log: RunLog, limit_s: float) -> RunLog:
-    """The log of a run that took too long, whoever stopped it or will stop it, ends as a failure."""
+    A real robot, which has a tolerance, has no limit of time: its speed is limited for people's safety.
+    """
+    limit_s = activity.limit_s
     duration_s = (len(log.poses) - 1) / TICK_HZ
     ended = log.ended
     is_stopped = ended["state"] == "stopped" and duration_s >= limit_s
-    if not is_stopped and duration_s <= limit_s + _REST_S:
+    if tolerance or (not is_stopped and duration_s <= limit_s + _REST_S):
         return log
     end = {**ended, "state": "failed", "reason": "too_long", "params": {"limit": limit_s}}
     before = log.events[:-1] if log.is_over else log.events
     return replace(log, events=(*before, end))
 
 
-def _check_report(check: Any, finding: Finding, evidence: Evidence) -> CheckReport:
-    command = evidence.command_at(finding.pointer) if finding.pointer else None
+def _check_report(check: Check, result: CheckResult, evidence: Evidence) -> CheckReport:
+    command = evidence.command_at(result.pointer) if result.pointer else None
     return CheckReport(
         kind=check.check,
         params=check.model_dump(exclude=_NO_PARAMS),
-        holds=finding.holds,
-        measured=finding.measured,
-        target=finding.target,
+        holds=result.passed,
+        measured=result.measured,
+        target=result.target,
         block=command.block if command else None,
-        pointer=finding.pointer,
-        words={} if finding.holds else words_of(finding.code, finding.values, command),
+        pointer=result.pointer,
+        words={} if result.passed else words_of(result.code, result.values, command),
     )
 
 

@@ -6,19 +6,19 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from pinel_desktop.activities import check_kinds as kinds
-from pinel_desktop.activities.checks import (
-    axes_of,
-    drawing_of,
-    fit_of,
-    gap_of,
-    zone_center,
-)
+from pinel_desktop.activities.checks.base import CheckBase
+from pinel_desktop.activities.checks.floor.closed import gap_of
+from pinel_desktop.activities.checks.floor.draws import Draws
+from pinel_desktop.activities.checks.floor.pushed import Pushed
+from pinel_desktop.activities.checks.floor.symmetric import Symmetric, axes_of
+from pinel_desktop.activities.checks.movement.ends_at import EndsAt
+from pinel_desktop.activities.checks.movement.ends_in import EndsIn
+from pinel_desktop.activities.checks.run.any_of import AnyOf
 from pinel_desktop.activities.commands import Command, nesting_of
 from pinel_desktop.activities.drawing import Fit
 from pinel_desktop.activities.evidence import Begun, Evidence
 from pinel_desktop.activities.model import Case, Diagnosis, Wanted
-from pinel_desktop.activities.wording import Words, filled, number
+from pinel_desktop.activities.wording import Words, interpolate, number
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.messages import LANGUAGES, catalogue, describe
 
@@ -46,7 +46,7 @@ class Facts:
     """The facts of one run by their names, each worked out when it is first asked for."""
 
     def __init__(
-        self, evidence: Evidence, case: Case, number: int, checks: Sequence[kinds.Check]
+        self, evidence: Evidence, case: Case, number: int, checks: Sequence[CheckBase]
     ) -> None:
         self._evidence, self._case, self._number = evidence, case, number
         self._checks = list(_flat(checks))
@@ -72,10 +72,10 @@ class Facts:
         """Distance at the end from the place where the run should end."""
         x, y, _ = self._evidence.end
         for check in self._checks:
-            if isinstance(check, kinds.EndsAt):
+            if isinstance(check, EndsAt):
                 return math.hypot(x - check.x_m, y - check.y_m)
-            if isinstance(check, kinds.EndsIn):
-                center = zone_center(self._evidence, check.zone)
+            if isinstance(check, EndsIn):
+                center = self._evidence.zone_center(check.zone)
                 goal = self._evidence.to_start(*center) if center else (x, y)
                 return math.hypot(x - goal[0], y - goal[1])
         return None
@@ -112,26 +112,26 @@ class Facts:
     def _nearest(self, *, mirrored: bool) -> tuple[Fit, str] | None:
         found: list[tuple[Fit, str]] = []
         for check in self.templates():
-            drawing = drawing_of(check, self._evidence)
+            drawing = check.drawing(self._evidence)
             if len(drawing.points):
-                found.append((fit_of(check, drawing, mirrored=mirrored), check.figure or ""))
+                found.append((check.fit(drawing, mirrored=mirrored), check.figure or ""))
         return min(found, key=lambda one: one[0].off_m, default=None)
 
     def box(self) -> tuple[float, float] | None:
         """How far the box of the activity was pushed, and how far its centre is from that of its zone, in m."""
-        wanted = next((one for one in self._checks if isinstance(one, kinds.Pushed)), None)
-        center = zone_center(self._evidence, wanted.zone) if wanted else None
+        wanted = next((one for one in self._checks if isinstance(one, Pushed)), None)
+        center = self._evidence.zone_center(wanted.zone) if wanted else None
         if wanted is None or center is None or wanted.box not in self._evidence.boxes:
             return None
         begin, end = self._evidence.world.boxes[wanted.box].center, self._evidence.boxes[wanted.box]
         return math.dist(begin, end), math.dist(end, center)
 
     def axes(self) -> float | None:
-        wanted = next((one for one in self._checks if isinstance(one, kinds.Symmetric)), None)
+        wanted = next((one for one in self._checks if isinstance(one, Symmetric)), None)
         return axes_of(self._evidence, wanted.tolerance if wanted else 0.06)
 
-    def templates(self) -> list[kinds.Draws]:
-        return [check for check in self._checks if isinstance(check, kinds.Draws)]
+    def templates(self) -> list[Draws]:
+        return [check for check in self._checks if isinstance(check, Draws)]
 
     @property
     def case(self) -> Case:
@@ -146,10 +146,10 @@ class Facts:
         return self._number
 
 
-def _flat(checks: Sequence[kinds.Check]) -> Iterator[kinds.Check]:
+def _flat(checks: Sequence[CheckBase]) -> Iterator[CheckBase]:
     for check in checks:
         yield check
-        if isinstance(check, kinds.AnyOf):
+        if isinstance(check, AnyOf):
             yield from _flat(check.checks)
 
 
@@ -257,7 +257,7 @@ def advice_of(diagnosis: Diagnosis, index: int, facts: Facts) -> Advice:
         else:
             text = catalogue(language)[f"diagnosis_{diagnosis.general}"]["message"]
         values = _values(text, diagnosis, facts, command, language)
-        words[language] = filled(text, values, language)
+        words[language] = interpolate(text, values, language)
     block = command.block if command else None
     return Advice(words, block, pointer, index)
 
@@ -272,7 +272,7 @@ def _pointer(which: str | None, facts: Facts) -> str | None:
         motion = facts.stopped_motion()
         return motion.pointer if motion else None
     if which == "moving":
-        return evidence.last_motion.pointer if evidence.last_motion else None
+        return evidence.last_motion
     if which == "worst":
         return _worst(facts)
     place, _, action = which.partition(" ")
@@ -286,9 +286,9 @@ def _worst(facts: Facts) -> str | None:
     """The command that drew the point farthest from the nearest template."""
     best: tuple[float, str | None] | None = None
     for check in facts.templates():
-        drawing = drawing_of(check, facts.evidence)
+        drawing = check.drawing(facts.evidence)
         if len(drawing.points):
-            fit = fit_of(check, drawing)
+            fit = check.fit(drawing)
             motion = facts.evidence.motion_at(int(drawing.places[fit.worst]))
             if best is None or fit.off_m < best[0]:
                 best = fit.off_m, motion.pointer if motion else None

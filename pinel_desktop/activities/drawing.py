@@ -81,6 +81,22 @@ def sampled(
     return Sampled(together[first], where[first])
 
 
+def at_steps(points: Points, step_m: float) -> Points:
+    """The points that are a step from the one before, and the last."""
+    kept = [points[0]]
+    x, y = float(points[0, 0]), float(points[0, 1])
+    for index, (px, py) in enumerate(points.tolist()):
+        if (px - x) ** 2 + (py - y) ** 2 >= step_m**2:
+            kept.append(points[index])
+            x, y = px, py
+    return np.array([*kept, points[-1]])
+
+
+def length(points: Points) -> float:
+    """Length of a line."""
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
 def best_fit(template: Points, drawing: Points, freedom: Freedom) -> Fit:
     """The best fit of a drawing to a template; both as `sampled` gives them."""
     if not len(drawing):

@@ -4,6 +4,7 @@ The same evidence comes from a run that was just executed and from one that the 
 record rounds them, so that both are judged alike.
 """
 
+import math
 from array import array
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.activities.commands import MOTIONS, Command, commands_of
-from pinel_desktop.activities.drawing import Points, Sampled, sampled
+from pinel_desktop.activities.drawing import Points, Sampled, at_steps, length, sampled
 from pinel_desktop.events.model import Event, RunEnded, Telemetry
 from pinel_desktop.events.types import KEPT
 from pinel_desktop.execution.clock import TICK_HZ
@@ -182,12 +183,12 @@ class Evidence:
     def path(self) -> Points:
         """The path in the start frame without what is noise, shape (n, 2)."""
         step_m = WAY_STEP_M if self.log.is_true else MEASURED_STEP_M
-        return _at_steps(self.log.poses[:, :2], step_m)
+        return at_steps(self.log.poses[:, :2], step_m)
 
     @cached_property
     def path_m(self) -> float:
         """Length of the path, without what is noise."""
-        return _length(self.path)
+        return length(self.path)
 
     @cached_property
     def turned_rad(self) -> tuple[float, float]:
@@ -220,21 +221,35 @@ class Evidence:
         return float(cos * dx + sin * dy), float(cos * dy - sin * dx)
 
     @cached_property
-    def zones(self) -> tuple[str, ...]:
-        """Names of the zones that the robot's centre entered, in order, the same not twice in a row."""
-        names = _zone_indices(self.world.zones, self.in_world)
-        changes = np.flatnonzero(np.diff(names, prepend=-2))
-        entered: list[str] = []
-        for index in names[changes].tolist():
-            name = self.world.zones[index].name if index >= 0 else ""
-            if name and (not entered or entered[-1] != name):
-                entered.append(name)
+    def entries(self) -> tuple[tuple[str, int], ...]:
+        """Zones that the robot's centre entered, in order, the same not twice in a row: name and tick."""
+        indices = _zone_indices(self.world.zones, self.in_world)
+        entered: list[tuple[str, int]] = []
+        for tick in np.flatnonzero(np.diff(indices, prepend=-2)).tolist():
+            name = self.world.zones[indices[tick]].name if indices[tick] >= 0 else ""
+            if name and (not entered or entered[-1][0] != name):
+                entered.append((name, tick))
         return tuple(entered)
+
+    @cached_property
+    def zones(self) -> tuple[str, ...]:
+        """Names of the zones that the robot's centre entered, in order."""
+        return tuple(name for name, _ in self.entries)
 
     def zone_at(self, x_m: float, y_m: float) -> str:
         """Name of the zone at a point in the world's frame; "" outside of all zones."""
         index = int(_zone_indices(self.world.zones, np.array([[x_m, y_m]]))[0])
         return self.world.zones[index].name if index >= 0 else ""
+
+    def zone_center(self, name: str) -> tuple[float, float] | None:
+        """Centre of a zone in the world's frame; None where the world has none of that name."""
+        centers = (zone.shape.center for zone in self.world.zones if zone.name == name)
+        return next(centers, None)
+
+    def off_zone_m(self, name: str, x_m: float, y_m: float) -> float:
+        """Distance of a point in the world's frame from the centre of a zone."""
+        center = self.zone_center(name)
+        return math.dist((x_m, y_m), center) if center else 0.0
 
     @cached_property
     def end_zone(self) -> str:
@@ -251,7 +266,7 @@ class Evidence:
             until = pens[i + 1]["tick"] if i + 1 < len(pens) else last
             if event["down"] and until > event["tick"]:
                 line = self.log.poses[event["tick"] : until + 1, :2]
-                if _length(_at_steps(line, _DOT_M)) > _DOT_M:
+                if length(at_steps(line, _DOT_M)) > _DOT_M:
                     found.append(Trail(line, event["tick"]))
         return tuple(found)
 
@@ -282,11 +297,6 @@ class Evidence:
     def said(self) -> tuple[str, ...]:
         return tuple(str(event["text"]) for event in self._of_type("said"))
 
-    @cached_property
-    def captures(self) -> int:
-        """How many signs were read, with or without a result."""
-        return len(self._of_type("capture_started"))
-
     def _of_type(self, kind: str) -> tuple[Wire, ...]:
         return tuple(event for event in self.log.events if event["type"] == kind)
 
@@ -311,7 +321,7 @@ class Evidence:
         if action in counted:
             return len(self._of_type(counted[action]))
         if action == "classify_gestures":
-            return self.captures
+            return len(self._of_type("capture_started"))  # with or without a result
         return sum(one.action == action for one in self.begun)
 
     def motion_at(self, tick: int) -> Begun | None:
@@ -320,8 +330,15 @@ class Evidence:
         return before[-1] if before else None
 
     @cached_property
-    def last_motion(self) -> Begun | None:
-        return self.motion_at(len(self.log.poses))
+    def last_motion(self) -> str | None:
+        """Pointer of the last motion."""
+        motion = self.motion_at(len(self.log.poses))
+        return motion.pointer if motion else None
+
+    def last_begun(self, *actions: str) -> str | None:
+        """Pointer of the last command of these kinds that began."""
+        found = [one.pointer for one in self.begun if one.action in actions]
+        return found[-1] if found else None
 
     @cached_property
     def touch_tick(self) -> int | None:
@@ -341,17 +358,6 @@ class Evidence:
         return next((one for one in self.commands if one.pointer == pointer), None)
 
 
-def _at_steps(points: Points, step_m: float) -> Points:
-    """The points that are a step from the one before, and the last."""
-    kept = [points[0]]
-    x, y = float(points[0, 0]), float(points[0, 1])
-    for index, (px, py) in enumerate(points.tolist()):
-        if (px - x) ** 2 + (py - y) ** 2 >= step_m**2:
-            kept.append(points[index])
-            x, y = px, py
-    return np.array([*kept, points[-1]])
-
-
 def _swing(values: Sequence[float], least: float) -> float:
     """How far values go up and down in all, without reversals that are less than `least`."""
     turning_point = extreme = values[0]
@@ -366,10 +372,6 @@ def _swing(values: Sequence[float], least: float) -> float:
             total += abs(extreme - turning_point)
             turning_point, extreme, direction = extreme, value, -direction
     return total + abs(extreme - turning_point)
-
-
-def _length(points: Points) -> float:
-    return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
 
 def _zone_indices(zones: Sequence[Zone], points: Points) -> NDArray[np.int64]:

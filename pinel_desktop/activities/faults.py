@@ -6,7 +6,7 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from pinel_desktop.activities import check_kinds as kinds
+from pinel_desktop.activities.checks.base import CheckBase
 from pinel_desktop.activities.model import (
     FORMAT_1,
     NUMBER_FACTS,
@@ -24,7 +24,7 @@ from pinel_desktop.program.reading import read_document
 from pinel_desktop.program.translation import WRONG_TYPE, path_of_error
 from pinel_desktop.robot import ROBOTS
 from pinel_desktop.worlds import read_own_world
-from sim.world import World, WorldError, world_document, world_from_document
+from sim.world import WorldError, world_document, world_from_document
 
 Path = tuple[str | int, ...]
 Params = dict[str, object]
@@ -126,7 +126,7 @@ def semantic_faults(activity: Activity) -> tuple[Fault, ...]:
     faults += _keys_of_format_2(activity)
     world = world_from_document(document) if document else None
     for place, check in _checks(activity):
-        for path, code, params in _faults_of_check(check, world):
+        for path, code, params in check.faults(world):
             faults.append(Fault(code, pointer((*place, *path)), None, params))
     faults += _nothing_to_check(activity)
     if document is not None:
@@ -221,7 +221,7 @@ def _world(activity: Activity) -> tuple[dict[str, Any] | None, list[Fault]]:
     return document, [Fault(f.code, f"/world{f.pointer}", None, f.params) for f in faults]
 
 
-def _checks(activity: Activity) -> Iterator[tuple[Path, kinds.Check]]:
+def _checks(activity: Activity) -> Iterator[tuple[Path, CheckBase]]:
     for i, case in enumerate(activity.cases):
         for j, check in enumerate(case.checks):
             yield ("cases", i, "checks", j), check
@@ -236,41 +236,3 @@ def _nothing_to_check(activity: Activity) -> Iterator[Fault]:
     for i, case in enumerate(activity.cases):
         if not case.checks:
             yield Fault("activity_without_checks", pointer(("cases", i)), None, {"case": i + 1})
-
-
-def _faults_of_check(check: kinds.Check, world: World | None) -> Iterator[tuple[Path, str, Params]]:
-    match check:
-        case kinds.EndsIn() | kinds.Marks():
-            yield from _zone(("zone",), check.zone, world)
-        case kinds.Visits():
-            for i, zone in enumerate(check.zones):
-                yield from _zone(("zones", i), zone, world)
-        case kinds.Pushed():
-            yield from _zone(("zone",), check.zone, world)
-            yield from _box(check.box, world)
-        case kinds.Uses():
-            if check.action not in action_names():
-                allowed = action_names()
-                params: Params = {"value": check.action, "allowed": allowed}
-                yield ("action",), "unknown_action", params
-            yield from _crossed(check.at_least, check.at_most, "at_least")
-        case kinds.PathLength():
-            yield from _crossed(check.at_least_m, check.at_most_m, "at_least_m")
-
-
-def _zone(place: Path, name: str, world: World | None) -> Iterator[tuple[Path, str, Params]]:
-    known = [zone.name for zone in world.zones] if world else [name]
-    if name not in known:
-        yield place, "activity_unknown_zone", {"value": name, "allowed": known}
-
-
-def _box(box: int, world: World | None) -> Iterator[tuple[Path, str, Params]]:
-    if world is None or (box < len(world.boxes) and world.boxes[box].movable):
-        return
-    movable = [i for i, one in enumerate(world.boxes) if one.movable]
-    yield ("box",), "activity_unknown_box", {"value": box, "allowed": movable}
-
-
-def _crossed(least: float, most: float, name: str) -> Iterator[tuple[Path, str, Params]]:
-    if least > most:
-        yield (name,), "activity_limits_crossed", {"name": name, "value": least, "max": most}

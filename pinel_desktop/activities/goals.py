@@ -5,7 +5,6 @@ from importlib import resources
 
 from pydantic import BaseModel, ConfigDict
 
-from pinel_desktop.activities import check_kinds
 from pinel_desktop.activities.checking import spec_of
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
@@ -130,11 +129,6 @@ def _rounded(value: float) -> float:
 
 
 def _zones(activity: Activity) -> list[str]:
-    named: list[str] = []
-    for check in (*activity.checks, *(one for case in activity.cases for one in case.checks)):
-        match check:
-            case check_kinds.EndsIn() | check_kinds.Marks() | check_kinds.Pushed():
-                named.append(check.zone)
-            case check_kinds.Visits():
-                named += check.zones
-    return list(dict.fromkeys(named))
+    return list(
+        dict.fromkeys(zone for check in activity.all_checks() for zone in check.goal_zones())
+    )

@@ -1,11 +1,13 @@
 """The models of an activity: what a group reads, its world, the inputs of its cases, its checks and its diagnoses."""
 
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 from pydantic_core import PydanticCustomError
 
-from pinel_desktop.activities.check_kinds import MOST, Check, Metres, Name
+from pinel_desktop.activities.checks import Check
+from pinel_desktop.activities.checks.base import MAX_ITEMS, Metres, Name
 from pinel_desktop.activities.texts import Model, Texts, Title
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
 
@@ -32,9 +34,9 @@ class Case(Model):
 
     seed: Annotated[int, Field(ge=0, le=2**53 - 1)] = 0
     start: Start | None = None
-    gestures: list[str] = Field(default_factory=list, max_length=MOST)
-    answers: list[str] = Field(default_factory=list, max_length=MOST)
-    checks: list[Check] = Field(default_factory=list, max_length=MOST)
+    gestures: list[str] = Field(default_factory=list, max_length=MAX_ITEMS)
+    answers: list[str] = Field(default_factory=list, max_length=MAX_ITEMS)
+    checks: list[Check] = Field(default_factory=list, max_length=MAX_ITEMS)
 
 
 # with them, `n_ACTION`: how many of that block the program has, and `x_ACTION`: how many were begun in the run
@@ -124,16 +126,22 @@ class Activity(Model):
     number: Annotated[str, Field(pattern=r"^[1-9][0-9]?\.[1-9][0-9]?$")] | None = None
     minutes: Annotated[int, Field(ge=1, le=600)] | None = None
     level: Literal[1, 2, 3] | None = None
-    blocks: Annotated[list[Name], Field(min_length=1, max_length=MOST)] | None = None
+    blocks: Annotated[list[Name], Field(min_length=1, max_length=MAX_ITEMS)] | None = None
     story: Texts | None = None
     criteria: Texts | None = None
     hints: list[Texts] = Field(default_factory=list, max_length=3)
     question: Texts | None = None
-    cases: list[Case] = Field(default_factory=lambda: [Case()], min_length=1, max_length=MOST)
-    checks: list[Check] = Field(default_factory=list, max_length=MOST)
-    diagnoses: list[Diagnosis] = Field(default_factory=list, max_length=MOST)
+    cases: list[Case] = Field(default_factory=lambda: [Case()], min_length=1, max_length=MAX_ITEMS)
+    checks: list[Check] = Field(default_factory=list, max_length=MAX_ITEMS)
+    diagnoses: list[Diagnosis] = Field(default_factory=list, max_length=MAX_ITEMS)
     solution: dict[str, Any] | None = None
     shows_path: bool = True
+
+    def all_checks(self) -> Iterator[Check]:
+        """Its own, and those of its cases."""
+        yield from self.checks
+        for case in self.cases:
+            yield from case.checks
 
 
 # the keys of an activity in format 1, whose cases have no `start`

@@ -10,7 +10,7 @@ from typing import Any, Literal, NamedTuple, get_args
 
 from pydantic import ValidationError
 
-from pinel_desktop.activities.check_kinds import Check, Need, Slack, needs_of
+from pinel_desktop.activities.checks.base import RealRobotTolerance, SimulatorRequirement
 from pinel_desktop.activities.evidence import RunLog
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
@@ -23,7 +23,7 @@ from pinel_desktop.robot.record import RobotRecord
 from sim.world import Wall, World, WorldError, world_from_document
 
 # Beside what a check needs: walls within the world's edge, readings of what stands in it, different starts in it.
-Missing = Literal[Need, "walls", "sensors", "starts"]
+Missing = Literal[SimulatorRequirement, "walls", "sensors", "starts"]
 
 # Why a run is not judged: what is missing, or that the run itself tells nothing.
 Reason = Literal[Missing, "inputs", "stopped", "failed", "record"]
@@ -35,7 +35,7 @@ _BY_PLACE = frozenset({"go_to_place"})
 # Poses of wheels and of cameras are good to some mm, headings to some tenths of a degree.
 _NOISE_M, _NOISE_DEG = 0.01, 0.5
 # Measured on the Pioneer double: past each goal by 3 cm and back, which makes 4.19 m of 4 m.
-_WAY = 0.06
+_PATH = 0.06
 _TOLERANCES = ("move_tolerance_m", "turn_tolerance_deg")
 
 
@@ -119,7 +119,7 @@ def _begins(wanted: Sequence[str], given: Sequence[str]) -> bool:
     return [_typed(one) for one in wanted[: len(given)]] == [_typed(one) for one in given]
 
 
-class Obstacle(NamedTuple):
+class JudgingBlocker(NamedTuple):
     """Why a real run cannot be judged for an activity.
 
     Attributes:
@@ -130,7 +130,7 @@ class Obstacle(NamedTuple):
     checks: tuple[str, ...] = ()
 
 
-def obstacles(activity: Activity) -> tuple[Obstacle, ...]:
+def judging_blockers(activity: Activity) -> tuple[JudgingBlocker, ...]:
     """All that keeps a real run from being judged, the plainest first; none where it can be judged.
 
     An activity whose world matters is not judged, even if each of its checks could be: one with boxes or with walls
@@ -140,12 +140,12 @@ def obstacles(activity: Activity) -> tuple[Obstacle, ...]:
         PinelError: what `world_of` raises.
     """
     found: dict[Missing, list[str]] = {one: [] for one in _of_world(activity)}
-    for check in _checks(activity):
-        for need in needs_of(check):
-            kinds = found.setdefault(need, [])
+    for check in activity.all_checks():
+        for requirement in check.requirements():
+            kinds = found.setdefault(requirement, [])
             if check.check not in kinds:
                 kinds.append(check.check)
-    return tuple(Obstacle(one, tuple(found[one])) for one in _ORDER if one in found)
+    return tuple(JudgingBlocker(one, tuple(found[one])) for one in _ORDER if one in found)
 
 
 def not_judged_words(reason: str, language: str) -> str:
@@ -160,13 +160,13 @@ def not_judged_words(reason: str, language: str) -> str:
     return f"{said.message} {said.remedy}".strip()
 
 
-def before_words(activity: Activity, language: str) -> str | None:
+def not_judgeable_notice(activity: Activity, language: str) -> str | None:
     """What a group reads before the run if it will not be judged; None if it can be."""
-    found = obstacles(activity)
+    found = judging_blockers(activity)
     return not_judged_words(found[0].missing, language) if found else None
 
 
-def slack_of(parameters: Mapping[str, Any]) -> Slack | None:
+def tolerance_of(parameters: Mapping[str, Any]) -> RealRobotTolerance | None:
     """How exactly the robot of a run drives, by the robot's record in the run's parameters; None for the simulator.
 
     Raises:
@@ -182,13 +182,7 @@ def slack_of(parameters: Mapping[str, Any]) -> Slack | None:
     except ValidationError as error:
         raise PinelError("run_damaged", part="parameters") from error
     move_m, turn_deg = record.move_tolerance_m, record.turn_tolerance_deg
-    return Slack(move_m + _NOISE_M, turn_deg + _NOISE_DEG, _WAY)
-
-
-def _checks(activity: Activity) -> Iterator[Check]:
-    yield from activity.checks
-    for case in activity.cases:
-        yield from case.checks
+    return RealRobotTolerance(move_m + _NOISE_M, turn_deg + _NOISE_DEG, _PATH)
 
 
 def _of_world(activity: Activity) -> Iterator[Missing]:

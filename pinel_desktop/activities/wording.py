@@ -71,7 +71,7 @@ def length(metres: float, language: str) -> str:
     return f"{number(metres, language)} m"
 
 
-def shown(values: Mapping[str, Any], language: str) -> dict[str, Any]:
+def formatted_values(values: Mapping[str, Any], language: str) -> dict[str, Any]:
     """Values by the names that texts may use, as texts in a language."""
     texts: dict[str, Any] = {}
     for name, value in values.items():
@@ -198,7 +198,7 @@ def words_of(code: str, values: Mapping[str, Any], command: Command | None) -> W
     """The words of a code in every language, and which block to look at."""
     words: Words = {}
     for language in LANGUAGES:
-        said = describe(code, shown(values, language), language)
+        said = describe(code, formatted_values(values, language), language)
         remedy = said.remedy
         if command is not None:
             block = block_words(command, language)
@@ -207,9 +207,9 @@ def words_of(code: str, values: Mapping[str, Any], command: Command | None) -> W
     return words
 
 
-def filled(text: str, values: Mapping[str, Any], language: str) -> str:
+def interpolate(text: str, values: Mapping[str, Any], language: str) -> str:
     """A text of an activity with the values of a run; unknown names stay as they are."""
-    texts = shown(values, language)
+    texts = formatted_values(values, language)
 
     def fill(match: re.Match[str]) -> str:
         return str(texts.get(match[1], match[0]))

@@ -46,14 +46,14 @@ class Question:
     """A program to be judged.
 
     Attributes:
-        activity: the activity as plain data.
+        activity: the activity as JSON.
         document: the program's document.
         world: name of the world in which the group ran it.
         seen: that run; None where it is no evidence, as one that was stopped.
         language: of the words for the group.
     """
 
-    activity: Mapping[str, Any]
+    activity: str
     document: Mapping[str, Any]
     world: str
     seen: SeenRun | None
@@ -62,7 +62,7 @@ class Question:
     def as_message(self) -> dict[str, Any]:
         """The question as plain data."""
         return {
-            "activity": dict(self.activity),
+            "activity": self.activity,
             "document": dict(self.document),
             "world": self.world,
             "seen": self.seen.as_message() if self.seen else None,
@@ -100,16 +100,16 @@ class Verdict:
 
 @dataclass(frozen=True, slots=True)
 class BegunRun:
-    """A run to follow.
+    """A run to follow, and to judge in the end.
 
     Attributes:
-        activity: the activity as plain data.
+        activity: the activity as JSON.
         document: the program's document.
         world: the world's document.
         parameters: those of the run's record: the robot's setting.
     """
 
-    activity: Mapping[str, Any]
+    activity: str
     document: Mapping[str, Any]
     world: Mapping[str, Any]
     parameters: Mapping[str, Any]
@@ -136,7 +136,7 @@ class Told:
         begun = None
         if self.begun is not None:
             begun = {
-                "activity": dict(self.begun.activity),
+                "activity": self.begun.activity,
                 "document": dict(self.begun.document),
                 "world": dict(self.begun.world),
                 "parameters": dict(self.begun.parameters),

@@ -2,22 +2,23 @@
 
 import logging
 from dataclasses import asdict
+from functools import lru_cache
 from typing import BinaryIO
 
 from pinel_desktop.activities import (
     Activity,
+    CheckStatus,
+    LiveEvaluation,
     LogWriter,
     RecordedRun,
     Report,
     RunLog,
-    RunStanding,
-    Standing,
     case_of_real_run,
     case_of_run,
     check_program,
     input_words,
-    obstacles,
-    slack_of,
+    judging_blockers,
+    tolerance_of,
     world_title,
 )
 from pinel_desktop.errors import PinelError
@@ -59,33 +60,33 @@ class Followed:
 
     def __init__(self) -> None:
         self._run = ""
-        self._standing: RunStanding | None = None
+        self._evaluation: LiveEvaluation | None = None
         self._writer = LogWriter()
 
-    def stand(self, told: Told) -> list[Standing] | None:
-        """How it stands with the checks of its activity; None where they are not about it, or its beginning is unknown.
+    def stand(self, told: Told) -> list[CheckStatus] | None:
+        """Status of each check of its activity; None where they are not about it, or its beginning is unknown.
 
         Raises:
-            PinelError: what `RunStanding` raises.
+            PinelError: what `LiveEvaluation` raises.
         """
         if told.begun is not None:
             self._begin(told.run, told.begun)
-        if told.run != self._run or self._standing is None:
+        if told.run != self._run or self._evaluation is None:
             return None
         for event in told.events:
             self._writer.take(event)
-        return self._standing.of(self._writer.log(), told.language)
+        return self._evaluation.evaluate(self._writer.log(), told.language)
 
     def _begin(self, run: str, begun: BegunRun) -> None:
-        standing = RunStanding(
-            Activity.model_validate(begun.activity),
+        evaluation = LiveEvaluation(
+            _read(begun.activity),
             begun.document,
             begun.world,
             setting_from(begun.parameters),
-            slack_of(begun.parameters),
+            tolerance_of(begun.parameters),
         )
         self._run, self._writer = run, LogWriter()
-        self._standing = standing if standing.is_of_activity else None
+        self._evaluation = evaluation if evaluation.applies else None
 
 
 def _answer(message: Message, followed: Followed) -> Message:
@@ -104,18 +105,24 @@ def _answer(message: Message, followed: Followed) -> Message:
         return response(number, error=PinelError("internal_error", detail=detail))
 
 
+@lru_cache(maxsize=4)
+def _read(activity: str) -> Activity:
+    """An activity, which is read once for the check list of a run and its verdict."""
+    return Activity.model_validate_json(activity)
+
+
 def verdict_on(question: Question) -> Verdict:
     """Judges a program: the run that was seen where it was a case of the activity, the other cases in the simulator.
 
     A run on a real robot is judged by its own telemetry, or not at all.
 
     Raises:
-        PinelError: what `check_program`, `case_of_run` and `obstacles` raise.
+        PinelError: what `check_program`, `case_of_run` and `judging_blockers` raise.
     """
-    activity = Activity.model_validate(question.activity)
+    activity = _read(question.activity)
     seen = _recorded(activity, question.seen) if question.seen else None
-    if question.seen and slack_of(question.seen.parameters):
-        found = obstacles(activity)
+    if question.seen and tolerance_of(question.seen.parameters):
+        found = judging_blockers(activity)
         reason = found[0].missing if found else None if seen else "inputs"
         if reason is not None:
             return Verdict(None, None, [], not_judged=reason)
@@ -139,12 +146,12 @@ def _tried(activity: Activity, report: Report, language: str) -> list[JudgedCase
 
 def _recorded(activity: Activity, seen: SeenRun) -> RecordedRun | None:
     log = RunLog.of_columns(lambda name: seen.columns[name], seen.events)
-    slack = slack_of(seen.parameters)
-    if slack is None:
+    tolerance = tolerance_of(seen.parameters)
+    if tolerance is None:
         case = case_of_run(activity, seen.world, setting_from(seen.parameters), log)
     else:
         case = case_of_real_run(activity, log)
-    return None if case is None else RecordedRun(log, case, slack)
+    return None if case is None else RecordedRun(log, case, tolerance)
 
 
 def _missing(

@@ -7,7 +7,7 @@ end is judged by what the robot measured where the activity allows that, else no
 
 import contextlib
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import cached_property
@@ -20,8 +20,9 @@ from pinel_desktop.school.own_activities import known_activity
 from storage import SIMULATOR, RunRow, Store, StoreError
 
 if TYPE_CHECKING:
+    from pinel_desktop.activities import Activity
     from pinel_desktop.judge.client import JudgeClient
-    from pinel_desktop.judge.messages import Question, SeenRun, Verdict
+    from pinel_desktop.judge.messages import BegunRun, Question, SeenRun, Verdict
 
 _log = logging.getLogger(__name__)
 
@@ -46,6 +47,7 @@ class Grader:
         self._store, self._settle, self._publish = store, settle, publish
         self._language, self._chosen_judge = language, judge
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="grader")
+        self._begun: dict[str, BegunRun] = {}  # the live run
 
     @cached_property
     def judge(self) -> "JudgeClient":
@@ -54,8 +56,9 @@ class Grader:
 
         return self._chosen_judge or JudgeClient()
 
-    def prepare(self) -> None:
-        """Starts the judge, so that it is warm when the run that begins now has ended."""
+    def prepare(self, run_id: str, begun: "BegunRun") -> None:
+        """Starts the judge, so that it is warm when the run that begins now has ended, and keeps what it will need."""
+        self._begun = {run_id: begun}
         self.judge.wake()
 
     def grade(self, run_id: str) -> None:
@@ -135,11 +138,10 @@ class Grader:
     def _question(self, run: RunRow) -> "Question":
         from pinel_desktop.judge.messages import Question  # noqa: PLC0415 - heavy
 
-        activity = known_activity(self._store, run.activity or "")
-        document = self._store.versions.get(run.version_id).document if run.version_id else None
+        begun = self._begun.get(run.id) or begun_run(self._store, run)
         return Question(
-            activity=activity.model_dump(mode="json"),
-            document=document or {},
+            activity=begun.activity,
+            document=begun.document,
             world=run.world,
             seen=self._seen(run),
             language=self._language(),
@@ -159,6 +161,25 @@ class Grader:
             columns={name: telemetry.column(name) for name in COLUMNS},
             events=tuple(self._store.runs.events(run.id)),
         )
+
+
+def begun_run(
+    store: Store,
+    run: RunRow,
+    activity: "Activity | None" = None,
+    document: Mapping[str, Any] | None = None,
+) -> "BegunRun":
+    """What the judge needs of a run with an activity; activity and document are read where they are not given.
+
+    Raises:
+        PinelError: as `known_activity`.
+    """
+    from pinel_desktop.judge.messages import BegunRun  # noqa: PLC0415 - heavy
+
+    activity = activity or known_activity(store, run.activity or "")
+    if document is None and run.version_id:
+        document = store.versions.get(run.version_id).document
+    return BegunRun(activity.model_dump_json(), document or {}, run.world_document, run.parameters)
 
 
 def _report(run: RunRow, verdict: "Verdict") -> dict[str, Any]:

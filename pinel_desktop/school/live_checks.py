@@ -5,6 +5,7 @@ the time, because the robot's process needs the PC's cores more. A slow answer, 
 start, keeps the page waiting for ten seconds at most.
 """
 
+import contextlib
 import logging
 import threading
 import time
@@ -14,8 +15,6 @@ from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import CheckLine, ChecksStand
-from pinel_desktop.school.own_activities import known_activity
-from storage import Store, StoreError
 
 if TYPE_CHECKING:
     from pinel_desktop.judge.client import JudgeClient
@@ -39,27 +38,30 @@ class LiveChecks:
 
     def __init__(
         self,
-        store: Store,
         judge: "Callable[[], JudgeClient]",
         publish: Callable[[dict[str, Any]], None],
         language: Callable[[], str],
     ) -> None:
-        self._store, self._judge = store, judge
+        self._judge = judge
         self._publish, self._language = publish, language
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="live-checks")
         self._run: _Followed | None = None
+
+    def expect(self, run_id: str, begun: "BegunRun") -> None:
+        """Follows that run as soon as its first event comes."""
+        if self._run is not None:
+            self._run.stop.set()
+        self._run = _Followed(run_id, begun)
 
     def observe(self, event: Mapping[str, Any]) -> None:
         """Takes an event of the engine, from one thread."""
         run = self._run
         if run is None or run.id != event["run"]:
-            if run is not None:
-                run.stop.set()
-            run = self._run = _Followed(str(event["run"]))
-            try:
+            return
+        if not run.is_followed:
+            run.is_followed = True
+            with contextlib.suppress(RuntimeError):  # the app is closing
                 self._worker.submit(self._follow, run)
-            except RuntimeError:  # the app is closing
-                run.forget()
         run.take(event)
 
     def close(self) -> None:
@@ -70,19 +72,17 @@ class LiveChecks:
 
     def _follow(self, run: "_Followed") -> None:
         try:
-            begun = self._begun(run.id)
-            if begun is not None:
-                self._tell(run, begun)
-        except (PinelError, StoreError) as error:  # an activity of a newer release; a lost judge
+            self._tell(run)
+        except PinelError as error:  # a lost judge
             _log.warning("the checks of run %s are not followed: %s", run.id, error)
         finally:
             run.forget()
 
-    def _tell(self, run: "_Followed", begun: "BegunRun") -> None:
+    def _tell(self, run: "_Followed") -> None:
         """Asks the judge again and again until the run is over; tells each change."""
         from pinel_desktop.judge.messages import Told  # noqa: PLC0415 - heavy
 
-        first: BegunRun | None = begun
+        first: BegunRun | None = run.begun
         told: list[CheckLine] | None = None
         while True:
             is_over, events = run.is_over, run.taken()
@@ -97,20 +97,6 @@ class LiveChecks:
             if is_over or (run.stop.wait(pause_s) and not run.is_over):
                 return
 
-    def _begun(self, run_id: str) -> "BegunRun | None":
-        """The run, where it is to solve an activity; the judge knows whether it can follow one on a real robot."""
-        run = self._store.runs.get(run_id)
-        if run.activity is None or run.version_id is None:
-            return None
-        from pinel_desktop.judge.messages import BegunRun  # noqa: PLC0415 - heavy
-
-        return BegunRun(
-            activity=known_activity(self._store, run.activity).model_dump(mode="json"),
-            document=self._store.versions.get(run.version_id).document or {},
-            world=run.world_document,
-            parameters=run.parameters,
-        )
-
 
 def pause_after_s(judging_s: float) -> float:
     """How long the judge is left alone after an answer that took so long."""
@@ -121,12 +107,15 @@ class _Followed:
     """A run, and what it has told since it was last asked.
 
     Attributes:
+        begun: what the judge needs of it; it knows whether it can follow a run on a real robot.
+        is_followed: whether it has told its first event.
         stop: set when it is over, or nobody wants to know any more.
         is_over: whether it has told its last event.
     """
 
-    def __init__(self, run_id: str) -> None:
-        self.id = run_id
+    def __init__(self, run_id: str, begun: "BegunRun") -> None:
+        self.id, self.begun = run_id, begun
+        self.is_followed = False
         self.stop = threading.Event()
         self.is_over = False
         self._lock = threading.Lock()

@@ -15,6 +15,7 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.camera.client import Camera
     from pinel_desktop.engine.client import EngineClient
     from pinel_desktop.events.hub import Hub
+    from pinel_desktop.judge.messages import BegunRun
     from pinel_desktop.preferences import Preferences
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
@@ -55,7 +56,7 @@ class Services:
 
     Attributes:
         flush_recording: writes the pending events of the live run; returns once they can be read, or if that fails.
-        prepare_judge: starts the process that judges runs of activities, before the first one ends.
+        prepare_judge: hands a run of an activity that begins to the judge, whose process starts before the run ends.
         confirm_runs: looks for runs that came with a file and are to be repeated, when nobody drives.
         unsaved_end: the `run_ended` event of a run that is over, as far as it is not on disk; else None.
         begin_empty: lets the next start begin with an empty database where the known one is away.
@@ -79,7 +80,7 @@ class Services:
     database_state: Callable[[], DatabaseState]
     show_window: Callable[[], None]
     flush_recording: Callable[[], None]
-    prepare_judge: Callable[[], None]
+    prepare_judge: Callable[[str, BegunRun], None]
     confirm_runs: Callable[[], None] = lambda: None
     unsaved_end: Callable[[str], Mapping[str, Any] | None] = lambda run_id: None
     begin_empty: Callable[[], None] = lambda: None

@@ -4,11 +4,13 @@ from pathlib import Path
 
 from scripts.reference import database, events_page, http_page, language_tables, schemas
 from scripts.reference.block_films import films
+from scripts.reference.check_kinds import check_fields, checks_of_activities
 from scripts.reference.declared import declared
 from scripts.reference.goals import goals
 from scripts.reference.sensor_rows import sensor_rows
 
 _TABLES = {
+    "docs/activities.md": {"checks": checks_of_activities},
     "docs/program-document.md": {
         "commands": language_tables.commands_of_the_document,
         "sensors": language_tables.sensors_of_the_document,
@@ -35,6 +37,7 @@ def files(root: Path) -> dict[str, str]:
         "sim/world.schema.json": schemas.as_text(schemas.of_worlds()),
         "ui/src/api/declared.ts": declared(),
         "ui/src/blocks/table/sensor_rows.ts": sensor_rows(),
+        "ui/src/teacher/making/check_fields.ts": check_fields(),
         "ui/src/studio/help/films.json": films(),
         "docs/http-api.md": http_page.text(),
         "docs/events.md": events_page.text(),

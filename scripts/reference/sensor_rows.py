@@ -1,10 +1,10 @@
 """`ui/src/blocks/table/sensor_rows.ts`: the page's data of the blocks that read sensors."""
 
-import json
 from itertools import groupby
 from typing import Any
 
 from pinel_desktop.program.sensors import SENSORS, Argument, Sensor
+from scripts.reference.typescript import typescript
 
 _HEAD = """\
 // Made by `python -m scripts.reference` from pinel_desktop/program/sensors.py. Do not edit.
@@ -19,7 +19,7 @@ def sensor_rows() -> str:
     """The whole file as TypeScript."""
     groups = groupby(SENSORS.values(), key=lambda sensor: sensor.block_type)
     rows = [_row(block, list(sensors)) for block, sensors in groups]
-    return "".join([_HEAD, *(f"  {_typescript(row)},\n" for row in rows), "] as const;\n"])
+    return "".join([_HEAD, *(f"  {typescript(row)},\n" for row in rows), "] as const;\n"])
 
 
 def _row(block: str, sensors: list[Sensor]) -> dict[str, Any]:
@@ -36,11 +36,3 @@ def _asked(argument: Argument) -> dict[str, Any]:
     precision = 1 if argument.whole else 0.1
     limits = {"min": argument.low, "max": argument.high, "precision": precision}
     return {"key": argument.name, "start": argument.start, "limits": limits}
-
-
-def _typescript(value: Any) -> str:
-    if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key}: {_typescript(part)}" for key, part in value.items()) + " }"
-    if isinstance(value, list):
-        return f"[{', '.join(map(_typescript, value))}]"
-    return f"{value:g}" if isinstance(value, float) else json.dumps(value)

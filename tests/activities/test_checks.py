@@ -1,24 +1,25 @@
 """Each kind of check, true and false, on real runs: what it measures, what it says, which block it points at."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
-from pydantic import TypeAdapter
 
 from pinel_desktop.activities import (
     Activity,
     Report,
     check_program,
+    goal_of,
 )
-from pinel_desktop.activities.check_kinds import Check
+from pinel_desktop.activities.checks import KINDS
+from pinel_desktop.activities.faults import semantic_faults
 from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE, catalogue
 from pinel_desktop.program.reading import read_document
 from sim.world import world_document
 
 DOCS = Path(__file__).parents[2] / "docs" / "activities.md"
 TITLE = {"pt-BR": "x", "en": "x", "es": "x"}
-KINDS = sorted(TypeAdapter(Check).json_schema()["discriminator"]["mapping"])
 
 
 def activity(*checks: dict[str, Any], **more: Any) -> Activity:
@@ -53,6 +54,40 @@ HELLO = {"action": "say", "text": "Olá, Turma"}
 TO_B: list[dict[str, Any]] = [move(2), MARK, HELLO]  # from left of A through A into B
 
 
+# parameters of a kind that has some
+ONE_OF_EACH: Mapping[str, Mapping[str, Any]] = {
+    "ends_at": {"x_m": 1.0, "y_m": -2.0},
+    "ends_heading": {"heading_deg": -90.0},
+    "ends_in": {"zone": "A"},
+    "visits": {"zones": ["A", "E"]},
+    "avoids": {"zone": "A"},
+    "pushed": {"box": 0, "zone": "A"},
+    "uses": {"action": "repeat", "at_least": 2, "at_most": 3},
+    "marks": {"symbol": "X", "zone": "A"},
+    "says": {"text": "oi"},
+    "path_length": {"at_least_m": 1.0, "at_most_m": 3.0},
+    "draws": {"template": [[[0.0, 0.0], [1.0, 0.0]]]},
+    "symmetric": {"axes": 2},
+    "turned_total": {"at_least_deg": 90.0, "net_deg": 90.0},
+    "block_count": {"at_most": 3},
+    "nesting": {"at_least": 2},
+    "executed": {"action": "turn", "n": 0},
+    "mark_count": {"n": 1},
+    "time": {"at_most_s": 20.0},
+    "any_of": {"checks": [{"check": "closed"}, {"check": "finished"}]},
+}
+# what kinds need that only the simulator tells
+SIMULATOR_ONLY = {
+    "ends_in": "zones",
+    "visits": "zones",
+    "avoids": "zones",
+    "marks": "zones",
+    "pushed": "boxes",
+    "touches_nothing": "contact",
+    "time": "pace",
+}
+
+
 @pytest.mark.parametrize(
     ("check", "commands", "expected"),
     [
@@ -68,6 +103,8 @@ TO_B: list[dict[str, Any]] = [move(2), MARK, HELLO]  # from left of A through A 
         ({"check": "visits", "zones": ["B", "A"]}, TO_B, False),
         ({"check": "visits", "zones": ["B", "A"], "ordered": False}, TO_B, True),
         ({"check": "visits", "zones": ["A", "C"], "ordered": False}, TO_B, False),
+        ({"check": "avoids", "zone": "C"}, TO_B, True),
+        ({"check": "avoids", "zone": "A"}, TO_B, False),
         ({"check": "touches_nothing"}, TO_B, True),
         ({"check": "touches_nothing"}, [turn(180), move(9)], False),
         ({"check": "uses", "action": "say"}, TO_B, True),
@@ -166,6 +203,17 @@ def test_a_box_is_pushed_into_a_zone() -> None:
     assert not run(there_is_no_such, move(1)).passed
 
 
+def test_a_zone_that_was_to_be_avoided_is_told_with_the_block_that_drove_into_it() -> None:
+    commands = [turn(0.5), {**move(1), "block": "in"}, {**move(1), "block": "out"}]
+    wanted = activity({"check": "avoids", "zone": "A"})
+    (found,) = run(wanted, *commands).cases[0].checks
+    assert (found.holds, found.block, found.measured) == (False, "in", "A, B")
+    assert found.words["pt-BR"].startswith("O robô passou por “A”, onde não devia.")
+    assert goal_of(wanted, None).zones == []  # it is no place to get to
+    (fault,) = semantic_faults(activity({"check": "avoids", "zone": "?"}))
+    assert (fault.code, fault.pointer) == ("activity_unknown_zone", "/checks/0/zone")
+
+
 def test_each_case_has_its_own_gestures_and_checks() -> None:
     cases = [
         {"gestures": ["B"], "checks": [{"check": "says", "text": "B!"}]},
@@ -199,7 +247,7 @@ def test_without_any_check_nothing_is_passed() -> None:
     assert not run(activity(), move(1)).passed
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", sorted(KINDS))
 def test_every_kind_has_words_and_a_row_in_the_docs(kind: str) -> None:
     assert f"check_{kind}" in catalogue(SOURCE_LANGUAGE)
     assert f"| `{kind}` |" in DOCS.read_text("utf-8")

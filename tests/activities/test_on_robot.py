@@ -1,6 +1,5 @@
 """Which activities a run on a real robot is judged for, and by which tolerances."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -10,23 +9,23 @@ import pytest
 
 from pinel_desktop.activities import (
     Activity,
+    LiveEvaluation,
     LogWriter,
     RecordedRun,
     RunLog,
-    RunStanding,
     activity_names,
-    before_words,
     case_of_real_run,
-    check_kinds,
     check_program,
+    judging_blockers,
+    not_judgeable_notice,
     not_judged_words,
-    obstacles,
     shipped_activity,
-    slack_of,
     solution_of,
+    tolerance_of,
 )
-from pinel_desktop.activities.check_kinds import AnyCheck
 from pinel_desktop.activities.checking import spec_of
+from pinel_desktop.activities.checks import KINDS
+from pinel_desktop.activities.checks.base import CheckBase
 from pinel_desktop.activities.recorded import Reason
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import LANGUAGES
@@ -36,7 +35,7 @@ from pinel_desktop.program.sensors import SENSORS
 from pinel_desktop.robot import Setting
 from pinel_desktop.robot.record import BridgeRecord, Room
 from pinel_desktop.runs.start import start
-from tests.activities.test_checks import activity
+from tests.activities.test_checks import SIMULATOR_ONLY, activity
 
 PROGRAMS = Path(__file__).parent / "programs"
 BRIDGE = {"robot": BridgeRecord().as_record()}
@@ -55,43 +54,29 @@ JUDGED = (
     "until_b",
     "up_to_three_metres",
 )
-MISSING = {
-    "ends_in": "zones",
-    "visits": "zones",
-    "marks": "zones",
-    "pushed": "boxes",
-    "touches_nothing": "contact",
-    "time": "pace",
-}
 EMPTY = "empty_room"
 
 
-def kinds() -> Iterator[tuple[str, type[AnyCheck]]]:
-    for kind in AnyCheck.__subclasses__():
-        yield kind.model_fields["check"].annotation.__args__[0], kind  # type: ignore[union-attr]
-
-
 def test_every_kind_declares_what_it_needs_of_the_simulator() -> None:
-    assert {name: kind.needs for name, kind in kinds() if "needs" in vars(kind)} == {
-        name: MISSING.get(name) for name, _ in kinds()
+    assert {name: kind.requires for name, kind in KINDS.items() if "requires" in vars(kind)} == {
+        name: SIMULATOR_ONLY.get(name) for name in KINDS
     }
-    assert len(list(kinds())) == 21
 
 
 def test_every_kind_with_a_tolerance_widens_it() -> None:
     tolerant = {"within_m", "within_deg", "tolerance", "at_most_m", "at_most_deg", "net_within"}
-    for name, kind in kinds():
+    for name, kind in KINDS.items():
         has_one = tolerant & kind.model_fields.keys()
-        assert (kind.widened is not AnyCheck.widened) == bool(
+        assert (kind.with_tolerance is not CheckBase.with_tolerance) == bool(
             has_one or name == "any_of"
         ) or name == "symmetric", name
 
 
 def test_the_catalogue_is_judged_where_the_world_does_not_matter() -> None:
-    found = {name for name in activity_names() if not obstacles(shipped_activity(name))}
+    found = {name for name in activity_names() if not judging_blockers(shipped_activity(name))}
     assert found == set(JUDGED)
     first = {
-        name: obstacles(shipped_activity(name))[0].missing
+        name: judging_blockers(shipped_activity(name))[0].missing
         for name in activity_names()
         if name not in JUDGED
     }
@@ -114,13 +99,13 @@ def test_what_only_the_simulator_tells_keeps_a_run_from_being_judged(
     more: dict[str, Any], missing: str, kinds: tuple[str, ...]
 ) -> None:
     wanted = activity(**{"checks": [{"check": "finished"}], **more})
-    assert obstacles(wanted)[0] == (missing, kinds)
+    assert judging_blockers(wanted)[0] == (missing, kinds)
 
 
 def test_one_of_several_checks_needs_what_each_of_them_needs() -> None:
     some = [{"check": "finished"}, {"check": "visits", "zones": ["A"]}]
     wanted = activity({"check": "any_of", "checks": some})
-    assert obstacles(wanted) == (("zones", ("any_of",)),)
+    assert judging_blockers(wanted) == (("zones", ("any_of",)),)
 
 
 @pytest.mark.parametrize("sensor", sorted(SENSORS))
@@ -129,7 +114,7 @@ def test_a_solution_that_reads_the_world_needs_it(sensor: str) -> None:
     document = {"pinel_ir": 1, "commands": [until]}
     wanted = activity({"check": "finished"}, world=EMPTY, solution=document)
     own = {"x", "y", "heading", "time", "has_mark", "mark_here"}
-    assert bool(obstacles(wanted)) == (sensor not in own)
+    assert bool(judging_blockers(wanted)) == (sensor not in own)
 
 
 def test_every_reason_has_words_that_name_what_is_missing() -> None:
@@ -140,20 +125,20 @@ def test_every_reason_has_words_that_name_what_is_missing() -> None:
     assert "zonas do chão" in not_judged_words("zones", "pt-BR")
     assert not_judged_words("of a newer release", "en") == not_judged_words("failed", "en")
     assert "record" in str(Reason)
-    assert before_words(shipped_activity("square"), "pt-BR") is None
+    assert not_judgeable_notice(shipped_activity("square"), "pt-BR") is None
 
 
 def test_the_robot_s_record_decides_how_exactly_it_drives() -> None:
     coarse = {"robot": {**BridgeRecord().as_record(), "move_tolerance_m": 0.1}}
-    fine, wide = slack_of(BRIDGE), slack_of(coarse)
+    fine, wide = tolerance_of(BRIDGE), tolerance_of(coarse)
     assert fine is not None
     assert wide is not None
     assert fine.move_m == pytest.approx(0.02)
     assert wide == replace(fine, move_m=wide.move_m)
     assert wide.move_m == pytest.approx(0.11)
-    assert slack_of({"model": "pioneer_3dx"}) is None
+    assert tolerance_of({"model": "pioneer_3dx"}) is None
     with pytest.raises(PinelError, match="run_damaged"):
-        slack_of({"robot": {"move_tolerance_m": "wide"}})
+        tolerance_of({"robot": {"move_tolerance_m": "wide"}})
 
 
 def driven(wanted: Activity, case: int, reading: Reading) -> RunLog:
@@ -176,7 +161,7 @@ def judged(name: str, reading: Reading, case: int) -> bool:
     assert not log.is_true
     number = case_of_real_run(wanted, log)
     assert number is not None
-    report = check_program(wanted, reading, recorded=RecordedRun(log, number, slack_of(BRIDGE)))
+    report = check_program(wanted, reading, recorded=RecordedRun(log, number, tolerance_of(BRIDGE)))
     seen = [one for one in report.cases if one.recorded]
     assert len(seen) == 1
     return report.passed
@@ -221,13 +206,13 @@ def test_the_check_list_follows_a_real_run_and_says_what_counts_as_before() -> N
     wanted, reading = shipped_activity("square"), solution("square")
     assert reading.document is not None
     world = Room().as_world()
-    standing = RunStanding(wanted, reading.document, world, Setting(), slack_of(BRIDGE))
-    assert standing.is_of_activity
-    lines = standing.of(driven(wanted, 1, reading), "en")
+    standing = LiveEvaluation(wanted, reading.document, world, Setting(), tolerance_of(BRIDGE))
+    assert standing.applies
+    lines = standing.evaluate(driven(wanted, 1, reading), "en")
     assert [line.state for line in lines] == ["met"] * len(wanted.checks)
     assert "Drive 4 m in all" in [line.criterion for line in lines]
     maze = shipped_activity("maze")
-    assert not RunStanding(
-        maze, reading.document, world, Setting(), slack_of(BRIDGE)
-    ).is_of_activity
-    assert check_kinds.needs_of(wanted.checks[0]) == frozenset()
+    assert not LiveEvaluation(
+        maze, reading.document, world, Setting(), tolerance_of(BRIDGE)
+    ).applies
+    assert wanted.checks[0].requirements() == frozenset()

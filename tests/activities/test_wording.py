@@ -8,7 +8,7 @@ import pytest
 from pinel_desktop.activities.commands import Command
 from pinel_desktop.activities.diagnosis import _FACTS
 from pinel_desktop.activities.model import NUMBER_FACTS, TEXT_FACTS
-from pinel_desktop.activities.wording import block_words, filled, length, number, short_name
+from pinel_desktop.activities.wording import block_words, interpolate, length, number, short_name
 from pinel_desktop.messages import LANGUAGES, catalogue
 from pinel_desktop.program.model import action_names
 
@@ -104,7 +104,7 @@ def test_numbers_have_sensible_digits() -> None:
 
 
 def test_a_text_that_names_what_there_is_not_stays_as_it_is() -> None:
-    assert filled("{gap_m} {nothing} {", {"gap_m": 0.12}, "en") == "12 cm {nothing} {"
+    assert interpolate("{gap_m} {nothing} {", {"gap_m": 0.12}, "en") == "12 cm {nothing} {"
 
 
 def test_every_fact_that_a_diagnosis_may_name_is_worked_out() -> None:

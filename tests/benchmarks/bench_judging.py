@@ -31,7 +31,7 @@ def judge() -> Iterator[JudgeClient]:
 def question(name: str, program: str | None = None) -> Question:
     activity = shipped_activity(name)
     document = read_python(program).reading.document if program else solution_of(name)
-    return Question(activity.model_dump(mode="json"), document or {}, "", None, "pt-BR")
+    return Question(activity.model_dump_json(), document or {}, "", None, "pt-BR")
 
 
 def seconds(call: Callable[[], object]) -> float:

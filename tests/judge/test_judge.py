@@ -26,7 +26,7 @@ DEAF = 'import sys,time; print(\'{"type":"judge_ready"}\', flush=True); time.sle
 
 def question(name: str = "square", **changes: Any) -> Question:
     given = {
-        "activity": shipped_activity(name).model_dump(mode="json"),
+        "activity": shipped_activity(name).model_dump_json(),
         "document": solution_of(name) or {},
         "world": str(shipped_activity(name).world),
         "seen": None,
@@ -51,7 +51,7 @@ def code_of(client: JudgeClient, asked: Question) -> str:
 @pytest.mark.parametrize("name", activity_names())
 def test_an_activity_comes_through_the_pipe_unchanged(name: str) -> None:
     activity = shipped_activity(name)
-    assert Activity.model_validate(activity.model_dump(mode="json")) == activity
+    assert Activity.model_validate_json(activity.model_dump_json()) == activity
 
 
 def test_verdicts_of_the_process_are_those_of_the_checker(judge: JudgeClient) -> None:
@@ -75,9 +75,9 @@ def test_an_endless_calculation_is_told_and_ends_within_seconds(judge: JudgeClie
 def test_what_cannot_be_judged_is_refused_and_the_next_program_is_judged(
     judge: JudgeClient,
 ) -> None:
-    assert code_of(judge, question(activity={"pinel_activity": 9})) == "internal_error"
-    lost_world = {**question().activity, "world": "no_such_world"}
-    assert code_of(judge, question(activity=lost_world)) == "unknown_world"
+    assert code_of(judge, question(activity='{"pinel_activity": 9}')) == "internal_error"
+    lost_world = shipped_activity("square").model_copy(update={"world": "no_such_world"})
+    assert code_of(judge, question(activity=lost_world.model_dump_json())) == "unknown_world"
     assert judge.judge(question()).passed is True
 
 

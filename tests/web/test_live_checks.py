@@ -4,8 +4,13 @@ import time
 
 import pytest
 
+from pinel_desktop.activities import Activity
 from pinel_desktop.app import App
+from pinel_desktop.school import grading
 from pinel_desktop.school.live_checks import pause_after_s
+from pinel_desktop.school.own_activities import known_activity
+from pinel_desktop.web.api import runs
+from storage import Store
 from tests.in_time import in_time
 from tests.storage.sample_runs import ended, sample
 from tests.web.browser import Browser
@@ -71,10 +76,7 @@ def test_a_run_without_activity_is_not_followed(
 ) -> None:
     run = begin(app, browser, None)
     engine.send(sample(run, 1))
-    assert app._live_checks._run is not None
-    deadline = time.monotonic() + 10
-    while app._live_checks._run._events is not None:
-        assert time.monotonic() < deadline
+    assert app._live_checks._run is None
     engine.send(ended(run, 2, 1))
 
 
@@ -93,3 +95,24 @@ def test_a_slow_answer_of_the_judge_keeps_nobody_waiting_for_a_minute(
     judging_s: float, pause_s: float
 ) -> None:
     assert pause_after_s(judging_s) == pytest.approx(pause_s)
+
+
+def test_the_activity_of_a_run_is_read_once(
+    app: App, browser: Browser, engine: FakeEngine, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """When it begins: check list and verdict have it from then on."""
+    read: list[str] = []
+
+    def counted(store: Store, name: str) -> Activity:
+        read.append(name)
+        return known_activity(store, name)
+
+    for module in (runs, grading):
+        monkeypatch.setattr(module, "known_activity", counted)
+    with browser.stream() as events:
+        run = begin(app, browser, "square")
+        engine.send(sample(run, 1))
+        events.until(STANDS)
+        engine.send(ended(run, 2, 1))
+        events.until("judged")
+    assert read == ["square"]

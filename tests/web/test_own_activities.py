@@ -59,23 +59,26 @@ def test_only_the_teacher_makes_activities(browser: Browser, teacher: Browser, m
     assert {one.error["code"] for one in refused} == {"teacher_only"}
 
 
-def test_a_solution_is_measured_to_choose_checks_from(teacher: Browser) -> None:
+def test_checks_that_fit_a_solution_are_proposed(teacher: Browser) -> None:
     stage = {"world": "neighbourhood", "solution": {**MOVE, "commands": 2 * MOVE["commands"]}}
     found = teacher.post("/api/own-activities/measure", stage).data
-    measured = found["measured"]
+    proposal = found["proposal"]
+    checks = {check.pop("check"): check for check in proposal["checks"]}
     assert found["faults"] == []
-    assert measured["end_x_m"] == pytest.approx(4.0, abs=0.02)
-    assert (measured["n_blocks"], measured["finished"], measured["gap_m"]) == (2, True, None)
-    assert measured["zones"][0] == "casa"
-    assert "escola" in measured["all_zones"]
-    assert measured["template"][0][0] == [0.0, 0.0]
+    assert proposal["finished"]
+    assert "escola" in proposal["zones"]
+    assert checks["ends_at"]["x_m"] == pytest.approx(4.0, abs=0.02)
+    assert checks["block_count"] == {"at_most": 2}
+    assert checks["visits"]["zones"][0] == "casa"
+    assert checks["draws"]["template"][0][0] == [0.0, 0.0]
+    assert not checks.keys() & {"closed", "says", "mark_count", "nesting"}
 
 
 def test_a_solution_with_faults_and_an_unknown_world_are_told(teacher: Browser) -> None:
     wrong = {**MOVE, "commands": [{"action": "fly"}]}
     for stage in ({"world": "empty_room", "solution": wrong}, {"world": "x", "solution": MOVE}):
         found = teacher.post("/api/own-activities/measure", stage).data
-        assert found["measured"] is None
+        assert found["proposal"] is None
         assert found["faults"][0]["message"]
 
 

@@ -62,8 +62,8 @@ def list_examples() -> Response:
 def get_activity(path: ActivityPath) -> Response:
     """An activity with what its card says."""
     from pinel_desktop.activities import (  # noqa: PLC0415 - heavy
-        before_words,
-        standings_before,
+        initial_check_list,
+        not_judgeable_notice,
     )
 
     mission, language = known_activity(services().store, path.name), services().preferences.language
@@ -72,7 +72,7 @@ def get_activity(path: ActivityPath) -> Response:
             **_choice(mission),
             story=mission.story.of(language) if mission.story else "",
             criteria=mission.criteria.of(language) if mission.criteria else "",
-            checks=[line.criterion for line in standings_before(mission, language)],
+            checks=[line.criterion for line in initial_check_list(mission, language)],
             n_cases=len(mission.cases),
             hints=[hint.of(language) for hint in mission.hints],
             question=mission.question.of(language) if mission.question else "",
@@ -80,7 +80,7 @@ def get_activity(path: ActivityPath) -> Response:
             world=world_name(mission),
             preset=mission.preset,
             feedback=mission.feedback,
-            not_on_robot=before_words(mission, language),
+            not_on_robot=not_judgeable_notice(mission, language),
             next=_after(mission),
         )
     )

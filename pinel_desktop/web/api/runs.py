@@ -15,6 +15,7 @@ from pinel_desktop.robot import RobotModel, Setting
 from pinel_desktop.robot.record import ROOM
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.school.grading import begun_run
 from pinel_desktop.school.own_activities import known_activity
 from pinel_desktop.web.api import OCTETS, WRITES, answers, resource
 from pinel_desktop.web.api.activities import world_name
@@ -82,10 +83,10 @@ def begin_run(body: NewRun) -> Response:
     """
     parts = services()
     version = parts.store.versions.get(body.version_id)
-    spec = _spec(version, body, parts)
+    activity = _activity(version)
+    spec = _spec(version, activity, body, parts)
     if parts.engine.live_run is not None:
         raise PinelError("run_in_progress")
-    activity = _activity(version)
     record = record_of(
         spec,
         world_name=_world_name(spec, activity, body),
@@ -95,13 +96,12 @@ def begin_run(body: NewRun) -> Response:
     )
     row = parts.store.runs.begin(record)
     _use_signs_of(row.group_id, parts)
+    _prepare_judge(row, activity, version, parts)
     try:
         parts.engine.run(row.id, spec, _first_commands(body))
     except PinelError:
         parts.store.runs.discard(row.id)
         raise
-    if row.activity:
-        parts.prepare_judge()
     return answer(run_model(row))
 
 
@@ -111,14 +111,27 @@ def _use_signs_of(group_id: str | None, parts: Services) -> None:
         parts.signs.use(group_id and parts.store.groups.get(group_id).classroom_id)
 
 
+def _prepare_judge(
+    row: RunRow, activity: "Activity | None", version: VersionRow, parts: Services
+) -> None:
+    """The judge has activity and document of a run from its beginning; an activity of a newer release it has not."""
+    if row.activity is None:
+        return
+    given = activity if activity and activity.name == row.activity else None  # else the lesson's
+    with contextlib.suppress(PinelError):
+        parts.prepare_judge(row.id, begun_run(parts.store, row, given, version.document))
+
+
 def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
     if version.document is None:
         raise InvalidProgramError(describe_faults(version.faults, parts.preferences.language))
     return version.document
 
 
-def _spec(version: VersionRow, body: NewRun, parts: Services) -> RunSpec:
-    document, activity = _runnable(version, parts), _activity(version)
+def _spec(
+    version: VersionRow, activity: "Activity | None", body: NewRun, parts: Services
+) -> RunSpec:
+    document = _runnable(version, parts)
     if body.robot != SIMULATOR:
         return _real_spec(document, body, parts)
     if activity:

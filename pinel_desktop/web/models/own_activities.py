@@ -78,43 +78,24 @@ class OwnActivityList(Shape):
     activities: list[OwnActivity]
 
 
-class Measured(Shape):
-    """Numbers to choose checks from; angles with sign are positive to the left."""
+class Proposal(Shape):
+    """What the form begins with for a sample solution, run under the ideal robot."""
 
-    finished: bool
-    touched: bool
-    end_x_m: float
-    end_y_m: float
-    heading_deg: float
-    path_m: float
-    turned_deg: float
-    net_deg: float
-    time_s: float
-    n_blocks: int
-    n_nested: int
-    n_marks: int
-    zones: Annotated[list[str], Field(description="places visited, in order")]
-    end_zone: Annotated[str, Field(description='the place at the end, "" outside')]
-    all_zones: Annotated[list[str], Field(description="places of the world")]
-    said: list[str]
-    gap_m: Annotated[
-        float | None,
-        Field(description="between first and last point drawn; null without a drawing"),
-    ]
-    template: Annotated[
-        list[list[tuple[float, float]]] | None,
-        Field(description="what was drawn, else the path; null where it is too much for a check"),
+    finished: Annotated[bool, Field(description="the solution ended by itself, without a failure")]
+    zones: Annotated[list[str], Field(description="places of the world")]
+    checks: Annotated[
+        list[Json], Field(description="one of each kind that is of use for this solution")
     ]
 
 
 class Sample(Shape):
-    """What a sample solution does under the ideal robot: m, degrees and s in the start frame.
+    """What the form proposes for a sample solution.
 
-    `faults` are those of the program or its world; all else is null then.
+    `faults` are those of the program or its world; the proposal is null then.
     """
 
     faults: list[Fault]
-    measured: Measured | None
+    proposal: Proposal | None
 
 
 class Trial(Shape):

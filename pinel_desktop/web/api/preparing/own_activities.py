@@ -18,11 +18,11 @@ from pinel_desktop.web.errors import InvalidActivityError
 from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.activities import GoalPicture
 from pinel_desktop.web.models.own_activities import (
-    Measured,
     OwnActivity,
     OwnActivityDraft,
     OwnActivityList,
     OwnActivityToEdit,
+    Proposal,
     Sample,
     Stage,
     Trial,
@@ -111,8 +111,8 @@ def restore_own_activity(path: IdPath) -> Response:
 
 @api.post("/own-activities/measure", responses=answers(Sample, *TEACHER, "body_too_large"))
 def measure_solution(body: Stage) -> Response:
-    """Runs a sample solution and measures what it does. For the teacher."""
-    from pinel_desktop.activities import sample_of, world_of  # noqa: PLC0415 - heavy
+    """Runs a sample solution and proposes checks that fit what it does. For the teacher."""
+    from pinel_desktop.activities import proposal_for  # noqa: PLC0415 - heavy
 
     require_teacher()
     parts = services()
@@ -121,10 +121,9 @@ def measure_solution(body: Stage) -> Response:
     if activity is None or faults or reading.faults:
         found = [*reading.faults, *faults]
         shown = describe_faults(found, parts.preferences.language)
-        return answer(Sample(faults=shown, measured=None))
-    zones = [str(zone["name"]) for zone in world_of(activity).get("zones", [])]
-    measured = asdict(sample_of(activity, reading))
-    return answer(Sample(faults=[], measured=Measured(**measured, all_zones=zones)))
+        return answer(Sample(faults=shown, proposal=None))
+    proposal = Proposal(**asdict(proposal_for(activity, reading)))
+    return answer(Sample(faults=[], proposal=proposal))
 
 
 @api.post("/own-activities/try", responses=answers(Trials, *TEACHER, "body_too_large"))

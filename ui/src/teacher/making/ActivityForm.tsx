@@ -73,8 +73,7 @@ export function ActivityForm({ kept, groups, onSaved, onCancel }: ActivityFormPr
 function completed(maker: Maker) {
   const { value: draft } = maker.draft;
   const { value: choices } = maker.choices;
-  const { value: measured } = maker.measured;
-  if (!draft || !choices || !measured) return null;
-  const criteria = draft.criteria?.trim() || criteriaOf(choices, measured, texts.value.making);
+  if (!draft || !choices) return null;
+  const criteria = draft.criteria?.trim() || criteriaOf(choices, texts.value.making);
   return { ...draft, criteria };
 }

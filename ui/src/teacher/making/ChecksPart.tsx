@@ -1,28 +1,34 @@
-import type { Measured } from "../../api/model";
 import { texts } from "../../i18n";
 import { NumberField } from "../../kit/NumberField";
 import { Select } from "../../kit/Select";
-import { CHECK_KINDS, type CheckKind, type Chosen, rowOf } from "./check_rows";
+import {
+  type CheckField,
+  type CheckKind,
+  type Chosen,
+  fieldsOf,
+  offered,
+  shownNumber,
+} from "./check_choices";
 import type { Maker } from "./maker";
 
 /** What counts: checks in words, with the numbers of the solution to begin with. */
 export function ChecksPart({ maker }: { maker: Maker }) {
   const { making: say } = texts.value;
-  const { value: measured } = maker.measured;
+  const { value: proposal } = maker.proposal;
   const { value: choices } = maker.choices;
   return (
     <section class="making__part">
       <h2>{say.checks.title}</h2>
-      {measured && choices ? (
+      {proposal && choices ? (
         <>
           <p class="teacher__hint">{say.checks.hint}</p>
           <ul class="making__checks">
-            {CHECK_KINDS.filter((kind) => rowOf(kind).isOffered(measured)).map((kind) => (
+            {offered(choices).map(([kind, chosen]) => (
               <CheckLine
                 key={kind}
                 kind={kind}
-                chosen={choices[kind]}
-                measured={measured}
+                chosen={chosen}
+                zones={proposal.zones}
                 onChange={(changes) => maker.choose(kind, changes)}
               />
             ))}
@@ -38,64 +44,88 @@ export function ChecksPart({ maker }: { maker: Maker }) {
 interface CheckLineProps {
   kind: CheckKind;
   chosen: Chosen;
-  measured: Measured;
+  zones: readonly string[];
   onChange(changes: Partial<Chosen>): void;
 }
 
-function CheckLine({ kind, chosen, measured, onChange }: CheckLineProps) {
-  const { making: say } = texts.value;
+function CheckLine({ kind, chosen, zones, onChange }: CheckLineProps) {
+  const { kinds } = texts.value.making;
+  const { on, check } = chosen;
+  const fields = fieldsOf(kind);
   return (
     <li class="making__check" data-testid="making-check" data-kind={kind}>
       <label class="making__choice">
         <input
           type="checkbox"
-          checked={chosen.on}
+          checked={on}
           onChange={({ currentTarget }) => onChange({ on: currentTarget.checked })}
         />
-        <span>{say.kinds[kind]}</span>
-        {kind === "visits" && <strong>{measured.zones.join(", ")}</strong>}
+        <span>{kinds[kind]}</span>
+        {fields.map(
+          ({ key, input }) =>
+            input === "shown" && <strong key={key}>{(check[key] as string[]).join(", ")}</strong>,
+        )}
       </label>
-      {chosen.on && (
+      {on && (
         <span class="row wrap middle gap-3">
-          {rowOf(kind).numbers.map(({ name, least, most, step }) => (
-            <NumberField
-              key={name}
-              label={say.numbers[name as keyof typeof say.numbers]}
-              value={chosen.numbers[name] ?? least}
-              {...{ least, most, step }}
-              testId="making-number"
-              onNumber={(value) => onChange({ numbers: { ...chosen.numbers, [name]: value } })}
+          {fields.map((field) => (
+            <FieldOf
+              key={field.key}
+              label={kinds[kind]}
+              {...{ field, check, zones }}
+              onValue={(value) => onChange({ check: { ...check, [field.key]: value } })}
             />
           ))}
-          {rowOf(kind).text && (
-            <TextOf kind={kind} chosen={chosen} measured={measured} onChange={onChange} />
-          )}
         </span>
       )}
     </li>
   );
 }
 
-/** The place, or the text that is to be said. */
-function TextOf({ kind, chosen, measured, onChange }: CheckLineProps) {
-  const { making: say } = texts.value;
-  if (kind === "ends_in") {
-    return (
-      <Select
-        label={say.kinds.ends_in}
-        value={chosen.text}
-        options={measured.all_zones.map((zone) => [zone, zone])}
-        onChange={(text) => onChange({ text })}
-      />
-    );
+interface FieldOfProps extends Pick<Chosen, "check"> {
+  field: CheckField;
+  label: string;
+  zones: readonly string[];
+  onValue(value: number | string): void;
+}
+
+/** A number, a place, or the text that is to be said. */
+function FieldOf({ field, check, label, zones, onValue }: FieldOfProps) {
+  const { numbers } = texts.value.making;
+  const text = String(check[field.key]);
+  switch (field.input) {
+    case "number":
+      return (
+        <NumberField
+          label={numbers[field.label]}
+          value={shownNumber(field, check)}
+          least={field.min}
+          most={field.max}
+          step={field.step}
+          testId="making-number"
+          onNumber={(value) => onValue(value / field.factor)}
+        />
+      );
+    case "zone":
+      return (
+        <Select
+          label={label}
+          value={text}
+          options={zones.map((zone) => [zone, zone])}
+          onChange={onValue}
+        />
+      );
+    case "text":
+      return (
+        <input
+          class="field"
+          aria-label={label}
+          maxLength={200}
+          value={text}
+          onInput={({ currentTarget }) => onValue(currentTarget.value)}
+        />
+      );
+    default:
+      return null;
   }
-  return (
-    <input
-      class="field"
-      aria-label={say.kinds[kind]}
-      maxLength={200}
-      value={chosen.text}
-      onInput={({ currentTarget }) => onChange({ text: currentTarget.value })}
-    />
-  );
 }

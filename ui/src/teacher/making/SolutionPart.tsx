@@ -44,7 +44,7 @@ export function SolutionPart({ maker, groups }: SolutionPartProps) {
       {maker.faults.value.map((fault) => (
         <FaultLine key={fault.pointer} fault={fault} />
       ))}
-      {maker.measured.value?.finished === false && (
+      {maker.proposal.value?.finished === false && (
         <p class="notice-box">{say.solution.unfinished}</p>
       )}
     </section>

@@ -48,12 +48,11 @@ export function TextsPart({ maker }: { maker: Maker }) {
 function Criteria({ maker }: { maker: Maker }) {
   const { making: say } = texts.value;
   const { value: choices } = maker.choices;
-  const { value: measured } = maker.measured;
   return (
     <TextArea
       label={say.texts.criteria}
       value={maker.written.value.criteria}
-      placeholder={choices && measured ? criteriaOf(choices, measured, say) : ""}
+      placeholder={choices ? criteriaOf(choices, say) : ""}
       onText={(criteria) => maker.write({ criteria })}
     />
   );

@@ -4,10 +4,10 @@ import { DEFAULT_WORLD } from "../../api/declared";
 import { makingApi } from "../../api/making";
 import {
   type Fault,
-  type Measured,
   OWN_WORLD,
   type OwnActivityDraft,
   type OwnActivityToEdit,
+  type Proposal,
   type Trials,
   type Version,
 } from "../../api/model";
@@ -22,7 +22,7 @@ import {
   checksOf,
   choicesOf,
   proposed,
-} from "./check_rows";
+} from "./check_choices";
 
 /** The fields of the form with texts. */
 export interface Written {
@@ -49,7 +49,7 @@ export class Maker {
   readonly stage = signal<Stage | null>(null);
   /** The lowest level that offers the blocks of the solution. */
   readonly levelOfSolution = signal<Level>(1);
-  readonly measured = signal<Measured | null>(null);
+  readonly proposal = signal<Proposal | null>(null);
   readonly faults = signal<readonly Fault[]>([]);
   readonly choices = signal<Choices | null>(null);
   readonly trials = signal<Trials | null>(null);
@@ -58,9 +58,8 @@ export class Maker {
   /** What the form would keep; null without a solution that runs. */
   readonly draft = computed<OwnActivityDraft | null>(() => {
     const { value: stage } = this.stage;
-    const { value: measured } = this.measured;
     const { value: choices } = this.choices;
-    if (!stage || !measured || !choices) return null;
+    if (!stage || !this.proposal.value || !choices) return null;
     const { hints, ...texts } = this.written.value;
     return {
       ...texts,
@@ -70,7 +69,7 @@ export class Maker {
       level: this.level.value,
       minutes: this.minutes.value,
       shows_path: this.showsPath.value,
-      checks: [...checksOf(choices, measured), ...this.others],
+      checks: [...checksOf(choices), ...this.others],
     };
   });
 
@@ -85,7 +84,8 @@ export class Maker {
 
   choose(kind: CheckKind, changes: Partial<Chosen>): void {
     const before = this.choices.peek();
-    if (before) this.choices.value = { ...before, [kind]: { ...before[kind], ...changes } };
+    const chosen = before?.[kind];
+    if (chosen) this.choices.value = { ...before, [kind]: { ...chosen, ...changes } };
     this.trials.value = null;
   }
 
@@ -109,11 +109,11 @@ export class Maker {
   async measure(stage: Stage | null = this.stage.peek()): Promise<void> {
     if (!stage) return;
     this.trials.value = null;
-    const { measured, faults } = await makingApi.measure({ ...stage, ...this.inputLists() });
+    const { proposal, faults } = await makingApi.measure({ ...stage, ...this.inputLists() });
     this.stage.value = stage;
     this.faults.value = faults;
-    this.measured.value = measured;
-    if (measured) this.choices.value = proposed(measured, this.choices.peek() ?? {});
+    this.proposal.value = proposal;
+    if (proposal) this.choices.value = proposed(proposal, this.choices.peek() ?? {});
   }
 
   async tryOut(): Promise<void> {
@@ -132,7 +132,7 @@ export class Maker {
     this.stage.value = { solution: kept.solution, world: kept.world };
     const found = choicesOf(kept.checks);
     this.others = found.others;
-    this.choices.value = found.kept as Choices;
+    this.choices.value = found.kept;
   }
 
   private inputLists() {

@@ -1,27 +1,25 @@
 """The check list of a run that goes on: filled by the code of the verdict, never ahead of the run."""
 
 import re
-from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any, get_args
 
 import pytest
 
 from pinel_desktop.activities import (
+    CheckStatus,
+    LiveEvaluation,
     LogWriter,
-    RunStanding,
-    Standing,
     activity_names,
-    check_kinds,
     choose_activity,
+    initial_check_list,
     judge_run,
     solution_of,
-    standings_before,
     world_of,
 )
 from pinel_desktop.activities.checking import spec_of
-from pinel_desktop.activities.criteria import criterion_of
+from pinel_desktop.activities.checks import KINDS
+from pinel_desktop.activities.checks.movement.ends_at import EndsAt
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.messages import LANGUAGES
@@ -29,6 +27,7 @@ from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import Reading, read_document
 from pinel_desktop.robot import Setting
 from pinel_desktop.runs.start import start
+from tests.activities.test_checks import ONE_OF_EACH
 
 PROGRAMS = Path(__file__).parent / "programs"
 ENDLESS = ("until_b/wrong_no_reading", "maze/wrong_no_move")
@@ -55,17 +54,17 @@ def followed(
     spec = spec_of(activity, activity.cases[case - 1], reading)
     assert reading.document is not None
     world = world_of(activity, activity.cases[case - 1])
-    standing = RunStanding(activity, reading.document, world, spec.setting)
-    assert standing.is_of_activity
+    standing = LiveEvaluation(activity, reading.document, world, spec.setting)
+    assert standing.applies
     writer, seen = LogWriter(), []
 
     def observe(tick: int, event: Event) -> None:
         writer.observe(tick, event)
         if tick % every == 0 and event.type == "telemetry":
-            seen.append(told(standing.of(writer.log(), language)))
+            seen.append(told(standing.evaluate(writer.log(), language)))
 
     start(spec, observe, RunControl())
-    last = told(standing.of(writer.log(), language))
+    last = told(standing.evaluate(writer.log(), language))
     report = judge_run(activity, case, reading.document, writer.log())
     # several cases may have begun alike; then the first of them is meant
     if len(report.checks) == len(last):
@@ -73,7 +72,7 @@ def followed(
     return [*seen, last]
 
 
-def told(lines: list[Standing]) -> States:
+def told(lines: list[CheckStatus]) -> States:
     return [(one.criterion, one.measured, one.state) for one in lines]
 
 
@@ -136,11 +135,9 @@ def test_the_checks_of_a_case_come_with_its_sign() -> None:
 def test_a_run_in_another_world_is_not_followed() -> None:
     activity, other = choose_activity("square"), choose_activity("maze")
     ideal = Setting(activity.model, activity.preset, activity.feedback)
-    assert not RunStanding(activity, {}, world_of(other, other.cases[0]), ideal).is_of_activity
+    assert not LiveEvaluation(activity, {}, world_of(other, other.cases[0]), ideal).applies
     shaky = Setting(activity.model, "realistic", activity.feedback)
-    assert not RunStanding(
-        activity, {}, world_of(activity, activity.cases[0]), shaky
-    ).is_of_activity
+    assert not LiveEvaluation(activity, {}, world_of(activity, activity.cases[0]), shaky).applies
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.stem}")
@@ -152,49 +149,23 @@ def test_the_list_ends_as_the_verdict_and_has_no_open_ends(file: Path) -> None:
     assert all(state != "open" for _, _, state in lists[-1])
 
 
-ONE_OF_EACH: Mapping[str, Mapping[str, Any]] = {
-    "ends_at": {"x_m": 1.0, "y_m": -2.0},
-    "ends_heading": {"heading_deg": -90.0},
-    "ends_in": {"zone": "A"},
-    "visits": {"zones": ["A", "E"]},
-    "pushed": {"box": 0, "zone": "A"},
-    "uses": {"action": "repeat", "at_least": 2, "at_most": 3},
-    "marks": {"symbol": "X", "zone": "A"},
-    "says": {"text": "oi"},
-    "path_length": {"at_least_m": 1.0, "at_most_m": 3.0},
-    "draws": {"template": [[[0.0, 0.0], [1.0, 0.0]]]},
-    "symmetric": {"axes": 2},
-    "turned_total": {"at_least_deg": 90.0, "net_deg": 90.0},
-    "block_count": {"at_most": 3},
-    "nesting": {"at_least": 2},
-    "executed": {"action": "turn", "n": 0},
-    "mark_count": {"n": 1},
-    "time": {"at_most_s": 20.0},
-    "any_of": {
-        "checks": [check_kinds.Closed(check="closed"), check_kinds.Finished(check="finished")]
-    },
-}
-
-
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_kind_of_check_has_a_line(language: str) -> None:
-    kinds = get_args(get_args(check_kinds.Check)[0])
     lines = set()
-    for kind in kinds:
-        name = get_args(kind.model_fields["check"].annotation)[0]
-        line = criterion_of(kind(check=name, **ONE_OF_EACH.get(name, {})), language)
+    for name, kind in KINDS.items():
+        line = kind.model_validate({"check": name, **ONE_OF_EACH.get(name, {})}).line(language)
         assert not re.search(r"[{}_]", line), name
         lines.add(line)
-    assert len(lines) == len(kinds)
+    assert len(lines) == len(KINDS)
 
 
 def test_places_are_said_as_seen_from_the_start() -> None:
-    there = check_kinds.EndsAt(check="ends_at", x_m=-1.0, y_m=2.5)
-    assert criterion_of(there, "pt-BR") == "Terminar 1 m atrás e 2,5 m à esquerda da partida"
+    there = EndsAt(check="ends_at", x_m=-1.0, y_m=2.5)
+    assert there.line("pt-BR") == "Terminar 1 m atrás e 2,5 m à esquerda da partida"
 
 
 @pytest.mark.parametrize("name", activity_names())
 def test_before_a_run_every_line_is_open(name: str) -> None:
-    lines = standings_before(choose_activity(name), "pt-BR")
+    lines = initial_check_list(choose_activity(name), "pt-BR")
     assert lines[0].criterion == "Chegar ao fim do programa"
     assert {(one.state, one.measured) for one in lines} == {("open", "")}

@@ -1,0 +1,1 @@
+"""Checks of what a run leaves on the floor: boxes, marks, drawings."""

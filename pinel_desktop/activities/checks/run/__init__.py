@@ -1,0 +1,1 @@
+"""Checks of a run as a whole."""

@@ -1,0 +1,26 @@
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from pinel_desktop.activities.checks.base import CheckBase, CheckResult, FormField
+from pinel_desktop.activities.evidence import Evidence
+
+
+class Says(CheckBase):
+    """It says something that contains `text`, capitals or not."""
+
+    requires = None
+    form = (FormField("text", "text"),)
+    check: Literal["says"]
+    text: Annotated[str, Field(min_length=1, max_length=1000)]
+
+    def evaluate(self, evidence: Evidence) -> CheckResult:
+        target = self.text.casefold()
+        passed = any(target in one.casefold() for one in evidence.said)
+        last = evidence.said[-1] if evidence.said else ""
+        pointer, values = evidence.last_begun("say"), {"text": self.text}
+        return CheckResult(passed, last, self.text, pointer, "check_says", values)
+
+    @classmethod
+    def proposed(cls, solution: Evidence) -> dict[str, Any] | None:
+        return {"text": solution.said[0]} if solution.said else None

@@ -1,0 +1,13 @@
+"""Plain data as TypeScript."""
+
+import json
+from typing import Any
+
+
+def typescript(value: Any) -> str:
+    """A literal on one line."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key}: {typescript(part)}" for key, part in value.items()) + " }"
+    if isinstance(value, list):
+        return f"[{', '.join(map(typescript, value))}]"
+    return f"{value:g}" if isinstance(value, float) else json.dumps(value)

@@ -1,0 +1,69 @@
+import type { Proposal } from "../../api/model";
+import { CHECK_FIELDS } from "./check_fields";
+
+/** A check of an activity, as docs/activities.md has it. */
+export type Check = Readonly<Record<string, unknown>>;
+export type CheckKind = keyof typeof CHECK_FIELDS;
+/** A parameter in the form, as `FormField` of `activities/checks/base.py` declares it. */
+export type CheckField = (typeof CHECK_FIELDS)[CheckKind][number];
+type NumberField = Extract<CheckField, { input: "number" }>;
+
+/** What the teacher has chosen of one kind of check. */
+export interface Chosen {
+  readonly on: boolean;
+  readonly check: Check;
+}
+
+/** Of each kind that the form offers for a solution, in its order. */
+export type Choices = Readonly<Partial<Record<CheckKind, Chosen>>>;
+
+export const fieldsOf = (kind: CheckKind): readonly CheckField[] => CHECK_FIELDS[kind];
+export const offered = (choices: Choices) => Object.entries(choices) as [CheckKind, Chosen][];
+export const chosen = (choices: Choices) => offered(choices).filter(([, { on }]) => on);
+
+/** The number that the form shows of a parameter, such as centimetres of metres. */
+export const shownNumber = ({ key, factor }: NumberField, check: Check): number =>
+  Math.round(Number(check[key]) * factor * 1000) / 1000;
+
+/** Nothing chosen, with the numbers of what the solution does; `kept` choices keep theirs. */
+export function proposed({ checks }: Proposal, kept: Choices = {}): Choices {
+  const choices = checks.map((check): [CheckKind, Chosen] => {
+    const kind = check.check as CheckKind;
+    const before = kept[kind];
+    return [
+      kind,
+      before?.on
+        ? { on: true, check: { ...check, ...written(kind, before.check) } }
+        : { on: false, check },
+    ];
+  });
+  return Object.fromEntries(choices);
+}
+
+/** The parameters that the teacher may write. */
+function written(kind: CheckKind, check: Check): Check {
+  const fields = fieldsOf(kind).filter(({ input }) => input !== "shown");
+  return Object.fromEntries(fields.map(({ key }) => [key, check[key]]));
+}
+
+/** The checks that were chosen. */
+export const checksOf = (choices: Choices): Check[] =>
+  chosen(choices).map(([, { check }]) => check);
+
+/** The choices of an activity's checks, and the checks that the form does not offer, which stay as they are. */
+export function choicesOf(checks: readonly Check[]): { kept: Choices; others: readonly Check[] } {
+  const kept: Partial<Record<CheckKind, Chosen>> = {};
+  const others: Check[] = [];
+  for (const check of checks) {
+    const kind = check.check as CheckKind;
+    if (isOfForm(check) && !kept[kind]) kept[kind] = { on: true, check };
+    else others.push(check);
+  }
+  return { kept, others };
+}
+
+const isOfForm = (check: Check) =>
+  Object.hasOwn(CHECK_FIELDS, String(check.check)) &&
+  fieldsOf(check.check as CheckKind).every(
+    (field) => field.input !== "fixed" || check[field.key] === field.value,
+  );
