@@ -47,7 +47,7 @@ def test_figures_close() -> None:
     print(
         "\nclosing errors                     ideal             realistic, p95 of 20 seeds (mm, degrees)"
     )
-    print(f"  {'':<12}{'mm':>10}{'degrees':>10}{'camera's pose':>22}{'knows its wheels':>22}")
+    print(f"  {'':<12}{'mm':>10}{'degrees':>10}{'pose by camera':>22}{'knows its wheels':>22}")
     for name in ("square", "triangle", "lemniscate"):
         mm, degrees = closing(name, Setting())
         cells = f"  {name:<12}{mm:10.4f}{degrees:10.5f}"
