@@ -13,7 +13,10 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 
 HOST = "127.0.0.1"
-_AT_ONCE, _PAUSE_S = 200, 0.05  # some 3,000 a second; who takes a whole core for it leaves none to the app
+_AT_ONCE, _PAUSE_S = (
+    200,
+    0.05,
+)  # some 3,000 a second; who takes a whole core for it leaves none to the app
 _BODY = "Content-Length: 1000000\r\nContent-Type: application/json\r\n\r\n{"
 
 
