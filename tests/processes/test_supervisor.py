@@ -97,6 +97,26 @@ def test_who_waits_for_a_process_that_is_closed_while_it_starts_goes_on() -> Non
     assert supervisor.wait_until_ready(60) is False
 
 
+def test_who_waits_while_a_process_is_being_replaced_waits_for_the_next_one() -> None:
+    answers: list[bool] = []
+    waiting = threading.Thread(target=lambda: answers.append(supervisor.wait_until_ready(WAIT_S)))
+
+    def on_death() -> None:
+        waiting.start()
+        waiting.join(0.3)
+
+    command = [sys.executable, "-c", RESPONDER]
+    supervisor = Supervisor("some", command, "some_lost", on_death=on_death, timeouts=NEVER)
+    supervisor.start()
+    assert supervisor.wait_until_ready(WAIT_S)
+    first = supervisor.pid
+    supervisor.send({"what": "die"})
+    assert replaced(supervisor, first)
+    waiting.join(WAIT_S)
+    assert answers == [True]
+    supervisor.close()
+
+
 def lost(command: list[str]) -> list[str]:
     """What is told of a process that cannot live, until it is not started again."""
     told: list[str] = []
