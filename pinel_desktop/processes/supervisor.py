@@ -226,6 +226,8 @@ class Supervisor:
     def _replace(self, *, short_life: bool) -> None:
         with self._lock:
             self._state = "starting"
+            if not self._closing:
+                self._ready.clear()  # who waits from now on waits for the next one
             self._outbox.end()
         _log.error("the %s died", self._name)
         self._fail_requests()

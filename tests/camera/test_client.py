@@ -267,6 +267,8 @@ def test_an_order_that_is_none_is_passed_over(harness: Harness) -> None:
 
 
 def test_one_who_leaves_takes_the_picture_from_nobody(harness: Harness) -> None:
+    harness.camera.use()
+    harness.until("on")
     leaving, staying = harness.camera.previews(), harness.camera.previews()
     assert next(leaving)
     assert next(staying)
@@ -287,6 +289,8 @@ def test_source_that_cannot_be_opened_is_told_and_another_can_be_chosen(harness:
 
 
 def test_closing_ends_process_and_previews_within_two_seconds(harness: Harness) -> None:
+    harness.camera.use()
+    harness.until("on")
     pictures = harness.camera.previews()
     next(pictures)
     pid = harness.camera.pid or 0

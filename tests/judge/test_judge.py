@@ -96,8 +96,9 @@ def test_a_judge_that_hangs_is_ended() -> None:
     quick = HangTimeouts(hang_timeout_s=0.3, busy_timeout_s=0.3, beat_s=0.1)
     client = JudgeClient([sys.executable, "-c", DEAF], quick)
     try:
-        assert code_of(client, question()) == "judge_lost"
+        client.wake()
         pid = client.pid
+        assert code_of(client, question()) == "judge_lost"
         deadline = time.monotonic() + 20
         while client.pid == pid and time.monotonic() < deadline:
             time.sleep(0.02)

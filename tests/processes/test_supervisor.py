@@ -10,7 +10,7 @@ import pytest
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import supervisor as supervision
-from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts
+from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.processes.outbox import MAX_WAITING
 from pinel_desktop.processes.supervisor import Supervisor
 from tests.in_time import in_time
@@ -21,16 +21,18 @@ DEAF = f"import time; {READY}; time.sleep(600)"
 ECHO = f"import sys; {READY}\nfor line in sys.stdin: sys.stdout.write(line)"
 
 
-# it answers requests with their own `what`, refuses one without it, and dies of "die"
-RESPONDER = f"""import json, sys; {READY}
+# it answers requests with their own `what`, refuses one without it, dies of "die" and hangs at "hang"
+RESPONDER = f"""import json, sys, time; {READY}
 for line in sys.stdin:
     asked = json.loads(line)
     if asked.get("what") == "die": sys.exit()
+    if asked.get("what") == "hang": time.sleep(600)
     if asked.get("what") == "nothing" or "request" not in asked: continue
     found = {{"value": asked["what"]}} if "what" in asked else {{"code": "refused", "params": {{"n": 1}}}}
     print(json.dumps({{"type": "response", "request": asked["request"], **found}}), flush=True)
 """
 QUICK = HangTimeouts(hang_timeout_s=0.4, busy_timeout_s=0.4, beat_s=0.1)
+NEVER = HangTimeouts(beat_s=3600.0)  # it is not probed
 
 
 def ignore(message: dict[str, Any]) -> None:
@@ -40,7 +42,7 @@ def ignore(message: dict[str, Any]) -> None:
 def process(
     script: str,
     on_message: Callable[[dict[str, Any]], None] = ignore,
-    timeouts: HangTimeouts = TIMEOUTS,
+    timeouts: HangTimeouts = NEVER,
 ) -> Supervisor:
     command = [sys.executable, "-c", script]
     made = Supervisor("some", command, "some_lost", on_message=on_message, timeouts=timeouts)
@@ -93,6 +95,26 @@ def test_who_waits_for_a_process_that_is_closed_while_it_starts_goes_on() -> Non
     waiting.join(WAIT_S)
     assert answers == [False]
     assert supervisor.wait_until_ready(60) is False
+
+
+def test_who_waits_while_a_process_is_being_replaced_waits_for_the_next_one() -> None:
+    answers: list[bool] = []
+    waiting = threading.Thread(target=lambda: answers.append(supervisor.wait_until_ready(WAIT_S)))
+
+    def on_death() -> None:
+        waiting.start()
+        waiting.join(0.3)
+
+    command = [sys.executable, "-c", RESPONDER]
+    supervisor = Supervisor("some", command, "some_lost", on_death=on_death, timeouts=NEVER)
+    supervisor.start()
+    assert supervisor.wait_until_ready(WAIT_S)
+    first = supervisor.pid
+    supervisor.send({"what": "die"})
+    assert replaced(supervisor, first)
+    waiting.join(WAIT_S)
+    assert answers == [True]
+    supervisor.close()
 
 
 def lost(command: list[str]) -> list[str]:
@@ -166,9 +188,11 @@ def test_a_request_without_a_response_ends_after_its_time_and_the_process_lives_
     supervisor.close()
 
 
-@pytest.mark.parametrize("what", ["die", "nothing"], ids=["dies", "hangs"])
-def test_requests_to_a_process_that_dies_or_hangs_end_with_it(what: str) -> None:
-    supervisor = process(RESPONDER, timeouts=QUICK)
+@pytest.mark.parametrize(("what", "timeouts"), [("die", NEVER), ("hang", QUICK)])
+def test_requests_to_a_process_that_dies_or_hangs_end_with_it(
+    what: str, timeouts: HangTimeouts
+) -> None:
+    supervisor = process(RESPONDER, timeouts=timeouts)
     first = supervisor.pid
     assert code_of(supervisor, what=what) == "some_lost"
     assert replaced(supervisor, first)
