@@ -20,12 +20,20 @@ ROOT = Path(__file__).resolve().parents[1]
 LOGS = ROOT / "build" / "test-logs"
 N_SLOWEST = 10
 PYTEST = (sys.executable, "-m", "pytest", "-q", f"--durations={N_SLOWEST}")
-# one process per core, limited because robots that drive in real time would run late
-SIDE_BY_SIDE = ("-n", "logical", "--maxprocesses", "4", "--dist", "worksteal")
-# those that mostly wait leave most of the cores idle
-MANY = ("-n", str(min(3 * (os.cpu_count() or 1), 12)), "--dist", "worksteal")
 _MEMORY_DISK = Path("/dev/shm")
 _NEEDED_BYTES = 4 * 2**30
+_N_CORES = os.cpu_count() or 1
+
+
+def side_by_side(n_workers: int) -> tuple[str, ...]:
+    """Tests on so many workers; robots that drive in real time would run late on many more than there are cores."""
+    return ("-n", str(min(n_workers, 12)), "--dist", "worksteal")
+
+
+# the more a step waits, the more of its tests are needed to keep the cores at work
+CALCULATING = side_by_side(_N_CORES + 1)
+BROWSING = side_by_side(2 * _N_CORES)
+WAITING = side_by_side(4 * _N_CORES)
 # another order of answers each night; the log says which
 LATE = f"--delay-requests={int(time.time())}"
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
@@ -116,15 +124,15 @@ STEPS = (
     Step("folders", "lint", (sys.executable, "scripts/figures.py", "--check")),
     Step("page-lint", "lint", npm("run", "--silent", "check")),
     Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
-    Step("unit", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", UNIT), counts=True),
+    Step("unit", "test", (*PYTEST, *CALCULATING, "-m", UNIT), counts=True),
     Step("package", "package", ("nice", "make", "package"), is_aside=True),
-    marked_tests("waits", "test", *MANY, only="waits", without="nightly"),
-    marked_tests("fuzz", "test", *SIDE_BY_SIDE, "--fuzz-s=30", only="fuzz"),
-    marked_tests("e2e", "test", *SIDE_BY_SIDE, only="e2e", without="nightly"),
+    marked_tests("waits", "test", *WAITING, only="waits", without="nightly"),
+    marked_tests("fuzz", "test", *CALCULATING, "--fuzz-s=30", only="fuzz"),
+    marked_tests("e2e", "test", *BROWSING, only="e2e", without="nightly"),
     marked_tests("packaged", "package", only="packaged", without="nightly"),
     Step("smoke", "package", (sys.executable, "packaging/smoke.py")),
     marked_tests("nightly", "nightly", only="nightly"),
-    marked_tests("late-e2e", "nightly", *MANY, LATE, only="e2e", without="nightly", n_busy=2),
+    marked_tests("late-e2e", "nightly", *BROWSING, LATE, only="e2e", without="nightly", n_busy=2),
     marked_tests("long-fuzz", "nightly", "--fuzz-s=300", only="fuzz"),
     Step("bench", "nightly", ("make", "bench"), counts=True),
 )
