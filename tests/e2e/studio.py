@@ -23,8 +23,10 @@ _TWO_FRAMES = (
 )
 # but for a card that somebody opened under it
 _IN_HEADER = "one => !!one.closest('header.header') && !one.closest('.card')"
-# nothing loads, no request of a button is on its way, nothing moves but what always does
-_AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.getAnimations()
+# nothing loads, no font that texts are set in is still to come, no request of a button is on its way, nothing moves
+# but what always does
+_AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.fonts.status === 'loaded'
+  && document.getAnimations()
   .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity)"""
 _NUMBERS = itertools.count(1)
 
