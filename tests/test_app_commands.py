@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import closing, contextmanager
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -17,7 +17,7 @@ from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
 from storage import Recorder, RunStart, open_store
-from storage.sqlite import sqlite3
+from storage.tables.ddl import MIGRATIONS
 from tests.in_time import in_time
 from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
@@ -155,11 +155,9 @@ def test_an_empty_file_holds_no_work(database: Path) -> None:
 
 
 def test_a_file_that_an_older_program_left_is_told_with_a_remedy(
-    database: Path, run_ids: list[str]
+    database: Path, run_ids: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with closing(sqlite3.connect(database)) as db:
-        db.execute("DELETE FROM _sqlite_migrations WHERE name = 'first_views'")
-        db.commit()
+    monkeypatch.setitem(MIGRATIONS, "a_step_of_the_next_release", ())
     result = pinel("--db", str(database), "runs", "list")
     assert result.exit_code == 1
     assert "Start PINEL once" in result.output

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pinel_desktop.gestures import features, movements
-from storage import Store, open_store
+from storage import Store
 from storage.exchange.parquet import FILES
 from storage.exchange.scope import Scope
 from storage.limits import MAX_TAUGHT_SIGNS, N_FEATURES
@@ -194,31 +194,3 @@ def test_a_sign_is_deleted_for_good_and_can_be_taught_anew(
     assert report.would_delete.names == ("7",)
     merged(other, after)
     assert taught(other, fifth) == {"7": 10, "8": 10}
-
-
-def test_a_file_of_an_earlier_release_gets_the_table(path: Path) -> None:
-    with open_store(path) as store:
-        fifth = store.classrooms.create("5º B").id
-    with closing(opened_file(path, "rw")) as db:
-        db.executescript(_AS_BEFORE)
-    with open_store(path) as store:
-        assert taught(store, fifth) == {}
-        store.taught_signs.add(fifth, "7", hands(1))
-        assert taught(store, fifth) == {"7": 10}
-
-
-def test_what_an_earlier_release_recorded_are_hands_at_rest(path: Path) -> None:
-    with open_store(path) as store:
-        fifth = store.classrooms.create("5º B").id
-        store.taught_signs.add(fifth, "7", hands(1))
-    with closing(opened_file(path, "rw")) as db:
-        db.executescript(_WITHOUT_MOVEMENTS)
-    with open_store(path) as store:
-        (sign,) = store.taught_signs.of_classroom(fifth)
-        assert (sign.n_samples, sign.n_movements) == (10, 0)
-
-
-_WITHOUT_MOVEMENTS = """ALTER TABLE taught_signs DROP COLUMN is_moving;
-    DELETE FROM _sqlite_migrations WHERE name = 'moving_signs';"""
-_AS_BEFORE = """DROP TABLE taught_signs;
-    DELETE FROM _sqlite_migrations WHERE name IN ('taught_signs', 'moving_signs');"""
