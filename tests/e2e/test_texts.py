@@ -107,7 +107,7 @@ def test_no_text_of_a_pupil_s_screen_is_written_into_the_code(keys: Studio) -> N
     def look(screen: str) -> None:
         found[screen] = _hard_coded(keys.page, _strings(keys.api("/groups")) | data)
 
-    data = _strings([keys.api("/worlds"), keys.api("/classrooms")])
+    data = _strings([keys.api("/worlds"), keys.api("/classrooms"), keys.api("/robots")])
     look("start")
     keys.enter_new_group()
     data |= _strings(keys.api(f"/programs/{keys.program_id}"))
