@@ -31,8 +31,7 @@ def side_by_side(n_workers: int) -> tuple[str, ...]:
 
 
 # the more a step waits, the more of its tests are needed to keep the cores at work
-CALCULATING = side_by_side(_N_CORES + 1)
-BROWSING = side_by_side(2 * _N_CORES)
+WORKING = side_by_side(_N_CORES + 1)
 WAITING = side_by_side(4 * _N_CORES)
 # another order of answers each night; the log says which
 LATE = f"--delay-requests={int(time.time())}"
@@ -124,15 +123,15 @@ STEPS = (
     Step("folders", "lint", (sys.executable, "scripts/figures.py", "--check")),
     Step("page-lint", "lint", npm("run", "--silent", "check")),
     Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
-    Step("unit", "test", (*PYTEST, *CALCULATING, "-m", UNIT), counts=True),
+    Step("unit", "test", (*PYTEST, *WORKING, "-m", UNIT), counts=True),
     Step("package", "package", ("nice", "make", "package"), is_aside=True),
     marked_tests("waits", "test", *WAITING, only="waits", without="nightly"),
-    marked_tests("fuzz", "test", *CALCULATING, "--fuzz-s=30", only="fuzz"),
-    marked_tests("e2e", "test", *BROWSING, only="e2e", without="nightly"),
+    marked_tests("fuzz", "test", *WORKING, "--fuzz-s=30", only="fuzz"),
+    marked_tests("e2e", "test", *WORKING, only="e2e", without="nightly"),
     marked_tests("packaged", "package", only="packaged", without="nightly"),
     Step("smoke", "package", (sys.executable, "packaging/smoke.py")),
     marked_tests("nightly", "nightly", only="nightly"),
-    marked_tests("late-e2e", "nightly", *BROWSING, LATE, only="e2e", without="nightly", n_busy=2),
+    marked_tests("late-e2e", "nightly", *WORKING, LATE, only="e2e", without="nightly", n_busy=2),
     marked_tests("long-fuzz", "nightly", "--fuzz-s=300", only="fuzz"),
     Step("bench", "nightly", ("make", "bench"), counts=True),
 )
