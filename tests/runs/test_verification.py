@@ -14,6 +14,7 @@ import pytest
 from click.testing import CliRunner
 
 from pinel_desktop.cli import main
+from pinel_desktop.robot.models import ROBOTS
 from pinel_desktop.runs.verification import verify_run
 from storage import open_for_reading, open_store
 from storage.runs.telemetry import COLUMNS, Rows, pack
@@ -51,6 +52,17 @@ def test_every_program_comes_out_the_same(name: str, preset: str, tmp_path: Path
     run_id = keep(name, db, "--seed", "7", "--preset", preset, "--feedback", "odometry")
     status, verdict = verify(run_id, db)
     assert (status, verdict["outcome"], verdict["whole"]) == (0, "identical", True)
+
+
+@pytest.mark.parametrize("model", ROBOTS)
+@pytest.mark.parametrize("preset", ["ideal", "realistic"])
+def test_every_robot_comes_out_the_same(model: str, preset: str, tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("square", db, "--seed", "7", "--preset", preset, "--model", model)
+    status, verdict = verify(run_id, db)
+    assert (status, verdict["outcome"], verdict["whole"]) == (0, "identical", True)
+    with open_for_reading(db) as store:
+        assert store.runs.get(run_id).model == model
 
 
 def test_another_process_and_another_hash_seed_change_nothing(tmp_path: Path) -> None:
