@@ -14,12 +14,14 @@ from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import Setting
-from storage import Recorder, RunStart, Store, open_store
+from storage import Recorder, RunStart, Store, open_for_reading, open_store
+from tests.attacks.damage import wait_until
 from tests.e2e.app_process import AppProcess
 
 Step = tuple[str, float]
 Past = TypeVar("Past")
 TICK_S = 1 / 30
+_JUDGED_WITHIN_S = 60.0
 
 SQUARE: list[Step] = [("move_forward", 1), ("turn", 90)] * 4
 
@@ -65,8 +67,15 @@ def school_after(
         past = play(lesson)
     app = AppProcess(home)
     app.start()
+    wait_until(lambda: not _waits_for_its_verdict(app.database), _JUDGED_WITHIN_S)
     yield app, past
     app.stop()
+
+
+def _waits_for_its_verdict(database: Path) -> bool:
+    """Whether the app has still to judge a run that the lesson left unjudged."""
+    with open_for_reading(database) as store:
+        return bool(store.checks.pending())
 
 
 class PastGroup:

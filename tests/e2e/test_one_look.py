@@ -84,7 +84,11 @@ def test_screens_look_the_same_whatever_was_opened_before(
     page.reload()
     back = _seen_in_turn(studio, places, reversed(places))
     for name in places:
-        assert set(there[name]) ^ set(back[name]) == set(), name
+        changed = {
+            "there": set(there[name]) - set(back[name]),
+            "back": set(back[name]) - set(there[name]),
+        }
+        assert not any(changed.values()), f"{name}: {changed}"
         assert there[name] == back[name], name
 
 
