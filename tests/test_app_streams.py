@@ -73,7 +73,7 @@ def last_result(address: str) -> Any:
     return answer["resultado"]
 
 
-def n_kept_captures(bridged: Bridged) -> int:
+def n_recorded_captures(bridged: Bridged) -> int:
     """In the program of the only run."""
     (group,) = bridged.browser.get("/api/groups").data["groups"]
     (run,) = bridged.browser.get(f"/api/groups/{group['id']}/runs").data["runs"]
@@ -81,7 +81,7 @@ def n_kept_captures(bridged: Bridged) -> int:
     return [one["action"] for one in commands].count("classify_gestures")
 
 
-def test_without_a_sign_a_capture_ends_in_time_and_shows_that_nothing_was_seen(
+def test_without_a_sign_a_capture_ends_in_time_and_shows_that_nothing_was_recognised(
     open_app: OpenApp, nobody: Path
 ) -> None:
     address, _ = open_app(nobody)
@@ -102,7 +102,7 @@ def test_two_streams_are_one_capture_with_two_who_watch(open_app: OpenApp, nobod
     assert in_time(second_s, PAGE_S)
     assert last_result(address) == ""
     bridged.stop()
-    assert n_kept_captures(bridged) == 1
+    assert n_recorded_captures(bridged) == 1
 
 
 def test_a_capture_that_nobody_watches_any_more_ends_soon(open_app: OpenApp, nobody: Path) -> None:
@@ -123,7 +123,7 @@ def test_a_call_during_a_capture_waits_for_its_end_and_one_for_a_capture_has_its
     assert Client(address).execute(SIDE) == {"status": "ok", "n_executed": 1}
     watching.join()
     bridged.stop()
-    assert n_kept_captures(bridged) == 1
+    assert n_recorded_captures(bridged) == 1
 
 
 def test_a_capture_that_begins_late_has_its_result_for_the_page_that_asks(

@@ -335,7 +335,7 @@ class Evidence:
         motion = self.motion_at(len(self.log.poses))
         return motion.pointer if motion else None
 
-    def last_begun(self, *actions: str) -> str | None:
+    def last_pointer_of(self, *actions: str) -> str | None:
         """Pointer of the last command of these kinds that began."""
         found = [one.pointer for one in self.begun if one.action in actions]
         return found[-1] if found else None

@@ -203,7 +203,7 @@ def test_a_box_is_pushed_into_a_zone() -> None:
     assert not run(there_is_no_such, move(1)).passed
 
 
-def test_a_zone_that_was_to_be_avoided_is_told_with_the_block_that_drove_into_it() -> None:
+def test_a_zone_that_was_to_be_avoided_is_reported_with_the_block_that_drove_into_it() -> None:
     commands = [turn(0.5), {**move(1), "block": "in"}, {**move(1), "block": "out"}]
     wanted = activity({"check": "avoids", "zone": "A"})
     (found,) = run(wanted, *commands).cases[0].checks

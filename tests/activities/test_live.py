@@ -61,10 +61,10 @@ def followed(
     def observe(tick: int, event: Event) -> None:
         writer.observe(tick, event)
         if tick % every == 0 and event.type == "telemetry":
-            seen.append(told(standing.evaluate(writer.log(), language)))
+            seen.append(statuses(standing.evaluate(writer.log(), language)))
 
     start(spec, observe, RunControl())
-    last = told(standing.evaluate(writer.log(), language))
+    last = statuses(standing.evaluate(writer.log(), language))
     report = judge_run(activity, case, reading.document, writer.log())
     # several cases may have begun alike; then the first of them is meant
     if len(report.checks) == len(last):
@@ -72,7 +72,7 @@ def followed(
     return [*seen, last]
 
 
-def told(lines: list[CheckStatus]) -> States:
+def statuses(lines: list[CheckStatus]) -> States:
     return [(one.criterion, one.measured, one.state) for one in lines]
 
 

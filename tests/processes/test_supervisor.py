@@ -134,7 +134,7 @@ def lost(command: list[str]) -> list[str]:
     return told
 
 
-def test_process_that_dies_three_times_soon_after_its_start_is_told_to_be_lost(
+def test_process_that_dies_three_times_soon_after_its_start_is_reported_as_lost(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(
@@ -143,7 +143,7 @@ def test_process_that_dies_three_times_soon_after_its_start_is_told_to_be_lost(
     assert lost([sys.executable, "-c", ""]) == ["died", "died", "died", "lost"]
 
 
-def test_process_that_cannot_be_started_is_told_to_be_lost() -> None:
+def test_process_that_cannot_be_started_is_reported_as_lost() -> None:
     assert lost(["/nowhere/some"]) == ["lost"]
 
 

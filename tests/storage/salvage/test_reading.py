@@ -47,7 +47,7 @@ def root_of(file: Path, name: str) -> int:
 
 
 @pytest.mark.parametrize("octets", [bytes(PAGE), b"\xff" * PAGE, b"\x05" * PAGE])
-def test_a_table_without_its_root_is_told_by_its_rows(file: Path, octets: bytes) -> None:
+def test_a_table_without_its_root_is_recognised_by_its_rows(file: Path, octets: bytes) -> None:
     overwrite(file, root_of(file, "versions"), octets)
     found, db = read(file)
     with closing(db):
@@ -67,7 +67,7 @@ def test_without_the_list_of_tables_all_rows_are_read(file: Path) -> None:
         assert len(found.edits) == N_EDITS
 
 
-def test_with_a_list_of_tables_that_leads_elsewhere_rows_are_told_by_their_values(
+def test_with_a_list_of_tables_that_leads_elsewhere_rows_are_recognised_by_their_values(
     file: Path,
 ) -> None:
     places = roots(file)

@@ -16,7 +16,7 @@ class MarkCount(CheckBase):
 
     def evaluate(self, evidence: Evidence) -> CheckResult:
         n, target = len(evidence.marks), self.n
-        pointer, values = evidence.last_begun("mark"), {"measured": n, "target": target}
+        pointer, values = evidence.last_pointer_of("mark"), {"measured": n, "target": target}
         return CheckResult(
             n == target,
             n,

@@ -20,7 +20,7 @@ class Marks(CheckBase):
         zones = [evidence.zone_at(float(x), float(y)) for x, y in evidence.to_world(places)]
         values = {"symbol": self.symbol, "zone": self.zone}
         passed, measured = self.zone in zones, ", ".join(zones)
-        pointer = evidence.last_begun("mark")
+        pointer = evidence.last_pointer_of("mark")
         return CheckResult(passed, measured, self.zone, pointer, "check_marks", values)
 
     def zones_named(self) -> dict[Path, str]:

@@ -45,7 +45,7 @@ class PathLength(CheckBase):
             passed=self.at_least_m <= length <= self.at_most_m,
             measured=length,
             target=target,
-            pointer=evidence.last_begun(*_DRIVES) or evidence.last_motion,
+            pointer=evidence.last_pointer_of(*_DRIVES) or evidence.last_motion,
             code=f"check_path_length{ending}",
             values={"measured_m": length, "target_m": target},
             progress="measured_way",

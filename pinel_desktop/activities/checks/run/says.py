@@ -18,7 +18,7 @@ class Says(CheckBase):
         target = self.text.casefold()
         passed = any(target in one.casefold() for one in evidence.said)
         last = evidence.said[-1] if evidence.said else ""
-        pointer, values = evidence.last_begun("say"), {"text": self.text}
+        pointer, values = evidence.last_pointer_of("say"), {"text": self.text}
         return CheckResult(passed, last, self.text, pointer, "check_says", values)
 
     @classmethod
