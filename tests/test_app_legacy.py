@@ -380,10 +380,12 @@ def test_the_stream_is_a_capture_that_ends_by_itself_and_keeps_its_result(
         }
         assert client.get("/get_last_gesture_result") == (200, {"resultado": "B"})
         # who watches while a call drives watches only
-        driving, answers = Bridged.in_background(lambda: client.execute(*FAR))
-        until(lambda: client.post("/execute", [SIDE])[0] == 409)
+        bridged = Bridged(app)
+        driving, answers = bridged.in_background(lambda: client.execute(*FAR))
+        until(lambda: bridged.live_run() is not None)
+        assert client.post("/execute", [SIDE])[0] == 409
         assert len(pictures_of(address, 2)) == 2
-        Bridged(app).stop()
+        bridged.stop()
         driving.join()
         assert answers[0]["status"] == "stopped"
 
