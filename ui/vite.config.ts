@@ -82,9 +82,14 @@ export default defineConfig({
   server: { fs: { allow: [here("..")] } },
   test: {
     environment: "jsdom",
-    // most of the time goes by while one file after the other gets its document; the default leaves a core idle
+    // a document and a module store for each file took most of the time: fresh_page.ts empties those of its worker
+    isolate: false,
     maxWorkers: "100%",
-    setupFiles: ["src/i18n/testing/all_languages.ts", "src/kit/testing/timeouts.ts"],
+    setupFiles: [
+      "src/kit/testing/fresh_page.ts",
+      "src/i18n/testing/all_languages.ts",
+      "src/kit/testing/timeouts.ts",
+    ],
     // nothing is measured by it: parts that are fetched when needed, and axe, take longer beside other work
     testTimeout: 30_000,
     hookTimeout: 30_000,
