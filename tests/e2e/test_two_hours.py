@@ -19,7 +19,7 @@ from tests.e2e.test_classes import PIN, to_part
 from tests.e2e.test_examples import open_example
 from tests.e2e.test_lesson_day import at_the_stick, merge_all, prepare, save_on
 
-pytestmark = [pytest.mark.e2e, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.e2e, pytest.mark.nightly, pytest.mark.timeout(600)]
 
 GROUPS = ("Araras", "Botos", "Corujas", "Dourados", "Emas")
 MOVE, TURN, PEN = "andar para frente", "girar", "abaixar a caneta"

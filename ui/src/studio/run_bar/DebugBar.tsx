@@ -1,4 +1,4 @@
-import { Bot, Gauge, Truck } from "lucide-preact";
+import { Bot, Dices, Gauge } from "lucide-preact";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import { Select } from "../../kit/Select";
@@ -61,7 +61,7 @@ function ModelChoice({ open }: { open: OpenProgram }) {
   return (
     <Select
       class="debug-bar__model"
-      icon={Truck}
+      icon={Bot}
       label={debug.model}
       tip={`${debug.model}: ${robotOf(model)?.title ?? model}`}
       testId="robot-model"
@@ -83,7 +83,7 @@ function LifelikeChoice({ open }: { open: OpenProgram }) {
   return (
     <Select
       class="debug-bar__lifelike"
-      icon={Bot}
+      icon={Dices}
       label={debug.lifelike}
       tip={`${debug.lifelike}. ${debug[`${now}Help`]}`}
       testId="lifelike"
