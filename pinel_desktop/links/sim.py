@@ -79,6 +79,10 @@ class SimSensors(Sensors):
     def floor(self) -> str:
         return self._simulator.floor_color()
 
+    def compass(self) -> float:
+        """Angle in rad from north, the world's y axis, to the right."""
+        return wrap_angle(math.pi / 2.0 - self._simulator.state()[2])
+
     def cell(self) -> str:
         return self._simulator.zone()
 

@@ -142,6 +142,17 @@ _ROWS = (
         of_world=True,
     ),
     Sensor(
+        "compass",
+        "number",
+        "where it looks on the map: 0 is up (north), 90 to the right (east), whatever the start",
+        level=3,
+        unit=DEGREES,
+        low=-180.0,
+        high=180.0,
+        simulated_only=True,
+        of_world=True,
+    ),
+    Sensor(
         "sonar",
         "number",
         "how far it is from the hull to what is ahead of a sonar; 5 when nothing is near",

@@ -12,6 +12,7 @@ from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.program.sensors import SENSORS
 from pinel_desktop.robot import Sensors, Setting
+from sim.world import list_worlds
 
 WALL, HULL = 3.99, 0.2225
 
@@ -155,6 +156,16 @@ def test_place_and_heading_are_in_the_start_frame(value_of: Any) -> None:
     assert -180 < value_of(measure("heading"), turn(180)) <= 180
 
 
+def test_compass_knows_the_map_whatever_the_start(value_of: Any) -> None:
+    room = {one["name"]: one for one in list_worlds()}["empty_room"]
+    for start_deg in (0, 90, -135):
+        room["start"]["heading_deg"] = start_deg
+        for left_deg in (0, 90, -90):
+            looks_deg = 90 - start_deg - left_deg
+            seen = value_of(measure("compass"), turn(left_deg), world=room)
+            assert seen == pytest.approx(180 - (180 - looks_deg) % 360, abs=0.01)
+
+
 def test_time_is_seconds_since_the_run_began(value_of: Any) -> None:
     assert value_of(measure("time")) == 0
     assert value_of(measure("time"), {"action": "wait", "seconds": 1.5}) == 1.5
@@ -212,6 +223,7 @@ class Blind(SimLink):
         measure("bumper"),
         measure("floor"),
         measure("cell"),
+        measure("compass"),
     ],
     ids=lambda expression: expression["sensor"],
 )

@@ -11,6 +11,7 @@ export const SENSOR_ROWS = [
   { type: "has_mark", level: 2, gives: "Boolean", sensors: ["has_mark"], asked: null },
   { type: "mark_here", level: 2, gives: "String", sensors: ["mark_here"], asked: null },
   { type: "cell", level: 3, gives: "String", sensors: ["cell"], asked: null },
+  { type: "compass", level: 3, gives: "Number", sensors: ["compass"], asked: null },
   { type: "sonar", level: 3, gives: "Number", sensors: ["sonar"], asked: { key: "index", start: 0, limits: { min: 0, max: 15, precision: 1 } } },
   { type: "lidar", level: 3, gives: "Number", sensors: ["lidar"], asked: { key: "angle", start: 0, limits: { min: -180, max: 180, precision: 0.1 } } },
 ] as const;

@@ -58,6 +58,9 @@ export const blocks: typeof first = {
   POSITION_TIP: "Where the robot is. x: ahead of the start. y: to the left of the start.",
   HEADING: "heading (°)",
   HEADING_TIP: "Where the robot points: 0 is as at the start, 90 is left, −90 is right.",
+  COMPASS: "compass (°)",
+  COMPASS_TIP:
+    "Where the robot points on the map: 0 is north (up), 90 is east (right), 180 is south, −90 is west. It does not depend on the start.",
   TIME: "time (s)",
   TIME_TIP: "How many seconds have passed since the program began.",
   FLOOR: "floor colour",

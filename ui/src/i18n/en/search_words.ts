@@ -33,6 +33,7 @@ export const searchWords = {
   bumper: "crash hit bump touch collision wall",
   position: "where coordinates place",
   heading: "angle compass direction",
+  compass: "north south east west map direction",
   time: "clock timer seconds",
   floor: "color colour ground line",
   has_mark: "taken square occupied cross free",

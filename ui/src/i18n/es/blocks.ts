@@ -60,6 +60,9 @@ export const blocks: typeof first = {
   HEADING: "dirección (°)",
   HEADING_TIP:
     "Hacia dónde apunta: 0 es como en la partida, 90 es a la izquierda, −90 a la derecha.",
+  COMPASS: "brújula (°)",
+  COMPASS_TIP:
+    "Hacia dónde apunta el robot en el mapa: 0 es norte (arriba), 90 es este (derecha), 180 es sur, −90 es oeste. No depende de la salida.",
   TIME: "tiempo (s)",
   TIME_TIP: "Cuántos segundos pasaron desde que empezó el programa.",
   FLOOR: "color del piso",

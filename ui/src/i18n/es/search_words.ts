@@ -33,6 +33,7 @@ export const searchWords = {
   bumper: "choque chocar golpe tocar pared",
   position: "dónde coordenadas lugar",
   heading: "ángulo brújula rumbo",
+  compass: "norte sur este oeste rumbo mapa dirección",
   time: "reloj cronómetro segundos",
   floor: "color piso suelo línea",
   has_mark: "casilla ocupada marcada cruz libre",

@@ -57,6 +57,9 @@ export const blocks = {
   POSITION_TIP: "Onde o robô está. x: para a frente da partida. y: para a esquerda da partida.",
   HEADING: "direção (°)",
   HEADING_TIP: "Para onde o robô aponta: 0 é como na partida, 90 é à esquerda, −90 é à direita.",
+  COMPASS: "bússola (°)",
+  COMPASS_TIP:
+    "Para onde o robô aponta no mapa: 0 é norte (para cima), 90 é leste (à direita), 180 é sul, −90 é oeste. Não depende da partida.",
   TIME: "tempo (s)",
   TIME_TIP: "Quantos segundos já se passaram desde que o programa começou.",
   FLOOR: "cor do chão",

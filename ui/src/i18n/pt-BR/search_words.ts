@@ -37,6 +37,7 @@ export const searchWords = {
   bumper: "batida bater bateu encostar colisão parede",
   position: "onde coordenada lugar",
   heading: "ângulo bússola rumo",
+  compass: "norte sul leste oeste rumo mapa direção",
   time: "relógio cronômetro segundos",
   floor: "cor chão piso linha faixa",
   has_mark: "casa ocupada marcada xis bola livre",
