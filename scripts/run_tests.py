@@ -75,11 +75,13 @@ class Step:
 def environment() -> dict[str, str]:
     """Of all steps. Hundreds of processes are started: none compiles again what another compiled.
 
-    Thousands of small databases are written: in memory where it has room, so that no test waits for the disk.
+    Thousands of small databases are written: in memory where it has room, so that no test waits for the disk. It is the
+    folder for temporary files of all processes: work elsewhere is remembered, and missed by a later test in a folder of
+    the same name.
     """
     found = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
     if _MEMORY_DISK.is_dir() and _has_room(_MEMORY_DISK):
-        found.setdefault("PYTEST_DEBUG_TEMPROOT", str(_MEMORY_DISK))
+        found.setdefault("TMPDIR", str(_MEMORY_DISK))
     return found
 
 
