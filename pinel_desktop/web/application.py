@@ -1,26 +1,58 @@
-"""The WSGI application: routes, guard, error responses and headers."""
+"""The WSGI application: routes, guard, error responses and headers.
+
+A person waits for the first screen while the app is imported, so the routes that it does not ask for come later.
+"""
 
 import json
+import threading
+from collections.abc import Iterable
+from types import ModuleType
 from typing import Any
 
-from flask import Response, current_app, request
+from flask import Flask, Response, current_app, request
 from flask.json.provider import DefaultJSONProvider
-from flask_openapi3.openapi import OpenAPI
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web import errors
-from pinel_desktop.web.api.exchange import LARGEST_FILE, TAKES_FILES
+from pinel_desktop.web.first_routes import FIRST
 from pinel_desktop.web.page import PagePath, page
 from pinel_desktop.web.protection import add_headers, check_guard
-from pinel_desktop.web.routes import app_with_routes, description_text
 from pinel_desktop.web.services import Services
 
 MAX_BODY = 4 * 2**20  # a document of 1 MiB and its workspace
+MAX_FILE = 64 * 2**20
+_TAKE_FILES = ("/api/programs/file", "/api/lessons/file")
 
 
-def create_app(parts: Services) -> OpenAPI:
-    """Builds the WSGI application on the given services."""
-    app = app_with_routes()
+class Application:
+    """All routes on the given services; those that the first screen does not ask for are imported with the first
+    request for one of them, or by `load`."""
+
+    def __init__(self, parts: Services) -> None:
+        self._parts = parts
+        self._first = _create(parts, FIRST)
+        self._whole: Flask | None = None
+        self._loading = threading.Lock()
+
+    def __call__(self, environ: dict[str, Any], start_response: Any) -> Iterable[bytes]:
+        is_first = self._first.url_map.bind_to_environ(environ).test()
+        app = self._first if is_first else self.load()
+        return app(environ, start_response)
+
+    def load(self) -> Flask:
+        """The application with all routes."""
+        with self._loading:
+            if self._whole is None:
+                from pinel_desktop.web.routes import RESOURCES  # noqa: PLC0415 - see above
+
+                self._whole = _create(self._parts, RESOURCES)
+            return self._whole
+
+
+def _create(parts: Services, resources: Iterable[ModuleType]) -> Flask:
+    app = Flask(__name__, static_folder=None)
+    for module in resources:
+        app.register_blueprint(module.api)
     app.extensions["pinel"] = parts
     app.json = _StrictJson(app)
     app.config["MAX_CONTENT_LENGTH"] = MAX_BODY
@@ -60,8 +92,8 @@ def _check_body() -> None:
 
     Requests that take a file are exempt and get a larger limit.
     """
-    if request.path in TAKES_FILES and request.mimetype == "application/octet-stream":
-        request.max_content_length = LARGEST_FILE
+    if request.path in _TAKE_FILES and request.mimetype == "application/octet-stream":
+        request.max_content_length = MAX_FILE
         return
     if not request.get_data(cache=True):
         return
@@ -74,4 +106,6 @@ def _check_body() -> None:
 
 
 def _description() -> Response:
+    from pinel_desktop.web.description import description_text  # noqa: PLC0415 - heavy, and hardly ever asked for
+
     return Response(description_text(), mimetype="application/json")

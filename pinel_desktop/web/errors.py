@@ -3,8 +3,7 @@
 import logging
 from typing import Any
 
-from flask import Response, request
-from flask_openapi3.openapi import OpenAPI
+from flask import Flask, Response, request
 from pydantic import ValidationError
 from werkzeug.exceptions import HTTPException, MethodNotAllowed, RequestEntityTooLarge
 
@@ -43,7 +42,7 @@ class InvalidActivityError(PinelError):
         self.faults = faults
 
 
-def install(app: OpenAPI) -> None:
+def install(app: Flask) -> None:
     """Registers the error handlers."""
     app.register_error_handler(PinelError, _known)
     app.register_error_handler(StoreError, _known)
@@ -62,8 +61,6 @@ def _known(error: Any) -> Response:
 
 
 def _of_http(error: HTTPException) -> Response:
-    if error.response is not None:
-        return error.response  # type: ignore[return-value] # made by `invalid_request`
     match error:
         case RequestEntityTooLarge():
             return _answer(

@@ -6,9 +6,9 @@ from typing import Any
 
 from pinel_desktop.messages import describe
 from pinel_desktop.web.api import TEACHER, WRITES
+from pinel_desktop.web.description import description
 from pinel_desktop.web.models.runs import RunEvents
 from pinel_desktop.web.responses import MAX_FAULTS, STATUS
-from pinel_desktop.web.routes import description
 from scripts.reference.schema_words import field_table, kind
 
 _HEAD = f"""\

@@ -1,17 +1,16 @@
 """The HTTP interface, one file per resource."""
 
-from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
-from flask_openapi3.blueprint import APIBlueprint
-from flask_openapi3.models.tag import Tag
-from flask_openapi3.types import ParametersTuple, ResponseDict
+from flask import Blueprint
 from pydantic import BaseModel
 
-from pinel_desktop.web.models.errors import ErrorAnswer
+from pinel_desktop.web.arguments import Handler, with_arguments
 from pinel_desktop.web.responses import status_of
 
-_EVERYWHERE = (400, 401, 403, 421, 422, 500)
+Responses = dict[int, type[BaseModel] | dict[str, Any]]
+
 _ERROR = {"application/json": {"schema": {"$ref": "#/components/schemas/ErrorAnswer"}}}
 
 TEACHER = ("teacher_only", "pin_missing")
@@ -24,48 +23,46 @@ OCTETS = {
 """An answer with a file."""
 
 
-class Resource(APIBlueprint):
-    """A blueprint that builds its OpenAPI description on demand.
+@dataclass(frozen=True)
+class Operation:
+    """A route as its handler declares it, for the description."""
 
-    Building all schemas takes as long as the rest of the app's start, and the page does not need them.
+    method: str
+    rule: str
+    handler: Handler
+    responses: Responses
+
+
+class Resource(Blueprint):
+    """A blueprint under `/api` whose handlers are called with the validated parts of the request (`arguments.py`).
+
+    `@api.get(rule, responses=answers(...))` declares a route.
+
+    Attributes:
+        about: what the resource is, for the description.
+        operations: the routes in the order of their declaration.
     """
 
-    def __init__(self, *args: Any, **options: Any) -> None:
-        super().__init__(*args, **options)
-        self._undescribed: list[Callable[[], object]] = []
+    def __init__(self, name: str, about: str, import_name: str) -> None:
+        super().__init__(name, import_name, url_prefix="/api")
+        self.about = about
+        self.operations: list[Operation] = []
 
-    def describe(self) -> None:
-        """Builds the descriptions of all operations; does nothing on later calls."""
-        while self._undescribed:
-            self._undescribed.pop(0)()
-
-    def _collect_openapi_info(
-        self, rule: str, func: Callable[..., Any], **options: Any
-    ) -> ParametersTuple:
-        collect = super()._collect_openapi_info
-        self._undescribed.append(lambda: collect(rule, func, **options))
-        return collect(rule, func, **{**options, "doc_ui": False})
-
-
-def resource(name: str, about: str, import_name: str) -> Resource:
-    """A blueprint under `/api`; all its operations declare the errors that any route may answer."""
-    return Resource(
-        name,
-        import_name,
-        url_prefix="/api",
-        abp_tags=[Tag(name=name, description=about)],
-        abp_responses=dict.fromkeys(_EVERYWHERE, ErrorAnswer),
-        operation_id_callback=_camel_case,
-    )
+    def add_url_rule(
+        self,
+        rule: str,
+        endpoint: str | None = None,
+        view_func: Any = None,
+        *args: Any,
+        **options: Any,
+    ) -> None:
+        """Called by Flask's decorators."""
+        (method,) = options["methods"]
+        self.operations.append(Operation(method, rule, view_func, options.pop("responses")))
+        super().add_url_rule(rule, endpoint, with_arguments(view_func), *args, **options)
 
 
-def _camel_case(**operation: Any) -> str:
-    """Operation id of a handler: `create_group` -> `createGroup`."""
-    first, *others = str(operation["name"]).split("_")
-    return first + "".join(word.capitalize() for word in others)
-
-
-def answers(good: type[BaseModel] | dict[str, Any], *codes: str) -> ResponseDict:
+def answers(good: type[BaseModel] | dict[str, Any], *codes: str) -> Responses:
     """Declares a route's successful answer and its own errors.
 
     Args:
@@ -74,7 +71,7 @@ def answers(good: type[BaseModel] | dict[str, Any], *codes: str) -> ResponseDict
     by_status: dict[int, list[str]] = {}
     for code in codes:
         by_status.setdefault(status_of(code), []).append(f"`{code}`")
-    errors: ResponseDict = {
+    errors: Responses = {
         status: {"description": ", ".join(found), "content": _ERROR}
         for status, found in by_status.items()
     }

@@ -8,7 +8,7 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.school.own_activities import goal_of_known, known_activity, own_activity
-from pinel_desktop.web.api import WRITES, answers, resource
+from pinel_desktop.web.api import WRITES, Resource, answers
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.activities import (
     Activity,
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from pinel_desktop.activities import Activity as Mission
     from pinel_desktop.activities import Goal
 
-api = resource(
+api = Resource(
     "activities", "Activities, the programs that are to solve them, and examples.", __name__
 )
 

@@ -6,12 +6,12 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import explain
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.models.camera import CameraChoice, CameraProblem, CameraStatus
 from pinel_desktop.web.responses import answer, json_safe
 from pinel_desktop.web.services import Services, services
 
-api = resource("camera", "The camera that sees signs.", __name__)
+api = Resource("camera", "The camera that sees signs.", __name__)
 
 _BOUNDARY = b"frame"
 _PICTURES = {

@@ -3,7 +3,7 @@
 from flask import Response
 
 from pinel_desktop.school.own_activities import known_activity
-from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.classes import (
     ClassPreset,
@@ -23,7 +23,7 @@ from pinel_desktop.web.teaching import require_teacher
 from storage import ClassroomRow, LessonRow
 from storage.limits import MAX_NAME
 
-api = resource("classrooms", "Classes and their lessons.", __name__)
+api = Resource("classrooms", "Classes and their lessons.", __name__)
 
 
 @api.get("/classrooms", responses=answers(ClassroomList))

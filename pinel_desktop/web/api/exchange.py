@@ -8,12 +8,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from flask import Response
-from flask_openapi3.models import RawModel
+from flask import Request, Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
-from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.exchange import (
@@ -51,10 +50,7 @@ if TYPE_CHECKING:  # imported when a file is read or written, not at the app's s
     from storage.exchange.deleting.undecided import Undecided
     from storage.exchange.merge_report import MergeReport
 
-api = resource("exchange", "Transfer of work between PCs.", __name__)
-
-TAKES_FILES = ("/api/programs/file", "/api/lessons/file")
-LARGEST_FILE = 64 * 2**20
+api = Resource("exchange", "Transfer of work between PCs.", __name__)
 
 
 @api.get("/folders", responses=answers(FolderList, *TEACHER))
@@ -180,10 +176,10 @@ def get_program_file(path: IdPath) -> Response:
     return response
 
 
-class UploadedFile(RawModel):
+class UploadedFile(Request):
     """A request body with a file."""
 
-    mimetypes = ["application/octet-stream"]  # noqa: RUF012 - the library's name and type
+    mimetypes = ("application/octet-stream",)
 
 
 @api.post(

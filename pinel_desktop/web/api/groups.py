@@ -2,14 +2,14 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.work import Group, GroupChanges, GroupList, NewGroup
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import is_teacher, require_teacher
 
-api = resource("groups", "Groups of pupils.", __name__)
+api = Resource("groups", "Groups of pupils.", __name__)
 
 
 @api.get("/groups", responses=answers(GroupList))

@@ -4,7 +4,7 @@ from datetime import UTC, date, datetime, time, timedelta
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, answers, resource
+from pinel_desktop.web.api import TEACHER, Resource, answers
 from pinel_desktop.web.api.runs import run_model
 from pinel_desktop.web.models.review import GroupHead, History, HistoryPage, HistoryRun
 from pinel_desktop.web.responses import answer
@@ -12,7 +12,7 @@ from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import HistoryLine, RunFilter
 
-api = resource("history", "Runs of all groups.", __name__)
+api = Resource("history", "Runs of all groups.", __name__)
 
 # years for which time zone data are reliable
 _FIRST_YEAR, _LAST_YEAR = 1971, 2200

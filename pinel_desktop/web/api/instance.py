@@ -3,13 +3,13 @@
 from flask import Response
 from pydantic import BaseModel, ConfigDict, Field
 
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.models import Empty
 from pinel_desktop.web.models.status import InstanceLink
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 
-api = resource("instance", "For a second start of the app on the same data.", __name__)
+api = Resource("instance", "For a second start of the app on the same data.", __name__)
 
 
 class Secret(BaseModel):

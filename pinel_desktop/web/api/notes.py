@@ -2,7 +2,7 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.classes import Note, NoteList, NotePage, NoteText
 from pinel_desktop.web.responses import answer
@@ -10,7 +10,7 @@ from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import NoteRow
 
-api = resource("notes", "Notes of the teacher about runs.", __name__)
+api = Resource("notes", "Notes of the teacher about runs.", __name__)
 
 
 @api.get("/groups/<id>/notes", responses=answers(NoteList, "group_not_found"))

@@ -5,7 +5,7 @@ from pydantic import ValidationError
 
 from pinel_desktop.events.app_events import ProgramChanged
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.web.api import WRITES, answers, resource
+from pinel_desktop.web.api import WRITES, Resource, answers
 from pinel_desktop.web.api.worlds import sound_world
 from pinel_desktop.web.models import Empty, IdPath, Json
 from pinel_desktop.web.models.work import (
@@ -32,7 +32,7 @@ from pinel_desktop.web.services import Services, services
 from storage import FaultRow, ProgramRow, VersionRow
 from storage import VersionMark as MarkRow
 
-api = resource("programs", "Programs, their versions, and checking documents.", __name__)
+api = Resource("programs", "Programs, their versions, and checking documents.", __name__)
 
 
 @api.get("/groups/<id>/programs", responses=answers(ProgramList, "group_not_found"))

@@ -2,7 +2,7 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.models.python import (
     DocumentToWrite,
     PythonLine,
@@ -13,7 +13,7 @@ from pinel_desktop.web.models.python import (
 from pinel_desktop.web.responses import answer, describe_faults
 from pinel_desktop.web.services import services
 
-api = resource("python", "Programs as Python text.", __name__)
+api = Resource("python", "Programs as Python text.", __name__)
 
 
 @api.post("/python", responses=answers(WrittenPython, "body_too_large"))

@@ -2,14 +2,14 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.exchange import Removed, WrittenFile
 from pinel_desktop.web.responses import answer, json_safe
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 
-api = resource("removal", "Permanent deletion.", __name__)
+api = Resource("removal", "Permanent deletion.", __name__)
 
 
 @api.delete(

@@ -2,14 +2,14 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, answers, resource
+from pinel_desktop.web.api import TEACHER, Resource, answers
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.review import LessonReview
 from pinel_desktop.web.responses import answer, encodable
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 
-api = resource("review", "Review of lessons.", __name__)
+api = Resource("review", "Review of lessons.", __name__)
 
 _CSV = {"content": {"text/csv": {"schema": {"type": "string"}}}}
 

@@ -17,7 +17,7 @@ from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.school.grading import begun_run
 from pinel_desktop.school.own_activities import known_activity
-from pinel_desktop.web.api import OCTETS, WRITES, answers, resource
+from pinel_desktop.web.api import OCTETS, WRITES, Resource, answers
 from pinel_desktop.web.api.activities import world_name
 from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.errors import InvalidProgramError
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from pinel_desktop.activities import Activity
     from pinel_desktop.program.faults import Fault
 
-api = resource("runs", "Runs: live and recorded.", __name__)
+api = Resource("runs", "Runs: live and recorded.", __name__)
 
 _OWN = "own"
 # what the engine got is not known

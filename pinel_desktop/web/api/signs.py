@@ -2,7 +2,7 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import WRITES, answers, resource
+from pinel_desktop.web.api import WRITES, Resource, answers
 from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.signs import (
     ClassroomOfCamera,
@@ -14,7 +14,7 @@ from pinel_desktop.web.models.signs import (
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 
-api = resource("signs", "Signs that the camera knows, and that classes teach it.", __name__)
+api = Resource("signs", "Signs that the camera knows, and that classes teach it.", __name__)
 
 
 @api.get("/signs", responses=answers(SignList))

@@ -3,12 +3,12 @@
 from flask import Response
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.models.status import DatabaseStatus, PageSetting, Settings, Status
 from pinel_desktop.web.responses import answer, notice
 from pinel_desktop.web.services import Services, services
 
-api = resource("status", "State of the app and its settings.", __name__)
+api = Resource("status", "State of the app and its settings.", __name__)
 
 
 @api.get("/status", responses=answers(Status))

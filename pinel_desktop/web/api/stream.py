@@ -7,11 +7,11 @@ from flask import Response
 
 from pinel_desktop.events.app_events import Hello
 from pinel_desktop.events.hub import Subscription
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.models.events import StreamEvent
 from pinel_desktop.web.services import services
 
-api = resource("stream", "Live events.", __name__)
+api = Resource("stream", "Live events.", __name__)
 
 MODELS = (StreamEvent,)  # for the description
 KEEP_ALIVE_S = 10.0

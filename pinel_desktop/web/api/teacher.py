@@ -2,7 +2,7 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.models.classes import Computer, ComputerName, Pin, TeacherSession
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
@@ -14,7 +14,7 @@ from pinel_desktop.web.teaching import (
     set_session_cookie,
 )
 
-api = resource("teacher", "The teacher's session.", __name__)
+api = Resource("teacher", "The teacher's session.", __name__)
 
 
 @api.get("/teacher", responses=answers(TeacherSession))

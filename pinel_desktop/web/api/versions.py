@@ -2,7 +2,7 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.review import (
@@ -13,7 +13,7 @@ from pinel_desktop.web.models.review import (
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 
-api = resource("versions", "Single versions, and differences of two.", __name__)
+api = Resource("versions", "Single versions, and differences of two.", __name__)
 
 
 @api.get(

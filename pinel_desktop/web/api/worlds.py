@@ -5,14 +5,14 @@ from typing import Any
 from flask import Response
 
 from pinel_desktop.robot import ROBOTS
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.errors import InvalidWorldError
 from pinel_desktop.web.models.robots import Robot, RobotList
 from pinel_desktop.web.models.worlds import CheckedWorld, World, WorldList, WorldToCheck
 from pinel_desktop.web.responses import answer, describe_faults
 from pinel_desktop.web.services import services
 
-api = resource("worlds", "Worlds of runs, and robot models of the simulator.", __name__)
+api = Resource("worlds", "Worlds of runs, and robot models of the simulator.", __name__)
 
 
 @api.get("/worlds", responses=answers(WorldList))

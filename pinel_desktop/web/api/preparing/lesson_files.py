@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from flask import Response
 
-from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.api.exchange import (
     UploadedFile,
     file_name,
@@ -32,7 +32,7 @@ from storage.file.temporary import temporary_folder
 if TYPE_CHECKING:
     from storage.exchange.bundle_writing import BundleInfo
 
-api = resource("lesson_files", "The file that takes a lesson to all PCs.", __name__)
+api = Resource("lesson_files", "The file that takes a lesson to all PCs.", __name__)
 
 _READS = ("bundle_not_lesson", "lesson_not_found")
 

@@ -13,7 +13,7 @@ from pinel_desktop.school.own_activities import (
     own_activity,
     own_goal,
 )
-from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.errors import InvalidActivityError
 from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.activities import GoalPicture
@@ -36,7 +36,7 @@ from storage import OwnActivityRow
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity
 
-api = resource("own_activities", "Activities that a teacher makes.", __name__)
+api = Resource("own_activities", "Activities that a teacher makes.", __name__)
 
 _FINISHED = {"check": "finished"}
 _UNNAMED = "new"

@@ -15,7 +15,7 @@ from pinel_desktop.robot.record import (
     limits,
     record_from,
 )
-from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.models import Empty
 from pinel_desktop.web.models.robots import (
     FoundRobot,
@@ -34,7 +34,7 @@ from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import is_teacher, require_teacher
 
-api = resource("robots", "Real robots.", __name__)
+api = Resource("robots", "Real robots.", __name__)
 
 
 @api.get("/real-robots", responses=answers(RealRobotList))

@@ -1,0 +1,41 @@
+"""What a handler is called with: the parts of a request, validated by the models that annotate its parameters."""
+
+from collections.abc import Callable, Mapping
+from functools import cache, wraps
+from typing import Any, get_type_hints
+
+from flask import Response, request
+from pydantic import ValidationError
+
+from pinel_desktop.web.errors import invalid_request
+
+Handler = Callable[..., Response]
+
+_READERS: Mapping[str, Callable[[Any], object]] = {
+    "path": lambda model: model.model_validate(request.view_args),
+    "query": lambda model: model.model_validate(request.args.to_dict()),
+    "header": lambda model: model.model_validate(dict(request.headers)),
+    "body": lambda model: model.model_validate(request.get_json(silent=True)),
+    "raw": lambda _: request,
+}
+
+
+def with_arguments(handler: Handler) -> Handler:
+    """The handler as Flask calls it. A request that does not fit is answered with `invalid_request`."""
+
+    @wraps(handler)
+    def view(**of_path: object) -> Response:
+        try:
+            arguments = {name: _READERS[name](kind) for name, kind in _parts_of(handler).items()}
+        except ValidationError as error:
+            return invalid_request(error)
+        return handler(**arguments)
+
+    return view
+
+
+@cache
+def _parts_of(handler: Handler) -> dict[str, Any]:
+    """The annotations of a handler's parameters, read with its first request."""
+    hints = get_type_hints(handler)
+    return {name: hints[name] for name in _READERS if name in hints}
