@@ -55,7 +55,11 @@ function pagePerLanguage(): Plugin {
         if (chunk.type !== "chunk") continue;
         const [, tag] = /i18n\/([\w-]+)\/start\.ts$/.exec(chunk.facadeModuleId ?? "") ?? [];
         if (!tag) continue;
-        const texts = `<script type="module" crossorigin src="/${chunk.fileName}"></script>\n    `;
+        const parts = chunk.imports.filter((name) => !String(html.source).includes(name));
+        const texts = [
+          `<script type="module" crossorigin src="/${chunk.fileName}"></script>\n    `,
+          ...parts.map((name) => `<link rel="modulepreload" crossorigin href="/${name}">\n    `),
+        ].join("");
         const source = String(html.source)
           .replace(/<html lang="[\w-]+">/, `<html lang="${tag}">`)
           .replace('<script type="module"', `${texts}<script type="module"`);

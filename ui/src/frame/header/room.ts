@@ -9,14 +9,21 @@ export function useRoom(header: RefObject<HTMLElement>): void {
   useLayoutEffect(() => {
     const { current: element } = header;
     if (!element) return;
-    const measure = () => leaveOut(element);
-    measure();
-    const sizes = new ResizeObserver(measure);
+    let frame = 0;
+    // once before the next drawing, whatever changes until then: measuring lays out the whole page
+    const measure = () => {
+      frame ||= requestAnimationFrame(() => {
+        frame = 0;
+        leaveOut(element);
+      });
+    };
+    const sizes = new ResizeObserver(() => leaveOut(element));
     sizes.observe(element);
     const changes = new MutationObserver(measure);
     changes.observe(element, { childList: true, characterData: true, subtree: true });
     document.fonts?.addEventListener("loadingdone", measure); // each weight comes when it is first used
     return () => {
+      cancelAnimationFrame(frame);
       sizes.disconnect();
       changes.disconnect();
       document.fonts?.removeEventListener("loadingdone", measure);
