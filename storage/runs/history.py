@@ -12,6 +12,7 @@ from typing import Any, Literal, NamedTuple
 from storage.file.repository import Repository
 from storage.marks import as_told, counted, mark
 from storage.records import RunLine
+from storage.sqlite import sqlite3
 from storage.work.lesson_records import GroupLine
 
 Outcome = Literal["finished", "stopped", "failed", "passed", "not_passed"]
@@ -25,7 +26,9 @@ _LINE = ", ".join(
 _SELECT = f"""
     SELECT {_LINE}, groups.id, groups.name, groups.color, groups.picture
     FROM runs LEFT JOIN groups ON groups.id = runs.group_id
-    WHERE runs.id IN (SELECT id FROM runs WHERE {{which}} ORDER BY id DESC LIMIT ?) ORDER BY runs.id DESC"""
+    WHERE {{which}} ORDER BY runs.id DESC LIMIT ?"""
+# found in the index alone: of rows that do not fit nothing else is read
+_FITTING = "runs.id IN (SELECT id FROM runs WHERE {which} ORDER BY id DESC LIMIT ?)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,11 +65,13 @@ class History(Repository):
         self, which: RunFilter, *, before: str | None = None, limit: int = 50
     ) -> list[HistoryLine]:
         """Newest first; `before` is the id of the last run of the page before."""
-        clauses = list(_clauses(which))
-        conditions = " AND ".join(["id < ?", *(clause for clause, _ in clauses)])
-        values = [before or "~", *(value for _, value in clauses), limit]
-        rows = self._rows(_SELECT.format(which=conditions), *values)
-        return [_line(tuple(row)) for row in rows]
+        clauses = [("runs.id < ?", before or "~"), *_clauses(which)]
+        where = " AND ".join(clause for clause, _ in clauses)
+        values = [value for _, value in clauses]
+        if len(clauses) > 1:
+            where, values = _FITTING.format(which=where), [*values, limit]
+        rows = self._rows(_SELECT.format(which=where), *values, limit)
+        return [_line(row) for row in rows]
 
 
 def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
@@ -91,6 +96,6 @@ def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
             yield clause, value
 
 
-def _line(row: tuple[Any, ...]) -> HistoryLine:
+def _line(row: sqlite3.Row) -> HistoryLine:
     run, group = row[: len(RunLine._fields)], row[len(RunLine._fields) :]
-    return HistoryLine(RunLine._make(run), None if group[0] is None else GroupLine(*group))
+    return HistoryLine(RunLine._make(run), None if group[0] is None else GroupLine._make(group))
