@@ -21,8 +21,6 @@ from pinel_desktop.instance import Instance
 from pinel_desktop.known_places import forget_place
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
-from pinel_desktop.page_settings import PageSettings
-from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
@@ -30,6 +28,7 @@ from pinel_desktop.school.robot_watching import RobotWatching
 from pinel_desktop.school.robots import Robots
 from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
+from pinel_desktop.settings import CAMERA, Settings
 from pinel_desktop.web.application import Application
 from pinel_desktop.web.early_server import EarlyServer
 from pinel_desktop.web.services import DatabaseState, ReadDocument, Services
@@ -119,7 +118,7 @@ class App:
     @property
     def language(self) -> str:
         """The language that was chosen."""
-        return self._preferences.language
+        return self._settings.language
 
     @property
     def notice(self) -> Problem | None:
@@ -147,10 +146,10 @@ class App:
         undo.callback(self._store.close)
         self._maintenance = Maintenance(self._store, self._publish_keeping)
         undo.callback(self._maintenance.back_up_at_the_end)  # after all is written
-        page = PageSettings.beside(self._database)
-        self._preferences = Preferences(
-            self._store, self._early_server.page_settings if self._early_server else page
-        )
+        early = self._early_server
+        self._settings = early.settings if early else Settings.beside(self._database)
+        with contextlib.suppress(StoreError):
+            self._settings.take_from_database(self._store.settings.get)
         self._hub = Hub()
         self._recorder = Recorder(self._store, self._publish_recording, kept=KEPT, urgent=URGENT)
         undo.callback(self._end_recording)
@@ -158,7 +157,7 @@ class App:
             self._store,
             self._flush_recording,
             self._hub.publish,
-            lambda: self._preferences.language,
+            lambda: self._settings.language,
         )
         undo.callback(self._grader.close)
         self._confirmer = Confirmer(self._store, self._grader.verdict_on, self._grader.grade)
@@ -166,7 +165,7 @@ class App:
         self._live_checks = LiveChecks(
             lambda: self._grader.judge,
             self._hub.publish,
-            lambda: self._preferences.language,
+            lambda: self._settings.language,
         )
         undo.callback(self._live_checks.close)
         undo.callback(self._maintenance.close)
@@ -174,24 +173,24 @@ class App:
         undo.callback(self._content_check.close)
         if self._store.unfinished:
             self._recorder.flush()  # goes on trying until the disk has room
-        server = self._early_server or EarlyServer(self._port, self._preferences.page)
+        server = self._early_server or EarlyServer(self._port, self._settings)
         undo.callback(server.close)
         undo.callback(self._hub.close)
         self._guard = server.guard
-        self._robot_watching = RobotWatching(self._hub.publish, lambda: self._preferences.language)
+        self._robot_watching = RobotWatching(self._hub.publish, lambda: self._settings.language)
         self._engine = self._make_engine(
             self._take, on_robot=self._robot_watching.take, is_watched=self._is_watched
         )
         undo.callback(self._engine.close)
         self._camera = Camera(
-            self._camera_source or self._preferences.camera,
+            self._camera_source or self._settings[CAMERA],
             self._hub.publish,
             self._publish_camera,
             self._answer_capture,
         )
         undo.callback(self._camera.close)
         self._signs = SignTeaching(
-            self._store, self._camera, self._hub.publish, lambda: self._preferences.language
+            self._store, self._camera, self._hub.publish, lambda: self._settings.language
         )
         services = self._services()
         self._application = Application(services)
@@ -244,7 +243,7 @@ class App:
             signs=self._signs,
             hub=self._hub,
             guard=self._guard,
-            preferences=self._preferences,
+            settings=self._settings,
             teacher=TeacherSessions(self._store.settings),
             robots=Robots(self._store.settings, LINK_NAMES),
             robot_watching=self._robot_watching,
@@ -322,7 +321,7 @@ class App:
 
     def _publish_camera(self, state: CameraState) -> None:
         problem = state.problem
-        words = explain(problem, self._preferences.language) if problem else None
+        words = explain(problem, self._settings.language) if problem else None
         changed = CameraChanged(
             state=state.mode,
             code=problem.code if problem else None,
@@ -334,7 +333,7 @@ class App:
 
     def _publish_notice(self, problem: Problem | None, well_again: str) -> None:
         code, params = (problem.code, problem.params) if problem else (well_again, {})
-        words = describe(code, params, self._preferences.language)
+        words = describe(code, params, self._settings.language)
         self._hub.publish(Notice(code=code, message=words.message, remedy=words.remedy).flat())
 
 

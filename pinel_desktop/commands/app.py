@@ -22,8 +22,8 @@ import click
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import Instance
-from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.paths import database_path
+from pinel_desktop.settings import Settings
 from pinel_desktop.web.early_server import EarlyServer
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def _serve(
     # the server first: the window loads the page while the rest is being imported
     with _loading():
         database = database_path(db)
-        server = EarlyServer(page_settings=PageSettings.beside(database))
+        server = EarlyServer(settings=Settings.beside(database))
         send(type="address", address=server.guard.fresh_link())
         app = _started(database, camera, server, send)
     if app is not None:

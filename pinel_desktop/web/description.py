@@ -17,6 +17,7 @@ from pydantic import BaseModel
 from pinel_desktop import __version__
 from pinel_desktop.web.api import Resource, stream
 from pinel_desktop.web.models.errors import ErrorAnswer
+from pinel_desktop.web.models.status import PageSettings
 from pinel_desktop.web.routes import RESOURCES
 
 _EVERYWHERE = (400, 401, 403, 421, 422, 500)
@@ -43,7 +44,7 @@ def description() -> dict[str, Any]:
     for module in RESOURCES:
         _describe(api, module.api)
     document: dict[str, Any] = api.api_doc
-    document["components"]["schemas"] |= _schemas(stream.MODELS)
+    document["components"]["schemas"] |= _schemas((*stream.MODELS, PageSettings))
     return document
 
 

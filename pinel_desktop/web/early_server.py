@@ -12,8 +12,8 @@ from flask import Flask, Response
 from werkzeug.wrappers import Request
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import LANGUAGES, language_of_system
-from pinel_desktop.page_settings import PAGE_LANGUAGE, PageSettings
+from pinel_desktop.messages import language_of_system
+from pinel_desktop.settings import Settings
 from pinel_desktop.web.guard import Guard
 from pinel_desktop.web.page import PagePath, message_page, page
 from pinel_desktop.web.protection import add_headers, check_guard
@@ -26,18 +26,18 @@ class EarlyServer:
     """Server and guard of one app; serves the page at once, the API after `open`.
 
     Args:
-        page_settings: what the page keeps; in memory only without it.
+        settings: what was chosen on this PC; kept in memory only without it.
 
     Raises:
         PinelError: `port_taken`.
     """
 
-    def __init__(self, port: int = 0, page_settings: PageSettings | None = None) -> None:
+    def __init__(self, port: int = 0, settings: Settings | None = None) -> None:
         self.guard = Guard()
-        self.page_settings = page_settings or PageSettings()
+        self.settings = settings or Settings()
         self._server = Server(port)
         self.guard.bind(self._server.host, self._server.port)
-        self._page = _page_alone(self.guard, self.page_settings)
+        self._page = _page_alone(self.guard, self.settings)
         self._app: Wsgi | None = None
         self._decided = threading.Event()
         self._server.start(self, self.guard.is_known)
@@ -78,28 +78,16 @@ class EarlyServer:
 
 
 @dataclass(frozen=True, slots=True)
-class _EarlyPreferences:
-    """What is known before the store is open: the settings of the page, among them the language that it last spoke."""
-
-    page: PageSettings
-
-    @property
-    def language(self) -> str:
-        kept = self.page.values.get(PAGE_LANGUAGE, "")
-        return kept if kept in LANGUAGES else language_of_system()
-
-
-@dataclass(frozen=True, slots=True)
 class _PageServices:
     """The part of `Services` that serving the page needs."""
 
     guard: Guard
-    preferences: _EarlyPreferences
+    settings: Settings
 
 
-def _page_alone(guard: Guard, settings: PageSettings) -> Flask:
+def _page_alone(guard: Guard, settings: Settings) -> Flask:
     app = Flask(__name__, static_folder=None)
-    app.extensions["pinel"] = _PageServices(guard, _EarlyPreferences(settings))
+    app.extensions["pinel"] = _PageServices(guard, settings)
     app.url_map.converters["page_path"] = PagePath
     app.register_blueprint(page)
     app.before_request(check_guard)

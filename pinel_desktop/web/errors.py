@@ -89,7 +89,7 @@ def _answer(
     status: int | None = None,
     words: str | None = None,
 ) -> Response:
-    language = services().preferences.language
+    language = services().settings.language
     answer = error_answer(code, params, language, faults=faults or (), status=status, words=words)
     if request.path.startswith("/api"):
         return answer

@@ -108,7 +108,7 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
     Raises:
         StoreError: `lesson_not_found`.
     """
-    store, language = parts.store, parts.preferences.language
+    store, language = parts.store, parts.settings.language
     lesson = store.lessons.get(lesson_id)
     parts_of_it = [store.lessons.get(one) for one in store.lessons.parts(lesson_id)]
     lines = store.lesson_records.of([one.id for one in parts_of_it])
@@ -177,7 +177,7 @@ def _hints(names: Iterable[str], parts: Services) -> dict[str, list[str]]:
     for name in names:
         with contextlib.suppress(PinelError):
             hints = known_activity(parts.store, name).hints
-            found[name] = [hint.of(parts.preferences.language) for hint in hints]
+            found[name] = [hint.of(parts.settings.language) for hint in hints]
     return found
 
 

@@ -2,7 +2,6 @@
 
 import json
 import re
-from collections.abc import Mapping
 from html import escape
 from pathlib import Path
 
@@ -11,13 +10,13 @@ from werkzeug.routing import PathConverter
 from werkzeug.wrappers import Response as BaseResponse
 
 from pinel_desktop.messages import describe
+from pinel_desktop.settings import THEME, Settings
 from pinel_desktop.web.services import services
 
 STATIC = Path(__file__).parent / "static"
 
 page = Blueprint("page", __name__)
 
-_THEME = "pinel_theme"
 _ROOT = re.compile(rb"(<html[^>]*)>")
 
 _MESSAGE = """<!doctype html>
@@ -51,17 +50,16 @@ def index() -> BaseResponse:
     if "key" in request.args:
         return _signed_in(redirect("/"))
     if not (STATIC / "index.html").is_file():
-        return message_page("page_not_built", {}, services().preferences.language, 503)
-    preferences = services().preferences
-    name, settings = f"index.{preferences.language}.html", preferences.page.values
-    return _with_settings(_file(name, conditional=False), settings) if settings else _file(name)
+        return message_page("page_not_built", {}, services().settings.language, 503)
+    settings = services().settings
+    return _with_settings(_file(f"index.{settings.language}.html", conditional=False), settings)
 
 
-def _with_settings(answer: BaseResponse, settings: Mapping[str, str]) -> BaseResponse:
-    """The page with what it keeps: it needs no request for it, and is drawn in its theme from the first moment on."""
-    more = {"data-kept": json.dumps(dict(settings))}
-    if _THEME in settings:
-        more["data-theme"] = settings[_THEME]
+def _with_settings(answer: BaseResponse, settings: Settings) -> BaseResponse:
+    """The page with its settings: it needs no request for them, and is drawn in its theme from the first moment on."""
+    more = {"data-settings": json.dumps(settings.of_page())}
+    if settings[THEME]:
+        more["data-theme"] = settings[THEME]
     attributes = "".join(f' {name}="{escape(value)}"' for name, value in more.items())
     answer.set_data(_ROOT.sub(rb"\1" + attributes.encode() + b">", answer.get_data(), count=1))
     answer.add_etag(overwrite=True)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol, cast
 from flask import current_app
 
 from pinel_desktop.messages import Problem
+from pinel_desktop.settings import Settings
 from pinel_desktop.web.guard import Guard
 
 if TYPE_CHECKING:  # heavy, and not needed to serve the page
@@ -16,7 +17,6 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.engine.client import EngineClient
     from pinel_desktop.events.hub import Hub
     from pinel_desktop.judge.messages import BegunRun
-    from pinel_desktop.preferences import Preferences
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
     from pinel_desktop.school.robot_watching import RobotWatching
@@ -70,7 +70,7 @@ class Services:
     signs: SignTeaching
     hub: Hub
     guard: Guard
-    preferences: Preferences
+    settings: Settings
     teacher: TeacherSessions
     robots: Robots
     robot_watching: RobotWatching

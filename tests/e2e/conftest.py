@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, BrowserContext, expect, sync_playwright
 
+from pinel_desktop.settings import LANGUAGE, SETTINGS
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
 from tests.e2e.delays import slower
@@ -26,14 +27,7 @@ CHROMIUM = (
     or "/usr/bin/chromium"
 )
 SCREEN = {"width": 1366, "height": 768}
-KEPT_BY_PAGE = (
-    "pinel_theme",
-    "pinel_levels",
-    "pinel_class",
-    "pinel_muted",
-    "pinel_turns",
-    "pinel_tours",
-)
+KEPT_BY_PAGE = [name for name, one in SETTINGS.items() if one.of_page and name != LANGUAGE]
 ARTIFACTS = Path(__file__).parents[1] / "artifacts"
 
 OpenStudio = Callable[..., Studio]

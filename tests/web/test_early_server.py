@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.messages import LANGUAGES
-from pinel_desktop.page_settings import PageSettings
+from pinel_desktop.settings import Settings
 from pinel_desktop.web.early_server import EarlyServer
 
 
@@ -45,22 +45,22 @@ def test_the_page_is_there_at_once_with_the_same_protection(
 def test_the_page_has_the_texts_of_the_language_that_it_last_spoke(
     opener: urllib.request.OpenerDirector, tmp_path: Path, language: str
 ) -> None:
-    PageSettings.beside(tmp_path / "pinel.db").keep("pinel_language", language)
-    settings = PageSettings.beside(tmp_path / "pinel.db")
+    Settings.beside(tmp_path / "pinel.db").choose("pinel_language", language)
+    settings = Settings.beside(tmp_path / "pinel.db")
     with (
-        closing(EarlyServer(page_settings=settings)) as server,
+        closing(EarlyServer(settings=settings)) as server,
         opener.open(server.guard.fresh_link(), timeout=20) as answer,
     ):
         assert f'<html lang="{language}" '.encode() in answer.read()
 
 
-def test_the_page_is_there_at_once_with_what_it_keeps(
+def test_the_page_is_there_at_once_with_its_settings(
     opener: urllib.request.OpenerDirector, tmp_path: Path
 ) -> None:
-    kept = PageSettings.beside(tmp_path / "pinel.db")
-    kept.keep("pinel_theme", "dark")
-    kept.keep("pinel_language", "es")
-    server = EarlyServer(page_settings=PageSettings.beside(tmp_path / "pinel.db"))
+    chosen = Settings.beside(tmp_path / "pinel.db")
+    chosen.choose("pinel_theme", "dark")
+    chosen.choose("pinel_language", "es")
+    server = EarlyServer(settings=Settings.beside(tmp_path / "pinel.db"))
     try:
         with opener.open(server.guard.fresh_link(), timeout=20) as answer:
             start = answer.read().split(b"<head>")[0].decode()

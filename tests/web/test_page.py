@@ -9,6 +9,7 @@ import pytest
 
 from pinel_desktop.app import App
 from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.settings import Settings
 from pinel_desktop.web import page
 from tests.web.browser import Browser
 
@@ -55,13 +56,14 @@ def test_a_file_that_did_not_change_is_not_sent_again(
     assert browser.get("/", {"If-None-Match": tag}).status == 200
 
 
-def test_the_page_comes_with_what_it_keeps_and_in_its_theme(
+def test_the_page_comes_with_its_settings_and_in_its_theme(
     built: Path, browser: Browser, start_app: Callable[..., App], app: App
 ) -> None:
-    for name, value in {"pinel_theme": "dark", "pinel_level": "2"}.items():
+    chosen = {"pinel_theme": "dark", "pinel_turns": "5"}
+    for name, value in chosen.items():
         assert browser.put("/api/settings/page", {"name": name, "value": value}).status == 200
-    kept = html.escape(json.dumps({"pinel_theme": "dark", "pinel_level": "2"}))
-    wanted = f"""<html lang='x' data-kept="{kept}" data-theme="dark">"""
+    settings = html.escape(json.dumps(Settings().of_page() | chosen))
+    wanted = f"""<html lang='x' data-settings="{settings}" data-theme="dark">"""
     assert wanted in browser.get("/").text
     app.close()
     again = Browser.signed_in(start_app().address)
@@ -73,7 +75,9 @@ def test_the_page_comes_with_what_it_keeps_and_in_its_theme(
     [
         {"name": "pinel_theme", "value": '"><script>'},
         {"name": "Theme!", "value": "dark"},
-        {"name": "pinel_theme", "value": "x" * 4001},
+        {"name": "pinel_theme", "value": "green"},
+        {"name": "pinel_camera", "value": "1"},
+        {"name": "pinel_class", "value": "x" * 4001},
         {"name": "pinel_theme"},
     ],
 )

@@ -66,7 +66,7 @@ def get_activity(path: ActivityPath) -> Response:
         not_judgeable_notice,
     )
 
-    mission, language = known_activity(services().store, path.name), services().preferences.language
+    mission, language = known_activity(services().store, path.name), services().settings.language
     return answer(
         Activity(
             **_choice(mission),
@@ -113,7 +113,7 @@ def world_name(mission: "Mission") -> str:
 
 def _begin(group_id: str, mission: "Mission", parts: Services) -> ProgramRow:
     """Creates a program without blocks whose setup names the activity."""
-    name = mission.title.of(parts.preferences.language)
+    name = mission.title.of(parts.settings.language)
     program = parts.store.programs.create(group_id, name)
     setup = Setup(
         world=world_name(mission),
@@ -136,13 +136,13 @@ def _after(mission: "Mission") -> NextActivity | None:
     found = next((one for one in map(shipped_activity, later) if one.path == mission.path), None)
     if found is None or mission.path is None:
         return None
-    return NextActivity(name=found.name, title=found.title.of(services().preferences.language))
+    return NextActivity(name=found.name, title=found.title.of(services().settings.language))
 
 
 def _choice(mission: "Mission") -> dict[str, Any]:
     return {
         "name": mission.name,
-        "title": mission.title.of(services().preferences.language),
+        "title": mission.title.of(services().settings.language),
         "path": mission.path,
         "number": mission.number,
         "minutes": mission.minutes,
@@ -159,7 +159,7 @@ def _example(name: str) -> Example:
         program_of_example,
     )
 
-    shown, language = example(name), services().preferences.language
+    shown, language = example(name), services().settings.language
     return Example(
         name=name,
         title=shown.title.of(language),

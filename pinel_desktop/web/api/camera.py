@@ -6,6 +6,7 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import explain
+from pinel_desktop.settings import CAMERA
 from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.models.camera import CameraChoice, CameraProblem, CameraStatus
 from pinel_desktop.web.responses import answer, json_safe
@@ -30,7 +31,7 @@ def get_camera() -> Response:
 def put_camera(body: CameraChoice) -> Response:
     """Chooses the camera to look through."""
     parts = services()
-    parts.preferences.camera = body.source
+    parts.settings.choose(CAMERA, body.source)
     parts.camera.choose(body.source)
     return _state(parts)
 
@@ -58,7 +59,7 @@ def _parts(pictures: Iterator[bytes]) -> Iterator[bytes]:
 
 def _state(parts: Services) -> Response:
     state = parts.camera.state
-    problem = _explained(state.problem, parts.preferences.language) if state.problem else None
+    problem = _explained(state.problem, parts.settings.language) if state.problem else None
     return answer(CameraStatus(state=state.mode, source=parts.camera.source, problem=problem))
 
 

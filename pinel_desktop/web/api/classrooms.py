@@ -123,7 +123,7 @@ def _title_of(activity: str | None) -> str:
     if activity is None:
         return ""
     parts = services()
-    title = known_activity(parts.store, activity).title.of(parts.preferences.language)
+    title = known_activity(parts.store, activity).title.of(parts.settings.language)
     return title[:MAX_NAME].strip()
 
 

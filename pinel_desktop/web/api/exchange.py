@@ -92,7 +92,7 @@ def write_bundle(body: NewBundle) -> Response:
     require_folder(body.folder)
     parts = services()
     computer = parts.store.computers.this()
-    language = parts.preferences.language
+    language = parts.settings.language
     nameless = describe("file_without_names", {}, language).message
     name = nameless if body.anonymous else file_name(computer[1])
     dest = folder / f"{name}-{datetime.now().astimezone():%Y-%m-%d}{SUFFIX}"
@@ -305,7 +305,7 @@ def _left_out(info: "BundleInfo", code: str) -> Notice | None:
     """What a person should know of a file that lacks work."""
     if not info.left_out:
         return None
-    return notice(code, info.left_out_params, services().preferences.language)
+    return notice(code, info.left_out_params, services().settings.language)
 
 
 def _merged(path: Path, body: BundlesToMerge) -> Merged:
@@ -317,7 +317,7 @@ def _merged(path: Path, body: BundlesToMerge) -> Merged:
             )
             return _report(path, report)
     except StoreError as error:
-        problem = notice(error.code, error.params, parts.preferences.language)
+        problem = notice(error.code, error.params, parts.settings.language)
         return Merged(path=str(path), name=path.name, added=_counts({}), problem=problem)
 
 

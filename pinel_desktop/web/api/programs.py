@@ -186,12 +186,12 @@ def check_document(body: DocumentToCheck) -> Response:
     """All faults of a document, with messages."""
     parts = services()
     faults = parts.read_document(body.document).faults
-    return answer(CheckedDocument(faults=describe_faults(faults, parts.preferences.language)))
+    return answer(CheckedDocument(faults=describe_faults(faults, parts.settings.language)))
 
 
 def version_model(row: VersionRow) -> Version:
     """The answer for a stored version, with messages for its faults."""
-    language = services().preferences.language
+    language = services().settings.language
     return Version(
         id=row.id,
         created_at=row.created_at,

@@ -25,7 +25,7 @@ def write(body: DocumentToWrite) -> Response:
     parts = services()
     reading = parts.read_document(body.document)
     if reading.document is None:
-        faults = describe_faults(reading.faults, parts.preferences.language)
+        faults = describe_faults(reading.faults, parts.settings.language)
         return answer(WrittenPython(text=None, lines=[], faults=faults))
     written = write_python(reading.document)
     lines = [
@@ -40,7 +40,7 @@ def read(body: PythonSource) -> Response:
     """Converts Python text to a document, or lists all its faults."""
     from pinel_desktop.program.python_text import read_python  # noqa: PLC0415 - see above
 
-    language = services().preferences.language
+    language = services().settings.language
     reading = read_python(body.text)
     faults = describe_faults(reading.faults, language)
     return answer(ReadPython(document=reading.document, faults=faults))

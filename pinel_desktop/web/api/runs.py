@@ -124,7 +124,7 @@ def _prepare_judge(
 
 def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
     if version.document is None:
-        raise InvalidProgramError(describe_faults(version.faults, parts.preferences.language))
+        raise InvalidProgramError(describe_faults(version.faults, parts.settings.language))
     return version.document
 
 
@@ -152,7 +152,7 @@ def _missing_on(robot: RobotModel, document: object) -> "Sequence[Fault]":
 
 def _refuse(faults: "Sequence[Fault]", parts: Services) -> None:
     if faults:
-        raise InvalidProgramError(describe_faults(faults, parts.preferences.language))
+        raise InvalidProgramError(describe_faults(faults, parts.settings.language))
 
 
 def _real_spec(document: dict[str, object], body: NewRun, parts: Services) -> RunSpec:
@@ -244,7 +244,7 @@ def command_run(path: IdPath, body: LiveCommand) -> Response:
             raise _why_not_live(path.id, error) from error
         if error.code in _UNCERTAIN:
             raise
-        words = explain(error, parts.preferences.language)
+        words = explain(error, parts.settings.language)
         return answer(CommandAnswer(value=None, problem=words.message))
     return answer(CommandAnswer(value=value, problem=None))
 
@@ -284,7 +284,7 @@ def _verdict(row: RunRow) -> dict[str, object]:
         return {"by_robot": by_robot, "not_judged": None}
     from pinel_desktop.activities import not_judged_words  # noqa: PLC0415 - heavy
 
-    words = not_judged_words(why, services().preferences.language)
+    words = not_judged_words(why, services().settings.language)
     return {"by_robot": by_robot, "not_judged": words}
 
 
@@ -332,7 +332,7 @@ def run_model(row: RunRow | RunLine) -> Run:
     end = (parts.unsaved_end(row.id) if row.state == "running" else None) or {}
     ended = {name: end[name] for name in Run.model_fields if name in end}
     reason, params = ended.get("reason", row.reason), ended.get("params", row.params)
-    words = describe(reason, params, parts.preferences.language) if reason else None
+    words = describe(reason, params, parts.settings.language) if reason else None
     texts = {
         "message": words.message if words else None,
         "remedy": words.remedy if words else None,

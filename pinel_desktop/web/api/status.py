@@ -3,6 +3,7 @@
 from flask import Response
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.settings import LANGUAGE
 from pinel_desktop.web.api import Resource, answers
 from pinel_desktop.web.models.status import DatabaseStatus, PageSetting, Settings, Status
 from pinel_desktop.web.responses import answer, notice
@@ -23,7 +24,7 @@ def _status(parts: Services) -> Status:
         engine=parts.engine.state,
         run=parts.engine.live_run,
         database=_database(parts),
-        language=parts.preferences.language,
+        language=parts.settings.language,
     )
 
 
@@ -31,9 +32,7 @@ def _database(parts: Services) -> DatabaseStatus:
     state = parts.database_state()
     problem = state.notice
     shown = (
-        None
-        if problem is None
-        else notice(problem.code, problem.params, parts.preferences.language)
+        None if problem is None else notice(problem.code, problem.params, parts.settings.language)
     )
     return DatabaseStatus(path=state.path, writable=state.writable, notice=shown)
 
@@ -51,12 +50,12 @@ def begin_empty() -> Response:
 @api.put("/settings", responses=answers(Settings))
 def put_settings(body: Settings) -> Response:
     """Sets the language of page and messages."""
-    services().preferences.language = body.language
+    services().settings.choose(LANGUAGE, body.language)
     return answer(body)
 
 
 @api.put("/settings/page", responses=answers(PageSetting))
 def put_page_setting(body: PageSetting) -> Response:
-    """Keeps a setting of the page on this PC. The page is served with all of them, in `data-kept` of its root."""
-    services().preferences.page.keep(body.name, body.value)
+    """Keeps a setting of the page on this PC. The page is served with all of them (`PageSettings`)."""
+    services().settings.choose(body.name, body.value)
     return answer(body)

@@ -26,7 +26,7 @@ def check_world(body: WorldToCheck) -> Response:
     """All faults of a world, with messages."""
     parts = services()
     _, faults = parts.read_world(body.world)
-    return answer(CheckedWorld(faults=describe_faults(faults, parts.preferences.language)))
+    return answer(CheckedWorld(faults=describe_faults(faults, parts.settings.language)))
 
 
 def sound_world(document: dict[str, Any]) -> dict[str, Any]:
@@ -34,7 +34,7 @@ def sound_world(document: dict[str, Any]) -> dict[str, Any]:
     parts = services()
     sound, faults = parts.read_world(document)
     if sound is None:
-        raise InvalidWorldError(describe_faults(faults, parts.preferences.language))
+        raise InvalidWorldError(describe_faults(faults, parts.settings.language))
     return sound
 
 

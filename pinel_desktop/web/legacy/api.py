@@ -62,7 +62,7 @@ class LegacyApi:
         later: Callable[[float, Callable[[], None]], open_run.Cancel] = open_run.by_timer,
     ) -> None:
         self._parts, self._engine, self._choice = parts, engine, choice
-        keeping = Keeping(parts.store, parts.app_version, lambda: parts.preferences.language)
+        keeping = Keeping(parts.store, parts.app_version, lambda: parts.settings.language)
         self._run = OpenRun(engine, keeping, self._spec, self._check, later)
         self._streams = Streams(self._run, parts.camera, self._caption)
         self._batch: int | None = None
@@ -204,7 +204,7 @@ class LegacyApi:
     def _caption(self, result: str | None) -> str:
         code = "bridge_capture" if result is None else "bridge_sign" if result else "bridge_no_sign"
         values = {"sign": result} if result else {}
-        return describe(code, values, self._parts.preferences.language).message
+        return describe(code, values, self._parts.settings.language).message
 
     def _commands(self, body: bytes) -> Commands:
         """The commands of a call. Raises PinelError `invalid_program`, with all faults, and `bridge_list_needed`."""
@@ -246,7 +246,7 @@ class LegacyApi:
         return kept.model_copy(update={"host": record.host, "port": self._port, "key": record.key})
 
     def _invalid(self, faults: Any) -> InvalidProgramError:
-        return InvalidProgramError(describe_faults(faults, self._parts.preferences.language))
+        return InvalidProgramError(describe_faults(faults, self._parts.settings.language))
 
     def _told(self, outcome: Outcome | None) -> dict[str, Any]:
         """What the caller reads; nothing for one who has left."""
@@ -255,13 +255,13 @@ class LegacyApi:
         told: dict[str, Any] = {"status": outcome.state, "n_executed": outcome.n_executed}
         if outcome.code is None:
             return told
-        words = describe(outcome.code, outcome.params, self._parts.preferences.language)
+        words = describe(outcome.code, outcome.params, self._parts.settings.language)
         error = {"code": outcome.code, "message": words.message, "remedy": words.remedy}
         return {**told, "error": {**error, "params": json_safe(outcome.params)}}
 
     def _refusal(self, error: PinelError | StoreError) -> Message:
         faults = getattr(error, "faults", ())
-        language = self._parts.preferences.language
+        language = self._parts.settings.language
         body = error_body(error.code, error.params, language, faults=faults)
         status = 503 if error.code.startswith("camera_") else status_of(error.code)
         return {"status": status, "document": {"error": plain(body)}}

@@ -1,18 +1,22 @@
 """State of the app and its settings."""
 
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import Field, ValidationInfo, create_model, field_validator
 
 from pinel_desktop.messages import LANGUAGES
-from pinel_desktop.page_settings import MAX_NAME, MAX_VALUE, NAME, VALUE
+from pinel_desktop.settings import MAX_TEXT, SETTINGS, TEXT, Setting
 from pinel_desktop.web.models import Body, Id, Shape
 from pinel_desktop.web.models.errors import Notice
 
+OF_PAGE = {name: setting for name, setting in SETTINGS.items() if setting.of_page}
+
 if TYPE_CHECKING:
     Language = str
+    Name = str
 else:
     Language = Literal[LANGUAGES]
+    Name = Literal[tuple(OF_PAGE)]
 
 
 class DatabaseStatus(Shape):
@@ -39,11 +43,33 @@ class Settings(Body):
     language: Language
 
 
-class PageSetting(Body):
-    """A setting that the page keeps on this PC; an empty value forgets it."""
+def _field(setting: Setting) -> Any:
+    """The type of a setting's value, with its default."""
+    kind: Any = str if setting.values is None else Literal[(setting.default, *setting.values)]
+    return (Annotated[kind, Field(description=setting.about)], setting.default)
 
-    name: Annotated[str, Field(pattern=NAME, max_length=MAX_NAME)]
-    value: Annotated[str, Field(pattern=VALUE, max_length=MAX_VALUE)]
+
+PageSettings = create_model(
+    "PageSettings",
+    __base__=Shape,
+    __doc__="Settings of this PC, with which the page is served: JSON in `data-settings` of its root.",
+    **{name: _field(setting) for name, setting in OF_PAGE.items()},
+)
+
+
+class PageSetting(Body):
+    """A setting of the page, kept on this PC; an empty value forgets it."""
+
+    name: Name
+    value: Annotated[str, Field(pattern=TEXT, max_length=MAX_TEXT)]
+
+    @field_validator("value")
+    @classmethod
+    def _is_allowed(cls, value: str, info: ValidationInfo) -> str:
+        name = info.data.get("name")
+        if name is not None and value and not SETTINGS[name].allows(value):
+            raise ValueError(f"{name} is never {value}")
+        return value
 
 
 class InstanceLink(Shape):

@@ -1,13 +1,6 @@
 import createClient, { type ClientPathsWithMethod, type MaybeOptionalInit } from "openapi-fetch";
 import { ApiError, ServerGone } from "./errors";
-import type {
-  Content,
-  Debugging,
-  DocumentToWrite,
-  Language,
-  LiveCommand,
-  NewVersion,
-} from "./model";
+import type { Content, Debugging, DocumentToWrite, LiveCommand, NewVersion } from "./model";
 import type { paths } from "./types";
 
 /** The one HTTP client. Paths, parameters, bodies and answers are typed by the server's own description. */
@@ -75,7 +68,6 @@ const KEEPALIVE_LIMIT = 60_000;
 export const api = {
   status: () => get("/api/status"),
   beginEmpty: () => post("/api/database/begin-empty", {}),
-  setLanguage: (language: Language) => put("/api/settings", { body: { language } }),
 
   groups: async () => (await get("/api/groups")).groups,
 

@@ -18,7 +18,7 @@ vi.mock("../shell/first_answers", () => ({ groupsAndClasses: classes, serverStat
 
 const { Teaching } = await import("./Teaching");
 const { receive } = await import("../camera/sight");
-const { classroom } = await import("../shell/classroom");
+const { setClassroom } = await import("../shell/classroom");
 
 const A = { name: "A", is_letter: true, n_samples: 0, n_movements: 0, landmarks: null };
 const GO = { name: "vai", is_letter: false, n_samples: 10, n_movements: 0, landmarks: null };
@@ -39,7 +39,7 @@ const told = (more: Partial<SignRecordingEvent>): SignRecordingEvent => ({
 });
 
 beforeEach(() => {
-  classroom.value = null;
+  setClassroom("");
   classes.mockReset().mockResolvedValue([[], [{ id: "c", name: "5º B" }]]);
   signsApi.use.mockReset().mockResolvedValue([A, GO]);
   signsApi.record.mockReset().mockResolvedValue({ name: "vai" });

@@ -1,7 +1,7 @@
-import { signal } from "@preact/signals";
-import { remember, remembered } from "../shell/remembered";
+import { computed } from "@preact/signals";
+import { choose, setting } from "../shell/settings";
 
-const COOKIE = "pinel_muted";
+const chosen = setting("pinel_muted");
 
 const FREQUENCY_HZ = 880;
 /** A rising chord, C major. */
@@ -11,20 +11,18 @@ const LOUDNESS = 0.12;
 /** Duration of fade-in and fade-out, which avoid clicks. */
 const FADE_S = 0.012;
 
-/** Whether sound is off, as stored in a cookie. */
-export const muted = signal(remembered(COOKIE) === "1");
+/** Whether sound is off. */
+export const muted = computed(() => chosen.value === "1");
 
 export function setMuted(value: boolean): void {
-  muted.value = value;
-  isSoundWanted.value = !value;
-  remember(COOKIE, value ? "1" : "0");
+  void choose("pinel_muted", value ? "1" : "0");
 }
 
 let context: AudioContext | null = null;
 let quietFrom = 0;
 
 /** Whether somebody has turned the sound on; a beep of a program needs that no more than not being off. */
-export const isSoundWanted = signal(remembered(COOKIE) === "0");
+export const isSoundWanted = computed(() => chosen.value === "0");
 
 /** Plays a short tone. Silent before the first click in the page, as browsers require; tones do not overlap. */
 export function beep(): void {

@@ -1,16 +1,15 @@
-import { signal } from "@preact/signals";
+import { computed } from "@preact/signals";
 import { NO_CLASS } from "../api/classes";
 import type { Classroom, Group } from "../api/model";
-import { remember, remembered } from "./remembered";
+import { choose, setting } from "./settings";
 
-const COOKIE = "pinel_class";
+const chosen = setting("pinel_class");
 
 /** The class that was last chosen on this PC: an id, or NO_CLASS. */
-export const classroom = signal<string | null>(remembered(COOKIE));
+export const classroom = computed(() => chosen.value || null);
 
 export function setClassroom(id: string): void {
-  classroom.value = id;
-  remember(COOKIE, id);
+  void choose("pinel_class", id);
 }
 
 /** The class to show: the last chosen one, that of the last used group, or the first; NO_CLASS without classes. */

@@ -1,5 +1,5 @@
 import { signal } from "@preact/signals";
-import { KeptById } from "./remembered";
+import { KeptById } from "./settings";
 
 /** The help is shown in the studio; the header opens and closes it. */
 export const helpIsOpen = signal(false);

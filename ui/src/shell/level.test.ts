@@ -1,8 +1,8 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Group } from "../api/model";
 import { level, levelInUse, levelOfClass, missionLevel, offered, setLevel, shown } from "./level";
-import { remembered } from "./remembered";
 import { group } from "./session";
+import { setting } from "./settings";
 
 const enter = (id: string) => {
   group.value = { id } as Group;
@@ -28,7 +28,7 @@ test("a group keeps what it chose, and another group on the PC is not asked to s
   setLevel(2);
   enter("group-aaaaaaaaaaaa");
   expect(level.value).toBe(3);
-  expect(remembered("pinel_levels")).toBe("bbbbbbbbbbbb_2_aaaaaaaaaaaa_3");
+  expect(setting("pinel_levels").value).toBe("bbbbbbbbbbbb_2_aaaaaaaaaaaa_3");
 });
 
 test("a program with blocks of a higher level opens in that level, unless the group chose another", () => {
@@ -40,12 +40,12 @@ test("a program with blocks of a higher level opens in that level, unless the gr
   expect(level.value).toBe(1);
 });
 
-test("the choices of many groups stay short enough for a cookie", () => {
+test("the choices of many groups stay short", () => {
   for (let number = 0; number < 60; number++) {
     enter(`group-${String(number).padStart(12, "0")}`);
     setLevel(2);
   }
-  expect(remembered("pinel_levels")?.length).toBeLessThan(1000);
+  expect(setting("pinel_levels").value.length).toBeLessThan(1000);
   expect(level.value).toBe(2);
 });
 
@@ -63,7 +63,7 @@ test("a mission opens in its level, and what the group chooses there holds for i
   expect(level.value).toBe(3);
   missionLevel.value = mission("program-aaaaaaaaaaaa");
   expect(level.value).toBe(1);
-  expect(remembered("pinel_mission_levels")).toBe("aaaaaaaaaaaa_1");
+  expect(setting("pinel_mission_levels").value).toBe("aaaaaaaaaaaa_1");
 });
 
 test("a mission that lists its blocks offers only those, until the group chooses a level", () => {

@@ -1,8 +1,8 @@
 import { computed, signal } from "@preact/signals";
 import type { Level } from "../blocks/definition";
 import { texts } from "../i18n";
-import { KeptById } from "./remembered";
 import { group } from "./session";
+import { KeptById } from "./settings";
 
 /** Levels of the toolbox, from few blocks to all. */
 export const LEVELS = [1, 2, 3] as const satisfies readonly Level[];

@@ -25,6 +25,7 @@ import { reportTo } from "../kit/report";
 import { type Problem, wordsOf } from "../kit/requests/problem";
 import { serverStatus } from "./first_answers";
 import { navigationBlocked, ROUTES, route } from "./route";
+import { choose, setting } from "./settings";
 import { openStream } from "./stream";
 
 /** State of the connection to the server. */
@@ -114,32 +115,21 @@ export async function refreshStatus(): Promise<void> {
 
 /** A person chose the language of this page. */
 let languageChosen = false;
-let languageKept: Promise<unknown> = Promise.resolve();
-/** A page that is reloaded at once ends the request of the last choice: the choice is sent again. */
-const UNSENT_LANGUAGE = "pinel_language_unsent";
 
 export async function chooseLanguage(chosen: Language): Promise<void> {
   languageChosen = true;
-  sessionStorage.setItem(UNSENT_LANGUAGE, chosen);
-  // in sequence: of two concurrent requests the server would keep the one that arrives last
-  languageKept = languageKept.then(() => api.setLanguage(chosen)).then(() => languageSent(chosen));
   try {
-    await Promise.all([languageKept, speak(chosen)]);
+    await Promise.all([choose("pinel_language", chosen), speak(chosen)]);
     if (notice.value) await refreshStatus();
   } catch (error) {
-    languageKept = Promise.resolve();
     report(error);
   }
 }
 
-function languageSent(sent: Language): void {
-  // a later choice may still be under way
-  if (sessionStorage.getItem(UNSENT_LANGUAGE) === sent) sessionStorage.removeItem(UNSENT_LANGUAGE);
-}
-
-function sendUnsentLanguage(): void {
-  const unsent = sessionStorage.getItem(UNSENT_LANGUAGE);
-  if (isLanguage(unsent)) void chooseLanguage(unsent);
+/** The page may have been served before the server had the language that was chosen last. */
+async function speakChosen(): Promise<void> {
+  const chosen = setting("pinel_language").peek();
+  if (chosen && chosen !== language.peek()) await chooseLanguage(chosen);
 }
 
 /** Receiver of the events of runs. */
@@ -225,7 +215,7 @@ export async function open(
   effect(() => {
     document.title = title();
   });
-  sendUnsentLanguage();
+  void speakChosen();
   await refreshStatus();
   if (connection.value === "locked") return;
   openStream({

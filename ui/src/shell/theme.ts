@@ -1,27 +1,23 @@
-import { effect, signal } from "@preact/signals";
-import { remember, remembered } from "./remembered";
+import { computed, effect } from "@preact/signals";
+import { choose, setting } from "./settings";
 
 export const THEMES = ["light", "dark", "contrast"] as const;
 export type Theme = (typeof THEMES)[number];
 
-const COOKIE = "pinel_theme";
+const chosen = setting("pinel_theme");
 
-function atFirst(): Theme {
-  const value = remembered(COOKIE);
-  const known = THEMES.find((name) => name === value);
-  if (known) return known;
-  return window.matchMedia?.("(prefers-contrast: more)").matches ? "contrast" : "light";
-}
+/** Where nobody chose one, that of the system. */
+const ofSystem = (): Theme =>
+  window.matchMedia?.("(prefers-contrast: more)").matches ? "contrast" : "light";
 
-export const theme = signal<Theme>(atFirst());
+export const theme = computed<Theme>(() => chosen.value || ofSystem());
 
 effect(() => {
   document.documentElement.dataset.theme = theme.value;
 });
 
 export function setTheme(name: Theme): void {
-  theme.value = name;
-  remember(COOKIE, name);
+  void choose("pinel_theme", name);
 }
 
 export function nextTheme(name: Theme): Theme {

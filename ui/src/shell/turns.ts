@@ -1,25 +1,22 @@
 import { computed, signal } from "@preact/signals";
-import { remember, remembered } from "./remembered";
+import { choose, setting } from "./settings";
 
 /** Intervals in minutes after which the page proposes to swap who has the mouse; 0: never. */
 export const TURN_MINUTES = [0, 5, 10, 15] as const;
 export type TurnMinutes = (typeof TURN_MINUTES)[number];
 
-const COOKIE = "pinel_turns";
+const chosen = setting("pinel_turns");
 const MINUTE_MS = 60_000;
 
-export const turnMinutes = signal<TurnMinutes>(
-  TURN_MINUTES.find((one) => String(one) === remembered(COOKIE)) ?? 0,
-);
+export const turnMinutes = computed(() => Number(chosen.value) as TurnMinutes);
 
 /** What is set for the class of the group; null where this PC decides. */
 export const turnsOfClass = signal<TurnMinutes | null>(null);
 
 const minutesNow = computed(() => turnsOfClass.value ?? turnMinutes.value);
 
-export function setTurnMinutes(chosen: TurnMinutes): void {
-  turnMinutes.value = chosen;
-  remember(COOKIE, String(chosen));
+export function setTurnMinutes(minutes: TurnMinutes): void {
+  void choose("pinel_turns", `${minutes}`);
 }
 
 /** Whether it is time to swap. */

@@ -120,7 +120,7 @@ def measure_solution(body: Stage) -> Response:
     activity, faults = _read({**_stage(body), "checks": [_FINISHED]})
     if activity is None or faults or reading.faults:
         found = [*reading.faults, *faults]
-        shown = describe_faults(found, parts.preferences.language)
+        shown = describe_faults(found, parts.settings.language)
         return answer(Sample(faults=shown, proposal=None))
     proposal = Proposal(**asdict(proposal_for(activity, reading)))
     return answer(Sample(faults=[], proposal=proposal))
@@ -132,7 +132,7 @@ def try_activity(body: OwnActivityDraft) -> Response:
     from pinel_desktop.activities import trials  # noqa: PLC0415 - heavy
 
     require_teacher()
-    language = services().preferences.language
+    language = services().settings.language
     activity, faults = _read(_document(_UNNAMED, body))
     if activity is None or faults:
         return answer(Trials(faults=describe_faults(faults, language), trials=[]))
@@ -153,7 +153,7 @@ def _keep(key: str, body: OwnActivityDraft) -> Response:
     document = _document(key, body)
     activity, faults = _read(document)
     if activity is None or faults:
-        raise InvalidActivityError(describe_faults(faults, services().preferences.language))
+        raise InvalidActivityError(describe_faults(faults, services().settings.language))
     return answer(_listed(keep_activity(services().store, activity, document)))
 
 
@@ -192,7 +192,7 @@ def _stage(body: Stage) -> dict[str, Any]:
 
 
 def _to_edit(row: OwnActivityRow, mission: "Activity") -> OwnActivityToEdit:
-    language, case = services().preferences.language, mission.cases[0]
+    language, case = services().settings.language, mission.cases[0]
     checks = [check.model_dump(mode="json", exclude_none=True) for check in mission.checks]
     return OwnActivityToEdit(
         id=row.id,
@@ -221,7 +221,7 @@ def _listed(row: OwnActivityRow) -> OwnActivity:
         shown = {"world": world_of(mission, mission.cases[0]), **own_goal(row).model_dump()}
         picture = GoalPicture.model_validate(shown)
     except PinelError as error:
-        problem = notice(error.code, error.params, services().preferences.language)
+        problem = notice(error.code, error.params, services().settings.language)
     return OwnActivity(
         id=row.id,
         title=row.title,

@@ -82,7 +82,7 @@ def contact_real_robot(path: LinkPath) -> Response:
     try:
         found = parts.engine.contact(record.for_contact())
     except PinelError as error:
-        words = explain(error, parts.preferences.language)
+        words = explain(error, parts.settings.language)
         nothing = dict.fromkeys(("x_m", "y_m", "heading_deg", "rate_hz", "battery"))
         return answer(RobotContact(**nothing, problem=words.message, remedy=words.remedy))
     return answer(RobotContact(**found, problem=None, remedy=None))
@@ -211,5 +211,5 @@ def _part(field: str) -> Literal["speed", "room", "address", "tolerance"]:
 def _words(field: str) -> tuple[str, str]:
     """Label and hint of a field."""
     code = f"robot_field_{field.replace('.', '_')}"
-    words = describe(code, {}, services().preferences.language)
+    words = describe(code, {}, services().settings.language)
     return words.message, words.remedy

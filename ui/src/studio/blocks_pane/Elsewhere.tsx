@@ -3,12 +3,12 @@ import { Columns2 } from "lucide-preact";
 import type { ProgramWithVersion } from "../../api/model";
 import { texts } from "../../i18n";
 import { WayBack } from "../../kit/WayBack";
-import { remember, remembered } from "../../shell/remembered";
 import { go } from "../../shell/route";
+import { choose, setting } from "../../shell/settings";
 
-const COOKIE = "pinel_elsewhere";
+const told = setting("pinel_elsewhere");
 const APART = "_";
-/** Enough for all groups of a school, and far below the size limit of a cookie. */
+/** Enough for all groups of a school, and far below what a setting may hold. */
 const MOST_KEPT = 40;
 
 /** Two PCs have continued one program: tells the group once where the other version is. */
@@ -18,7 +18,7 @@ export function Elsewhere({ program }: { program: ProgramWithVersion }) {
   if (isSeen.value || !elsewhere || !version) return null;
   const words = texts.value.keeping;
   const see = () => {
-    remember(COOKIE, [...seen(), elsewhere.id].slice(-MOST_KEPT).join(APART));
+    void choose("pinel_elsewhere", [...seen(), elsewhere.id].slice(-MOST_KEPT).join(APART));
     isSeen.value = true;
   };
   return (
@@ -37,4 +37,4 @@ export function Elsewhere({ program }: { program: ProgramWithVersion }) {
   );
 }
 
-const seen = () => remembered(COOKIE)?.split(APART) ?? [];
+const seen = () => told.peek().split(APART).filter(Boolean);

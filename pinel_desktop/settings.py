@@ -1,0 +1,153 @@
+"""What a person chose for this PC: `SETTINGS` declares all of it, nothing else lists settings.
+
+They are in a file beside the database, because the page is served before the database is open, and cookies end with the
+window. The page comes with those that it reads (`web/page.py`), and sends them when somebody chooses
+(`PUT /api/settings/page`).
+"""
+
+import contextlib
+import json
+import os
+import re
+import threading
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from pinel_desktop.messages import LANGUAGES, language_of_system
+from pinel_desktop.paths import read_regular
+
+LANGUAGE, CAMERA, THEME = "pinel_language", "pinel_camera", "pinel_theme"
+TEXT, MAX_TEXT = "^[A-Za-z0-9_-]*$", 4000
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A setting, whose value is a text of letters, digits, "_" and "-".
+
+    Attributes:
+        about: what it decides, for the page about the interface.
+        values: those that it may have besides the default; None for any text.
+        default: its value while nothing was chosen; "" leaves the choice to who reads it.
+        of_page: whether the page reads and chooses it.
+        in_database: where releases before 0.3 had it, as a setting of the database.
+    """
+
+    about: str
+    values: tuple[str, ...] | None = None
+    default: str = ""
+    of_page: bool = True
+    in_database: str | None = None
+
+    def allows(self, value: object) -> bool:
+        """Whether it may have a value."""
+        if not isinstance(value, str) or len(value) > MAX_TEXT:
+            return False
+        if self.values is not None and value != self.default:
+            return value in self.values
+        return bool(re.fullmatch(TEXT, value))
+
+
+SETTINGS: Mapping[str, Setting] = {
+    LANGUAGE: Setting("language of page and messages", LANGUAGES, in_database="language"),
+    CAMERA: Setting(
+        'number of the webcam, "0" for the first', default="0", of_page=False, in_database="camera"
+    ),
+    THEME: Setting("colours of the page", ("light", "dark", "contrast")),
+    "pinel_class": Setting("the class last chosen"),
+    "pinel_levels": Setting("level of the blocks that each group chose"),
+    "pinel_mission_levels": Setting("level of the blocks chosen for each mission"),
+    "pinel_muted": Setting('"1" is without sound', ("0", "1")),
+    "pinel_turns": Setting(
+        "minutes after which a swap is proposed", ("5", "10", "15"), default="0"
+    ),
+    "pinel_tours": Setting("step of each group's guided first drive"),
+    "pinel_elsewhere": Setting("versions of other PCs about which a group was told"),
+}
+_MAX_BYTES = 2 * len(SETTINGS) * MAX_TEXT
+
+
+class Settings:
+    """Values by the names of `SETTINGS`, read when they are first needed.
+
+    They hold until the app ends where the file cannot be written; of a file that anybody may have edited, what is no
+    setting is passed over.
+
+    Args:
+        file: None keeps them in memory only.
+    """
+
+    def __init__(self, file: Path | None = None) -> None:
+        self._file = file
+        self._chosen: dict[str, str] | None = None
+        self._lock = threading.Lock()
+
+    @classmethod
+    def beside(cls, database: Path) -> "Settings":
+        """Those of the file beside a database."""
+        return cls(database.with_name(f"{database.name}.page.json"))
+
+    def __getitem__(self, name: str) -> str:
+        return self.chosen.get(name, SETTINGS[name].default)
+
+    @property
+    def chosen(self) -> Mapping[str, str]:
+        """Those that somebody chose."""
+        with self._lock:
+            return MappingProxyType(self._read())
+
+    @property
+    def language(self) -> str:
+        """Of page and messages."""
+        return self[LANGUAGE] or language_of_system()
+
+    def of_page(self) -> dict[str, str]:
+        """Those that the page reads, all of them."""
+        return {name: self[name] for name, setting in SETTINGS.items() if setting.of_page}
+
+    def choose(self, name: str, value: str) -> None:
+        """Keeps a value that the setting may have; "" forgets what was chosen."""
+        with self._lock:
+            chosen = {key: old for key, old in self._read().items() if key != name}
+            if value:
+                chosen[name] = value
+            self._chosen = chosen
+            self._write(chosen)
+
+    def take_from_database(self, get: Callable[[str], object]) -> None:
+        """Takes over what releases before 0.3 had in the database, where nothing was chosen since."""
+        for name, setting in SETTINGS.items():
+            if setting.in_database is None or name in self.chosen:
+                continue
+            value = get(setting.in_database)
+            if isinstance(value, str) and setting.allows(value):
+                self.choose(name, value)
+
+    def _read(self) -> dict[str, str]:
+        if self._chosen is None:
+            self._chosen = _read(self._file) if self._file else {}
+        return self._chosen
+
+    def _write(self, values: dict[str, str]) -> None:
+        if self._file is None:
+            return
+        new = self._file.with_name(f"{self._file.name}.new")
+        with contextlib.suppress(OSError):
+            new.write_text(json.dumps(values), "utf-8")
+            os.replace(new, self._file)
+
+
+def _read(file: Path) -> dict[str, str]:
+    try:
+        if file.stat().st_size > _MAX_BYTES:
+            return {}
+        found = json.loads(read_regular(file))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    pairs = found.items() if isinstance(found, dict) else ()
+    return {
+        name: value
+        for name, value in pairs
+        if name in SETTINGS and value and SETTINGS[name].allows(value)
+    }

@@ -1,0 +1,94 @@
+import { computed, type ReadonlySignal, type Signal, signal } from "@preact/signals";
+import { put } from "../api/client";
+import type { PageSettings } from "../api/model";
+
+/** Names and values as the server declares them. */
+type Values = Required<PageSettings>;
+export type SettingName = keyof Values;
+
+/**
+ * Settings of this PC. The server keeps them and writes them into the page, because the page's port may change at every
+ * start, and cookies end with the window.
+ */
+const served: Partial<Values> = JSON.parse(document.documentElement.dataset.settings ?? "{}");
+const chosen = new Map<SettingName, Signal<string>>();
+let sending: Promise<unknown> = Promise.resolve();
+
+/** A setting; reading `.value` in a component subscribes it. */
+export function setting<Name extends SettingName>(name: Name): ReadonlySignal<Values[Name]> {
+  return signalOf(name) as Signal<string> as Signal<Values[Name]>;
+}
+
+function signalOf(name: SettingName): Signal<string> {
+  const found = chosen.get(name) ?? signal<string>(served[name] ?? "");
+  chosen.set(name, found);
+  return found;
+}
+
+// A page that is reloaded at once may be served before the server has read what was chosen last: the choice is sent again.
+const UNSENT = "pinel_unsent_";
+for (const [key, value] of Object.entries(sessionStorage)) {
+  if (key.startsWith(UNSENT)) void send(key.slice(UNSENT.length) as SettingName, value);
+}
+
+/** Keeps a choice on this PC; resolves once the server has it. Where it cannot keep it, it holds until the window closes. */
+export async function choose<Name extends SettingName>(
+  name: Name,
+  value: Values[Name],
+): Promise<void> {
+  if (signalOf(name).peek() !== value) await send(name, value);
+}
+
+function send(name: SettingName, value: string): Promise<void> {
+  const now = signalOf(name);
+  now.value = value;
+  sessionStorage.setItem(UNSENT + name, value);
+  // in sequence: of two concurrent requests the server would keep the one that arrives last
+  const sent = sending
+    .then(() => put("/api/settings/page", { body: { name, value }, keepalive: true }))
+    .then(() => {
+      // a later choice of the same setting may still be under way
+      if (now.peek() === value) sessionStorage.removeItem(UNSENT + name);
+    })
+    .catch(() => {});
+  sending = sent;
+  return sent;
+}
+
+const MAX_KEPT = 40;
+
+type Entry = readonly [key: string, word: string];
+
+/** A word that this PC keeps for each of its groups or programs, the newest first: "KEY_WORD_KEY_WORD". */
+export class KeptById {
+  private readonly entries: ReadonlySignal<readonly Entry[]>;
+
+  constructor(private readonly name: TextSetting) {
+    const kept = setting(name);
+    this.entries = computed(() => entriesOf(kept.value));
+  }
+
+  of(id: string): string | null {
+    return this.entries.value.find(([key]) => key === keyOf(id))?.[1] ?? null;
+  }
+
+  /** Keeps a word; null forgets it. */
+  keep(id: string, word: string | null): void {
+    const others = this.entries.peek().filter(([key]) => key !== keyOf(id));
+    const mine: readonly Entry[] = word === null ? [] : [[keyOf(id), word]];
+    void choose(this.name, [...mine, ...others].slice(0, MAX_KEPT).flat().join("_"));
+  }
+}
+
+/** Settings that may be any text. */
+type TextSetting = {
+  [Name in SettingName]: string extends Values[Name] ? Name : never;
+}[SettingName];
+
+function entriesOf(text: string): readonly Entry[] {
+  const parts = text.split("_");
+  return parts.flatMap((key, at) => (at % 2 || !key ? [] : [[key, parts[at + 1] ?? ""] as const]));
+}
+
+/** The random end of an id. */
+const keyOf = (id: string) => id.slice(-12);
