@@ -280,7 +280,7 @@ def test_what_is_wrong_leaves_the_heading_whole(studio: Studio) -> None:
 def test_it_is_time_to_swap(studio: Studio) -> None:
     prepare(studio)
     to_part(studio, "computer")
-    studio.page.locator("[data-testid=swap-every][data-minutes='5']").click()
+    studio.page.locator("[data-setting=pinel_turns][data-value='5']").click()
     studio["sign-out"].click()
     studio.page.clock.install()
     studio.enter_group("Os Tatus")

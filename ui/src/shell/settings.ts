@@ -3,20 +3,22 @@ import { put } from "../api/client";
 import type { PageSettings } from "../api/model";
 
 /** Names and values as the server declares them. */
-type Values = Required<PageSettings>;
-export type SettingName = keyof Values;
+export type SettingValues = Required<PageSettings>;
+export type SettingName = keyof SettingValues;
 
 /**
  * Settings of this PC. The server keeps them and writes them into the page, because the page's port may change at every
  * start, and cookies end with the window.
  */
-const served: Partial<Values> = JSON.parse(document.documentElement.dataset.settings ?? "{}");
+const served: Partial<SettingValues> = JSON.parse(
+  document.documentElement.dataset.settings ?? "{}",
+);
 const chosen = new Map<SettingName, Signal<string>>();
 let sending: Promise<unknown> = Promise.resolve();
 
 /** A setting; reading `.value` in a component subscribes it. */
-export function setting<Name extends SettingName>(name: Name): ReadonlySignal<Values[Name]> {
-  return signalOf(name) as Signal<string> as Signal<Values[Name]>;
+export function setting<Name extends SettingName>(name: Name): ReadonlySignal<SettingValues[Name]> {
+  return signalOf(name) as Signal<string> as Signal<SettingValues[Name]>;
 }
 
 function signalOf(name: SettingName): Signal<string> {
@@ -34,7 +36,7 @@ for (const [key, value] of Object.entries(sessionStorage)) {
 /** Keeps a choice on this PC; resolves once the server has it. Where it cannot keep it, it holds until the window closes. */
 export async function choose<Name extends SettingName>(
   name: Name,
-  value: Values[Name],
+  value: SettingValues[Name],
 ): Promise<void> {
   if (signalOf(name).peek() !== value) await send(name, value);
 }
@@ -82,7 +84,7 @@ export class KeptById {
 
 /** Settings that may be any text. */
 type TextSetting = {
-  [Name in SettingName]: string extends Values[Name] ? Name : never;
+  [Name in SettingName]: string extends SettingValues[Name] ? Name : never;
 }[SettingName];
 
 function entriesOf(text: string): readonly Entry[] {

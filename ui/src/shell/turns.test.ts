@@ -1,9 +1,10 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { isTurnOver, restartTurn, setTurnMinutes, startTurns, turnsOfClass } from "./turns";
+import { choose } from "./settings";
+import { isTurnOver, restartTurn, startTurns, turnsOfClass } from "./turns";
 
 beforeEach(() => vi.useFakeTimers());
 afterEach(() => {
-  setTurnMinutes(0);
+  void choose("pinel_turns", "0");
   turnsOfClass.value = null;
   vi.useRealTimers();
 });
@@ -17,7 +18,7 @@ test("nobody is told to swap unless a teacher wanted it", () => {
 });
 
 test("it is time after the minutes chosen, and again after those", () => {
-  setTurnMinutes(5);
+  void choose("pinel_turns", "5");
   startTurns("a");
   wait(4.9);
   expect(isTurnOver.value).toBe(false);
@@ -30,7 +31,7 @@ test("it is time after the minutes chosen, and again after those", () => {
 });
 
 test("another group begins anew, another program of the same does not", () => {
-  setTurnMinutes(10);
+  void choose("pinel_turns", "10");
   startTurns("b");
   wait(9);
   startTurns("b");
@@ -41,7 +42,7 @@ test("another group begins anew, another program of the same does not", () => {
 });
 
 test("what is set for the class counts instead of what is set for the PC, also not to be reminded", () => {
-  setTurnMinutes(15);
+  void choose("pinel_turns", "15");
   startTurns("d");
   turnsOfClass.value = 5;
   wait(5.1);

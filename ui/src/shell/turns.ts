@@ -1,5 +1,5 @@
 import { computed, signal } from "@preact/signals";
-import { choose, setting } from "./settings";
+import { setting } from "./settings";
 
 /** Intervals in minutes after which the page proposes to swap who has the mouse; 0: never. */
 export const TURN_MINUTES = [0, 5, 10, 15] as const;
@@ -8,16 +8,12 @@ export type TurnMinutes = (typeof TURN_MINUTES)[number];
 const chosen = setting("pinel_turns");
 const MINUTE_MS = 60_000;
 
-export const turnMinutes = computed(() => Number(chosen.value) as TurnMinutes);
+const turnMinutes = computed(() => Number(chosen.value) as TurnMinutes);
 
 /** What is set for the class of the group; null where this PC decides. */
 export const turnsOfClass = signal<TurnMinutes | null>(null);
 
 const minutesNow = computed(() => turnsOfClass.value ?? turnMinutes.value);
-
-export function setTurnMinutes(minutes: TurnMinutes): void {
-  void choose("pinel_turns", `${minutes}`);
-}
 
 /** Whether it is time to swap. */
 export const isTurnOver = signal(false);

@@ -113,8 +113,12 @@ export const teacher: typeof first = {
     pinKept: "The new PIN holds from now on.",
     turns: "Swap who drives and who navigates",
     turnsHint: "A quiet line reminds the group to pass the mouse on. Never in the middle of a run.",
-    never: "Do not remind",
-    every: (minutes: number) => `Every ${minutes} minutes`,
+    turnsEvery: {
+      "0": "Do not remind",
+      "5": "Every 5 minutes",
+      "10": "Every 10 minutes",
+      "15": "Every 15 minutes",
+    },
   },
   camera: {
     title: "Try the camera",

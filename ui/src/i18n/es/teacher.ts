@@ -116,8 +116,12 @@ export const teacher: typeof first = {
     turns: "Cambiar quién conduce y quién guía",
     turnsHint:
       "Una línea discreta le recuerda al grupo pasar el mouse. Nunca en medio de un recorrido.",
-    never: "No recordar",
-    every: (minutes: number) => `Cada ${minutes} minutos`,
+    turnsEvery: {
+      "0": "No recordar",
+      "5": "Cada 5 minutos",
+      "10": "Cada 10 minutos",
+      "15": "Cada 15 minutos",
+    },
   },
   camera: {
     title: "Probar la cámara",

@@ -113,8 +113,12 @@ export const teacher = {
     pinKept: "O novo PIN vale a partir de agora.",
     turns: "Trocar quem dirige e quem navega",
     turnsHint: "Uma linha discreta lembra o grupo de passar o mouse. Nunca no meio de uma rodada.",
-    never: "Não lembrar",
-    every: (minutes: number) => `A cada ${minutes} minutos`,
+    turnsEvery: {
+      "0": "Não lembrar",
+      "5": "A cada 5 minutos",
+      "10": "A cada 10 minutos",
+      "15": "A cada 15 minutos",
+    },
   },
   camera: {
     title: "Experimentar a câmera",

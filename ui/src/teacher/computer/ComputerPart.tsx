@@ -5,14 +5,15 @@ import { useLoaded } from "../../kit/requests/useLoaded";
 import { ComputerCode } from "./ComputerCode";
 import { ComputerName } from "./ComputerName";
 import { NewPin } from "./NewPin";
-import { TurnMinutes } from "./TurnMinutes";
+import { SettingChoice } from "./SettingChoice";
 
 /** The settings of this PC: its name, the PIN, how often pupils take turns. */
 export function ComputerPart() {
+  const { computer: say } = texts.value.teacher;
   const computer = useLoaded("computer", () => classesApi.computer());
   return (
     <>
-      <h1>{texts.value.teacher.computer.title}</h1>
+      <h1>{say.title}</h1>
       <Loaded of={computer}>
         {({ name, fingerprint }) => (
           <>
@@ -22,7 +23,12 @@ export function ComputerPart() {
         )}
       </Loaded>
       <NewPin />
-      <TurnMinutes />
+      <SettingChoice
+        name="pinel_turns"
+        title={say.turns}
+        hint={say.turnsHint}
+        options={say.turnsEvery}
+      />
     </>
   );
 }

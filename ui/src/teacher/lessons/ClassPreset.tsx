@@ -70,8 +70,7 @@ interface SwapProps {
 /** The interval of the reminder to swap roles. */
 function Swap({ minutes, onChange }: SwapProps) {
   const { making, teacher } = texts.value;
-  const wordsOf = (one: TurnMinutes) =>
-    one === 0 ? teacher.computer.never : teacher.computer.every(one);
+  const wordsOf = (one: TurnMinutes) => teacher.computer.turnsEvery[one];
   return (
     <Part
       label={making.preset.swap}
