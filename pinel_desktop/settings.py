@@ -59,6 +59,7 @@ SETTINGS: Mapping[str, Setting] = {
     "pinel_levels": Setting("level of the blocks that each group chose"),
     "pinel_mission_levels": Setting("level of the blocks chosen for each mission"),
     "pinel_muted": Setting('"1" is without sound', ("0", "1")),
+    "pinel_loudness": Setting("how loud sounds are", ("quiet", "loud"), default="normal"),
     "pinel_turns": Setting(
         "minutes after which a swap is proposed", ("5", "10", "15"), default="0"
     ),

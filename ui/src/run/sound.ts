@@ -2,12 +2,13 @@ import { computed } from "@preact/signals";
 import { choose, setting } from "../shell/settings";
 
 const chosen = setting("pinel_muted");
+const loudness = setting("pinel_loudness");
 
 const FREQUENCY_HZ = 880;
 /** A rising chord, C major. */
 const CHEER_HZ = [523, 659, 784, 1047];
 const LENGTH_S = 0.16;
-const LOUDNESS = 0.12;
+const LOUDNESS = { quiet: 0.03, normal: 0.12, loud: 0.4 } as const;
 /** Duration of fade-in and fade-out, which avoid clicks. */
 const FADE_S = 0.012;
 
@@ -51,9 +52,10 @@ function play(frequencies: readonly number[]): void {
 function tone(audio: AudioContext, frequency: number, begin: number): void {
   const oscillator = new OscillatorNode(audio, { type: "triangle", frequency });
   const volume = new GainNode(audio, { gain: 0 });
+  const gain = LOUDNESS[loudness.peek() || "normal"];
   volume.gain.setValueAtTime(0, begin);
-  volume.gain.linearRampToValueAtTime(LOUDNESS, begin + FADE_S);
-  volume.gain.setValueAtTime(LOUDNESS, begin + LENGTH_S - FADE_S);
+  volume.gain.linearRampToValueAtTime(gain, begin + FADE_S);
+  volume.gain.setValueAtTime(gain, begin + LENGTH_S - FADE_S);
   volume.gain.linearRampToValueAtTime(0, begin + LENGTH_S);
   oscillator.connect(volume).connect(audio.destination);
   oscillator.start(begin);

@@ -119,6 +119,10 @@ export const teacher: typeof first = {
       "10": "Every 10 minutes",
       "15": "Every 15 minutes",
     },
+    loudness: "Volume of the sounds",
+    loudnessHint:
+      "Holds for the beeps of programs and the sound of a mission that is solved. Each group can still turn the sound off.",
+    loudnessOf: { quiet: "Low", normal: "Medium", loud: "High" },
   },
   camera: {
     title: "Try the camera",

@@ -122,6 +122,10 @@ export const teacher: typeof first = {
       "10": "Cada 10 minutos",
       "15": "Cada 15 minutos",
     },
+    loudness: "Volumen de los sonidos",
+    loudnessHint:
+      "Vale para los pitidos de los programas y el sonido de una misión cumplida. Cada grupo todavía puede apagar el sonido.",
+    loudnessOf: { quiet: "Bajo", normal: "Medio", loud: "Alto" },
   },
   camera: {
     title: "Probar la cámara",

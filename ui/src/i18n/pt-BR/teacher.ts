@@ -119,6 +119,10 @@ export const teacher = {
       "10": "A cada 10 minutos",
       "15": "A cada 15 minutos",
     },
+    loudness: "Volume dos sons",
+    loudnessHint:
+      "Vale para os bipes dos programas e para o som de uma missão cumprida. Cada grupo ainda pode desligar o som.",
+    loudnessOf: { quiet: "Baixo", normal: "Médio", loud: "Alto" },
   },
   camera: {
     title: "Experimentar a câmera",

@@ -29,6 +29,12 @@ export function ComputerPart() {
         hint={say.turnsHint}
         options={say.turnsEvery}
       />
+      <SettingChoice
+        name="pinel_loudness"
+        title={say.loudness}
+        hint={say.loudnessHint}
+        options={say.loudnessOf}
+      />
     </>
   );
 }
