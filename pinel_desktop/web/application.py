@@ -11,6 +11,7 @@ from typing import Any
 
 from flask import Flask, Response, current_app, request
 from flask.json.provider import DefaultJSONProvider
+from werkzeug.wsgi import get_path_info
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web import errors
@@ -35,7 +36,10 @@ class Application:
         self._loading = threading.Lock()
 
     def __call__(self, environ: dict[str, Any], start_response: Any) -> Iterable[bytes]:
-        is_first = self._first.url_map.bind_to_environ(environ).test()
+        # the guard judges the Host of a request; here any will do
+        routes = self._first.url_map.bind("127.0.0.1")
+        path = get_path_info(environ)
+        is_first = routes.test(path, environ["REQUEST_METHOD"])
         app = self._first if is_first else self.load()
         return app(environ, start_response)
 

@@ -25,6 +25,7 @@ def at(app: App, template: str) -> str:
         ({"Host": "127.0.0.1"}, 421, "host_wrong"),
         ({"Host": "127.0.0.1:1"}, 421, "host_wrong"),
         ({"Host": "evil.example:{port}"}, 421, "host_wrong"),
+        ({"Host": "evil..example"}, 421, "host_wrong"),  # no name of DNS
         ({"Origin": "http://evil.example"}, 403, "origin_wrong"),
         ({"Origin": "http://localhost:{port}"}, 403, "origin_wrong"),
         ({"Origin": "https://127.0.0.1:{port}"}, 403, "origin_wrong"),
