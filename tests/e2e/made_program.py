@@ -1,34 +1,25 @@
 """A group whose program was made by requests, for tests of what comes after building."""
 
-from typing import Any
-
 from tests.e2e.past_lesson import Step, document_of, workspace_of
 from tests.e2e.studio import Studio
 
 
-def enter_made_group(
-    studio: Studio, *steps: Step, speed: float = 1.0, name: str = "Os Tatus"
-) -> list[str]:
-    """Opens a new group's program of these steps; returns the ids of its blocks.
+def enter_made_group(studio: Studio, *versions: list[Step], speed: float = 1.0) -> None:
+    """Opens the program of a new group, in the last of these versions.
 
     Args:
+        versions: the steps of each, the oldest first.
         speed: how many times faster than the clock it runs, as chosen beside Run.
-        name: begins the group's name, which is unique.
     """
-    group = studio.tell("POST", "/groups", {"name": studio.unique(name)})["id"]
+    group = studio.tell("POST", "/groups", {"name": studio.unique("Os Tatus")})["id"]
     program = studio.tell("POST", f"/groups/{group}/programs", {"name": "Programa 1"})["id"]
-    save_steps(studio, program, *steps, speed=speed)
+    for steps in versions:
+        version = {
+            "workspace": workspace_of(steps),
+            "document": document_of(steps),
+            "setup": {"world": "empty_room", "speed": speed},
+        }
+        studio.tell("POST", f"/programs/{program}/versions", version)
     studio.page.goto(f"{studio.origin}/#/program/{program}")
     studio.wait_until_open()
     studio["level"].select_option("3")
-    return [command["block"] for command in studio.commands()]
-
-
-def save_steps(studio: Studio, program: str, *steps: Step, speed: float = 1.0) -> None:
-    """Saves the steps as the program's newest version."""
-    version: dict[str, Any] = {
-        "workspace": workspace_of(list(steps)),
-        "document": document_of(list(steps)),
-        "setup": {"world": "empty_room", "speed": speed},
-    }
-    studio.tell("POST", f"/programs/{program}/versions", version)

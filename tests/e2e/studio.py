@@ -139,6 +139,12 @@ class Studio:
         send = self.page.context.request.fetch
         return self._answer(path, send(f"{self.origin}/api{path}", method=method, data=data))
 
+    def open_teacher_part(self, pin: str) -> None:
+        """Signs in as the teacher by a request, which sets the PIN where there is none yet."""
+        has_pin = self.api("/teacher")["has_pin"]
+        method, path = ("POST", "/teacher/enter") if has_pin else ("PUT", "/teacher/pin")
+        self.tell(method, path, {"pin": pin})
+
     @property
     def origin(self) -> str:
         return self.page.url.split("#")[0].rstrip("/")

@@ -55,9 +55,7 @@ def open_lesson(studio: Studio, title: str, activity: str = "") -> None:
 
 def open_class(studio: Studio, part: str = "classes", *, named: str = "9º A") -> str:
     """The teacher's part at a class of this test, which is the one that is shown; returns its name."""
-    has_pin = studio.api("/teacher")["has_pin"]
-    method, path = ("POST", "/teacher/enter") if has_pin else ("PUT", "/teacher/pin")
-    studio.tell(method, path, {"pin": PIN})
+    studio.open_teacher_part(PIN)
     name = studio.unique(named)
     made = studio.tell("POST", "/classrooms", {"name": name})
     studio.tell("PUT", "/settings/page", {"name": "pinel_class", "value": made["id"]})

@@ -24,7 +24,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 def drive(studio: Studio) -> None:
     """A run of two blocks that ends."""
-    enter_made_group(studio, ("move_forward", 0.5), ("turn", 90), speed=10)
+    enter_made_group(studio, [("move_forward", 0.5), ("turn", 90)], speed=10)
     studio.run()
     studio.wait_for_phase("finished")
     group = studio.api(f"/programs/{studio.program_id}")["group_id"]
@@ -130,7 +130,7 @@ def test_run_leaves_the_moment_and_the_strip_waits_for_the_end(studio: Studio) -
 def test_a_failed_run_shows_where_it_failed_and_its_replay_is_one_press_away(
     studio: Studio,
 ) -> None:
-    enter_made_group(studio, ("move_forward", 9), speed=10)
+    enter_made_group(studio, [("move_forward", 9)], speed=10)
     studio.run()
     studio.wait_for_phase("failed")
     press(studio["past-run-slider"], 0.5)
