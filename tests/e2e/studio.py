@@ -239,8 +239,8 @@ def _begins_run(answer: Response) -> bool:
 
 def _ten_times_faster(route: Route) -> None:
     asked = route.request
-    begins = asked.method == "POST"
-    route.continue_(post_data={**asked.post_data_json, "speed": 10} if begins else None)
+    begun: dict[str, Any] = asked.post_data_json or {}
+    route.continue_(post_data={**begun, "speed": 10} if asked.method == "POST" else None)
 
 
 def _inner(commands: list[dict[str, Any]], key: str) -> list[Any]:

@@ -14,7 +14,7 @@ from storage import open_store
 from tests.camera.taught_hands import packed, shown, write_strange_hand
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
-from tests.e2e.conftest import SCREEN, OpenStudio
+from tests.e2e.conftest import OpenStudio
 from tests.e2e.delays import slower
 from tests.e2e.python_pane import write_program
 from tests.e2e.studio import RUN_MS, Studio
@@ -98,7 +98,7 @@ def test_without_a_camera_the_buttons_answer_and_nothing_is_cut_off(studio: Stud
 
 def expect_names_and_contrast(studio: Studio, shown: str) -> None:
     """In every language on a usual screen; colours are the same in all of them."""
-    studio.page.set_viewport_size(SCREEN)
+    studio.page.set_viewport_size({"width": 1366, "height": 768})
     for language in LANGUAGES:
         studio.choose_language(language)
         found = violations(studio, shown, every_theme=language == LANGUAGES[0])

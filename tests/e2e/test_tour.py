@@ -13,6 +13,7 @@ from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_keyboard import Keys
 from tests.e2e.test_layout import cut
+from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -106,7 +107,9 @@ STEPS = ("hello", "move", "run", "watch", "turn", "again", "end")
 
 
 @pytest.mark.parametrize("last", STEPS)
-def test_it_can_be_left_at_every_step_and_does_not_come_back(studio: Studio, last: str) -> None:
+def test_it_can_be_left_at_every_step_and_does_not_come_back(
+    studio: Studio, watch: Watch, last: str
+) -> None:
     name = begin(studio)
     n_done = STEPS.index(last)
     if last != "watch":
@@ -115,10 +118,12 @@ def test_it_can_be_left_at_every_step_and_does_not_come_back(studio: Studio, las
         if step != "watch":  # goes by with the run
             do_step(studio, step)
     expect_step(studio, last)
+    watch.settle(studio.page)  # what is kept of a step may arrive after what is kept of the next
     studio["tour-free" if last == "end" else "tour-skip"].click()
     expect(studio["tour"]).to_have_count(0)
     built = ["move_forward", "turn"][: (n_done > 1) + (n_done > 4)]
     studio.eventually(studio.actions, built)
+    watch.settle(studio.page)  # the PC has been told that the tour was left
     studio.page.reload()
     studio.wait_until_open()
     studio["home"].click()
@@ -129,15 +134,17 @@ def test_it_can_be_left_at_every_step_and_does_not_come_back(studio: Studio, las
     expect(studio["tour"]).to_have_count(0)
 
 
-def test_a_page_that_is_loaded_again_in_the_middle_goes_on(studio: Studio) -> None:
+def test_a_page_that_is_loaded_again_in_the_middle_goes_on(studio: Studio, watch: Watch) -> None:
     begin(studio)
     for step, reached in itertools.pairwise(STEPS):
+        watch.settle(studio.page)
         do_step(studio, step)
         expect_step(studio, reached)
         if reached == "watch":
             studio.hurry()
             continue  # its run may be over before the page is there
         studio.wait_until_saved()
+        watch.settle(studio.page)
         studio.page.reload()
         studio.wait_until_open()
     expect_step(studio, "end")
