@@ -324,7 +324,9 @@ def test_runs_are_chosen_by_how_they_ended(studio: Studio) -> None:
 
 
 def test_a_group_reads_what_its_teacher_wrote(studio: Studio, open_studio: OpenStudio) -> None:
-    name = enter_made(studio, 1, speed=10)
+    name = enter(studio)
+    build(studio)
+    studio.hurry()
     studio.run()
     studio.wait_for_phase("finished")
     [run] = studio.api(f"/groups/{group_of(studio)}/runs")["runs"]
