@@ -105,10 +105,13 @@ def open_studio(
     if contexts and {"lasting_app", "school"} & set(request.fixturenames):  # the next test uses it
         for page in itertools.chain.from_iterable(context.pages for context in contexts):
             watch.settle(page)
-        settings = f"{app.origin}api/settings"
-        assert contexts[0].request.put(settings, data={"language": "pt-BR"}).ok
+        settings, newest = (
+            f"{app.origin}api/settings",
+            contexts[-1],
+        )  # a restart signs out the others
+        assert newest.request.put(settings, data={"language": "pt-BR"}).ok
         for name in KEPT_BY_PAGE:
-            assert contexts[0].request.put(f"{settings}/page", data={"name": name, "value": ""}).ok
+            assert newest.request.put(f"{settings}/page", data={"name": name, "value": ""}).ok
     for number, context in enumerate(contexts):
         _keep_picture(context, f"{request.node.name}-{number}", request)
         context.close()

@@ -80,6 +80,4 @@ class Teacher:
 def sign_in(studio: Studio) -> None:
     """Sets the PIN, or enters it if there is one."""
     expect(studio["group-card"].first).to_be_visible()
-    has_pin = studio.api("/teacher")["has_pin"]
-    method, place = ("POST", "/teacher/enter") if has_pin else ("PUT", "/teacher/pin")
-    studio.tell(method, place, {"pin": PIN})
+    studio.open_teacher_part(PIN)

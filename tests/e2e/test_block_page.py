@@ -108,8 +108,7 @@ def conversation(*, flags: bool) -> list[list[Any]]:
     ]
 
 
-@pytest.mark.parametrize("robot", ["sim", "bridge"])
-@pytest.mark.parametrize("origin", ["http", "file"])
+@pytest.mark.parametrize(("origin", "robot"), [("http", "bridge"), ("file", "sim")])
 def test_a_page_of_this_pc_plays_a_program_with_a_gesture(
     browser: Chromium, origins: dict[str, str], tmp_path: Path, origin: str, robot: str
 ) -> None:

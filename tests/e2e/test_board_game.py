@@ -3,6 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
+from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_examples import open_example
@@ -13,8 +14,13 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(300)]
 GAME_MS = 20_000
 
 
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
 def open_game(studio: Studio, name: str = "board_game") -> None:
-    studio.enter_group("Os Tatus")
+    studio.enter_new_group()
     open_example(studio, name)
     expect(studio["world"]).to_have_value("tic_tac_toe")
     studio["speed"].select_option("10")

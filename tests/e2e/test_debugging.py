@@ -17,17 +17,10 @@ def app(lasting_app: AppProcess) -> AppProcess:
     return lasting_app
 
 
-def add_two_moves(studio: Studio, back: str = "0,2") -> tuple[Locator, Locator]:
+def put_two_moves(studio: Studio, back_m: float = 0.2) -> None:
     """Forward a little, then backward."""
-    blocks = studio.blocks
-    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    forward = blocks.by_words("andar para frente")
-    blocks.type_into(forward, "0,2")
-    blocks.drag_from_toolbox("motion", "andar para trás", blocks.below(forward))
-    backward = blocks.by_words("andar para trás")
-    blocks.type_into(backward, back)
-    studio.eventually(lambda: studio.values("distance"), [0.2, float(back.replace(",", "."))])
-    return blocks.by_words("andar para frente"), backward
+    write_program(studio, f"robot.move_forward(0.2)\nrobot.move_backward({back_m})\n")
+    studio.eventually(lambda: studio.values("distance"), [0.2, back_m])
 
 
 def expect_paused_before(studio: Studio, block: str) -> None:
@@ -42,7 +35,7 @@ def dots(studio: Studio) -> Locator:
 
 def test_a_run_is_steered_by_keys(studio: Studio) -> None:
     studio.enter_new_group()
-    add_two_moves(studio, back="3")
+    put_two_moves(studio, 3)
     forward, backward = (command["block"] for command in studio.commands())
     press = studio.page.keyboard.press
     press("F7")
@@ -57,7 +50,7 @@ def test_a_run_is_steered_by_keys(studio: Studio) -> None:
 
 def test_a_program_is_run_block_by_block(studio: Studio) -> None:
     studio.enter_new_group()
-    add_two_moves(studio)
+    put_two_moves(studio)
     studio["step"].click()
     studio.wait_for_phase("paused")
     expect(studio["run"]).to_have_attribute("data-does", "resume")
@@ -73,8 +66,8 @@ def test_a_program_is_run_block_by_block(studio: Studio) -> None:
 
 def test_the_run_pauses_at_a_breakpoint(studio: Studio) -> None:
     studio.enter_new_group()
-    _, backward = add_two_moves(studio)
-    backward.click(button="right")
+    put_two_moves(studio)
+    studio.blocks.by_words("andar para trás").click(button="right")
     expect(studio.page.locator(".blocklyContextMenu")).to_contain_text("F9")
     studio.page.get_by_text("Pausar aqui", exact=True).click()
     expect(dots(studio)).to_have_count(1)

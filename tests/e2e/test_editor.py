@@ -7,6 +7,7 @@ from tests.e2e.app_process import AppProcess
 from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.finger import Finger
+from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
@@ -22,6 +23,13 @@ def app(lasting_app: AppProcess) -> AppProcess:
 @pytest.fixture
 def one_move(studio: Studio) -> Studio:
     """A program of one block."""
+    enter_made_group(studio, [("move_forward", 1)])
+    return studio
+
+
+@pytest.fixture
+def dragged_move(studio: Studio) -> Studio:
+    """A program of one block that was dragged into it."""
     studio.enter_new_group()
     blocks = studio.blocks
     expect(studio.page.locator(HINT)).to_be_visible()
@@ -34,48 +42,38 @@ def expect_distances(studio: Studio, *metres: float) -> None:
     studio.eventually(lambda: studio.values("distance"), list(metres))
 
 
-def test_the_hint_goes_with_the_first_block(one_move: Studio) -> None:
-    expect(one_move.page.locator(HINT)).to_have_count(0)
-    expect_distances(one_move, 1)
+def test_the_hint_goes_with_the_first_block(dragged_move: Studio) -> None:
+    expect(dragged_move.page.locator(HINT)).to_have_count(0)
+    expect_distances(dragged_move, 1)
 
 
-@pytest.mark.parametrize(
-    ("typed", "kept", "shown"), [("0,5", 0.5, "0,5"), ("2.25", 2.25, "2,25"), ("7", 7, "7")]
-)
-def test_half_a_metre_is_typed_as_pupils_write_it(
-    one_move: Studio, typed: str, kept: float, shown: str
-) -> None:
+def test_half_a_metre_is_typed_as_pupils_write_it(one_move: Studio) -> None:
+    move = one_move.blocks.by_words("andar para frente")
+    for typed, kept, shown in (("0,5", 0.5, "0,5"), ("2.25", 2.25, "2,25"), ("7", 7, "7")):
+        one_move.blocks.type_into(move, typed)
+        expect_distances(one_move, kept)
+        expect(move).to_contain_text(shown)
+
+
+def test_a_field_says_beside_it_why_it_refuses_a_number(one_move: Studio) -> None:
     blocks = one_move.blocks
-    blocks.type_into(blocks.by_words("andar para frente"), typed)
-    expect_distances(one_move, kept)
-    expect(blocks.by_words("andar para frente")).to_contain_text(shown)
-
-
-@pytest.mark.parametrize(
-    ("typed", "kept", "said"),
-    [
+    move, note = blocks.by_words("andar para frente"), one_move["field-note"]
+    for typed, kept, said in (
+        ("abc", 1, "“abc” não é um número. Ficou 1."),
         ("99999", 100, "“99999” não vale aqui: só de 0 a 100. Ficou 100."),
         ("-1", 0, "“-1” não vale aqui: só de 0 a 100. Ficou 0."),
-        ("abc", 1, "“abc” não é um número. Ficou 1."),
         ("  ", 0, "Falta um número. Ficou 0."),
-    ],
-)
-def test_a_field_says_beside_it_why_it_refuses_a_number(
-    one_move: Studio, typed: str, kept: float, said: str
-) -> None:
-    blocks = one_move.blocks
-    move = blocks.by_words("andar para frente")
-    blocks.type_into(move, typed)
-    note = one_move["field-note"]
-    expect(note).to_have_text(said)
-    expect(one_move.page.locator("#blocklyAriaAnnounce")).to_contain_text(said)
-    field, box = box_of(move.locator(".blocklyInputField")), box_of(note)
-    assert 0 < box["y"] - (field["y"] + field["height"]) < 20
-    expect_distances(one_move, kept)
+    ):
+        blocks.type_into(move, typed)
+        expect(note).to_have_text(said)
+        expect(one_move.page.locator("#blocklyAriaAnnounce")).to_contain_text(said)
+        field, box = box_of(move.locator(".blocklyInputField")), box_of(note)
+        assert 0 < box["y"] - (field["y"] + field["height"]) < 20, said
+        expect_distances(one_move, kept)
 
-    blocks.type_into(move, "2")
-    expect(note).to_have_count(0)
-    expect_distances(one_move, 2)
+        blocks.type_into(move, "2")
+        expect(note, said).to_have_count(0)
+        expect_distances(one_move, 2)
 
 
 def test_a_note_at_a_field_goes_by_itself(one_move: Studio) -> None:
@@ -106,17 +104,17 @@ def test_a_loose_block_is_dimmed_and_does_not_run(one_move: Studio) -> None:
     one_move.eventually(one_move.actions, ["move_forward", "stop"])
 
 
-def test_undo_and_redo(one_move: Studio) -> None:
-    blocks = one_move.blocks
+def test_undo_and_redo(dragged_move: Studio) -> None:
+    blocks = dragged_move.blocks
     blocks.type_into(blocks.by_words("andar para frente"), "3")
-    one_move["undo"].click()
-    expect_distances(one_move, 1)
-    one_move["redo"].click()
-    expect_distances(one_move, 3)
-    one_move["undo"].click()
-    one_move["undo"].click()
+    dragged_move["undo"].click()
+    expect_distances(dragged_move, 1)
+    dragged_move["redo"].click()
+    expect_distances(dragged_move, 3)
+    dragged_move["undo"].click()
+    dragged_move["undo"].click()
     expect(blocks.all()).to_have_count(1)
-    expect_distances(one_move)
+    expect_distances(dragged_move)
 
 
 def test_a_copy_has_an_id_of_its_own(one_move: Studio) -> None:

@@ -2,13 +2,19 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Route, expect
+from playwright.sync_api import Route, expect
 
-from tests.e2e.app_process import AppProcess
+from pinel_desktop.app import App
 from tests.e2e.axe import violations
-from tests.e2e.studio import PATIENCE_MS, Studio
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.made_program import enter_made_group
+from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
+from tests.web.browser import Browser
+from tests.web.fake_engine import FakeEngine
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -23,16 +29,32 @@ def stick(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def other_pc(tmp_path_factory: pytest.TempPathFactory, browser: Browser) -> Iterator[Studio]:
-    """The teacher's PC, with an empty file of its own."""
-    app = AppProcess(tmp_path_factory.mktemp("other"))
-    context = browser.new_context(locale="pt-BR", reduced_motion="reduce")
-    context.set_default_timeout(PATIENCE_MS)
-    studio = Studio(context.new_page())
-    studio.page.goto(app.start())
-    yield studio
-    context.close()
-    app.stop()
+def far_pc(tmp_path: Path) -> Iterator[Browser]:
+    """The teacher at another PC, who asks for everything by requests: its page is not looked at."""
+    with App(tmp_path / "far" / "pinel.db", make_engine=FakeEngine) as app:
+        pc = Browser.signed_in(app.address)
+        pc.put("/api/teacher/pin", {"pin": PIN})
+        yield pc
+
+
+def make_group(pc: Browser | Studio, name: str = "Os Tatus", classroom: str | None = None) -> str:
+    """A group with its first program."""
+    group: str = ask(pc, "POST", "/groups", {"name": name, "classroom_id": classroom})["id"]
+    ask(pc, "POST", f"/groups/{group}/programs", {"name": "Programa 1"})
+    return group
+
+
+def ask(pc: Browser | Studio, method: str, path: str, body: Any = None) -> Any:
+    if isinstance(pc, Studio):
+        return pc.tell(method, path, body)
+    answer = pc.send(method, f"/api{path}", body)
+    assert answer.status < 300, answer.text
+    return answer.data
+
+
+def save_bundle(pc: Browser | Studio, folder: Path) -> str:
+    """Saves what the PC has, as the button does; returns the file."""
+    return str(ask(pc, "POST", "/bundles", {"folder": str(folder)})["path"])
 
 
 def at_the_files(studio: Studio, folder: Path) -> None:
@@ -44,35 +66,30 @@ def at_the_files(studio: Studio, folder: Path) -> None:
     expect(studio["shared-folder"]).to_have_value(str(folder))
 
 
-def test_the_work_of_one_pc_comes_to_another(studio: Studio, other_pc: Studio, stick: Path) -> None:
-    studio.enter_group("Os Tatus")
-    at_the_files(studio, stick)
-    studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Salvo em")).to_contain_text("1 grupo e 0 rodadas")
-    assert len(list(stick.glob("*.pinel"))) == 1
-
+def test_the_work_of_one_pc_comes_to_another(studio: Studio, far_pc: Browser, stick: Path) -> None:
+    make_group(far_pc)
+    save_bundle(far_pc, stick)
     (stick / "estragado.pinel").write_bytes(b"SQLite format 3\0 but not for long")
-    at_the_files(other_pc, stick)
-    other_pc["merge-files"].click()
-    results = other_pc["merge-results"].get_by_role("listitem")
+    at_the_files(studio, stick)
+    studio["merge-files"].click()
+    results = studio["merge-results"].get_by_role("listitem")
     expect(results).to_have_count(2)
     expect(results.filter(has_text="1 grupo, 1 programa")).to_have_count(1)
     expect(results.filter(has_text="estragado.pinel")).to_have_class(
         "exchange__result exchange__result--problem"
     )
-    other_pc["merge-files"].click()
+    studio["merge-files"].click()
     expect(results.filter(has_text="nada novo")).to_have_count(1)
-    expect(other_pc.page.get_by_role("table")).to_be_visible()
-    assert violations(other_pc, "merge-results") == []
-    other_pc["home"].click()
-    expect(other_pc["group-card"].filter(has_text="Os Tatus")).to_be_visible()
+    expect(studio.page.get_by_role("table")).to_be_visible()
+    assert violations(studio, "merge-results") == []
+    studio["home"].click()
+    expect(studio["group-card"].filter(has_text="Os Tatus")).to_be_visible()
 
 
 def test_a_group_is_deleted_for_good(studio: Studio, stick: Path) -> None:
-    studio.enter_group("Os Tatus")
+    make_group(studio)
     at_the_files(studio, stick)
-    studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Salvo em")).to_be_visible()
+    save_bundle(studio, stick)
     studio.page.goto(f"{studio.origin}/#/teacher/classes")
     studio["deletion-open"].click()
     studio["deletion-what"].select_option(label="O grupo Os Tatus")
@@ -90,11 +107,10 @@ def test_a_group_is_deleted_for_good(studio: Studio, stick: Path) -> None:
 
 
 def test_a_group_goes_on_with_its_program_at_another_pc(
-    studio: Studio, other_pc: Studio, tmp_path: Path
+    studio: Studio, open_pc: OpenStudio, watch: Watch, tmp_path: Path
 ) -> None:
-    studio.enter_group("Os Tatus")
-    studio.build_square("0,5")
-    studio.wait_until_saved()
+    watch.expect("422 (UNPROCESSABLE ENTITY)")  # of the file that is none
+    enter_made_group(studio, [("move_forward", 0.5)])
     studio["open-work"].click()
     with studio.page.expect_download() as taken:
         studio["program-file"].click()
@@ -102,6 +118,7 @@ def test_a_group_goes_on_with_its_program_at_another_pc(
     taken.value.save_as(file)
     assert file.suffix == ".pinel"
 
+    other_pc = open_pc()
     other_pc["bring-program"].set_input_files(file)
     other_pc.wait_until_open()
     expect(other_pc.blocks.by_words("andar para frente")).to_contain_text("0,5")
@@ -115,127 +132,97 @@ def test_a_group_goes_on_with_its_program_at_another_pc(
 
 
 def test_the_class_of_a_brought_group_is_the_one_at_the_start(
-    studio: Studio, other_pc: Studio, tmp_path: Path
+    studio: Studio, far_pc: Browser, tmp_path: Path
 ) -> None:
-    for pc, name in ((studio, "7º B"), (other_pc, "9º A")):
-        pc.tell("PUT", "/teacher/pin", {"pin": PIN})
-        classroom = pc.tell("POST", "/classrooms", {"name": name})["id"]
-        pc.tell("POST", "/groups", {"name": f"Do {name}", "classroom_id": classroom})
-        pc.page.reload()
-    studio["group-card"].click()
-    studio.wait_until_open()
-    studio["open-work"].click()
-    with studio.page.expect_download() as taken:
-        studio["program-file"].click()
+    studio.tell("PUT", "/teacher/pin", {"pin": PIN})
+    for pc, name in ((far_pc, "7º B"), (studio, "9º A")):
+        make_group(pc, f"Do {name}", ask(pc, "POST", "/classrooms", {"name": name})["id"])
+    studio.page.reload()
+    [group] = ask(far_pc, "GET", "/groups")["groups"]
+    [program] = ask(far_pc, "GET", f"/groups/{group['id']}/programs")["programs"]
     file = tmp_path / "Programa.pinel"
-    taken.value.save_as(file)
+    file.write_bytes(far_pc.get(f"/api/programs/{program['id']}/file").body)
 
-    expect(other_pc["class-chip"]).to_have_text(["9º A"])
-    other_pc["bring-program"].set_input_files(file)
-    other_pc.wait_until_open()
-    other_pc["home"].click()
-    expect(other_pc["group-card"]).to_contain_text("Do 7º B")
-    other_pc["class-chip"].filter(has_text="9º A").click()
-    expect(other_pc["group-card"]).to_contain_text("Do 9º A")
+    expect(studio["class-chip"]).to_have_text(["9º A"])
+    studio["bring-program"].set_input_files(file)
+    studio.wait_until_open()
+    studio["home"].click()
+    expect(studio["group-card"]).to_contain_text("Do 7º B")
+    studio["class-chip"].filter(has_text="9º A").click()
+    expect(studio["group-card"]).to_contain_text("Do 9º A")
 
 
 def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
-    studio: Studio, other_pc: Studio, stick: Path
+    studio: Studio, far_pc: Browser, stick: Path
 ) -> None:
-    studio.enter_group("Os Tatus")
+    group = make_group(far_pc)
+    old = save_bundle(far_pc, stick)
+    ask(far_pc, "DELETE", f"/groups/{group}")
+    save_bundle(far_pc, stick)
     at_the_files(studio, stick)
-    studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Salvo em")).to_be_visible()
-    at_the_files(other_pc, stick)
-    other_pc["merge-files"].click()
-    expect(other_pc["merge-results"]).to_contain_text("1 grupo")
+    ask(studio, "POST", "/bundles/merge", {"paths": [old]})
 
-    [group] = studio.api("/groups")["groups"]
-    studio.tell("DELETE", f"/groups/{group['id']}")
-    studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Salvo em")).to_contain_text("0 grupos")
-
-    expect(other_pc["found-file"]).to_have_count(2)
-    other_pc["merge-files"].click()
-    expect(other_pc["would-delete"]).to_contain_text(
+    expect(studio["found-file"]).to_have_count(2)
+    studio["merge-files"].click()
+    expect(studio["would-delete"]).to_contain_text(
         "Os Tatus, Programa 1 (aqui ainda há 1 grupo, 1 programa)"
     )
-    assert violations(other_pc, "would-delete") == []
-    assert len(other_pc.api("/groups")["groups"]) == 1
-    other_pc.page.reload()  # nobody has decided
-    expect(other_pc["undecided"]).to_contain_text("o que aqui ainda há: 1 grupo, 1 programa")
-    assert violations(other_pc, "undecided") == []
-    other_pc["undecided"].get_by_role("button").click()
-    expect(other_pc["would-delete"]).to_contain_text("Os Tatus, Programa 1")
-    expect(other_pc["undecided"]).to_have_count(0)
-    other_pc["merge-files"].click()
-    other_pc["delete-too"].click()
-    expect(other_pc["would-delete"]).to_have_count(0)
-    expect(other_pc["merge-results"]).to_contain_text("Apagado: 1 grupo, 1 programa.")
-    expect(other_pc["merge-results"].locator("p").first).to_be_focused()
-    expect(other_pc["merge-results"]).to_contain_text("Não volta, porque foi apagado para sempre")
-    assert other_pc.api("/groups") == {"groups": []}
-
-
-def test_a_group_that_was_moved_is_named_and_stays_everywhere(
-    studio: Studio, other_pc: Studio, stick: Path
-) -> None:
-    at_the_files(studio, stick)
-    old = studio.tell("POST", "/classrooms", {"name": "8º B"})["id"]
-    moved, _ = (
-        studio.tell("POST", "/groups", {"name": name, "classroom_id": old})["id"]
-        for name in ("Os Tatus", "As Araras")
-    )
-    studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Salvo em")).to_contain_text("2 grupos")
-    at_the_files(other_pc, stick)
-    other_pc["merge-files"].click()
-    expect(other_pc["merge-results"]).to_contain_text("2 grupos")
-
-    studio.tell("DELETE", f"/classrooms/{old}")
-    studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Salvo em")).to_contain_text("0 grupos")
-    new = other_pc.tell("POST", "/classrooms", {"name": "9º B"})["id"]
-    other_pc.tell("PATCH", f"/groups/{moved}", {"classroom_id": new})
-    other_pc.tell("POST", f"/groups/{moved}/programs", {"name": "Volta"})
-
-    expect(other_pc["found-file"]).to_have_count(2)
-    other_pc["merge-files"].click()
-    tatus = other_pc["can-keep"].filter(has_text="Os Tatus")
-    expect(tatus).to_contain_text("Está agora na turma 9º B. Mais novo aqui: 1 programa")
-    expect(tatus.get_by_role("checkbox")).to_be_checked()
-    araras = other_pc["can-keep"].filter(has_text="As Araras").get_by_role("checkbox")
-    expect(araras).not_to_be_checked()
-    assert violations(other_pc, "can-keep") == []
-    other_pc["delete-too"].click()
-    expect(other_pc["merge-results"]).to_contain_text("Mantido em todos os computadores: Os Tatus")
-    assert [one["id"] for one in other_pc.api("/groups")["groups"]] == [moved]
-    other_pc["save-bundle"].click()
-    expect(studio["found-file"]).to_have_count(3)
+    assert violations(studio, "would-delete") == []
+    assert len(studio.api("/groups")["groups"]) == 1
+    studio.page.reload()  # nobody has decided
+    expect(studio["undecided"]).to_contain_text("o que aqui ainda há: 1 grupo, 1 programa")
+    assert violations(studio, "undecided") == []
+    studio["undecided"].get_by_role("button").click()
+    expect(studio["would-delete"]).to_contain_text("Os Tatus, Programa 1")
+    expect(studio["undecided"]).to_have_count(0)
     studio["merge-files"].click()
-    expect(studio["merge-results"]).to_contain_text("1 grupo, 1 programa")
-    assert [one["id"] for one in studio.api("/groups")["groups"]] == [moved]
-
-
-def test_an_old_file_does_not_say_that_what_was_deleted_is_here(
-    studio: Studio, stick: Path
-) -> None:
-    studio.enter_group("Os Tatus")
-    at_the_files(studio, stick)
-    studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Salvo em")).to_be_visible()
-    [group] = studio.api("/groups")["groups"]
-    studio.tell("DELETE", f"/groups/{group['id']}")
-    for _ in range(2):
-        studio["merge-files"].click()
-        expect(studio["merge-results"]).to_contain_text(
-            "nada novo. Não volta, porque foi apagado para sempre: 1 grupo, 1 programa"
-        )
+    studio["delete-too"].click()
+    expect(studio["would-delete"]).to_have_count(0)
+    expect(studio["merge-results"]).to_contain_text("Apagado: 1 grupo, 1 programa.")
+    expect(studio["merge-results"].locator("p").first).to_be_focused()
+    expect(studio["merge-results"]).to_contain_text("Não volta, porque foi apagado para sempre")
+    assert studio.api("/groups") == {"groups": []}
+    studio["merge-files"].click()
+    expect(studio["merge-results"]).to_contain_text(
+        "nada novo. Não volta, porque foi apagado para sempre: 1 grupo, 1 programa"
+    )
     assert studio.api("/groups") == {"groups": []}
 
 
+def test_a_group_that_was_moved_is_named_and_stays_everywhere(
+    studio: Studio, far_pc: Browser, stick: Path
+) -> None:
+    old = ask(far_pc, "POST", "/classrooms", {"name": "8º B"})["id"]
+    moved, _ = (
+        ask(far_pc, "POST", "/groups", {"name": name, "classroom_id": old})["id"]
+        for name in ("Os Tatus", "As Araras")
+    )
+    at_the_files(studio, stick)
+    ask(studio, "POST", "/bundles/merge", {"paths": [save_bundle(far_pc, stick)]})
+    ask(far_pc, "DELETE", f"/classrooms/{old}")
+    save_bundle(far_pc, stick)
+    new = studio.tell("POST", "/classrooms", {"name": "9º B"})["id"]
+    studio.tell("PATCH", f"/groups/{moved}", {"classroom_id": new})
+    studio.tell("POST", f"/groups/{moved}/programs", {"name": "Volta"})
+
+    expect(studio["found-file"]).to_have_count(2)
+    studio["merge-files"].click()
+    tatus = studio["can-keep"].filter(has_text="Os Tatus")
+    expect(tatus).to_contain_text("Está agora na turma 9º B. Mais novo aqui: 1 programa")
+    expect(tatus.get_by_role("checkbox")).to_be_checked()
+    araras = studio["can-keep"].filter(has_text="As Araras").get_by_role("checkbox")
+    expect(araras).not_to_be_checked()
+    assert violations(studio, "can-keep") == []
+    studio["delete-too"].click()
+    expect(studio["merge-results"]).to_contain_text("Mantido em todos os computadores: Os Tatus")
+    assert [one["id"] for one in studio.api("/groups")["groups"]] == [moved]
+    ask(far_pc, "POST", "/bundles/merge", {"paths": [save_bundle(studio, stick)]})
+    [back] = ask(far_pc, "GET", "/groups")["groups"]
+    assert (back["id"], back["n_programs"]) == (moved, 1)
+
+
 def test_a_file_without_names_is_merged_only_when_it_is_ticked(studio: Studio, stick: Path) -> None:
-    studio.enter_group("Os Tatus")
+    make_group(studio)
     at_the_files(studio, stick)
     studio.page.get_by_label("Sem nomes nem textos").check()
     studio["save-bundle"].click()
@@ -259,9 +246,9 @@ def test_a_file_without_names_is_merged_only_when_it_is_ticked(studio: Studio, s
 
 
 def test_what_lies_in_the_bin_is_counted_with_the_group(studio: Studio, stick: Path) -> None:
-    studio.enter_group("Os Tatus")
-    studio.tell("DELETE", f"/programs/{studio.program_id}")
-    studio["home"].click()
+    [program] = studio.api(f"/groups/{make_group(studio)}/programs")["programs"]
+    studio.tell("DELETE", f"/programs/{program['id']}")
+    studio.page.reload()
     expect(studio["group-card"]).to_contain_text("1 programa na lixeira · 0 rodadas")
     at_the_files(studio, stick)
     studio.page.goto(f"{studio.origin}/#/teacher/classes")
@@ -272,29 +259,29 @@ def test_what_lies_in_the_bin_is_counted_with_the_group(studio: Studio, stick: P
     expect(doomed).to_contain_text("1 programa (1 na lixeira) e 0 rodadas")
 
 
-def test_classes_of_one_name_are_told_apart(studio: Studio, other_pc: Studio, stick: Path) -> None:
-    for pc, name in ((studio, "PC 1"), (other_pc, "PC 2")):
-        at_the_files(pc, stick)
-        pc.tell("PATCH", "/computer", {"name": name})
-        classroom = pc.tell("POST", "/classrooms", {"name": "7º B"})["id"]
-        pc.tell("POST", f"/classrooms/{classroom}/lessons", {"title": f"Aula no {name}"})
-    studio["save-bundle"].click()
-    other_pc["merge-files"].click()
-    expect(other_pc["merge-results"]).to_be_visible()
+def test_classes_of_one_name_are_told_apart(studio: Studio, far_pc: Browser, stick: Path) -> None:
+    studio.tell("PUT", "/teacher/pin", {"pin": PIN})
+    for pc, name in ((far_pc, "PC 1"), (studio, "PC 2")):
+        ask(pc, "PATCH", "/computer", {"name": name})
+        classroom = ask(pc, "POST", "/classrooms", {"name": "7º B"})["id"]
+        ask(pc, "POST", f"/classrooms/{classroom}/lessons", {"title": f"Aula no {name}"})
+    ask(studio, "POST", "/bundles/merge", {"paths": [save_bundle(far_pc, stick)]})
+    studio.page.reload()
     for place in ("/#/", "/#/teacher/lessons", "/#/teacher/classes"):
-        other_pc.page.goto(other_pc.origin + place)
-        expect(other_pc["class-chip"]).to_have_text(["7º B · PC 1", "7º B · PC 2"])
+        studio.page.goto(studio.origin + place)
+        expect(studio["class-chip"]).to_have_text(["7º B · PC 1", "7º B · PC 2"])
 
 
 def test_answers_about_one_folder_do_not_stand_under_another(
     studio: Studio, stick: Path, tmp_path: Path
 ) -> None:
-    studio.enter_group("Os Tatus")
+    make_group(studio)
     (stick / "estragado.pinel").write_bytes(b"SQLite format 3\0 but not for long")
     at_the_files(studio, stick)
     studio["save-bundle"].click()
     saved = studio.page.get_by_text("Salvo em")
-    expect(saved).to_be_visible()
+    expect(saved).to_contain_text("1 grupo e 0 rodadas")
+    assert len(list(stick.glob("*.pinel"))) == 2
     expect(saved).not_to_contain_text("pendrive")
     studio["merge-files"].click()
     refused = studio["merge-results"].get_by_role("listitem").filter(has_text="estragado.pinel")
@@ -320,10 +307,9 @@ def test_answers_about_one_folder_do_not_stand_under_another(
 def test_a_merging_that_goes_on_while_somebody_looks_again_shows_nothing_later(
     studio: Studio, stick: Path
 ) -> None:
-    studio.enter_group("Os Tatus")
+    make_group(studio)
     at_the_files(studio, stick)
-    studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Salvo em")).to_be_visible()
+    save_bundle(studio, stick)
     held: list[Route] = []
 
     def hold(route: Route) -> None:
@@ -341,7 +327,7 @@ def test_a_merging_that_goes_on_while_somebody_looks_again_shows_nothing_later(
 def test_a_school_folder_that_does_not_answer_stays_in_its_field_and_is_named(
     studio: Studio, stick: Path
 ) -> None:
-    studio.enter_group("Os Tatus")
+    make_group(studio)
     at_the_files(studio, stick)
     away = stick.rename(stick.with_name("fora"))
     studio.page.reload()

@@ -59,6 +59,7 @@ def test_a_square_from_an_empty_program(studio: Studio) -> None:
     studio.enter_group("Os Tatus", level=None)
     expect(studio["tour"]).to_have_count(0)
     studio.page.evaluate(_COUNT_ACTIONS)
+    studio.hurry()
     begin = time.monotonic()
     studio.blocks.category("flow").click()
     studio.blocks.click_in_flyout("repetir")
@@ -89,6 +90,7 @@ def test_a_square_with_dragged_blocks_and_a_typed_length(studio: Studio) -> None
     move = blocks.by_words("andar para frente")
     blocks.drag_from_toolbox("motion", "girar", blocks.below(move))
     blocks.type_into(blocks.by_words("andar para frente"), "0,5")
+    studio.hurry()
     studio.run()
     studio.wait_for_phase("finished")
     for axis in ("pose-x", "pose-y"):

@@ -48,6 +48,7 @@ def test_an_empty_loop_and_a_robot_at_rest_are_no_success(group: Studio) -> None
 
     group.blocks.click_in_toolbox("motion", "girar")
     expect_words(group, "calm", "Apertem Rodar")
+    group.hurry()
     group.run()
     group.wait_for_phase("finished")
     expect_words(group, "done", "Programa terminou")
@@ -104,6 +105,7 @@ def test_the_block_that_failed_is_shown_until_the_program_is_mended(group: Studi
     expect(group.blocks.faulty()).to_have_count(0)
     expect_words(group, "calm", "Apertem Rodar")
 
+    group.hurry()
     group.run()
     group.wait_for_phase("finished")
     expect(group.page.locator(".blocklyBubbleCanvas > *")).to_have_count(0)
@@ -111,6 +113,7 @@ def test_the_block_that_failed_is_shown_until_the_program_is_mended(group: Studi
 
 def test_the_robot_says_numbers_as_the_language_does(group: Studio) -> None:
     write_program(group, 'robot.turn(10)\nrobot.say(10 / 3)\nrobot.say(join("d: ", 0.5))\n')
+    group.hurry()
     group.run()
     group.wait_for_phase("finished")
     expect(group["talk"]).to_contain_text("3,33")

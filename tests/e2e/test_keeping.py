@@ -5,17 +5,24 @@ from playwright.sync_api import expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
+from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
 
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
 def test_an_edit_survives_a_cut_of_power(
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
     watch.expect("Failed to load resource")  # the open page asks for a server that is gone
-    studio.enter_group("Os Tatus")
+    name = studio.unique("Os Tatus")
+    studio.enter_group(name)
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
     blocks.type_into(blocks.by_words("andar para frente"), "0,7")
@@ -28,7 +35,7 @@ def test_an_edit_survives_a_cut_of_power(
 
     app.start()
     later = open_studio()
-    later["group-card"].filter(has_text="Os Tatus").click()
+    later["group-card"].filter(has=later.page.get_by_text(name, exact=True)).click()
     later.wait_until_open()
     assert later.commands() == [move]
     assert move["distance"] == 0.7
@@ -38,7 +45,7 @@ def test_an_edit_survives_a_cut_of_power(
 
 def test_the_page_lets_less_than_a_second_pass_before_an_edit_is_on_disk(studio: Studio) -> None:
     """By the page's own clock, which a busy PC does not slow down."""
-    studio.enter_group("Os Tatus")
+    studio.enter_new_group()
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
     studio.eventually(studio.actions, ["move_forward"])
@@ -56,10 +63,8 @@ def test_the_page_lets_less_than_a_second_pass_before_an_edit_is_on_disk(studio:
 
 
 def test_what_was_typed_last_is_kept_by_who_leaves_at_once(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
+    enter_made_group(studio, [("move_forward", 1)])
     blocks = studio.blocks
-    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    studio.eventually(studio.actions, ["move_forward"])
     program = f"/programs/{studio.program_id}"
 
     blocks.by_words("andar para frente").locator(".blocklyInputField").click()
@@ -74,11 +79,7 @@ def test_what_was_typed_last_is_kept_by_who_leaves_at_once(studio: Studio) -> No
 
 def two_windows(studio: Studio, open_studio: OpenStudio) -> Studio:
     """The program that is open, in a second window too."""
-    studio.enter_group("Os Tatus")
-    blocks = studio.blocks
-    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    studio.eventually(studio.actions, ["move_forward"])
-    studio.wait_until_saved()
+    enter_made_group(studio, [("move_forward", 1)])
     other = open_studio()
     other.page.goto(studio.page.url)
     other.wait_until_open()
@@ -141,7 +142,7 @@ def test_a_program_that_is_thrown_away_in_another_window_says_so_and_can_be_take
 
 def test_a_save_tells_that_the_program_is_in_the_bin(studio: Studio, watch: Watch) -> None:
     watch.expect("Failed to load resource")  # the line over which the window would hear of it
-    studio.enter_group("Os Tatus")
+    studio.enter_new_group()
     studio.page.route("**/api/stream", lambda route: route.abort())
     studio.page.reload()
     studio.wait_until_open()
@@ -152,7 +153,7 @@ def test_a_save_tells_that_the_program_is_in_the_bin(studio: Studio, watch: Watc
 
 
 def test_looking_around_makes_no_new_version(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
+    studio.enter_new_group()
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
     studio.eventually(studio.actions, ["move_forward"])

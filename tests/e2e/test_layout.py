@@ -1,5 +1,6 @@
 """Nothing is cut off on the screens that schools have."""
 
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import pytest
@@ -7,7 +8,6 @@ from playwright.sync_api import Locator, expect
 
 from pinel_desktop.messages import LANGUAGES
 from tests.e2e.app_process import AppProcess
-from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
@@ -65,58 +65,65 @@ def cut(studio: Studio, shows: str | Locator) -> list[Any]:
     return list(studio.page.evaluate(_CUT))
 
 
-@pytest.mark.parametrize("size", SCREENS, ids=lambda size: f"{size[0]}x{size[1]}")
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_no_words_are_cut(open_studio: OpenStudio, size: tuple[int, int], language: str) -> None:
-    studio: Studio = open_studio(viewport={"width": size[0], "height": size[1]})
-    studio.choose_language(language)
-    assert cut(studio, "group-name") == [], "start"
+Look = tuple[str, tuple[int, int]]
+
+
+def looks(
+    studio: Studio, languages: Sequence[str], sizes: Sequence[tuple[int, int]]
+) -> Iterator[Look]:
+    """Every language in every window size, one after the other."""
+    for language in languages:
+        studio.choose_language(language)
+        for width, height in sizes:
+            studio.page.set_viewport_size({"width": width, "height": height})
+            yield language, (width, height)
+
+
+def test_no_words_are_cut(studio: Studio) -> None:
+    expect_uncut(studio, "group-name", "start")
     studio.enter_new_group("Os Engenheiros")
-    assert cut(studio, "run") == [], "studio"
-    assert studio.page.evaluate(_SMALL) == []
+    expect_uncut(studio, "run", "studio", is_large=True)
     studio["ir-toggle"].click()
-    assert cut(studio, "text-tab") == [], "what the robot gets"
+    expect_uncut(studio, "text-tab", "what the robot gets")
     studio["plots-toggle"].click()
     studio["scene-tools"].click()
-    assert cut(studio, "plots") == [], "plots and tools"
-    assert studio.page.evaluate(_SMALL) == []
+    expect_uncut(studio, "plots", "plots and tools", is_large=True)
     studio["scene-tools"].click()
     studio["open-work"].click()
     studio["program-card"].first.wait_for()
-    assert cut(studio, "program-card") == [], "our work"
+    expect_uncut(studio, "program-card", "our work")
 
 
-@pytest.mark.parametrize("size", SCREENS[:2], ids=lambda size: f"{size[0]}x{size[1]}")
-@pytest.mark.parametrize("language", ["pt-BR", "es"])
-def test_the_lesson_gives_way_to_the_group_and_its_program(
-    open_studio: OpenStudio, watch: Watch, size: tuple[int, int], language: str
-) -> None:
+def expect_uncut(studio: Studio, shows: str, screen: str, *, is_large: bool = False) -> None:
+    """In every language and window size; large: every button is large enough, too."""
+    for look in looks(studio, LANGUAGES, SCREENS):
+        assert cut(studio, shows) == [], (screen, look)
+        if is_large:
+            assert studio.page.evaluate(_SMALL) == [], (screen, look)
+
+
+def test_the_lesson_gives_way_to_the_group_and_its_program(studio: Studio, watch: Watch) -> None:
     watch.expect("net::ERR_FAILED")
-    studio = open_studio(viewport={"width": size[0], "height": size[1]})
     studio.enter_new_group("Os Tatus")
     _begin_lesson(studio, "Quadrados e desvios no pátio da escola")
     studio.page.reload()
     studio.wait_until_open()
     expect(studio["lesson-chip"]).to_be_visible()
-    studio.choose_language(language)
-    assert _cut_names(studio) == []
-    _expect_ways_out(studio)
-    studio.choose_language("pt-BR")
+    for look in looks(studio, ("es", "pt-BR"), SCREENS[:2]):
+        assert _cut_names(studio) == [], look
+        _expect_ways_out(studio, look)
     studio.page.route("**/api/programs/*/versions", lambda route: route.abort())
     start = studio.blocks.start()
     studio.blocks.drag_from_toolbox("motion", "andar para frente", studio.blocks.below(start))
-    studio.choose_language(language)
     expect(studio["saved-mark"]).to_have_attribute("data-state", "failed")
-    assert _cut_names(studio) == []
-    assert cut(studio, "editor") == []
-    _expect_ways_out(studio)
+    for look in looks(studio, ("pt-BR", "es"), SCREENS[:2]):
+        expect(studio["saved-mark"]).to_have_attribute("data-state", "failed")
+        assert _cut_names(studio) == [], look
+        assert cut(studio, "editor") == [], look
+        _expect_ways_out(studio, look)
 
 
-@pytest.mark.parametrize("size", SCREENS[:2], ids=lambda size: f"{size[0]}x{size[1]}")
-def test_long_names_give_way_to_every_button_of_the_header(
-    open_studio: OpenStudio, size: tuple[int, int]
-) -> None:
-    studio = open_studio(viewport={"width": size[0], "height": size[1]})
+def test_long_names_give_way_to_every_button_of_the_header(studio: Studio) -> None:
     studio.enter_new_group("Os Engenheiros da Escola Municipal")
     _begin_lesson(studio, "Quadrados e desvios no pátio da escola")
     name = "Quadrado grande com a caneta vermelha e giros"
@@ -127,42 +134,34 @@ def test_long_names_give_way_to_every_button_of_the_header(
     start = studio.blocks.start()
     studio.blocks.drag_from_toolbox("gestures", "ler gesto", studio.blocks.below(start))
     expect(studio["practice"]).to_be_visible()
-    _expect_ways_out(studio)
-    assert [one for one in cut(studio, "editor") if "program-name" not in one] == []
+    for look in looks(studio, ("pt-BR",), SCREENS[:2]):
+        _expect_ways_out(studio, look)
+        assert [one for one in cut(studio, "editor") if "program-name" not in one] == [], look
     studio.page.set_viewport_size({"width": 1920, "height": 768})
     expect(studio["open-work"]).to_contain_text("Nossos trabalhos")
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_in_low_windows_a_click_reaches_the_control_that_it_is_meant_for(
-    open_studio: OpenStudio, language: str
-) -> None:
-    studio = open_studio(viewport={"width": 1366, "height": 768})
+def test_in_low_windows_a_click_reaches_the_control_that_it_is_meant_for(studio: Studio) -> None:
     studio.enter_new_group("Os Engenheiros")
-    studio.choose_language(language)
-    covered: dict[tuple[int, bool], list[str]] = {}
-    for width in range(800, 1400, 50):
-        studio.page.set_viewport_size({"width": width, "height": 600})
-        for more in (False, True):
-            expect(studio["measure-tool"]).to_have_count(2 if more else 0)
+    covered: dict[tuple[Look, bool], list[str]] = {}
+    for more in (False, True):
+        expect(studio["measure-tool"]).to_have_count(2 if more else 0)
+        for look in looks(studio, LANGUAGES, [(width, 600) for width in range(800, 1400, 50)]):
             studio.wait_for_screen("measure-tool" if more else "editor")
             if found := studio.page.evaluate(_COVERED):
-                covered[width, more] = found
-            studio["scene-tools"].click()
+                covered[look, more] = found
+        studio["scene-tools"].click()
     assert covered == {}
 
 
-def _expect_ways_out(studio: Studio) -> None:
+def _expect_ways_out(studio: Studio, look: Look) -> None:
     for way in ("open-activities", "open-work", "help", "theme", "language"):
-        expect(studio[way]).to_be_in_viewport(ratio=1)
+        expect(studio[way], f"{way}, {look}").to_be_in_viewport(ratio=1)
 
 
 def _begin_lesson(studio: Studio, title: str) -> None:
     """For the group that is in."""
-    door = (
-        ("POST", "/teacher/enter") if studio.api("/teacher")["has_pin"] else ("PUT", "/teacher/pin")
-    )
-    studio.tell(*door, {"pin": "314159"})
+    studio.open_teacher_part("314159")
     group = studio.api("/groups")["groups"][0]
     classroom = studio.tell("POST", "/classrooms", {"name": f"Turma de {group['name']}"})["id"]
     studio.tell("PATCH", f"/groups/{group['id']}", {"classroom_id": classroom})

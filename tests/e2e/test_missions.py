@@ -41,6 +41,7 @@ def test_the_group_stands_in_the_world_of_the_lesson(
     expect(pupils["world-locked"]).to_contain_text("Labirinto")
     expect(pupils["world"]).to_have_count(0)
     put_move(pupils, "1")
+    pupils.hurry()
     pupils.run()
     pupils.wait_for_phase("finished")
     group = pupils.api("/groups")["groups"][0]["id"]

@@ -8,10 +8,9 @@ from playwright.sync_api import Locator, expect
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.blocks import box_of
-from tests.e2e.conftest import OpenStudio
+from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
 from tests.e2e.test_layout import cut
-from tests.e2e.test_running import add_move
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -25,11 +24,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 def drive(studio: Studio) -> None:
     """A run of two blocks that ends."""
-    studio.enter_new_group()
-    add_move(studio, "0,5")
-    blocks = studio.blocks
-    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_words("andar para frente")))
-    studio.eventually(studio.actions, ["move_forward", "turn"])
+    enter_made_group(studio, [("move_forward", 0.5), ("turn", 90)], speed=10)
     studio.run()
     studio.wait_for_phase("finished")
     group = studio.api(f"/programs/{studio.program_id}")["group_id"]
@@ -116,6 +111,7 @@ def test_a_block_that_is_gone_is_lit_nowhere_and_the_moment_is_shown_all_the_sam
 
 def test_run_leaves_the_moment_and_the_strip_waits_for_the_end(studio: Studio) -> None:
     drive(studio)
+    studio["speed"].select_option("1")
     press(studio["past-run-slider"], 0.3)
     expect(studio.blocks.running()).to_have_count(1)
     floor = box_of(studio["scene"])
@@ -134,8 +130,7 @@ def test_run_leaves_the_moment_and_the_strip_waits_for_the_end(studio: Studio) -
 def test_a_failed_run_shows_where_it_failed_and_its_replay_is_one_press_away(
     studio: Studio,
 ) -> None:
-    studio.enter_new_group()
-    add_move(studio, "9")
+    enter_made_group(studio, [("move_forward", 9)], speed=10)
     studio.run()
     studio.wait_for_phase("failed")
     press(studio["past-run-slider"], 0.5)
@@ -155,11 +150,7 @@ def test_a_press_on_a_plot_shows_its_moment(studio: Studio) -> None:
     studio.eventually(lambda: studio.number("pose-x") < 0.4, True)
 
 
-@pytest.mark.parametrize("size", _SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
-def test_it_fits_below_floor_plots_and_text_and_axe_has_no_complaint(
-    open_studio: OpenStudio, size: tuple[int, int]
-) -> None:
-    studio = open_studio(viewport={"width": size[0], "height": size[1]})
+def test_it_fits_below_floor_plots_and_text_and_axe_has_no_complaint(studio: Studio) -> None:
     drive(studio)
     press(studio["past-run-slider"], 0.3)
     for opener, shown in (
@@ -169,9 +160,12 @@ def test_it_fits_below_floor_plots_and_text_and_axe_has_no_complaint(
     ):
         if opener:
             studio[opener].click()
-        studio.wait_for_screen(shown)
-        strip, floor = (box_of(studio[name]) for name in ("past-run", "scene"))
-        assert strip["y"] + strip["height"] <= size[1] - 60
-        assert floor["height"] > 100
-        assert [one for one in cut(studio, shown) if "program-name" not in one] == []
-        assert violations(studio, shown) == []
+        for width, height in _SIZES:
+            look = f"{shown}, {width} x {height}"
+            studio.page.set_viewport_size({"width": width, "height": height})
+            studio.wait_for_screen(shown)
+            strip, floor = (box_of(studio[name]) for name in ("past-run", "scene"))
+            assert strip["y"] + strip["height"] <= height - 60, look
+            assert floor["height"] > 100, look
+            assert [one for one in cut(studio, shown) if "program-name" not in one] == [], look
+            assert violations(studio, shown, every_theme=width == _SIZES[0][0]) == [], look

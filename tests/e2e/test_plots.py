@@ -11,8 +11,8 @@ from playwright.sync_api import expect
 from tests.e2e.app_process import AppProcess
 from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
+from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
-from tests.e2e.test_running import add_move
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
@@ -32,15 +32,13 @@ def show(studio: Studio, figure: str) -> None:
 
 def drive(studio: Studio) -> None:
     """A group's half metre, to its end."""
-    studio.enter_new_group()
-    add_move(studio, "0,5")
+    enter_made_group(studio, [("move_forward", 0.5)], speed=10)
     studio.run()
     studio.wait_for_phase("finished")
 
 
 def test_plots_grow_while_the_robot_drives(studio: Studio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "2")
+    enter_made_group(studio, [("move_forward", 2)])
     studio["plots-toggle"].click()
     expect(studio["plots"]).to_contain_text("Rodar")
     studio.run()

@@ -5,6 +5,7 @@ from playwright.sync_api import expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
+from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import RUN_MS, Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
@@ -29,8 +30,7 @@ def add_move(studio: Studio, metres: str) -> None:
 
 
 def test_stop_stops_where_the_robot_is(studio: Studio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "3")
+    enter_made_group(studio, [("move_forward", 3)])
     studio.run()
     studio.page.wait_for_function(
         "() => Number(document.querySelector('[data-testid=pose-x]').dataset.value) > 0.1",
@@ -52,8 +52,7 @@ def test_stop_stops_where_the_robot_is(studio: Studio) -> None:
 def test_stop_reaches_a_run_that_another_window_began(
     studio: Studio, open_studio: OpenStudio
 ) -> None:
-    studio.enter_new_group()
-    add_move(studio, "3")
+    enter_made_group(studio, [("move_forward", 3)])
     second = open_studio()
     second.page.goto(studio.page.url)
     second.wait_until_open()
@@ -69,11 +68,9 @@ def test_stop_reaches_a_run_that_another_window_began(
 
 
 def test_stop_reaches_the_run_of_another_program(studio: Studio, open_studio: OpenStudio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "3")
+    enter_made_group(studio, [("move_forward", 3)])
     second = open_studio()
-    second.enter_new_group()
-    add_move(second, "1")
+    enter_made_group(second, [("move_forward", 1)])
 
     studio.run()
     second.wait_for_phase("running")
@@ -87,8 +84,7 @@ def test_stop_reaches_the_run_of_another_program(studio: Studio, open_studio: Op
 
 
 def test_pause_holds_and_resume_goes_on(studio: Studio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "0,5")
+    enter_made_group(studio, [("move_forward", 0.5)])
     studio.run()
     expect(studio["run"]).to_have_attribute("data-does", "pause", timeout=RUN_MS)
     studio["run"].click()
@@ -133,8 +129,7 @@ def test_the_words_of_a_fault_stand_once_however_quickly_they_are_asked_for(stud
 
 
 def test_a_failed_run_says_why_and_leaves_the_workspace_alone(studio: Studio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "9")
+    enter_made_group(studio, [("move_forward", 9)])
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_words("andar para frente")))
     studio.eventually(studio.stacks, 2)

@@ -8,8 +8,8 @@ from playwright.sync_api import Locator, Request, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.blocks import box_of
+from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
-from tests.e2e.test_running import add_move
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
@@ -63,11 +63,11 @@ def robot_place(studio: Studio) -> tuple[float, float]:
 
 
 def test_a_start_set_by_keys_is_where_the_robot_begins(studio: Studio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "0,2")
+    enter_made_group(studio, [("move_forward", 0.2)])
     studio["scene"].focus()
     for key in ("ArrowRight", "ArrowRight", "ArrowUp", ","):
         studio.page.keyboard.press(key)
+    studio.hurry()
     studio.run()
     studio.wait_for_phase("finished")
     start = last_run(studio)["world_document"]["start"]
@@ -85,11 +85,11 @@ def test_a_start_set_by_keys_is_where_the_robot_begins(studio: Studio) -> None:
 
 
 def test_the_robot_is_dragged_to_another_start(studio: Studio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "0,2")
+    enter_made_group(studio, [("move_forward", 0.2)])
     x, y = robot_place(studio)
     drag(studio, (x, y), (x + 0.2, y + 0.1))
     expect(studio["start-again"]).to_be_enabled()
+    studio.hurry()
     studio.run()
     studio.wait_for_phase("finished")
     start = last_run(studio)["world_document"]["start"]
@@ -101,8 +101,7 @@ def test_the_robot_is_dragged_to_another_start(studio: Studio) -> None:
 
 
 def test_a_click_on_the_robot_changes_nothing(studio: Studio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "0,2")
+    enter_made_group(studio, [("move_forward", 0.2)])
     place = robot_place(studio)
     drag(studio, place, place)
     expect(studio["start-again"]).to_be_disabled()
@@ -161,8 +160,7 @@ def test_sonar_is_asked_for_and_seen(studio: Studio) -> None:
     def is_subscription(request: Request) -> bool:
         return request.url.endswith("/commands") and "subscribe" in (request.post_data or "")
 
-    studio.enter_new_group()
-    add_move(studio, "3")
+    enter_made_group(studio, [("move_forward", 3)])
     studio["scene-tools"].click()
     named(studio, "ring", "sonar").click()
     with studio.page.expect_request(is_subscription) as asked:
@@ -176,8 +174,7 @@ def test_sonar_is_asked_for_and_seen(studio: Studio) -> None:
 
 
 def test_a_run_is_as_true_to_life_as_was_chosen(studio: Studio) -> None:
-    studio.enter_new_group()
-    add_move(studio, "0,2")
+    enter_made_group(studio, [("move_forward", 0.2)])
     studio["lifelike"].select_option("wheels")
     with studio.page.expect_request(
         lambda request: request.url.endswith("/api/runs") and request.method == "POST"

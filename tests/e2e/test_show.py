@@ -170,6 +170,7 @@ def test_trails_and_marks_are_on_the_floor_live_and_replayed(studio: Studio, wat
     )
     drawn = (RED, GREEN, MARK_X, MARK_O)
     assert [pixels(studio, colour) for colour in drawn] == [0, 0, 0, 0]
+    studio.hurry()
     run_to_the_end(studio)
     studio.eventually(lambda: min(pixels(studio, colour) for colour in drawn) > 30, True)
 

@@ -3,21 +3,47 @@
 import re
 import shutil
 from contextlib import closing
-from typing import Any
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
 from storage.sqlite import sqlite3
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
+from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 MOVE = "andar para frente"
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+def enter(studio: Studio) -> str:
+    """A new group; returns its name."""
+    name = studio.unique("Os Tatus")
+    studio.enter_group(name)
+    return name
+
+
+def enter_made(studio: Studio, *metres: float, speed: float = 1.0) -> str:
+    """A new group whose one block was set to each of these distances, each time a version; returns its name."""
+    enter_made_group(studio, *[[("move_forward", one)] for one in metres], speed=speed)
+    return str(studio.api("/groups")["groups"][0]["name"])
+
+
+def card(studio: Studio, name: str) -> Locator:
+    return studio["group-card"].filter(has=studio.page.get_by_text(name, exact=True))
+
+
+def group_of(studio: Studio) -> str:
+    return str(studio.api(f"/programs/{studio.program_id}")["group_id"])
 
 
 def build(studio: Studio, *distances: str) -> None:
@@ -38,14 +64,14 @@ def test_undo_goes_on_after_the_app_was_closed(
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
     watch.expect("Failed to load resource")  # the open page asks for a server that is gone
-    studio.enter_group("Os Tatus")
+    name = enter(studio)
     build(studio, "0,7", "2")
     app.stop()
     expect(studio["gone"]).to_be_visible()
 
     app.start()
     later = open_studio()
-    later["group-card"].filter(has_text="Os Tatus").click()
+    card(later, name).click()
     later.wait_until_open()
     later["undo"].click()
     later.eventually(lambda: later.values("distance"), [0.7])
@@ -69,13 +95,13 @@ def test_undo_goes_on_after_the_app_was_closed(
 def test_what_was_undone_is_not_gone_through_again_after_a_restart(
     studio: Studio, open_studio: OpenStudio
 ) -> None:
-    studio.enter_group("Os Tatus")
+    name = enter(studio)
     build(studio, "0,7", "2")
     studio["undo"].click()
     studio.eventually(lambda: studio.values("distance"), [0.7])
 
     later = open_studio()
-    later["group-card"].filter(has_text="Os Tatus").click()
+    card(later, name).click()
     later.wait_until_open()
     later["undo"].click()
     later.eventually(lambda: later.values("distance"), [1])
@@ -94,7 +120,7 @@ def numbers(studio: Studio) -> list[str]:
 
 
 def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
+    enter(studio)
     build(studio, "0,7", "2")
     open_history(studio)
     page = studio.page
@@ -139,8 +165,7 @@ def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio
 def test_who_went_on_from_an_old_version_can_go_back_to_the_one_that_was_left(
     studio: Studio,
 ) -> None:
-    studio.enter_group("Os Tatus")
-    build(studio, "0,7", "2")
+    enter_made(studio, 1, 0.7, 2)
     open_history(studio)
     studio.page.keyboard.press("Home")
     studio.eventually(lambda: numbers(studio)[0], "1")
@@ -158,8 +183,7 @@ def test_who_went_on_from_an_old_version_can_go_back_to_the_one_that_was_left(
 
 
 def test_the_keyboard_stays_where_it_was_after_a_version_got_its_name(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
-    build(studio)
+    enter_made(studio, 1)
     open_history(studio)
     for leave in ("Enter", "Escape"):
         studio["version-rename"].press("Enter")
@@ -169,11 +193,8 @@ def test_the_keyboard_stays_where_it_was_after_a_version_got_its_name(studio: St
 
 
 def test_two_versions_are_compared_block_by_block(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
-    build(studio, "2")
-    blocks = studio.blocks
-    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_words(MOVE)))
-    studio.eventually(studio.actions, ["move_forward", "turn"])
+    one, two = [("move_forward", 1.0)], [("move_forward", 2.0), ("turn", 90.0)]
+    enter_made_group(studio, one, two)
     open_history(studio)
     page = studio.page
     page.keyboard.press("Home")
@@ -210,8 +231,7 @@ def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
     watch.expect("Failed to load resource")
-    studio.enter_group("Os Tatus")
-    build(studio, "2")
+    name = enter_made(studio, 1, 2)
     program = studio.program_id
     app.stop()
     with closing(sqlite3.connect(app.database)) as db, db:
@@ -222,11 +242,12 @@ def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
         db.execute(
             f"INSERT INTO versions (id, computer_id, {', '.join(rest)})"
             f" SELECT substr(id, 1, 24) || 'ffffffffffff', 'other', {', '.join(rest)} FROM versions"
-            " WHERE number = 2"
+            " WHERE number = 2 AND program_id = ?",
+            (program,),
         )
     app.start()
     later = open_studio()
-    later["group-card"].click()
+    card(later, name).click()
     expect(later.page.get_by_text("PC 3 também continuou este programa")).to_be_visible()
     later["elsewhere"].click()
     expect(later["difference-count"]).to_have_text("0 diferenças")
@@ -242,8 +263,7 @@ def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
 
 
 def test_a_program_goes_into_the_bin_and_comes_back(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
-    build(studio)
+    enter_made(studio, 1, speed=10)
     studio.run()
     studio.wait_for_phase("finished")
     studio["open-work"].click()
@@ -264,8 +284,8 @@ def test_a_program_goes_into_the_bin_and_comes_back(studio: Studio) -> None:
 
 
 def test_a_double_click_makes_one_program(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
-    programs = f"/groups/{studio.api('/groups')['groups'][0]['id']}/programs"
+    studio.enter_new_group()
+    programs = f"/groups/{group_of(studio)}/programs"
     studio["open-work"].click()
     studio["new-program"].dblclick()
     studio.wait_until_open()
@@ -273,19 +293,19 @@ def test_a_double_click_makes_one_program(studio: Studio) -> None:
     names = [one["name"] for one in studio.api(programs)["programs"]]
     assert names == ["Programa 2", "Programa 1"]
 
-    studio.tell("POST", "/groups", {"name": "As Emas"})
+    studio.tell("POST", "/groups", {"name": (name := studio.unique("As Emas"))})
     studio["home"].click()
-    studio["group-card"].filter(has_text="As Emas").dblclick()
+    card(studio, name).dblclick()
     studio.wait_until_open()
-    [emas] = [one for one in studio.api("/groups")["groups"] if one["name"] == "As Emas"]
+    [emas] = [one for one in studio.api("/groups")["groups"] if one["name"] == name]
     assert emas["n_programs"] == 1
 
 
 def test_runs_are_chosen_by_how_they_ended(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
-    build(studio)
+    enter_made(studio, 1, speed=10)
     studio.run()
     studio.wait_for_phase("finished")
+    studio["speed"].select_option("1")
     set_distance(studio, "50")
     studio.run()
     studio.wait_for_phase("running")
@@ -304,18 +324,16 @@ def test_runs_are_chosen_by_how_they_ended(studio: Studio) -> None:
 
 
 def test_a_group_reads_what_its_teacher_wrote(studio: Studio, open_studio: OpenStudio) -> None:
-    studio.enter_group("Os Tatus")
+    name = enter(studio)
     build(studio)
+    studio.hurry()
     studio.run()
     studio.wait_for_phase("finished")
-    group = studio.api("/groups")["groups"][0]["id"]
-    [run] = studio.api(f"/groups/{group}/runs")["runs"]
-    teacher = open_studio()
-    ask(teacher, "PUT", "/teacher/pin", {"pin": "314159"})
-    ask(teacher, "POST", f"/runs/{run['id']}/notes", {"text": "Por que 90°?"})
+    [run] = studio.api(f"/groups/{group_of(studio)}/runs")["runs"]
+    write_note(open_studio(), run["id"])
 
     studio["home"].click()
-    studio["group-card"].filter(has_text="Os Tatus").click()
+    card(studio, name).click()
     expect(studio["note-card"]).to_contain_text("Por que 90°?")
     studio["note-run"].click()
     expect(studio["replay-play"]).to_be_visible()
@@ -325,18 +343,17 @@ def test_a_group_reads_what_its_teacher_wrote(studio: Studio, open_studio: OpenS
     expect(studio["note-card"]).to_have_count(0)
 
     studio["home"].click()
-    studio["group-card"].filter(has_text="Os Tatus").click()
+    card(studio, name).click()
     studio.wait_until_open()
 
 
-def ask(studio: Studio, method: str, path: str, body: dict[str, Any]) -> None:
-    address = f"{studio.page.url.split('#')[0].rstrip('/')}/api{path}"
-    answer = studio.page.context.request.fetch(address, method=method, data=body)
-    assert answer.ok, answer.text()
+def write_note(teacher: Studio, run: str) -> None:
+    teacher.open_teacher_part("314159")
+    teacher.tell("POST", f"/runs/{run}/notes", {"text": "Por que 90°?"})
 
 
 def test_history_bin_and_letters_have_names_and_contrast(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
+    name = enter(studio)
     found: dict[str, list[str]] = {}
     open_page = studio.page.goto
     origin = studio.page.url.split("#")[0]
@@ -344,15 +361,14 @@ def test_history_bin_and_letters_have_names_and_contrast(studio: Studio) -> None
     empty = studio.page.locator(".versions__empty")
     found["no versions"] = violations(studio, empty)
     open_page(f"{origin}#/")
-    studio["group-card"].click()
+    card(studio, name).click()
     studio.wait_until_open()
     build(studio, "2")
+    studio.hurry()
     studio.run()
     studio.wait_for_phase("finished")
-    group = studio.api("/groups")["groups"][0]["id"]
-    [run] = studio.api(f"/groups/{group}/runs")["runs"]
-    ask(studio, "PUT", "/teacher/pin", {"pin": "314159"})
-    ask(studio, "POST", f"/runs/{run['id']}/notes", {"text": "Por que 90°?"})
+    [run] = studio.api(f"/groups/{group_of(studio)}/runs")["runs"]
+    write_note(studio, run["id"])
 
     open_history(studio)
     found["versions"] = violations(studio, "version-shown")
@@ -376,17 +392,17 @@ def test_where_the_disk_damaged_the_newest_version_the_last_sound_one_is_opened_
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
     watch.expect("Failed to load resource")
-    studio.enter_group("Os Tatus")
-    build(studio, "2")
+    name = enter_made(studio, 1, 2)
+    program = studio.program_id
     app.stop()
     shutil.rmtree(app.database.parent / "backups", ignore_errors=True)  # one would mend it
     with closing(sqlite3.connect(app.database)) as db, db:
         db.execute(
-            "UPDATE versions SET workspace = '{' WHERE number = (SELECT max(number) FROM versions)"
+            "UPDATE versions SET workspace = '{' WHERE number = 2 AND program_id = ?", (program,)
         )
     app.start()
     later = open_studio()
-    later["group-card"].click()
+    card(later, name).click()
     expect(later["open-sound-version"]).to_contain_text("Abrir a última versão sem defeito")
     later["open-sound-version"].click()
     later.wait_until_open()

@@ -1,0 +1,25 @@
+"""A group whose program was made by requests, for tests of what comes after building."""
+
+from tests.e2e.past_lesson import Step, document_of, workspace_of
+from tests.e2e.studio import Studio
+
+
+def enter_made_group(studio: Studio, *versions: list[Step], speed: float = 1.0) -> None:
+    """Opens the program of a new group, in the last of these versions.
+
+    Args:
+        versions: the steps of each, the oldest first.
+        speed: how many times faster than the clock it runs, as chosen beside Run.
+    """
+    group = studio.tell("POST", "/groups", {"name": studio.unique("Os Tatus")})["id"]
+    program = studio.tell("POST", f"/groups/{group}/programs", {"name": "Programa 1"})["id"]
+    for steps in versions:
+        version = {
+            "workspace": workspace_of(steps),
+            "document": document_of(steps),
+            "setup": {"world": "empty_room", "speed": speed},
+        }
+        studio.tell("POST", f"/programs/{program}/versions", version)
+    studio.page.goto(f"{studio.origin}/#/program/{program}")
+    studio.wait_until_open()
+    studio["level"].select_option("3")
