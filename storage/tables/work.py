@@ -202,6 +202,7 @@ VERSIONS = ReplicatedTable(
         ),
     ),
     figures=(figure("n_faults", "how many faults it has", "json_array_length(faults)"),),
+    # keys that files have are hashes of just these: a column that comes later cannot be one of them
     bound=(
         *("program_id", "parent_id", "lesson_id", "computer_id", "created_at"),
         *("workspace", "document", "faults", "world", "setup"),

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from storage import RunStart, Store, text
-from storage.text import continue_after, id_of, may_be_of, new_id
+from storage.tables.work import VERSIONS
+from storage.text import continue_after, dumped, id_of, may_be_of, new_id
 
 NOW = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -70,6 +71,13 @@ def test_an_id_of_content_grows_as_well_and_is_of_no_other_content() -> None:
     assert may_be_of(key, "this")
     assert not may_be_of(key, "that")
     assert may_be_of(before, "that")  # as those of earlier releases it tells nothing
+
+
+def test_the_key_of_a_version_is_of_what_it_was_in_the_files_of_schools() -> None:
+    row = {"program_id": "p", "created_at": "t", "workspace": "{}", "faults": "[]"}
+    content = dumped([row.get(name) for name in VERSIONS.bound])
+    assert content == '["p",null,null,null,"t","{}",null,"[]",null,null]'
+    assert may_be_of("01a20d29-698b-8bc5-83b0-c5b5ca476ff5", content)
 
 
 @pytest.mark.parametrize("no_id", ["", "g", "00", "ffffffff-ffff-7fff-bfff-ffffffffffff"])
