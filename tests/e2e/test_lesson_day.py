@@ -73,7 +73,8 @@ def come_together(mine: Studio, stick: Path) -> None:
     """All files of the stick come to the teacher's PC; merging them again changes nothing."""
     before = merge_all(mine, stick)
     results = mine["merge-results"].get_by_role("listitem")
-    expect(results.filter(has_text="contam depois que o PINEL as conferir")).to_have_count(2)
+    waiting = results.filter(has_text="contam depois que o PINEL as conferir")
+    expect(waiting.filter(has_text="PC 2")).to_have_count(2)  # the forged file too
     expect(mine["unconfirmed"]).to_be_visible()
     assert merge_all(mine, stick) == before
 
