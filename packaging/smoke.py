@@ -79,7 +79,6 @@ def faults_of(found: dict[str, Any]) -> list[str]:
         "judged": found.get("judged") is True,
         "signs": found.get("signs") == ["B", "A"],
         "versions.sqlite": _is_current(found.get("versions", {}).get("sqlite", "0")),
-        "store.signed": found.get("store", {}).get("signed") is True,
         "store.telemetry_sha256": bool(found.get("store", {}).get("telemetry_sha256")),
     }
     return [name for name, right in expected.items() if not right]

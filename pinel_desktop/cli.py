@@ -15,7 +15,6 @@ _COMMANDS = {
     "runs": "List, show and verify recorded runs.",
     "export": "Write all work, or a part of it, into one file.",
     "merge": "Bring in the work of other PCs.",
-    "computers": "List the PCs whose work is here, and approve one.",
     "salvage": "Bring in what is still readable of a damaged file.",
     "gestures": "Recognise letters of LIBRAS in pictures.",
     "pin": "Choose another PIN for the teacher.",

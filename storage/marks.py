@@ -1,4 +1,4 @@
-"""SQL about runs whose pass does not count: until this PC has repeated them (`storage/exchange/trust.py` marks them),
+"""SQL about runs whose pass does not count: until this PC has repeated them (`storage/exchange/marking.py` marks them),
 or as they are not as they were written (`storage/file/sums.py`)."""
 
 from typing import Literal

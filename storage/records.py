@@ -1,4 +1,4 @@
-"""Rows as the store hands them out. Times are ISO 8601 text in UTC, ids UUIDv7 text."""
+"""Rows as the store hands them out. Times are ISO 8601 text in UTC, ids UUID text."""
 
 import math
 from dataclasses import dataclass, field

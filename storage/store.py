@@ -23,7 +23,6 @@ from storage.tables.migrations import migrate
 from storage.text import new_id, utc_now
 from storage.work.class_presets import ClassPresets
 from storage.work.classrooms import Classrooms
-from storage.work.computer_keys import ComputerKeys
 from storage.work.computers import Computers
 from storage.work.groups import Groups
 from storage.work.lesson_records import LessonRecords
@@ -55,7 +54,6 @@ class Store:
         self.writable = writable
         self.notice = notice
         self.computers = Computers(database)
-        self.computer_keys = ComputerKeys(database)
         self.classrooms = Classrooms(database)
         self.class_presets = ClassPresets(database)
         self.own_activities = OwnActivities(database)

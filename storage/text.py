@@ -1,6 +1,7 @@
 """JSON, ids, times and names as the store writes them."""
 
 import contextlib
+import hashlib
 import json
 import re
 import secrets
@@ -48,15 +49,32 @@ _ids = _Ids()
 # milliseconds are left for ids that follow the last ones of such a clock
 FIRST_MADE_UP_ID = "04979793-8400"  # 2130
 _HEX = "[0-9a-f]"
-_ID_PATTERN = "-".join((8 * _HEX, 4 * _HEX, "7" + 3 * _HEX, 4 * _HEX, 12 * _HEX))
+_ID_PATTERN = "-".join((8 * _HEX, 4 * _HEX, "[78]" + 3 * _HEX, 4 * _HEX, 12 * _HEX))
 # SQL: what a PC makes or somebody makes up; with a letter that no id has it is damaged
 IS_ID = f"id GLOB '{_ID_PATTERN}'"
+_VERSION_AT = 14
 _FIRST_NOT_FOLLOWED = "03bb2cc3-d800"  # 2100
 
 
 def new_id() -> str:
     """UUIDv7 text, greater than every one before, even when the clock is set back."""
     return _ids.next()
+
+
+def id_of(content: str) -> str:
+    """UUIDv8 text of RFC 9562, greater than every one before as `new_id`: a time, then bits of the SHA-256 of what a
+    row holds that is never changed. Nobody makes another row of this id."""
+    return _bound(new_id(), content)
+
+
+def may_be_of(key: str, content: str) -> bool:
+    """Whether an id is that of this content; True for one that tells nothing of it, as those of releases before 0.3."""
+    return key[_VERSION_AT] != "8" or key == _bound(key, content)
+
+
+def _bound(key: str, content: str) -> str:
+    digest = hashlib.sha256(content.encode()).hexdigest()
+    return f"{key[:_VERSION_AT]}8{digest[:3]}-8{digest[3:6]}-{digest[6:18]}"
 
 
 def continue_after(newest: str) -> None:

@@ -18,7 +18,6 @@ from pinel_desktop.messages import describe, language_of_system
 from storage import Store, StoreError
 from storage.exchange.bundle_writing import SUFFIX, BundleInfo
 from storage.exchange.scope import Scope
-from storage.exchange.signing import fingerprint
 from storage.text import new_id
 
 
@@ -103,11 +102,7 @@ def _as_object(info: BundleInfo) -> dict[str, Any]:
 
 def _as_text(info: BundleInfo) -> str:
     language = language_of_system()
-    words = describe("exported", {"path": str(info.path), **info.counts}, language).message
-    if info.signed_by is None:
-        return words
-    code = {"fingerprint": fingerprint(info.signed_by)}
-    return f"{words}\n{describe('exported_signed', code, language).message}"
+    return describe("exported", {"path": str(info.path), **info.counts}, language).message
 
 
 def _say_left_out(info: BundleInfo) -> None:

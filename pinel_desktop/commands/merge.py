@@ -2,7 +2,7 @@
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -124,7 +124,9 @@ def _as_text(outcome: _Outcome) -> str:
     lines = [describe(code, params, language_of_system()).message]
     if report.info.anonymous and report.added.get("groups"):
         lines.append(describe("merged_nameless", params, language_of_system()).message)
-    lines += _trust(report)
+    if report.n_unconfirmed:
+        params["count"] = report.n_unconfirmed
+        lines.append(describe("merged_unconfirmed", params, language_of_system()).message)
     if report.would_delete is not None:
         lines += _would_delete(report.would_delete)
     lines += [_about("merge_kept", one) for one in report.kept]
@@ -132,21 +134,6 @@ def _as_text(outcome: _Outcome) -> str:
         kept = {"files": report.left_in}
         lines.append(describe("merge_deleted_kept", kept, language_of_system()).message)
     return "\n".join(lines)
-
-
-def _trust(report: MergeReport) -> Sequence[str]:
-    """What a person should know of who wrote the file, where nobody vouches for it."""
-    if report.sender is None or report.sender.is_vouched_for:
-        return ()
-    if report.sender.trust != "changed_key" and not report.n_unconfirmed:
-        return ()
-    params = {
-        "computer": report.info.computer_name,
-        "fingerprint": report.fingerprint,
-        "count": report.n_unconfirmed,
-    }
-    words = describe(f"merged_{report.sender.trust}", params, language_of_system())
-    return words.message, words.remedy
 
 
 def _would_delete(pending: PendingDeletion) -> list[str]:
@@ -189,8 +176,6 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
         "computer_id": report.info.computer_id,
         "computer_name": report.info.computer_name,
         "exported_at": report.info.exported_at,
-        "trust": report.sender and report.sender.trust,
-        "fingerprint": report.fingerprint,
         "n_unconfirmed": report.n_unconfirmed,
         "nothing_new": report.nothing_new,
         **_pending(report.would_delete),

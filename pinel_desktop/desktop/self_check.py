@@ -25,7 +25,7 @@ from pinel_desktop.desktop.screen import any_screen
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import Instance
 from pinel_desktop.messages import describe, language_of_system
-from storage import Store, StoreError, open_store
+from storage import StoreError, open_store
 from storage.sqlite import sqlite3
 
 Json = dict[str, Any]
@@ -85,9 +85,7 @@ def _is_well(result: Json) -> bool:
     run, store = result["run"], result["store"]
     drove = run["state"] == "finished" and run["closing_error_m"] <= LARGEST_CLOSING_ERROR_M
     kept = store["telemetry_sha256"] == run["telemetry_sha256"] and store["ticks"] > 0
-    return bool(
-        drove and kept and store["signed"] and result["judged"] and result["signs"] == SIGNS_SEEN
-    )
+    return bool(drove and kept and result["judged"] and result["signs"] == SIGNS_SEEN)
 
 
 @contextlib.contextmanager
@@ -260,23 +258,7 @@ def _read_back(path: Path, run_id: str) -> Json:
             "telemetry_sha256": run.telemetry_sha256,
             "events": len(store.runs.events(run_id)),
             "ticks": len(store.runs.telemetry(run_id).rows),
-            "signed": _is_signed(store),
         }
-
-
-def _is_signed(store: Store) -> bool:
-    """Whether this PC's files bear a signature that other PCs find sound."""
-    from storage.exchange.bundle_reading import open_bundle  # noqa: PLC0415 - not needed to start
-
-    with tempfile.TemporaryDirectory(prefix="pinel-self-check-") as folder:
-        info = store.exchange.export(
-            Path(folder) / "signed.pinel",
-            app_version=__version__,
-            computer=store.computers.this(),
-            is_noted=False,
-        )
-        with open_bundle(info.path) as bundle:
-            return bundle.info.signed_by is not None
 
 
 @contextlib.contextmanager

@@ -1,4 +1,4 @@
-"""Confirms runs that came with files for which nobody vouches: repeats each and judges it anew, while nobody drives.
+"""Confirms runs that came with files: repeats each and judges it anew, while nobody drives.
 
 A run is repeated by a process of its own at the lowest priority (`pinel runs verify`), one at a time. It is ended when
 a run begins here, and tried again later. Where the record comes out the same, the judge decides as it does for runs

@@ -15,7 +15,7 @@ _HEAD = f"""\
 # HTTP interface
 
 The interface between the page and the app: JSON under `/api`. A body has at most 4 MiB, a program's file at most
-64 MiB. Ids are UUIDv7 text. Times are ISO 8601 text in UTC, by the clock of the PC that recorded them. Paged lists have
+64 MiB. Ids are UUID text. Times are ISO 8601 text in UTC, by the clock of the PC that recorded them. Paged lists have
 `next`, the value of `before` for the next page, null at the end. Unknown keys of a body or a query are refused.
 
 This text and the page's TypeScript types are generated from the handlers and pydantic models in `pinel_desktop/web`.

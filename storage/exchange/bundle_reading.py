@@ -10,7 +10,7 @@ import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -25,7 +25,6 @@ from storage.exchange.bundle_writing import (
     counts_of,
 )
 from storage.exchange.content_hash import content_hash
-from storage.exchange.signing import signer
 from storage.file.temporary import remove_leftovers, temporary_folder
 from storage.limits import MAX_VALUE, SAMPLES_PER_HOUR
 from storage.sql import address, column_names, damage, opened
@@ -163,10 +162,6 @@ def _examined(copy: Path, path: Path, most_samples: int | None) -> BundleInfo:
             raise StoreError("bundle_damaged", path=str(path), problem="checksum")
         if problem := problem_in_rows(db):
             raise StoreError("bundle_hostile", path=str(path), problem=problem)
-        try:
-            info = replace(info, signed_by=signer(db))
-        except ValueError as error:
-            raise StoreError("bundle_damaged", path=str(path), problem=str(error)) from error
     if n_steps < len(MIGRATIONS):
         with closing(sqlite3.connect(copy, isolation_level=None)) as db:
             migrate(db)

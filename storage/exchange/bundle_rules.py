@@ -11,7 +11,7 @@ from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.tables.runs import TELEMETRY
-from storage.text import time_text, utc_now
+from storage.text import dumped, may_be_of, time_text, utc_now
 
 _SAMPLE_COLUMNS = 16
 _RELEASED = datetime(2026, 11, 23, tzinfo=UTC)  # the clock may be at 2010
@@ -65,13 +65,24 @@ def _refused_rows(
     found = tuples(db, f"SELECT {', '.join(names)} FROM {table.name}")
     for rows in some_rows(found):
         columns = zip(*rows, strict=True)
-        if all(all(map(rule, values)) for rule, values in zip(rules, columns, strict=True)):
+        is_well = all(all(map(rule, values)) for rule, values in zip(rules, columns, strict=True))
+        if is_well and not table.bound:
             continue  # as nearly always
         for row in rows:
-            for value, rule, name in zip(row, rules, names, strict=True):
-                if not rule(value):
-                    yield tuple(row[place] for place in places), f"{table.name}.{name}"
-                    break
+            wrong = (
+                name for value, rule, name in zip(row, rules, names, strict=True) if not rule(value)
+            )
+            name = next(wrong, None) or _wrong_key(table, dict(zip(names, row, strict=True)))
+            if name:
+                yield tuple(row[place] for place in places), f"{table.name}.{name}"
+
+
+def _wrong_key(table: ReplicatedTable, row: dict[str, Any]) -> str | None:
+    """`id` where that is the key of another content: somebody put this in the place of what the key is of."""
+    is_own = not table.bound or may_be_of(
+        row["id"], dumped([row.get(name) for name in table.bound])
+    )
+    return None if is_own else "id"
 
 
 def _problem_in_table(db: sqlite3.Connection, table: ReplicatedTable) -> str | None:

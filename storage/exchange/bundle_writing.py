@@ -14,7 +14,6 @@ from storage.errors import StoreError, translated
 from storage.exchange.bundle_rules import refused_rows
 from storage.exchange.content_hash import content_hash
 from storage.exchange.scope import ALL, Scope
-from storage.exchange.signing import sign
 from storage.file.connection import Database
 from storage.file.sums import KEYS, OF_RUNS, is_sound
 from storage.file.whole_files import new_whole_file
@@ -63,7 +62,6 @@ class BundleInfo:
         lesson_id: the lesson that the file prepares a PC for; None for a file of work.
         left_out: of one just written, `table.column key` of rows that other PCs would refuse.
         lacking: names of groups, and of groups with their programs, whose work is not or not wholly in it therefore.
-        signed_by: public key of the PC that signed it, in hex; None without signature.
     """
 
     path: Path
@@ -77,7 +75,6 @@ class BundleInfo:
     lesson_id: str | None = None
     left_out: tuple[str, ...] = ()
     lacking: tuple[str, ...] = ()
-    signed_by: str | None = None
 
     @property
     def left_out_params(self) -> dict[str, object]:
@@ -136,8 +133,6 @@ def export_bundle(
                 lacking,
             )
             _describe(db, info)
-            if alter is None:  # a signature would tell the PC
-                info = replace(info, signed_by=sign(db, database.path, info.computer_id))
     except sqlite3.Error as error:
         raise _not_written(translated(error, dest), dest) from error
     except OSError as error:

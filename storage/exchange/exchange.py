@@ -23,13 +23,11 @@ from storage.exchange.merging import merge
 from storage.exchange.parquet import write_parquet
 from storage.exchange.program_merging import merge_program
 from storage.exchange.scope import ALL, Scope
-from storage.exchange.signing import fingerprint, own_public_key
 from storage.file.backups import remove_from_backups
 from storage.file.connection import Database
 from storage.file.temporary import temporary_folder
 from storage.sql import Stop, opened
 from storage.text import new_id
-from storage.work.computers import Computers
 
 
 class Exchange:
@@ -129,11 +127,6 @@ class Exchange:
     def undecided(self) -> list[Undecided]:
         """Deletions of other PCs that were neither confirmed nor kept here."""
         return undecided(self._database)
-
-    def own_fingerprint(self) -> str | None:
-        """What people compare of this PC's key; None where it cannot sign."""
-        key = own_public_key(self._database.path, Computers(self._database).this()[0])
-        return key and fingerprint(key)
 
     def remove(self, kind: str, *keys: str) -> Deletion:
         """Deletes rows of a kind for good, such as a `group`, also from the backups; see `deletion.remove`."""

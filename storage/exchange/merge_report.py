@@ -6,8 +6,6 @@ from pathlib import Path
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.deleting.deletion import Exported
 from storage.exchange.deleting.pending import PendingDeletion, PendingWork
-from storage.exchange.signing import fingerprint
-from storage.exchange.trust import Sender
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +22,6 @@ class MergeReport:
         tombstones: keys of what was deleted; backups are to lose the same.
         exports: files that were written from this store and may still hold it.
         still_in: backups that could not be written anew, and may hold it.
-        sender: who wrote it, as far as the store knows.
         n_unconfirmed: runs of it whose pass does not count here yet.
     """
 
@@ -38,18 +35,12 @@ class MergeReport:
     tombstones: tuple[str, ...] = ()
     exports: tuple[Exported, ...] = ()
     still_in: tuple[Path, ...] = ()
-    sender: Sender | None = None
     n_unconfirmed: int = 0
 
     @property
     def left_in(self) -> list[str]:
         """Files that people have to delete by hand, as they may hold what was deleted."""
         return [one.path for one in self.exports] + [str(path) for path in self.still_in]
-
-    @property
-    def fingerprint(self) -> str | None:
-        """What people compare of the key of the PC that signed it."""
-        return self.info.signed_by and fingerprint(self.info.signed_by)
 
     @property
     def nothing_new(self) -> bool:

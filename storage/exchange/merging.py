@@ -30,14 +30,8 @@ from storage.exchange.deleting.deletion import (
 from storage.exchange.deleting.pending import PendingDeletion, PendingWork, keep, pending_work
 from storage.exchange.deleting.undecided import note_undecided
 from storage.exchange.joins import both, insert_new, is_new, listed, may_merge
+from storage.exchange.marking import COUNTS_HERE, marking, n_unconfirmed
 from storage.exchange.merge_report import MergeReport
-from storage.exchange.trust import (
-    kept_runs,
-    marking,
-    n_unconfirmed,
-    note_key,
-    sender_of,
-)
 from storage.file.connection import Database
 from storage.sql import column_names, insert, row_count
 from storage.sqlite import sqlite3
@@ -98,9 +92,8 @@ def merge(
     with open_bundle(path) as bundle:
 
         def write(db: sqlite3.Connection) -> MergeReport:
-            sender, now = sender_of(db, database, bundle.info), database.now()
-            note_key(db, bundle.info, now)
-            with marking(db, sender, now):
+            now = database.now()
+            with marking(db, now):
                 report = merge_attached(
                     db,
                     bundle.info,
@@ -108,10 +101,10 @@ def merge(
                     delete=delete,
                     kept=kept,
                     keep_newer=keep_newer,
-                    kept_runs=kept_runs(sender),
+                    kept_runs=COUNTS_HERE,
                 )
             note_undecided(db, bundle.info, report.would_delete)
-            return replace(report, sender=sender, n_unconfirmed=n_unconfirmed(db))
+            return replace(report, n_unconfirmed=n_unconfirmed(db))
 
         return database.write(write, attached=bundle.address)
 

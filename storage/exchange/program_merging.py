@@ -2,7 +2,7 @@
 
 The file may have been changed by anybody. No row of the store changes, and no row is added but the program and what it
 belongs to: its group, class, lessons and PCs, its versions with their labels, its runs. Notes are the teacher's.
-No teacher was there: a pass of such a run does not count before this PC has repeated it (`trust.py`).
+A pass of such a run does not count before this PC has repeated it (`marking.py`).
 """
 
 from contextlib import closing
@@ -13,9 +13,9 @@ from storage.errors import StoreError
 from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.joins import insert_new, is_new, may_merge
+from storage.exchange.marking import marking, n_unconfirmed
 from storage.exchange.merge_report import MergeReport
 from storage.exchange.merging import some
-from storage.exchange.trust import marking, n_unconfirmed, sender_of
 from storage.file.connection import Database
 from storage.file.opening import connect
 from storage.limits import MAX_SAMPLES_WITHOUT_PIN
@@ -70,10 +70,9 @@ def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
             raise StoreError("bundle_not_program", path=str(path))
 
         def write(db: sqlite3.Connection) -> MergeReport:
-            sender = sender_of(db, database, bundle.info)
-            with marking(db, sender, database.now(), by_teacher=False):
+            with marking(db, database.now(), gives_way=False):
                 report = _merge(db, bundle.info)
-            return replace(report, sender=sender, n_unconfirmed=n_unconfirmed(db))
+            return replace(report, n_unconfirmed=n_unconfirmed(db))
 
         report = database.write(write, attached=bundle.address)
     return report, programs[0]

@@ -1,4 +1,4 @@
-"""Runs whose pass does not count until this PC has repeated them; `storage/exchange/trust.py` marks them."""
+"""Runs whose pass does not count until this PC has repeated them; `storage/exchange/marking.py` marks them."""
 
 from collections import Counter
 
@@ -29,8 +29,13 @@ class Unconfirmed(Repository):
         )
         return Counter({str(row["mark"]): int(row["n"]) for row in rows})
 
+    def accept(self, run_id: str) -> None:
+        """A run that cannot be repeated here counts, as the teacher says; nothing changes for another."""
+        query = "DELETE FROM unconfirmed_runs WHERE run_id = ? AND finding = 'not_repeatable'"
+        self._database.write(lambda db: db.execute(query, [run_id]).rowcount)
+
     def confirm(self, run_id: str) -> None:
-        """This PC vouches for the run from now on."""
+        """The run counts from now on."""
         query = "DELETE FROM unconfirmed_runs WHERE run_id = ?"
         self._database.write(lambda db: db.execute(query, [run_id]).rowcount)
 

@@ -33,10 +33,8 @@ from storage.text import new_id
 _LONGEST_S = 20.0  # of a start; the command has no limit
 _LEFT_FREE = 50 * 10**6
 # of the sums only those of damaged runs: all other rows that come get theirs anew
-_NOT_BROUGHT = ("merges", "signatures", "content_sums")
+_NOT_BROUGHT = ("merges", "content_sums")
 _LOCAL = tuple(table for table in LOCAL if table.name not in _NOT_BROUGHT)
-# what a person has decided on this PC: a damaged file knows better than the backup before it
-_DECIDED = {"settings": "json_valid(value)", "computer_keys": "1"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +65,7 @@ def mend(file: Path, target: Path, now: str, *, longest_s: float = _LONGEST_S) -
         migrate(db)
         db.execute("ATTACH DATABASE ? AS bundle", [found.address])
         changes = Changes(db)  # rows that come in a later state get new sums
-        _bring_decisions(db)
+        _bring_settings(db)
         try:
             return bring(db, found.found, now, changes, delete=True)
         except (
@@ -126,13 +124,12 @@ def bring(
         return salvaged
 
 
-def _bring_decisions(db: sqlite3.Connection) -> None:
-    """Without them a PIN that was replaced, or a PC whose approval was withdrawn, would count again."""
-    for table, condition in _DECIDED.items():
-        names = ", ".join(column_names(db, table))
-        db.execute(
-            f"INSERT OR REPLACE INTO main.{table} ({names}) SELECT {names} FROM bundle.{table} WHERE {condition}"
-        )
+def _bring_settings(db: sqlite3.Connection) -> None:
+    """What a person chose on this PC the damaged file knows better: a PIN that was replaced must not count again."""
+    names = ", ".join(column_names(db, "settings"))
+    db.execute(
+        f"INSERT OR REPLACE INTO main.settings ({names}) SELECT {names} FROM bundle.settings WHERE json_valid(value)"
+    )
 
 
 def merge_remains(db: sqlite3.Connection, found: Found, now: str, *, delete: bool) -> Salvaged:

@@ -121,6 +121,7 @@ class ReplicatedTable(Table):
         figures: further columns of the Parquet file.
         later_by: SQL expressions that decide, before revision and values, which of two states of a row is the later
             one, with `{side}` in place of the table's name.
+        bound: columns that are never changed, and of which the key is a hash (`storage/text.py: id_of`).
         counts_empty: False where the content hash leaves the table out while it has no rows, so that files without
             such rows keep the hash that an earlier release gives them.
     """
@@ -132,6 +133,7 @@ class ReplicatedTable(Table):
     parquet: bool = True
     figures: tuple[ParquetColumn, ...] = ()
     later_by: tuple[str, ...] = ()
+    bound: tuple[str, ...] = ()
     counts_empty: bool = True
 
     @property

@@ -179,7 +179,7 @@ _COMPUTERS = (
     """CREATE TABLE exports (
         id TEXT PRIMARY KEY, path TEXT NOT NULL, made_at TEXT NOT NULL, content TEXT NOT NULL
     ) STRICT""",
-    # approvals and marks stay on one PC; `signatures` has a row in bundles only
+    # of releases before 0.3, whose bundles were signed; nothing reads the two tables
     "CREATE TABLE signatures (public_key TEXT PRIMARY KEY, signature TEXT NOT NULL) STRICT, WITHOUT ROWID",
     """CREATE TABLE computer_keys (
         public_key TEXT PRIMARY KEY,

@@ -47,7 +47,7 @@ LOCAL = (
     ),
     Table(
         "signatures",
-        "In a bundle the signature of the PC that wrote it; empty in the file of an app.",
+        "Of releases before 0.3, which signed bundles; not read any more.",
         (
             Column("public_key", TEXT, "the PC's public key, in hex", rules.sha256, KEPT),
             Column("signature", TEXT, "Ed25519, in hex", rules.short, KEPT),
@@ -56,7 +56,7 @@ LOCAL = (
     ),
     Table(
         "computer_keys",
-        "Keys of PCs whose signed bundles were merged here, and which of them the teacher approved.",
+        "Of releases before 0.3, where a teacher approved keys; not read any more.",
         (
             Column("public_key", TEXT, "the PC's public key, in hex", rules.sha256, KEPT),
             Column("computer_id", KEY, "the PC"),
@@ -68,12 +68,10 @@ LOCAL = (
     ),
     Table(
         "unconfirmed_runs",
-        "Runs whose pass does not count until this PC has repeated them: nobody who is approved vouches for them.",
+        "Runs that came with files, whose pass does not count until this PC has repeated them.",
         (
             Column("run_id", KEY, "the run"),
-            Column(
-                "public_key", TEXT, "of the PC that signed it", rules.sha256, KEPT, optional=True
-            ),
+            Column("public_key", TEXT, "not used any more", rules.sha256, KEPT, optional=True),
             Column("marked_at", TIME, "when it came"),
             Column(
                 "finding",

@@ -158,7 +158,11 @@ VERSIONS = ReplicatedTable(
     " what the editor shows, document what the robot gets (null while faults is not empty), world the group's own"
     " (null where it is chosen by name).",
     (
-        Column("id", KEY, "key of a state of a program"),
+        Column(
+            "id",
+            KEY,
+            "key of a state of a program, with bits of a hash of all that follows but number",
+        ),
         parent("program_id", "programs", "its program"),
         reference("parent_id", "versions", "the version that was edited"),
         reference("lesson_id", "lessons", "lesson in which it was saved"),
@@ -198,6 +202,11 @@ VERSIONS = ReplicatedTable(
         ),
     ),
     figures=(figure("n_faults", "how many faults it has", "json_array_length(faults)"),),
+    # keys that files have are hashes of just these: a column that comes later cannot be one of them
+    bound=(
+        *("program_id", "parent_id", "lesson_id", "computer_id", "created_at"),
+        *("workspace", "document", "faults", "world", "setup"),
+    ),
 )
 LABELS = ReplicatedTable(
     "version_labels",

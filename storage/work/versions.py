@@ -13,7 +13,8 @@ from storage.marks import counted
 from storage.records import FaultRow, Json, VersionMark, VersionRow
 from storage.sql import change, exists, insert, not_found, require, selected
 from storage.sqlite import sqlite3
-from storage.text import clean_name, dumped, loaded, local_time, new_id, readable_object
+from storage.tables.work import VERSIONS
+from storage.text import clean_name, dumped, id_of, loaded, local_time, readable_object
 from storage.work.groups import mark_used
 from storage.work.lessons import lesson_for
 
@@ -189,7 +190,6 @@ def _insert(
     if parent_id is not None:
         _require_own(db, program_id, parent_id)
     version = {
-        "id": new_id(),
         "program_id": program_id,
         "number": min(newest["number"] + 1, MAX_NUMBER) if newest else 1,
         "created_at": now.text,
@@ -197,6 +197,7 @@ def _insert(
         "parent_id": parent_id or (newest["id"] if newest else None),
     }
     version["lesson_id"], version["computer_id"] = lesson_for(db, program["group_id"], now)
+    version["id"] = id_of(dumped([version[name] for name in VERSIONS.bound]))
     insert(db, "versions", version)
     db.execute("UPDATE programs SET updated_at = ? WHERE id = ?", [now.text, program_id])
     mark_used(db, program["group_id"], now.text)

@@ -22,8 +22,6 @@ from pinel_desktop.program.reading import read_document
 from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.web.guard import Guard
 from storage import RunFilter, Store, StoreError, open_store
-from storage.exchange.signing import key_path
-from storage.exchange.trust import Sender
 from storage.file.backups import make_backup
 from storage.limits import MAX_REVISION, MAX_TURN
 from storage.sql import opened, row_count
@@ -43,6 +41,7 @@ from tests.attacks.damage import (
 from tests.attacks.damaged_values import N_PROGRAMS, school
 from tests.attacks.deletions import Lab
 from tests.attacks.engine import NOTICED_S, SOON_S, desk
+from tests.attacks.forging import LATEST_ALLOWED, Pc, edited, falsified, pcs
 from tests.attacks.made_up_files import (
     AHEAD,
     FAR_ID,
@@ -56,11 +55,15 @@ from tests.attacks.made_up_files import (
     samples_of_hours,
 )
 from tests.attacks.pins import PIN, FullDisk, Pins, open_pins_again
-from tests.attacks.signing import LATEST_ALLOWED, Pc, edited, falsified, pcs
 from tests.storage.bundle_makers import exported, merged, work
 
 Pcs = Callable[[str], Pc]
 __all__ = ["pcs"]
+FORGERIES = (
+    "UPDATE runs SET world = 'zzz', duration_s = 1 WHERE id = '{run}'",
+    "UPDATE telemetry SET (data, n_rows) = (SELECT data, n_rows FROM telemetry WHERE run_id = '{other}')"
+    " WHERE run_id = '{run}'",
+)
 
 # ---- a file that somebody made up ----
 
@@ -138,17 +141,7 @@ def test_50_000_unknown_keys_are_faults_and_ordered_at_once() -> None:
     assert document.n_listed < 5
 
 
-# ---- a file that somebody signed ----
-
-
-def test_a_file_that_was_changed_after_it_was_signed_is_refused(pcs: Pcs) -> None:
-    pcs("pupil").drives()
-    for change in (
-        "UPDATE bundle SET computer_name = 'X'",
-        "UPDATE bundle SET computer_id = exported_at",
-    ):
-        with pytest.raises(StoreError, match=r"bundle_(damaged|hostile)"):
-            pcs("teacher").merges(edited(pcs("pupil").file(), change))
+# ---- a pass that comes with a file ----
 
 
 def test_a_pass_that_somebody_wrote_into_the_file_never_counts(pcs: Pcs) -> None:
@@ -174,36 +167,16 @@ def test_a_pass_with_samples_of_another_way_never_counts(pcs: Pcs) -> None:
     assert pcs("teacher").counts(other)  # the honest pass of the same file
 
 
-def test_an_honest_pass_of_a_pc_that_nobody_approved_counts_once_it_was_repeated(pcs: Pcs) -> None:
+def test_an_honest_pass_counts_once_it_was_repeated(pcs: Pcs) -> None:
     run = pcs("pupil").drives()
     report = pcs("teacher").merges(pcs("pupil").file())
-    assert (report.sender and report.sender.trust, report.n_unconfirmed) == ("unapproved", 1)
+    assert report.n_unconfirmed == 1
     assert not pcs("teacher").counts(run)
     pcs("teacher").confirms()
     assert (pcs("teacher").counts(run), pcs("teacher").mark(run)) == (True, None)
 
 
-def test_a_pass_counts_at_once_from_a_pc_that_the_teacher_approved(pcs: Pcs) -> None:
-    first = pcs("pupil").drives()
-    pcs("teacher").merges(pcs("pupil").file())
-    pcs("teacher").approves(pcs("pupil"))
-    second = pcs("pupil").drives()
-    pcs("teacher").merges(pcs("pupil").file())
-    assert pcs("teacher").counts(first)
-    assert pcs("teacher").counts(second)
-
-
-def test_another_key_of_an_approved_pc_is_told_and_vouches_for_nothing(pcs: Pcs) -> None:
-    pcs("teacher").merges(pcs("pupil").file())
-    pcs("teacher").approves(pcs("pupil"))
-    key_path(pcs("pupil").store.path).unlink()
-    run = pcs("pupil").drives()
-    report = pcs("teacher").merges(pcs("pupil").file())
-    assert report.sender == Sender("changed_key", pcs("pupil").public_key)
-    assert not pcs("teacher").counts(run)
-
-
-def test_a_file_without_voucher_neither_takes_a_pass_away_nor_changes_its_record(pcs: Pcs) -> None:
+def test_a_file_neither_takes_a_pass_away_nor_changes_its_record(pcs: Pcs) -> None:
     run = pcs("teacher").drives()
     file = falsified(
         pcs("teacher").file(),
@@ -216,26 +189,59 @@ def test_a_file_without_voucher_neither_takes_a_pass_away_nor_changes_its_record
     assert len(pcs("teacher").store.runs.telemetry(run).rows)
 
 
-def test_a_forged_copy_that_came_first_gives_way_to_the_one_that_is_vouched_for(pcs: Pcs) -> None:
-    pcs("teacher").merges(pcs("pupil").file())
-    pcs("teacher").approves(pcs("pupil"))
-    run = pcs("pupil").drives()
-    forgery = falsified(pcs("pupil").file(), "UPDATE runs SET world = 'zzz', seed = 9")
-    pcs("teacher").merges(forgery)
+@pytest.mark.parametrize("forgery", FORGERIES)
+def test_a_forged_record_that_came_first_gives_way_to_the_true_one(pcs: Pcs, forgery: str) -> None:
+    run, other = pcs("pupil").drives(), pcs("pupil").drives(well=False)
+    pcs("teacher").merges(falsified(pcs("pupil").file(), forgery.format(run=run, other=other)))
+    pcs("teacher").confirms()
     assert not pcs("teacher").counts(run)
     pcs("teacher").merges(pcs("pupil").file())
+    assert pcs("teacher").mark(run) == "waiting"
+    pcs("teacher").confirms()
     assert pcs("teacher").store.runs.get(run) == pcs("pupil").store.runs.get(run)
     assert pcs("teacher").counts(run)
 
 
-def test_a_signature_on_the_way_does_not_launder_a_forged_pass(pcs: Pcs) -> None:
+def test_nor_does_a_forged_record_take_the_place_of_one_that_was_repeated(pcs: Pcs) -> None:
+    run = pcs("pupil").drives()
+    forgery = falsified(pcs("pupil").file(), "UPDATE runs SET world = 'zzz', seed = 9")
+    pcs("teacher").merges(pcs("pupil").file())
+    pcs("teacher").confirms()
+    pcs("teacher").merges(forgery)
+    assert pcs("teacher").store.runs.get(run) == pcs("pupil").store.runs.get(run)
+    assert pcs("teacher").counts(run)
+
+
+def test_what_was_repeated_in_vain_is_repeated_again_only_for_another_record(pcs: Pcs) -> None:
+    run = pcs("pupil").drives(well=False)
+    file = falsified(pcs("pupil").file(), "UPDATE runs SET passed = 1")
+    pcs("teacher").merges(file)
+    pcs("teacher").confirms()
+    pcs("teacher").merges(file)
+    assert pcs("teacher").mark(run) == "not_passed"
+
+
+def test_a_forged_pass_that_comes_over_another_pc_never_counts(pcs: Pcs) -> None:
     run = pcs("pupil").drives(well=False)
     pcs("relay").merges(falsified(pcs("pupil").file(), "UPDATE runs SET passed = 1"))
     pcs("teacher").merges(pcs("relay").file())
-    pcs("teacher").approves(pcs("relay"))
-    pcs("relay").store.groups.create("Outro")
-    pcs("teacher").merges(pcs("relay").file())
+    pcs("teacher").confirms()
     assert not pcs("teacher").counts(run)
+
+
+def test_a_run_that_cannot_be_repeated_counts_when_the_teacher_accepts_it(pcs: Pcs) -> None:
+    run, wrong = pcs("pupil").drives(), pcs("pupil").drives(well=False)
+    change = f"UPDATE runs SET passed = 1, link = CASE id WHEN '{run}' THEN 'rosaria' ELSE link END"
+    file = falsified(pcs("pupil").file(), change)
+    pcs("teacher").merges(file)
+    pcs("teacher").store.unconfirmed.accept(run)
+    assert pcs("teacher").mark(run) == "waiting"
+    pcs("teacher").confirms()
+    assert [pcs("teacher").mark(one) for one in (run, wrong)] == ["not_repeatable", "not_passed"]
+    for one in (run, wrong):
+        pcs("teacher").store.unconfirmed.accept(one)
+    pcs("teacher").merges(file)
+    assert [pcs("teacher").counts(one) for one in (run, wrong)] == [True, False]
 
 
 def test_a_file_that_pupils_bring_without_the_teacher_counts_only_once_repeated(pcs: Pcs) -> None:
@@ -248,7 +254,7 @@ def test_a_file_that_pupils_bring_without_the_teacher_counts_only_once_repeated(
     assert (pcs("other").counts(run), pcs("other").counts(forgery)) == (True, False)
 
 
-def test_a_row_that_no_checksum_counts_is_no_way_around_the_signature(pcs: Pcs) -> None:
+def test_a_row_that_no_checksum_counts_does_not_get_in(pcs: Pcs) -> None:
     run = pcs("pupil").drives(well=False)
     file = edited(
         pcs("pupil").file(), f"INSERT INTO computers (id, name) SELECT '{run}', 'Forjado'"

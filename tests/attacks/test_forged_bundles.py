@@ -15,8 +15,8 @@ from storage.sql import column_names, opened
 from storage.sqlite import sqlite3
 from storage.tables.replicated import REPLICATED
 from storage.text import dumped
-from tests.attacks.signing import Pc, pcs
-from tests.storage.bundle_makers import hash_of
+from tests.attacks.forging import Pc, pcs
+from tests.storage.bundle_makers import give_keys_of_before, hash_of
 
 __all__ = ["pcs"]
 N_FORGED = 5_000
@@ -32,6 +32,8 @@ def forge(path: Path, chance: random.Random) -> None:
     with closing(opened(path, "rw")) as db:
         db.execute("PRAGMA foreign_keys = OFF")
         db.execute(PASSED)
+        if chance.random() < 0.5:  # else a change of a version is refused for its key
+            give_keys_of_before(db)
         for _ in range(chance.randrange(4)):
             table = chance.choice(REPLICATED)
             column = chance.choice(column_names(db, table.name))
@@ -41,12 +43,10 @@ def forge(path: Path, chance: random.Random) -> None:
                 )
         if chance.random() < 0.5:
             db.execute(
-                "INSERT OR IGNORE INTO unconfirmed_runs SELECT id, NULL, '', NULL FROM runs LIMIT 1"
+                "INSERT OR IGNORE INTO unconfirmed_runs (run_id, marked_at) SELECT id, '' FROM runs LIMIT 1"
             )
         values = [content_hash(db), dumped(counts_of(db))]
         db.execute("UPDATE bundle SET content_hash = ?, counts = ?", values)
-        if chance.random() < 0.9:  # else the signature does not fit
-            db.execute("DELETE FROM signatures")
 
 
 def counted(store: Store) -> set[str]:

@@ -45,7 +45,6 @@ def test_a_folder_that_is_away_is_named_and_nothing_is_begun_in_its_place(
     if how != "away":
         stick.mkdir()
     assert examination._database(path).code == "database_place_missing"
-    assert pinel("--db", path, "computers") == 1
     assert pinel("--db", path, "export", tmp_path) == 1
     assert pinel("--db", path, "run", SQUARE) == 0  # it drives, and says that it records nothing
     with served(path) as app:

@@ -16,8 +16,8 @@ from storage.limits import N_FEATURES
 from storage.maintenance import Maintenance
 from storage.text import utc_now
 from tests.attacks.damage import PAGE, a_day, reopened, spoil
+from tests.attacks.forging import MISSION, Pc, falsified, pcs
 from tests.attacks.power_cuts import power_cut_while_read
-from tests.attacks.signing import MISSION, Pc, falsified, pcs
 from tests.attacks.wrong_bits import Disk, seen
 
 Pcs = Callable[[str], Pc]
@@ -28,19 +28,30 @@ OTHER_CONTENT = """UPDATE versions SET workspace = '{"zzz": {"z": 1}}', document
 
 
 def test_a_file_does_not_put_another_program_in_the_place_of_a_saved_one(pcs: Pcs) -> None:
+    pcs("pupil").drives()
+    forgery = falsified(pcs("pupil").file(), OTHER_CONTENT)
+    for name in ("pupil", "teacher"):
+        with pytest.raises(StoreError, match="bundle_hostile"):
+            pcs(name).merges(forgery)
+
+
+def test_nor_does_it_where_an_earlier_release_gave_the_key(pcs: Pcs) -> None:
     run = pcs("teacher").drives()
-    saved = pcs("teacher").version(run)
-    pcs("teacher").merges(falsified(pcs("teacher").file(), OTHER_CONTENT))
-    assert pcs("teacher").version(run) == saved
+    file = falsified(pcs("teacher").file(), of_before=True)
+    pcs("other").merges(file)
+    saved = pcs("other").version(run)
+    pcs("other").merges(falsified(file, OTHER_CONTENT))
+    assert pcs("other").version(run) == saved
 
 
-def test_nor_does_it_on_the_way_over_a_pc_that_is_approved(pcs: Pcs) -> None:
+def test_a_forged_program_that_came_first_keeps_nothing_of_its_author_s_out(pcs: Pcs) -> None:
     run = pcs("pupil").drives()
-    pcs("teacher").merges(pcs("pupil").file(), pcs("relay").file())
-    pcs("teacher").approves(pcs("relay"))
-    pcs("relay").merges(falsified(pcs("pupil").file(), OTHER_CONTENT))
-    pcs("teacher").merges(pcs("relay").file())
+    with pytest.raises(StoreError, match="bundle_hostile"):
+        pcs("teacher").merges(falsified(pcs("pupil").file(), OTHER_CONTENT))
+    pcs("teacher").merges(pcs("pupil").file())
     assert pcs("teacher").version(run) == pcs("pupil").version(run)
+    pcs("teacher").confirms()
+    assert pcs("teacher").counts(run)
 
 
 def test_nor_does_it_change_a_sign_that_a_class_taught(pcs: Pcs) -> None:
@@ -49,17 +60,6 @@ def test_nor_does_it_change_a_sign_that_a_class_taught(pcs: Pcs) -> None:
     store.taught_signs.add(room, "oi", bytes(2 * N_FEATURES))
     pcs("teacher").merges(falsified(pcs("teacher").file(), "UPDATE taught_signs SET sign = 'zz'"))
     assert [one.sign for one in store.taught_signs.of_classroom(room)] == ["oi"]
-
-
-def test_a_forged_program_that_came_first_gives_way_to_its_author_s(pcs: Pcs) -> None:
-    pcs("teacher").merges(pcs("pupil").file())
-    pcs("teacher").approves(pcs("pupil"))
-    run = pcs("pupil").drives()
-    pcs("teacher").merges(falsified(pcs("pupil").file(), OTHER_CONTENT))
-    assert pcs("teacher").version(run) != pcs("pupil").version(run)
-    pcs("teacher").merges(pcs("pupil").file())
-    assert pcs("teacher").version(run) == pcs("pupil").version(run)
-    assert pcs("teacher").counts(run)
 
 
 @pytest.mark.parametrize("verdict", ["passed = 1", "passed = NULL"])
@@ -84,21 +84,15 @@ def test_a_run_that_is_still_to_be_judged_gets_no_samples_of_a_better_one(
 # ---- a damaged file, and what the teacher decided after its backup ----
 
 
-def test_an_approval_that_was_withdrawn_stays_withdrawn_when_the_backup_is_restored(
-    tmp_path: Path, pcs: Pcs
-) -> None:
+def test_a_pin_that_was_changed_stays_so_when_the_backup_is_restored(tmp_path: Path) -> None:
     with open_store(tmp_path / "pinel.db") as store:
-        teacher = Pc(store, tmp_path)
-        teacher.merges(pcs("pupil").file())
-        teacher.approves(pcs("pupil"))
+        TeacherSessions(store.settings).set_pin("3141")
         make_backup(store.path, utc_now())
-        store.computer_keys.withdraw(pcs("pupil").public_key or "")
         TeacherSessions(store.settings).set_pin("2718")
     spoil(tmp_path / "pinel.db", 0, 16)
     with open_store(tmp_path / "pinel.db") as store:
         assert store.notice
         assert store.notice.code in ("database_restored", "database_salvaged")
-        assert [key.approved_at for key in store.computer_keys.all()] == [None]
         assert TeacherSessions(store.settings).sign_in("2718")
 
 
@@ -138,8 +132,8 @@ def test_a_program_that_would_count_for_hours_is_repeated_no_further_than_its_re
     run = pcs("pupil").drives(well=False)
     endless = """{"pinel_ir": 1, "name": "", "functions": [], "commands": [{"action": "repeat",
         "times": 100000, "commands": [{"action": "repeat", "times": 100000, "commands": []}]}]}"""
-    forged = f"UPDATE versions SET document = '{endless}'"
-    pcs("teacher").merges(falsified(pcs("pupil").file(), "UPDATE runs SET passed = 1", forged))
+    forged = (f"UPDATE versions SET document = '{endless}'", "UPDATE runs SET passed = 1")
+    pcs("teacher").merges(falsified(pcs("pupil").file(), *forged, of_before=True))
     pcs("teacher").confirms()
     assert pcs("teacher").mark(run) == "differs"
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from storage import open_store
-from tests.attacks.signing import Pc
+from tests.attacks.forging import Pc
 from tests.compatibility import kept_files as kept
 from tests.compatibility.kept_files import DATABASE
 

@@ -3,17 +3,19 @@
 import csv
 import io
 import re
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 import pytest
 from playwright.sync_api import Locator, expect
 
+from storage.sqlite import sqlite3
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
-from tests.e2e.review_school import LONG_NAME, PIN, Past, Teacher
+from tests.e2e.review_school import LONG_NAME, PIN, Past, Teacher, sign_in
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -224,3 +226,25 @@ def _not_whole(row: Locator) -> list[str]:
     parts = row.locator(".group-row__who :is(.group-row__name > span, .chips)").all()
     cut = "e => e.scrollWidth > e.clientWidth + 1 || e.scrollHeight > e.clientHeight + 1"
     return [part.inner_text() for part in parts if part.evaluate(cut)]
+
+
+def test_a_run_that_cannot_be_repeated_counts_once_the_teacher_accepts_it(
+    app: AppProcess, school: tuple[AppProcess, Past], open_studio: OpenStudio
+) -> None:
+    passed = school[1].runs[-1]
+    app.stop()
+    with closing(sqlite3.connect(app.database)) as db, db:
+        db.execute(f"INSERT INTO unconfirmed_runs VALUES ('{passed}', NULL, '', 'not_repeatable')")
+    app.start()
+    studio = open_studio()
+    sign_in(studio)
+    teacher = Teacher(studio, school[1])
+    teacher.open_lesson()
+    teacher.row(LONG_NAME).get_by_test_id("review-open").click()
+    run = teacher.row(LONG_NAME).get_by_test_id("review-run").last
+    expect(run).to_have_attribute("data-outcome", "finished")
+    expect(teacher["lesson-summary"]).to_contain_text("1 rodada não pode ser repetida aqui")
+    teacher["accept-run"].click()
+    expect(run).to_have_attribute("data-outcome", "passed")
+    expect(teacher["accept-run"]).to_have_count(0)
+    expect(teacher["lesson-summary"]).to_contain_text("1 de 2")

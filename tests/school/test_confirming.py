@@ -12,7 +12,7 @@ import pytest
 from pinel_desktop.judge.messages import Verdict
 from pinel_desktop.school.confirming import Confirmer
 from storage import RunStart, Store, open_store
-from tests.attacks.signing import Pc
+from tests.attacks.forging import Pc
 from tests.storage.sample_documents import SQUARE, WORLD
 
 SLOW = (sys.executable, "-c", "import time; time.sleep(600)")

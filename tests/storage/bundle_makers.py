@@ -36,6 +36,21 @@ def a_store(path: Path, start: str = "2026-03-02T08:00:00+00:00") -> Iterator[St
         yield store
 
 
+_OF_VERSIONS = (
+    ("versions", "id"),
+    ("versions", "parent_id"),
+    ("version_labels", "id"),
+    ("runs", "version_id"),
+)
+
+
+def give_keys_of_before(db: sqlite3.Connection) -> None:
+    """Versions get keys as releases before 0.3 gave them, which tell nothing of the content."""
+    for table, column in _OF_VERSIONS:
+        other = f"substr({column}, 1, 14) || '7' || substr({column}, 16)"
+        db.execute(f"UPDATE {table} SET {column} = {other}")
+
+
 def a_run(store: Store, version_id: str | None, ticks: int = 45, text: str = "olá") -> str:
     """Records a run; returns its id."""
     document = None if version_id else SQUARE

@@ -328,6 +328,21 @@ def test_the_history_is_chosen_by_what_the_teacher_asks(
     assert teacher.get("/api/runs?day=yesterday").error["code"] == "invalid_request"
 
 
+@pytest.mark.parametrize("finding", ["not_repeatable", "differs"])
+def test_the_teacher_accepts_a_run_that_cannot_be_repeated_and_no_other(
+    browser: Browser, teacher: Browser, pupils: Pupils, finding: str
+) -> None:
+    run = pupils.run(pupils.edit(move()), passed=1)
+    marked = "INSERT INTO unconfirmed_runs VALUES (?, NULL, '', ?)"
+    pupils.store._database.write(lambda db: db.execute(marked, [run, finding]).rowcount)
+    assert browser.post(f"/api/runs/{run}/accept").error["code"] == "teacher_only"
+    accepted = teacher.post(f"/api/runs/{run}/accept").data
+    is_left = finding == "differs"
+    assert accepted["unconfirmed"] == (finding if is_left else None)
+    assert accepted["passed"] is (None if is_left else True)
+    assert teacher.post("/api/runs/gone/accept").error["code"] == "run_not_found"
+
+
 def test_review_and_history_are_for_the_teacher(
     browser: Browser, teacher: Browser, lesson: Any
 ) -> None:

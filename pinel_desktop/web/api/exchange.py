@@ -16,7 +16,6 @@ from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, Resource, answers
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.exchange import (
-    Approval,
     Bundle,
     BundlesToMerge,
     FileFound,
@@ -121,22 +120,6 @@ def merge_bundles(body: BundlesToMerge) -> Response:
 def list_known_computers() -> Response:
     """PCs whose work was merged into this one, with times. For the teacher."""
     require_teacher()
-    return _known_computers()
-
-
-@api.put(
-    "/bundles/approval",
-    responses=answers(KnownComputerList, *TEACHER, "computer_not_found", *WRITES),
-)
-def approve_computer(body: Approval) -> Response:
-    """Approves the key of a PC, or withdraws that. For the teacher."""
-    require_teacher()
-    keys = services().store.computer_keys
-    (keys.approve if body.approved else keys.withdraw)(body.public_key)
-    return _known_computers()
-
-
-def _known_computers() -> Response:
     store = services().store
     known = [KnownComputer.of(one) for one in store.exchange.known_computers()]
     counts = UnconfirmedCounts(**store.unconfirmed.counts())
@@ -335,9 +318,6 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         kept=[one.name for one in report.kept],
         would_delete=_pending_deletion(report),
         left_in=[json_safe(path) for path in report.left_in],
-        trust=report.sender.trust if report.sender else None,
-        public_key=report.info.signed_by,
-        fingerprint=report.fingerprint,
         n_unconfirmed=report.n_unconfirmed,
     )
 

@@ -2,9 +2,11 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, Resource, answers
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api.runs import run_model
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.review import LessonReview
+from pinel_desktop.web.models.runs import Run
 from pinel_desktop.web.responses import answer, encodable
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
@@ -32,3 +34,12 @@ def get_lesson_table(path: IdPath) -> Response:
     disposition = {"Content-Disposition": "attachment; filename=pinel-lesson.csv"}
     table = encodable(read_lesson(path.id, services()).table())
     return Response(table, mimetype="text/csv", headers=disposition)
+
+
+@api.post("/runs/<id>/accept", responses=answers(Run, *TEACHER, "run_not_found", *WRITES))
+def accept_run(path: IdPath) -> Response:
+    """Lets a run of a file count that cannot be repeated here; changes nothing of another. For the teacher."""
+    require_teacher()
+    store = services().store
+    store.unconfirmed.accept(path.id)
+    return answer(run_model(store.runs.get(path.id)))

@@ -67,6 +67,5 @@ def rename_computer(body: ComputerName) -> Response:
 
 
 def _computer() -> Response:
-    store = services().store
-    key, name = store.computers.this()
-    return answer(Computer(id=key, name=name, fingerprint=store.exchange.own_fingerprint()))
+    key, name = services().store.computers.this()
+    return answer(Computer(id=key, name=name))

@@ -11,7 +11,7 @@ def _writable(text: str) -> str:
     return text
 
 
-Id = Annotated[str, AfterValidator(_writable), Field(description="UUIDv7 text")]
+Id = Annotated[str, AfterValidator(_writable), Field(description="UUID text")]
 Time = Annotated[str, Field(description="ISO 8601 in UTC")]
 Json = Annotated[dict[str, Any], Field(description="any JSON object")]
 

@@ -149,11 +149,10 @@ class Pin(Body):
 
 
 class Computer(Shape):
-    """This PC; `fingerprint` is what people compare of its key, null where it cannot sign."""
+    """This PC."""
 
     id: Id
     name: str
-    fingerprint: str | None
 
 
 class ComputerName(Body):

@@ -100,10 +100,6 @@ class MergedCounts(Shape):
     runs: int
 
 
-# who vouches for a file: this PC, one that the teacher approved, one with another key than the approved one, none
-Trust = Literal["own", "approved", "unapproved", "changed_key", "unsigned"]
-
-
 class PendingWork(Shape):
     """A group that would be deleted, or a program whose group stays, with what was unknown where it was deleted."""
 
@@ -139,8 +135,7 @@ class Merged(Shape):
     `would_delete` is work that was deleted elsewhere; it stays until the file is merged with `delete`. After that the
     files in `left_in` may still hold it: bundles written on this PC, and backups that could not be rewritten.
 
-    `public_key` and `fingerprint` are of the PC that signed it, null without signature. `n_unconfirmed` counts runs of
-    the file whose pass does not count before this PC has repeated them.
+    `n_unconfirmed` counts runs of the file whose pass does not count before this PC has repeated them.
     """
 
     path: str
@@ -155,9 +150,6 @@ class Merged(Shape):
     kept: list[str] = Field(default=[], description="names of what was kept")
     would_delete: PendingDeletion | None = None
     left_in: list[str] = Field(default=[])
-    trust: Trust | None = None
-    public_key: str | None = None
-    fingerprint: str | None = None
     n_unconfirmed: int = 0
     problem: Notice | None = None
 
@@ -185,23 +177,17 @@ class ImportedProgram(Shape):
 
 
 class KnownComputer(Shape):
-    """A PC whose work was merged; `exported_at` and `merged_at` are those of its latest bundle.
-
-    `public_key` is the key that it signed with last, with its `fingerprint`; null if no bundle of it was signed.
-    """
+    """A PC whose work was merged; `exported_at` and `merged_at` are those of its latest bundle."""
 
     computer_id: Id
     name: str
     exported_at: Time
     merged_at: Time
     n_runs: int
-    trust: Trust
-    public_key: str | None
-    fingerprint: str | None
 
 
 class UnconfirmedCounts(Shape):
-    """Runs that came with files for which nobody vouches, whose pass does not count: by what is known of them."""
+    """Runs that came with files, whose pass does not count: by what is known of them."""
 
     waiting: int = 0
     differs: int = 0
@@ -227,13 +213,6 @@ class KnownComputerList(Shape):
     computers: list[KnownComputer]
     unconfirmed: UnconfirmedCounts
     undecided: list[UndecidedDeletion]
-
-
-class Approval(Body):
-    """Whether the teacher vouches for what is signed with a key."""
-
-    public_key: Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
-    approved: bool = True
 
 
 class WrittenFile(Shape):

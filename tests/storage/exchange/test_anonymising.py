@@ -9,7 +9,7 @@ import pytest
 
 from storage import Recorder, RunStart, Store
 from storage.sqlite import sqlite3
-from tests.storage.bundle_makers import exported, merged, problems_in, work
+from tests.storage.bundle_makers import a_run, exported, merged, problems_in, work
 from tests.storage.sample_runs import ended, sample
 
 DOCUMENT = {
@@ -159,3 +159,20 @@ def test_two_of_them_cannot_be_joined_by_their_keys(private: Store, tmp_path: Pa
         keys.append(set(rows(info.path, "SELECT id FROM runs UNION SELECT id FROM groups")))
     assert keys[0].isdisjoint(keys[1])
     assert exported(private, tmp_path / "plain.pinel").content_hash != ""
+
+
+def test_a_pass_that_is_not_confirmed_is_none_in_it(store: Store, tmp_path: Path) -> None:
+    run_id = a_run(store, None)
+    marked = "INSERT INTO unconfirmed_runs (run_id, marked_at) VALUES (?, '')"
+    passed = "UPDATE runs SET passed = 1, activity = 'square'"
+    store._database.write(lambda db: db.execute(marked, [run_id]).rowcount)
+    store._database.write(lambda db: db.execute(passed).rowcount)
+    info = store.exchange.export(
+        tmp_path / "a.pinel",
+        app_version="0",
+        computer=store.computers.this(),
+        anonymous=("square",),
+    )
+    with closing(sqlite3.connect(info.path)) as db:
+        assert db.execute("SELECT count(*) FROM unconfirmed_runs").fetchone() == (0,)
+        assert db.execute("SELECT passed FROM runs").fetchone() == (None,)

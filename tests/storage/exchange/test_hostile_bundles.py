@@ -20,7 +20,7 @@ from storage.sqlite import sqlite3
 from storage.tables.columns import Table
 from storage.tables.ddl import MIGRATIONS
 from storage.tables.replicated import TABLES
-from tests.storage.bundle_makers import exported, hash_of, merged, work
+from tests.storage.bundle_makers import exported, give_keys_of_before, hash_of, merged, work
 
 Change = Callable[[sqlite3.Connection], object]
 
@@ -47,17 +47,20 @@ def refused(untouched: Store) -> Callable[[Path], StoreError]:
     return attempt
 
 
-def changed(path: Path, change: Change | str, *, honest: bool = True) -> Path:
-    """The bundle after a change by hand; an honest one has a new checksum."""
+def changed(
+    path: Path, change: Change | str, *, honest: bool = True, of_before: bool = True
+) -> Path:
+    """The bundle after a change by hand; an honest one has a new checksum, one of before 0.3 keys that tell nothing."""
     with closing(sqlite3.connect(path, isolation_level=None)) as db:
         db.execute("PRAGMA foreign_keys = OFF")
+        if honest and of_before:
+            give_keys_of_before(db)
         if isinstance(change, str):
             db.executescript(change)
         else:
             change(db)
         if honest:
             db.execute("UPDATE bundle SET content_hash = ?", [content_hash(db)])
-            db.execute("DELETE FROM signatures")  # it would not fit
     return path
 
 
@@ -265,6 +268,25 @@ def test_values_that_pinel_does_not_write(
     bundle: Path, refused: Callable[[Path], StoreError], kind: str
 ) -> None:
     assert refused(changed(bundle, VALUES[kind])).code == "bundle_hostile"
+
+
+OTHER_VERSIONS = (
+    "workspace = '{}'",
+    "document = NULL",
+    """faults = '[["a","",null,{}]]'""",
+    "world = NULL",
+    "setup = '{}'",
+    "created_at = '2026-01-01T00:00:00Z'",
+    *(f"{name} = id" for name in ("parent_id", "lesson_id", "computer_id")),
+)
+
+
+@pytest.mark.parametrize("change", OTHER_VERSIONS)
+def test_another_version_in_the_place_of_that_whose_key_it_has(
+    bundle: Path, refused: Callable[[Path], StoreError], change: str
+) -> None:
+    found = refused(changed(bundle, f"UPDATE versions SET {change}", of_before=False))
+    assert (found.code, found.params["problem"]) == ("bundle_hostile", "versions.id")
 
 
 LARGEST = {

@@ -287,15 +287,6 @@ def test_the_store_knows_whom_it_has_heard_from(pc: Opened, tmp_path: Path) -> N
     assert (heard.name, heard.exported_at, heard.n_runs) == ("Lab 7", info.exported_at, 1)
 
 
-def test_a_file_that_comes_back_to_the_pc_that_wrote_it_needs_no_approval(
-    pc: Opened, tmp_path: Path
-) -> None:
-    here = pc("a")
-    work(here, here.groups.create("Onças"), "Quadrado")
-    merged(here, exported(here, tmp_path / "a.pinel").path)
-    assert [one.trust for one in known_computers(here._database)] == ["own"]
-
-
 def test_a_store_that_can_only_be_read_takes_nothing(pc: Opened, tmp_path: Path) -> None:
     there = pc("b")
     work(there, there.groups.create("Onças"), "Quadrado")

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from storage import RunStart, Store, text
-from storage.text import continue_after, new_id
+from storage.tables.work import VERSIONS
+from storage.text import continue_after, dumped, id_of, may_be_of, new_id
 
 NOW = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -61,6 +62,22 @@ def test_ids_are_of_version_7_with_their_time_and_grow_while_the_clock_goes_back
     assert sorted(set(ids)) == ids
     assert {(uuid.UUID(key).version, uuid.UUID(key).variant) for key in ids} == {(7, uuid.RFC_4122)}
     assert uuid.UUID(ids[0]).int >> 80 == NOW.timestamp() * 1000
+
+
+def test_an_id_of_content_grows_as_well_and_is_of_no_other_content() -> None:
+    before, key, after = new_id(), id_of("this"), new_id()
+    assert before < key < after
+    assert uuid.UUID(key).version == 8
+    assert may_be_of(key, "this")
+    assert not may_be_of(key, "that")
+    assert may_be_of(before, "that")  # as those of earlier releases it tells nothing
+
+
+def test_the_key_of_a_version_is_of_what_it_was_in_the_files_of_schools() -> None:
+    row = {"program_id": "p", "created_at": "t", "workspace": "{}", "faults": "[]"}
+    content = dumped([row.get(name) for name in VERSIONS.bound])
+    assert content == '["p",null,null,null,"t","{}",null,"[]",null,null]'
+    assert may_be_of("01a20d29-698b-8bc5-83b0-c5b5ca476ff5", content)
 
 
 @pytest.mark.parametrize("no_id", ["", "g", "00", "ffffffff-ffff-7fff-bfff-ffffffffffff"])

@@ -18,8 +18,6 @@ export const exchange = {
     return (await post("/api/bundles/merge", { body })).merged[0];
   },
   heard: () => get("/api/bundles/heard"),
-  approve: (public_key: string, approved: boolean) =>
-    put("/api/bundles/approval", { body: { public_key, approved } }),
 
   deleteGroup: (id: string) => del("/api/groups/{id}", of(id)),
   deleteClassroom: (id: string) => del("/api/classrooms/{id}", of(id)),

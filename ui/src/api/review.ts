@@ -22,6 +22,8 @@ export const reviewApi = {
   },
   difference: (id: string, to: string) =>
     get("/api/versions/{id}/difference", { params: { path: { id }, query: { to } } }),
+  /** Lets a run count that cannot be repeated here. */
+  accept: (run: string) => post("/api/runs/{id}/accept", of(run)),
   notes: async (run: string) => (await get("/api/runs/{id}/notes", of(run))).notes,
   writeNote: (run: string, text: string) =>
     post("/api/runs/{id}/notes", { ...of(run), body: { text } }),

@@ -83,26 +83,8 @@ export const exchange: typeof first = {
   edits: (n: number) => (n === 1 ? "1 edit" : `${n} edits`),
   kept: (names: string) => `Kept on all PCs: ${names}.`,
   keepHere: "Delete nothing",
-  trust: {
-    title: "Approval",
-    hint: "Before you approve a PC, compare the code with the one shown there, under “This PC” in the teacher's part. Missions of an approved PC count at once; those of the others after this PC has repeated the runs.",
-    states: {
-      own: "this PC",
-      approved: "approved",
-      unapproved: "not approved yet",
-      changed_key: "approved with another code",
-      unsigned: "file without code",
-    },
-    approve: "Approve this PC",
-    approveOf: (name: string) => `Approve this PC: ${name}`,
-    withdraw: "Undo",
-    withdrawOf: (name: string) => `Undo the approval of ${name}`,
-    cameUnapproved:
-      "This file came from a PC that you have not approved yet. The work is here; its missions count once PINEL has checked them, which it does by itself.",
-    cameUnsigned:
-      "This file does not prove which PC it came from. The work is here; its missions count once PINEL has checked them, which it does by itself.",
-    cameChanged:
-      "Attention: you approved this PC with another code. Either PINEL was installed again there, or somebody else made this file. Compare the code on that PC before you approve it.",
+  unconfirmed: {
+    came: "The work is here; its missions count once PINEL has checked them, which it does by itself.",
     waiting: (n: number) =>
       n === 1
         ? "1 run waits to be checked. PINEL checks by itself while nobody runs programs here."
@@ -114,8 +96,8 @@ export const exchange: typeof first = {
     wrongWhere: "The page of the lesson shows whose.",
     notRepeatable: (n: number) =>
       n === 1
-        ? "1 run cannot be repeated here, as one of a real robot. It counts if you approve the PC."
-        : `${n} runs cannot be repeated here, as those of a real robot. They count if you approve the PC.`,
+        ? "1 run cannot be repeated here, as one of a real robot. It counts if you accept it on the page of the lesson."
+        : `${n} runs cannot be repeated here, as those of a real robot. They count if you accept them on the page of the lesson.`,
   },
   deletion: {
     title: "Delete for good",

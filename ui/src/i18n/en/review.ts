@@ -101,13 +101,14 @@ export const review: typeof first = {
   },
   detail: {
     unconfirmed: {
-      waiting:
-        "It came in a file of a PC that is not approved: the mission counts once it is checked.",
+      waiting: "It came in a file: the mission counts once it is checked.",
       differs: "Does not hold: repeated here, this run was another. The mission does not count.",
       not_passed: "Does not hold: repeated here, this run does not fulfil the mission.",
       not_repeatable:
-        "It came from a PC that is not approved and cannot be repeated here: the mission does not count.",
+        "It came in a file and cannot be repeated here, as one of a real robot: the mission counts only if you accept it.",
     },
+    accept: "Accept",
+    acceptOf: (run) => `Accept the mission: ${run}`,
     open: (group) => `Show the runs of ${group}`,
     close: (group) => `Hide the runs of ${group}`,
     runs: "Runs",

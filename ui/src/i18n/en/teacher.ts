@@ -102,9 +102,6 @@ export const teacher: typeof first = {
     title: "This PC",
     name: "Name of this PC",
     nameHint: "Work that is made here carries this name.",
-    code: "Code of this PC",
-    codeHint:
-      "Whoever collects the work compares this code once, under “Stick and folder” of the other PC, and approves this PC.",
     keep: "Save",
     kept: "Saved.",
     pin: "Change the PIN",

@@ -86,26 +86,8 @@ export const exchange: typeof first = {
   edits: (n: number) => (n === 1 ? "1 edición" : `${n} ediciones`),
   kept: (names: string) => `Se mantiene en todas las computadoras: ${names}.`,
   keepHere: "No borrar nada",
-  trust: {
-    title: "Aprobación",
-    hint: "Antes de aprobar una PC, compare el código con el que aparece en ella, en “Esta computadora”, en el área docente. Las misiones de una PC aprobada cuentan enseguida; las de las demás, después de que esta computadora repite los recorridos.",
-    states: {
-      own: "esta computadora",
-      approved: "aprobada",
-      unapproved: "todavía sin aprobar",
-      changed_key: "aprobada con otro código",
-      unsigned: "archivo sin código",
-    },
-    approve: "Aprobar esta PC",
-    approveOf: (name: string) => `Aprobar esta PC: ${name}`,
-    withdraw: "Deshacer",
-    withdrawOf: (name: string) => `Deshacer la aprobación de ${name}`,
-    cameUnapproved:
-      "Este archivo vino de una PC que usted todavía no aprobó. El trabajo está aquí; las misiones cuentan cuando PINEL las haya comprobado, lo que hace solo.",
-    cameUnsigned:
-      "Este archivo no demuestra de qué PC vino. El trabajo está aquí; las misiones cuentan cuando PINEL las haya comprobado, lo que hace solo.",
-    cameChanged:
-      "Atención: usted aprobó esta PC con otro código. O PINEL se instaló de nuevo en ella, u otra persona hizo este archivo. Compare el código en esa PC antes de aprobarla.",
+  unconfirmed: {
+    came: "El trabajo está aquí; las misiones cuentan cuando PINEL las haya comprobado, lo que hace solo.",
     waiting: (n: number) =>
       n === 1
         ? "1 recorrido espera la comprobación. PINEL comprueba solo mientras nadie ejecuta programas aquí."
@@ -117,8 +99,8 @@ export const exchange: typeof first = {
     wrongWhere: "La página de la clase muestra de qué grupo.",
     notRepeatable: (n: number) =>
       n === 1
-        ? "1 recorrido no se puede repetir aquí, por ejemplo de un robot real. Cuenta si usted aprueba la PC."
-        : `${n} recorridos no se pueden repetir aquí, por ejemplo de un robot real. Cuentan si usted aprueba la PC.`,
+        ? "1 recorrido no se puede repetir aquí, por ejemplo de un robot real. Cuenta si usted lo acepta en la página de la clase."
+        : `${n} recorridos no se pueden repetir aquí, por ejemplo de un robot real. Cuentan si usted los acepta en la página de la clase.`,
   },
   deletion: {
     title: "Borrar para siempre",

@@ -102,12 +102,14 @@ export const review: typeof first = {
   },
   detail: {
     unconfirmed: {
-      waiting:
-        "Vino en un archivo de una PC sin aprobar: la misión solo cuenta después de comprobarla.",
+      waiting: "Vino en un archivo: la misión cuenta después de comprobarla.",
       differs: "No coincide: repetido aquí, este recorrido fue otro. La misión no cuenta.",
       not_passed: "No coincide: repetido aquí, este recorrido no cumple la misión.",
-      not_repeatable: "Vino de una PC sin aprobar y no se puede repetir aquí: la misión no cuenta.",
+      not_repeatable:
+        "Vino en un archivo y no se puede repetir aquí, por ejemplo de un robot real: la misión solo cuenta si usted la acepta.",
     },
+    accept: "Aceptar",
+    acceptOf: (run) => `Aceptar la misión: ${run}`,
     open: (group) => `Mostrar los recorridos de ${group}`,
     close: (group) => `Ocultar los recorridos de ${group}`,
     runs: "Recorridos",

@@ -104,9 +104,6 @@ export const teacher: typeof first = {
     title: "Esta computadora",
     name: "Nombre de esta computadora",
     nameHint: "Los trabajos hechos aquí llevan este nombre.",
-    code: "Código de esta computadora",
-    codeHint:
-      "Quien junta los trabajos compara este código una vez, en “Memoria USB y carpeta” de la otra computadora, y aprueba esta PC.",
     keep: "Guardar",
     kept: "Guardado.",
     pin: "Cambiar el PIN",

@@ -85,26 +85,8 @@ export const exchange = {
   edits: (n: number) => (n === 1 ? "1 edição" : `${n} edições`),
   kept: (names: string) => `Mantido em todos os computadores: ${names}.`,
   keepHere: "Não apagar nada",
-  trust: {
-    title: "Aprovação",
-    hint: "Antes de aprovar um PC, compare o código com o que aparece nele, em “Este computador”, na área do professor. As missões de um PC aprovado contam na hora; as dos outros, depois que este computador repete as rodadas.",
-    states: {
-      own: "este computador",
-      approved: "aprovado",
-      unapproved: "ainda não aprovado",
-      changed_key: "aprovado com outro código",
-      unsigned: "arquivo sem código",
-    },
-    approve: "Aprovar este PC",
-    approveOf: (name: string) => `Aprovar este PC: ${name}`,
-    withdraw: "Desfazer",
-    withdrawOf: (name: string) => `Desfazer a aprovação de ${name}`,
-    cameUnapproved:
-      "Este arquivo veio de um PC que você ainda não aprovou. O trabalho está aqui; as missões contam depois que o PINEL as conferir, o que ele faz sozinho.",
-    cameUnsigned:
-      "Este arquivo não diz com segurança de que PC veio. O trabalho está aqui; as missões contam depois que o PINEL as conferir, o que ele faz sozinho.",
-    cameChanged:
-      "Atenção: você aprovou este PC com outro código. Ou o PINEL foi instalado de novo nele, ou outra pessoa fez este arquivo. Compare o código no próprio PC antes de aprovar.",
+  unconfirmed: {
+    came: "O trabalho está aqui; as missões contam depois que o PINEL as conferir, o que ele faz sozinho.",
     waiting: (n: number) =>
       n === 1
         ? "1 rodada espera a conferência. O PINEL confere sozinho enquanto ninguém roda programas aqui."
@@ -116,8 +98,8 @@ export const exchange = {
     wrongWhere: "A página da aula mostra de que grupo.",
     notRepeatable: (n: number) =>
       n === 1
-        ? "1 rodada não pode ser repetida aqui, por exemplo de um robô real. Ela conta se você aprovar o PC."
-        : `${n} rodadas não podem ser repetidas aqui, por exemplo de um robô real. Elas contam se você aprovar o PC.`,
+        ? "1 rodada não pode ser repetida aqui, por exemplo de um robô real. Ela conta se você a aceitar na página da aula."
+        : `${n} rodadas não podem ser repetidas aqui, por exemplo de um robô real. Elas contam se você as aceitar na página da aula.`,
   },
   deletion: {
     title: "Apagar para sempre",

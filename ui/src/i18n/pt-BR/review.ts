@@ -104,12 +104,14 @@ export const review = {
   },
   detail: {
     unconfirmed: {
-      waiting: "Veio em um arquivo de um PC sem aprovação: a missão só conta depois de conferida.",
+      waiting: "Veio em um arquivo: a missão conta depois de conferida.",
       differs: "Não confere: repetida aqui, esta rodada foi outra. A missão não conta.",
       not_passed: "Não confere: repetida aqui, esta rodada não cumpre a missão.",
       not_repeatable:
-        "Veio de um PC sem aprovação e não pode ser repetida aqui: a missão não conta.",
+        "Veio em um arquivo e não pode ser repetida aqui, por exemplo de um robô real: a missão só conta se você aceitar.",
     },
+    accept: "Aceitar",
+    acceptOf: (run: string) => `Aceitar a missão: ${run}`,
     open: (group: string) => `Mostrar as rodadas de ${group}`,
     close: (group: string) => `Esconder as rodadas de ${group}`,
     runs: "Rodadas",

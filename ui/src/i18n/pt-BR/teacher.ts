@@ -102,9 +102,6 @@ export const teacher = {
     title: "Este computador",
     name: "Nome deste computador",
     nameHint: "Os trabalhos feitos aqui levam este nome.",
-    code: "Código deste computador",
-    codeHint:
-      "Quem junta os trabalhos compara este código uma vez, em “Pendrive e pasta” do outro computador, e aprova este PC.",
     keep: "Salvar",
     kept: "Salvo.",
     pin: "Mudar o PIN",

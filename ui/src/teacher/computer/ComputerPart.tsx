@@ -2,7 +2,6 @@ import { classesApi } from "../../api/classes";
 import { texts } from "../../i18n";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
-import { ComputerCode } from "./ComputerCode";
 import { ComputerName } from "./ComputerName";
 import { NewPin } from "./NewPin";
 import { SettingChoice } from "./SettingChoice";
@@ -14,14 +13,7 @@ export function ComputerPart() {
   return (
     <>
       <h1>{say.title}</h1>
-      <Loaded of={computer}>
-        {({ name, fingerprint }) => (
-          <>
-            <ComputerName name={name} />
-            {fingerprint && <ComputerCode code={fingerprint} />}
-          </>
-        )}
-      </Loaded>
+      <Loaded of={computer}>{({ name }) => <ComputerName name={name} />}</Loaded>
       <NewPin />
       <SettingChoice
         name="pinel_turns"

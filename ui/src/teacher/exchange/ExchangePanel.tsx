@@ -71,11 +71,7 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
         {({ heard, classes }) => (
           <>
             <SaveBox folders={folders} classes={classes} saved={saved} onSaved={places.again} />
-            <KnownComputers
-              heard={heard}
-              onChanged={(changed) => known.set({ heard: changed, classes })}
-              onAgain={known.again}
-            />
+            <KnownComputers heard={heard} onAgain={known.again} />
           </>
         )}
       </Loaded>

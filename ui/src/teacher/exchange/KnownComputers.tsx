@@ -2,19 +2,16 @@ import type { KnownComputerList } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { when } from "../../i18n/format";
 import { usePolling } from "../../kit/usePolling";
-import { TrustCell } from "./TrustCell";
 import { Unconfirmed } from "./Unconfirmed";
 
 interface KnownComputersProps {
   heard: KnownComputerList;
-  /** After an approval. */
-  onChanged(heard: KnownComputerList): void;
   /** Loads anew. */
   onAgain(): Promise<void>;
 }
 
-/** The PCs whose work is here, with the time of the last merge, and which of them are approved. */
-export function KnownComputers({ heard, onChanged, onAgain }: KnownComputersProps) {
+/** The PCs whose work is here, with the time of the last merge. */
+export function KnownComputers({ heard, onAgain }: KnownComputersProps) {
   const { computers, unconfirmed } = heard;
   usePolling(onAgain, { isOn: unconfirmed.waiting > 0 });
   const say = texts.value.exchange;
@@ -34,7 +31,6 @@ export function KnownComputers({ heard, onChanged, onAgain }: KnownComputersProp
                 <th scope="col">{say.computer}</th>
                 <th scope="col">{say.exported}</th>
                 <th scope="col">{say.merged}</th>
-                <th scope="col">{say.trust.title}</th>
                 <th scope="col" class="exchange__number">
                   {say.heardRuns}
                 </th>
@@ -46,15 +42,11 @@ export function KnownComputers({ heard, onChanged, onAgain }: KnownComputersProp
                   <th scope="row">{one.name}</th>
                   <td>{at(one.exported_at)}</td>
                   <td>{at(one.merged_at)}</td>
-                  <td>
-                    <TrustCell computer={one} onApproved={onChanged} />
-                  </td>
                   <td class="exchange__number">{one.n_runs}</td>
                 </tr>
               ))}
             </tbody>
           </table>
-          <p class="exchange__hint">{say.trust.hint}</p>
           <p class="exchange__hint">{say.clock}</p>
         </>
       )}

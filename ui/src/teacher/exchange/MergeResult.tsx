@@ -4,7 +4,7 @@ import type { Merged } from "../../api/model";
 import { texts } from "../../i18n";
 import { DeletedElsewhere } from "./DeletedElsewhere";
 import { FilesLeft } from "./FilesLeft";
-import { outcome, warning } from "./outcome";
+import { outcome } from "./outcome";
 
 interface MergeResultProps {
   merged: Merged;
@@ -37,7 +37,9 @@ export function MergeResult({ merged, isLesson, onDelete, onKeep }: MergeResultP
           [outcome(merged, say), isLesson && say.lessonCame].filter(Boolean).join(" ")
         )}
       </p>
-      <Warning merged={merged} />
+      {merged.n_unconfirmed > 0 && (
+        <p class="notice-box exchange__warning">{say.unconfirmed.came}</p>
+      )}
       {merged.would_delete && (
         <DeletedElsewhere
           computer={merged.computer ?? merged.name}
@@ -53,12 +55,6 @@ export function MergeResult({ merged, isLesson, onDelete, onKeep }: MergeResultP
       )}
     </li>
   );
-}
-
-/** Who wrote the file, where the teacher did not approve that PC. */
-function Warning({ merged }: Pick<MergeResultProps, "merged">) {
-  const words = warning(merged, texts.value.exchange.trust);
-  return words && <p class="notice-box exchange__warning">{words}</p>;
 }
 
 /** Names the file unless the message does. */

@@ -7,7 +7,7 @@ interface UnconfirmedProps {
 
 /** How many runs of files wait to be checked, and how many did not come out as their file says. */
 export function Unconfirmed({ counts }: UnconfirmedProps) {
-  const { trust: say } = texts.value.exchange;
+  const { unconfirmed: say } = texts.value.exchange;
   const wrong = counts.differs + counts.not_passed;
   if (counts.waiting + wrong + counts.not_repeatable === 0) return null;
   return (

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { textsOf } from "../../i18n";
-import { newsOf, outcome, warning } from "./outcome";
+import { newsOf, outcome } from "./outcome";
 
 const none = { groups: 0, programs: 0, versions: 0, runs: 0 };
 const file = {
@@ -67,12 +67,4 @@ test("what was moved or is newer is told with numbers", () => {
     "Está agora sem turma.",
   );
   expect(newsOf({ ...work, is_moved: false, n_new_programs: 0, n_new_runs: 0 }, say)).toBe("");
-});
-
-test("whose work waits is told of a PC that is not approved, not of this one", () => {
-  const { trust } = textsOf("pt-BR").exchange;
-  const of = (trusted: Parameters<typeof warning>[0]["trust"]) =>
-    warning({ trust: trusted, n_unconfirmed: 2 }, trust);
-  expect([of("unapproved"), of("unsigned")]).toEqual([trust.cameUnapproved, trust.cameUnsigned]);
-  expect([of("own"), of("approved")]).toEqual([null, null]);
 });

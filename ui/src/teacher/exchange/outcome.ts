@@ -18,7 +18,6 @@ type Say = Pick<
   | "heldBackRest"
   | "kept"
 >;
-type Trust = Texts["exchange"]["trust"];
 type Outcome = Pick<
   Merged,
   "computer" | "name" | "added" | "anonymous" | "held_back" | "kept" | "nothing_new" | "removed"
@@ -34,17 +33,6 @@ export function outcome(merged: Outcome, say: Say): string {
     heldBack && told(counted(heldBack, say), say.heldBack, say.heldBackRest),
   ];
   return sentences.filter(Boolean).join(" ");
-}
-
-/** What to know of who wrote a file for which nobody vouches; null where there is nothing to say. */
-export function warning(
-  merged: Pick<Merged, "trust" | "n_unconfirmed">,
-  say: Trust,
-): string | null {
-  const { trust, n_unconfirmed } = merged;
-  if (trust === "changed_key") return say.cameChanged;
-  if (n_unconfirmed === 0 || trust === "own" || trust === "approved") return null;
-  return trust === "unsigned" ? say.cameUnsigned : say.cameUnapproved;
 }
 
 /** The non-zero counts, as text. */

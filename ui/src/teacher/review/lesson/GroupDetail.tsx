@@ -8,10 +8,11 @@ import { RunLine } from "./RunLine";
 interface GroupDetailProps {
   review: GroupReview;
   book: MarkBook;
+  onAccepted(): unknown;
 }
 
 /** The runs of a group as text, and the blocks that it used. */
-export function GroupDetail({ review, book }: GroupDetailProps) {
+export function GroupDetail({ review, book, onAccepted }: GroupDetailProps) {
   const { detail } = texts.value.review;
   const runs = review.marks.filter(({ kind }) => kind === "run");
   return (
@@ -21,7 +22,7 @@ export function GroupDetail({ review, book }: GroupDetailProps) {
         {runs.length === 0 && <p class="detail__none">{detail.noRuns}</p>}
         <ol>
           {runs.map((mark) => (
-            <RunLine key={mark.run_id} mark={mark} book={book} />
+            <RunLine key={mark.run_id} mark={mark} book={book} onAccepted={onAccepted} />
           ))}
         </ol>
       </div>

@@ -14,13 +14,15 @@ const NARROWEST_PX = 200;
 interface GroupListProps {
   review: LessonReview;
   place: LessonPlace;
+  onAccepted(): unknown;
 }
 
 /** Parts of the list, by what groups need; within a part they are in the order of their names. */
 const NEEDS = ["help", "working", "passed"] as const;
 
 /** The groups of a lesson, with timelines of the width of the screen or the printed page. */
-export function GroupList({ review: { groups }, place: { timeOf, open } }: GroupListProps) {
+export function GroupList({ review: { groups }, place, onAccepted }: GroupListProps) {
+  const { timeOf, open } = place;
   const { list, width } = useLineWidth();
   const lines = useMemo(
     () => linesOf(groups, timeOf.value, Math.max(NARROWEST_PX, width)),
@@ -43,6 +45,7 @@ export function GroupList({ review: { groups }, place: { timeOf, open } }: Group
           withDays={withDays}
           open={open.value.has(review.group.id)}
           onToggle={() => toggle(review.group.id)}
+          onAccepted={onAccepted}
         />
       )
     );

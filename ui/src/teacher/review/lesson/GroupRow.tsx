@@ -18,13 +18,15 @@ interface GroupRowProps {
   withDays: boolean;
   open: boolean;
   onToggle(): void;
+  onAccepted(): unknown;
 }
 
 /** The element of a group's row, if it is shown. */
 export const rowOf = (group: string) => document.getElementById(`group-${group}`);
 
 /** A group: its name, timeline and figures; when opened, its runs as text. */
-export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowProps) {
+export function GroupRow(props: GroupRowProps) {
+  const { review, layout, withDays, open, onToggle, onAccepted } = props;
   const { group, marks, figures, blocks, hints } = review;
   const { lesson, detail } = texts.value.review;
   const book = useMemo(() => new MarkBook(marks, withDays), [marks, withDays]);
@@ -62,7 +64,7 @@ export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowP
         )}
         <FigureRow group={group.name} figures={figures} hints={hints} />
       </div>
-      {open && <GroupDetail review={review} book={book} />}
+      {open && <GroupDetail review={review} book={book} onAccepted={onAccepted} />}
     </li>
   );
 }

@@ -32,7 +32,8 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
   const page = useTeacherLoaded(`${lessonId} ${language.value}`, () => loadLesson(lessonId));
   const isWaiting = valueIn(page)?.review.groups.some(({ marks }) => marks.some(waits)) ?? false;
   // quietly: the rows stay, so that nothing that is open or read moves away; a failure is left to the next look
-  usePolling(() => loadLesson(lessonId).then(page.set, () => {}), { isOn: isWaiting });
+  const lookAgain = () => loadLesson(lessonId).then(page.set, () => {});
+  usePolling(lookAgain, { isOn: isWaiting });
   useEffect(() => {
     document.documentElement.dataset.page = "lesson"; // for print.css
     return () => {
@@ -42,7 +43,11 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
   return (
     <Loaded of={page} as="screen" loading={texts.value.review.lesson.opening}>
       {(value, { at, busy }) => (
-        <Lesson page={value} refresh={<Refresh at={at} busy={busy} onRefresh={page.again} />} />
+        <Lesson
+          page={value}
+          refresh={<Refresh at={at} busy={busy} onRefresh={page.again} />}
+          onAccepted={lookAgain}
+        />
       )}
     </Loaded>
   );
@@ -54,9 +59,11 @@ const waits = ({ unconfirmed }: ReviewMark) => unconfirmed === "waiting";
 interface LessonProps {
   page: LessonPage;
   refresh: ComponentChildren;
+  /** After a run was accepted that cannot be repeated here. */
+  onAccepted(): unknown;
 }
 
-function Lesson({ page, refresh }: LessonProps) {
+function Lesson({ page, refresh, onAccepted }: LessonProps) {
   const { lesson: say } = texts.value.review;
   const { groups, lesson } = page.review;
   const place = placeOf(lesson.id);
@@ -75,7 +82,7 @@ function Lesson({ page, refresh }: LessonProps) {
               <strong>{say.noRunsTitle}.</strong> {say.noRuns}
             </p>
           )}
-          <GroupList review={page.review} place={place} />
+          <GroupList review={page.review} place={place} onAccepted={onAccepted} />
           <Explanations />
         </>
       )}

@@ -54,7 +54,7 @@ export function LessonSummary({ review: { summary, groups }, place }: LessonSumm
 
 /** What waits to be checked, and what did not come out as its file says. */
 function unconfirmedWords(groups: readonly GroupReview[]): string[] {
-  const { trust: say } = texts.value.exchange;
+  const { unconfirmed: say } = texts.value.exchange;
   const found = groups.flatMap(({ marks }) => marks.map(({ unconfirmed }) => unconfirmed));
   const waiting = found.filter((one) => one === "waiting").length;
   const wrong = found.filter((one) => one === "differs" || one === "not_passed").length;

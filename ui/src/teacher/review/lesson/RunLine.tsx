@@ -2,10 +2,14 @@ import { GitCompareArrows, Play } from "lucide-preact";
 import type { ReviewMark } from "../../../api/model";
 import { reviewApi } from "../../../api/review";
 import { texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
 import { LinkButton } from "../../../kit/LinkButton";
+import { useAct } from "../../../kit/requests/act";
+import { FaultLine } from "../../../kit/requests/FaultLine";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { useLoaded } from "../../../kit/requests/useLoaded";
 import { hashOf } from "../../../shell/route";
+import { asTeacher } from "../../../shell/teacher/teacher_session";
 import { changesInWords, facts, type MarkBook, runTitle } from "../marks/mark_words";
 import { differenceOf } from "../marks/version_differences";
 import { outcomeOf } from "../model";
@@ -14,10 +18,12 @@ import { OutcomeSign } from "../OutcomeSign";
 interface RunLineProps {
   mark: ReviewMark;
   book: MarkBook;
+  /** After the teacher has accepted it. */
+  onAccepted(): unknown;
 }
 
 /** A run as text: outcome, changes that repaired another run, notes, and links to its views. */
-export function RunLine({ mark, book }: RunLineProps) {
+export function RunLine({ mark, book, onAccepted }: RunLineProps) {
   const { detail } = texts.value.review;
   const outcome = outcomeOf(mark);
   if (!mark.run_id) return null;
@@ -36,6 +42,9 @@ export function RunLine({ mark, book }: RunLineProps) {
         <Notes run={mark.run_id} />
       </div>
       <div class="run-line__links">
+        {mark.unconfirmed === "not_repeatable" && (
+          <Accept run={mark.run_id} title={runTitle(mark, book)} onAccepted={onAccepted} />
+        )}
         {mark.repairs && (
           <LinkButton
             icon={GitCompareArrows}
@@ -51,8 +60,29 @@ export function RunLine({ mark, book }: RunLineProps) {
   );
 }
 
+interface AcceptProps {
+  run: string;
+  title: string;
+  onAccepted(): unknown;
+}
+
+/** Lets a run count that cannot be repeated here. */
+function Accept({ run, title, onAccepted }: AcceptProps) {
+  const { busy, fault, act } = useAct(asTeacher);
+  const { detail } = texts.value.review;
+  const accept = () => act(async () => reviewApi.accept(run).then(onAccepted));
+  return (
+    <>
+      <Button busy={busy} testId="accept-run" label={detail.acceptOf(title)} onPress={accept}>
+        {detail.accept}
+      </Button>
+      <FaultLine fault={fault} />
+    </>
+  );
+}
+
 /** Changes between the failed run and this one. */
-function Repair({ mark, book }: RunLineProps) {
+function Repair({ mark, book }: Omit<RunLineProps, "onAccepted">) {
   const { line } = texts.value.review;
   if (!mark.repairs) return null;
   const changes = changesInWords(mark, differenceOf(mark));

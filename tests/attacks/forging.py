@@ -25,6 +25,7 @@ from storage.exchange.content_hash import content_hash
 from storage.exchange.merge_report import MergeReport
 from storage.exchange.scope import ALL, Scope
 from storage.sqlite import sqlite3
+from tests.storage.bundle_makers import give_keys_of_before
 
 MISSION = "square"
 _STANDING = {
@@ -40,15 +41,10 @@ LATEST_ALLOWED = "revision = 900000, changed_at = '2026-01-01T00:00:00Z'"
 
 
 class Pc:
-    """A PC with a group and its program.
-
-    Attributes:
-        public_key: of its last export.
-    """
+    """A PC with a group and its program."""
 
     def __init__(self, store: Store, folder: Path) -> None:
         self.store, self._folder = store, folder
-        self.public_key: str | None = None
         self._n_files = 0
 
     def drives(self, *, well: bool = True, passed: bool | None = None) -> str:
@@ -80,7 +76,6 @@ class Pc:
             computer=self.store.computers.this(),
             scope=scope,
         )
-        self.public_key = info.signed_by
         return info.path
 
     def take_along(self, run_id: str) -> Path:
@@ -92,11 +87,6 @@ class Pc:
         for file in files:
             report = self.store.exchange.merge(file)
         return report
-
-    def approves(self, other: "Pc") -> None:
-        """The teacher compared the fingerprint."""
-        assert other.public_key
-        self.store.computer_keys.approve(other.public_key)
 
     def counts(self, run_id: str) -> bool:
         """Whether the group of the run has passed the mission here."""
@@ -137,19 +127,20 @@ class _JudgeHere:
         pass
 
 
-def falsified(file: Path, *statements: str) -> Path:
-    """The file after somebody changed it, with a checksum that fits, and without the signature, which cannot fit."""
+def falsified(file: Path, *statements: str, of_before: bool = False) -> Path:
+    """The file after somebody changed it, with a checksum that fits; `of_before` as one of a release before 0.3."""
     with closing(sqlite3.connect(file, isolation_level=None)) as db:
+        if of_before:
+            give_keys_of_before(db)
         for statement in statements:
             assert db.execute(statement).rowcount
         values = [content_hash(db), json.dumps(counts_of(db))]
         db.execute("UPDATE bundle SET content_hash = ?, counts = ?", values)
-        db.execute("DELETE FROM signatures")
     return file
 
 
 def edited(file: Path, statement: str) -> Path:
-    """The file after somebody changed it, checksum and signature left as they were."""
+    """The file after somebody changed it, the checksum left as it was."""
     with closing(sqlite3.connect(file, isolation_level=None)) as db:
         db.execute(statement)
     return file
