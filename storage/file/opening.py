@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
-from storage.errors import StoreError, translated
+from storage.errors import StoreError, error_name, translated
 from storage.file import log
 from storage.file.filesystems import is_on_share
 from storage.file.mark import Remembered, n_saves_of, remember, remember_first, remembered
@@ -41,6 +41,7 @@ _MADE_HERE = (
     ),
 )
 _EMPTY = ("missing", "empty")
+_CHUNK = 2**20
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,9 +159,30 @@ def _looked_at(path: Path) -> tuple[str, int]:
             is_current = _applied(connection) == MIGRATIONS.keys()
             return damaged_ids(connection) if is_current else "", n_saves_of(connection)
     except sqlite3.DatabaseError as error:
-        if translated(error, path).code != "database_damaged":
+        if not _is_damage(error, path):
             raise
         return str(error), 0
+
+
+def _is_damage(error: sqlite3.Error, path: Path) -> bool:
+    """Whether an error of opening means wrong bytes in the file.
+
+    SQLite says only "disk I/O error" of some files that were cut off below their log, though every byte can be read.
+    """
+    code = translated(error, path).code
+    if code != "database_failed" or error_name(error) != "SQLITE_IOERR":
+        return code == "database_damaged"
+    return all(_can_be_read(part) for part in (path, log.path_of(path)) if part.exists())
+
+
+def _can_be_read(file: Path) -> bool:
+    try:
+        with file.open("rb") as opened:
+            while opened.read(_CHUNK):
+                pass
+    except OSError:
+        return False
+    return True
 
 
 def _examined_end(

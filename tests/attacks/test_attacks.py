@@ -25,6 +25,7 @@ from storage import RunFilter, Store, StoreError, open_store
 from storage.file.backups import make_backup
 from storage.limits import MAX_REVISION, MAX_TURN
 from storage.sql import opened, row_count
+from storage.sqlite import sqlite3
 from tests.attacks.damage import (
     PAGE,
     Day,
@@ -493,6 +494,24 @@ def test_an_idle_app_leaves_nothing_in_the_log(
 @pytest.mark.parametrize("turn", range(24))
 def test_no_damage_to_a_file_loses_anything_silently(turn: int, tmp_path: Path) -> None:
     assert outcome_of(turn, tmp_path).is_honest
+
+
+def test_a_file_that_was_cut_off_in_its_list_of_tables_is_salvaged(day: Day) -> None:
+    """SQLite calls it an error of the disk."""
+    while can_list_tables(day.path):
+        os.truncate(day.path, day.path.stat().st_size - PAGE)
+    notice, n_kept = reopened(day)
+    assert notice
+    assert notice.code == "database_salvaged"
+    assert n_kept >= day.n_backed_up + 40  # those of the log
+
+
+def can_list_tables(path: Path) -> bool:
+    with closing(opened(path, "ro")) as db:
+        try:
+            return bool(db.execute("SELECT count(*) FROM sqlite_master").fetchone())
+        except sqlite3.DatabaseError:
+            return False
 
 
 @pytest.mark.nightly
