@@ -159,10 +159,10 @@ def test_place_and_heading_are_in_the_start_frame(value_of: Any) -> None:
 def test_compass_knows_the_map_whatever_the_start(value_of: Any) -> None:
     room = {one["name"]: one for one in list_worlds()}["empty_room"]
     for start_deg in (0, 90, -135):
-        room["start"]["heading_deg"] = start_deg
+        turned = {**room, "start": {**room["start"], "heading_deg": start_deg}}
         for left_deg in (0, 90, -90):
             looks_deg = 90 - start_deg - left_deg
-            seen = value_of(measure("compass"), turn(left_deg), world=room)
+            seen = value_of(measure("compass"), turn(left_deg), world=turned)
             assert seen == pytest.approx(180 - (180 - looks_deg) % 360, abs=0.01)
 
 
