@@ -119,8 +119,8 @@ def main():
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(node)
     spinning = threading.Thread(target=executor.spin)
+    print("ready", flush=True)  # the first line, before any velocity
     spinning.start()
-    print("ready", flush=True)
     for line in sys.stdin:
         behaviour.update(json.loads(line))
     executor.shutdown()

@@ -241,6 +241,7 @@ class Sensors:
                 self._gone.discard(sensor)
             elif sensor not in self._gone:
                 self._gone.add(sensor)
+                self._outbox.drop(sensor)  # the level of a battery would come after this
                 self._outbox.say("gone", sensor, sensor=sensor)
 
     def _is_published(self, topic, kind):

@@ -29,6 +29,13 @@ class Outbox:
             self._waiting[kind, key] = {"type": kind, **fields}
             self._changed.notify()
 
+    def drop(self, kind):
+        """Forgets what waits of a kind: it is true no more."""
+        with self._changed:
+            self._waiting = {
+                which: line for which, line in self._waiting.items() if which[0] != kind
+            }
+
     def close(self):
         """Writes what waits, if the app reads it."""
         with self._changed:
