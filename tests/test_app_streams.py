@@ -1,5 +1,6 @@
 """`GET /classify_stream` of a real app: how long a capture takes, who shares it, and one that begins late."""
 
+import threading
 import time
 import urllib.request
 from collections.abc import Callable, Iterator
@@ -14,6 +15,8 @@ from pinel_desktop.camera.recording import write_recording
 from pinel_desktop.robot.record import BridgeRecord
 from pinel_desktop.web.legacy import streams
 from pinel_desktop.web.legacy.api import BridgeChoice
+from pinel_desktop.web.legacy.keeping import Commands
+from pinel_desktop.web.legacy.open_run import OpenRun
 from tests.in_time import in_time
 from tests.links.aurora import Aurora, free_port
 from tests.test_app_legacy import (
@@ -121,6 +124,26 @@ def test_a_call_during_a_capture_waits_for_its_end_and_one_for_a_capture_has_its
     until(lambda: bridged.live_run() is not None)
     assert Client(address).post("/classify_gestures", {}) == (200, {"result": "B"})
     assert Client(address).execute(SIDE) == {"status": "ok", "n_executed": 1}
+    watching.join()
+    bridged.stop()
+    assert n_recorded_captures(bridged) == 1
+
+
+def test_a_call_while_a_capture_is_just_beginning_waits_for_it(
+    open_app: OpenApp, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    send, begins = OpenRun._send, threading.Event()
+
+    def send_late(run: OpenRun, commands: Commands) -> None:
+        begins.set()
+        time.sleep(0.5)
+        send(run, commands)
+
+    monkeypatch.setattr(OpenRun, "_send", send_late)
+    address, bridged = open_app(B)
+    watching, _ = bridged.in_background(lambda: whole(address))
+    assert begins.wait(WAIT_S)
+    assert Client(address).post("/classify_gestures", {}) == (200, {"result": "B"})
     watching.join()
     bridged.stop()
     assert n_recorded_captures(bridged) == 1

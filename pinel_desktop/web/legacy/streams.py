@@ -122,13 +122,15 @@ class Streams:
 
     def _begin_capture(self, now_s: float) -> _Capture | None:
         """None where something else runs: who watches then only watches."""
+        # before it begins: a call that comes meanwhile waits for it, and is not told that the robot is busy
+        self._capture = capture = _Capture(now_s, now_s)
         try:
             self._run.begin(CAPTURE)
-        except PinelError as error:
-            if error.code in _BUSY:
+        except BaseException as error:
+            capture.over.set()
+            if isinstance(error, PinelError) and error.code in _BUSY:
                 return None
             raise
-        self._capture = capture = _Capture(now_s, now_s)
         self._camera.caption(self._caption(None))
         threading.Thread(target=self._follow, args=(capture,), daemon=True).start()
         return capture
