@@ -58,7 +58,7 @@ def test_a_lesson_on_three_pcs_is_read_on_one(pcs: list[Studio], stick: Path) ->
     forge(stick)
     come_together(mine, stick)
     read_the_lesson(mine)
-    tells_what_does_not_hold(mine)
+    names_the_run_that_failed_verification(mine)
 
 
 def forge(stick: Path) -> None:
@@ -210,7 +210,7 @@ def follows_the_checking(pc: Studio) -> None:
     assert violations(pc, "review-detail") == []
 
 
-def tells_what_does_not_hold(pc: Studio) -> None:
+def names_the_run_that_failed_verification(pc: Studio) -> None:
     """What was forged stays without its pass."""
     pc.page.goto(f"{pc.origin}/#/teacher/files")
     expect(pc["unconfirmed"]).to_contain_text("1 rodada não confere")

@@ -18,7 +18,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
     return lasting_app
 
 
-def test_a_group_that_is_deleted_under_its_program_is_told_once_and_can_take_its_text(
+def test_a_group_that_is_deleted_while_its_program_is_open_is_reported_once_and_can_take_its_text(
     studio: Studio, watch: Watch
 ) -> None:
     watch.expect("404 (NOT FOUND)")
@@ -51,7 +51,7 @@ def test_a_group_that_is_deleted_under_its_program_is_told_once_and_can_take_its
     expect(studio["group-name"]).to_be_visible()
 
 
-def test_the_blocks_stay_in_sight_while_the_server_is_gone(studio: Studio, watch: Watch) -> None:
+def test_the_blocks_stay_visible_while_the_server_is_gone(studio: Studio, watch: Watch) -> None:
     watch.expect("Failed to load resource")
     enter_made_group(studio, [("move_forward", 0.3)])
     place = studio.page.url

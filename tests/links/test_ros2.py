@@ -245,32 +245,6 @@ def test_a_ring_of_sonars_on_one_topic_is_heard_as_a_whole(
         assert link.sensors.sonars() == pytest.approx([1.5 + n / 10 for n in range(16)])
 
 
-SAYS_AND_DROPS = """
-import time
-from outbox import Outbox
-outbox = Outbox()
-outbox.say("battery", level=0.5)
-time.sleep(0.3)
-outbox.say("battery", level=0.4)  # waits for a second
-outbox.drop("battery")
-outbox.say("gone", "battery", sensor="battery")
-outbox.close()
-"""
-
-
-def test_a_level_that_waits_is_not_told_after_its_battery_has_gone() -> None:
-    done = subprocess.run(
-        [sys.executable, "-c", SAYS_AND_DROPS],
-        cwd=installed.NODE.parent,
-        capture_output=True,
-        check=True,
-    )
-    assert [json.loads(line) for line in done.stdout.splitlines()] == [
-        {"type": "battery", "level": 0.5},
-        {"type": "gone", "sensor": "battery"},
-    ]
-
-
 def test_what_vanishes_in_a_run_is_told(
     robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -23,7 +23,7 @@ let context: AudioContext | null = null;
 let quietFrom = 0;
 
 /** Whether somebody has turned the sound on; a beep of a program needs that no more than not being off. */
-export const isSoundWanted = computed(() => chosen.value === "0");
+export const isSoundTurnedOn = computed(() => chosen.value === "0");
 
 /** Plays a short tone. Silent before the first click in the page, as browsers require; tones do not overlap. */
 export function beep(): void {
@@ -33,7 +33,7 @@ export function beep(): void {
 
 /** Plays a short fanfare where sound was turned on. */
 export function cheer(): void {
-  if (isSoundWanted.value) play(CHEER_HZ);
+  if (isSoundTurnedOn.value) play(CHEER_HZ);
 }
 
 /** Plays tones one after the other. */

@@ -66,8 +66,8 @@ export class KeptById {
   private readonly entries: ReadonlySignal<readonly Entry[]>;
 
   constructor(private readonly name: TextSetting) {
-    const kept = setting(name);
-    this.entries = computed(() => entriesOf(kept.value));
+    const stored = setting(name);
+    this.entries = computed(() => entriesOf(stored.value));
   }
 
   of(id: string): string | null {

@@ -14,21 +14,21 @@ interface Lasting {
 
 const worker = globalThis as { lasting?: Lasting };
 worker.lasting ??= {
-  timers: notedTimers(),
+  timers: trackTimers(),
   blocklys: new Set(blocklyStores().flatMap(Object.values)),
 };
 
-/** Notes each timer that begins from now on. */
-function notedTimers(): number[] {
+/** The ids of all timers that begin from now on. */
+function trackTimers(): number[] {
   const timers: number[] = [];
   for (const name of ["setTimeout", "setInterval"] as const) {
     const begin = globalThis[name] as (...given: unknown[]) => unknown;
-    const noting = (...given: unknown[]) => {
+    const tracked = (...given: unknown[]) => {
       const timer = begin(...given);
       timers.push(Number(timer));
       return timer;
     };
-    Object.assign(globalThis, { [name]: noting });
+    Object.assign(globalThis, { [name]: tracked });
   }
   return timers;
 }

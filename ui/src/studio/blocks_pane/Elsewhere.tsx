@@ -6,20 +6,20 @@ import { WayBack } from "../../kit/WayBack";
 import { go } from "../../shell/route";
 import { choose, setting } from "../../shell/settings";
 
-const told = setting("pinel_elsewhere");
-const APART = "_";
+const acknowledged = setting("pinel_elsewhere");
+const SEPARATOR = "_";
 /** Enough for all groups of a school, and far below what a setting may hold. */
-const MOST_KEPT = 40;
+const MAX_IDS = 40;
 
 /** Two PCs have continued one program: tells the group once where the other version is. */
 export function Elsewhere({ program }: { program: ProgramWithVersion }) {
   const { elsewhere, version } = program;
-  const isSeen = useSignal(elsewhere === null || seen().includes(elsewhere.id));
-  if (isSeen.value || !elsewhere || !version) return null;
+  const isHidden = useSignal(elsewhere === null || acknowledgedIds().includes(elsewhere.id));
+  if (isHidden.value || !elsewhere || !version) return null;
   const words = texts.value.keeping;
-  const see = () => {
-    void choose("pinel_elsewhere", [...seen(), elsewhere.id].slice(-MOST_KEPT).join(APART));
-    isSeen.value = true;
+  const acknowledge = () => {
+    void choose("pinel_elsewhere", [...acknowledgedIds(), elsewhere.id].slice(-MAX_IDS).join(SEPARATOR));
+    isHidden.value = true;
   };
   return (
     <WayBack
@@ -28,13 +28,13 @@ export function Elsewhere({ program }: { program: ProgramWithVersion }) {
       Icon={Columns2}
       testId="elsewhere"
       onBack={() => {
-        see();
+        acknowledge();
         const [before, after] = [elsewhere.id, version.id];
         go({ screen: "differences", program: program.id, before, after });
       }}
-      onClose={see}
+      onClose={acknowledge}
     />
   );
 }
 
-const seen = () => told.peek().split(APART).filter(Boolean);
+const acknowledgedIds = () => acknowledged.peek().split(SEPARATOR).filter(Boolean);

@@ -4,7 +4,7 @@ import type { Activity } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
-import { cheer, isSoundWanted, muted, setMuted } from "../../run/sound";
+import { cheer, isSoundTurnedOn, muted, setMuted } from "../../run/sound";
 import { beginActivity } from "../../shell/begin_activity";
 import { hashOf } from "../../shell/route";
 import { judged } from "../../shell/session";
@@ -52,7 +52,7 @@ export function Success({ open, mission }: { open: OpenProgram; mission: Activit
 /** Success is heard where somebody has wanted it once. */
 function Sound() {
   const { show } = texts.value;
-  const isOn = isSoundWanted.value;
+  const isOn = isSoundTurnedOn.value;
   return (
     <Button
       kind="plain"

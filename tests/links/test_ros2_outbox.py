@@ -1,0 +1,32 @@
+"""What the ROS 2 node sends to the app, and what it no longer does."""
+
+import json
+import subprocess
+import sys
+
+from pinel_desktop.links.ros2 import installed
+
+PENDING_THEN_GONE = """
+import time
+from outbox import Outbox
+outbox = Outbox()
+outbox.say("battery", level=0.5)
+time.sleep(0.3)
+outbox.say("battery", level=0.4)  # pending for a second
+outbox.drop("battery")
+outbox.say("gone", "battery", sensor="battery")
+outbox.close()
+"""
+
+
+def test_a_pending_battery_level_is_not_sent_once_the_battery_is_gone() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", PENDING_THEN_GONE],
+        cwd=installed.NODE.parent,
+        capture_output=True,
+        check=True,
+    )
+    assert [json.loads(line) for line in done.stdout.splitlines()] == [
+        {"type": "battery", "level": 0.5},
+        {"type": "gone", "sensor": "battery"},
+    ]
