@@ -259,7 +259,9 @@ def test_what_lies_in_the_bin_is_counted_with_the_group(studio: Studio, stick: P
     expect(doomed).to_contain_text("1 programa (1 na lixeira) e 0 rodadas")
 
 
-def test_classes_of_the_same_name_are_distinguished(studio: Studio, far_pc: Browser, stick: Path) -> None:
+def test_classes_of_the_same_name_are_distinguished(
+    studio: Studio, far_pc: Browser, stick: Path
+) -> None:
     studio.tell("PUT", "/teacher/pin", {"pin": PIN})
     for pc, name in ((far_pc, "PC 1"), (studio, "PC 2")):
         ask(pc, "PATCH", "/computer", {"name": name})

@@ -60,7 +60,7 @@ describe("a place", () => {
 
   test("is told of in a world without places, and outside of places the name is empty", () => {
     setKnownPlaces([]);
-    expect(told(until("a", is(CELL, "A")))["a"]?.[1]).toMatch("não tem lugares");
+    expect(told(until("a", is(CELL, "A"))).a?.[1]).toMatch("não tem lugares");
     expect(told(until("a", is(CELL, "")))).toEqual({});
   });
 

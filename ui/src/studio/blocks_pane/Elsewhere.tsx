@@ -18,7 +18,10 @@ export function Elsewhere({ program }: { program: ProgramWithVersion }) {
   if (isHidden.value || !elsewhere || !version) return null;
   const words = texts.value.keeping;
   const acknowledge = () => {
-    void choose("pinel_elsewhere", [...acknowledgedIds(), elsewhere.id].slice(-MAX_IDS).join(SEPARATOR));
+    void choose(
+      "pinel_elsewhere",
+      [...acknowledgedIds(), elsewhere.id].slice(-MAX_IDS).join(SEPARATOR),
+    );
     isHidden.value = true;
   };
   return (
