@@ -29,7 +29,7 @@ from pinel_desktop.school.robots import Robots
 from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.settings import CAMERA, Settings
-from pinel_desktop.web.application import Application
+from pinel_desktop.web.application import create_app
 from pinel_desktop.web.early_server import EarlyServer
 from pinel_desktop.web.services import DatabaseState, ReadDocument, Services
 from sim.world import list_worlds
@@ -193,8 +193,7 @@ class App:
             self._store, self._camera, self._hub.publish, lambda: self._settings.language
         )
         services = self._services()
-        self._application = Application(services)
-        server.open(self._application)
+        server.open(create_app(services))
         self._serve_bridge(services, undo)
         self._maintenance.start()
         self._content_check.start()
@@ -220,7 +219,6 @@ class App:
 
         def start() -> None:
             self._engine.start()
-            self._application.load()
             _warm_up()
             self._start_judging()
 

@@ -1,23 +1,16 @@
-"""The WSGI application: routes, guard, error responses and headers.
-
-A person waits for the first screen while the app is imported, so the routes that it does not ask for come later.
-"""
+"""The WSGI application: routes, guard, error responses and headers."""
 
 import json
-import threading
-from collections.abc import Iterable
-from types import ModuleType
 from typing import Any
 
 from flask import Flask, Response, current_app, request
 from flask.json.provider import DefaultJSONProvider
-from werkzeug.wsgi import get_path_info
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web import errors
-from pinel_desktop.web.first_routes import FIRST
 from pinel_desktop.web.page import PagePath, page
 from pinel_desktop.web.protection import add_headers, check_guard
+from pinel_desktop.web.routes import RESOURCES
 from pinel_desktop.web.services import Services
 
 MAX_BODY = 4 * 2**20  # a document of 1 MiB and its workspace
@@ -25,37 +18,10 @@ MAX_FILE = 64 * 2**20
 _TAKE_FILES = ("/api/programs/file", "/api/lessons/file")
 
 
-class Application:
-    """All routes on the given services; those that the first screen does not ask for are imported with the first
-    request for one of them, or by `load`."""
-
-    def __init__(self, parts: Services) -> None:
-        self._parts = parts
-        self._first = _create(parts, FIRST)
-        self._whole: Flask | None = None
-        self._loading = threading.Lock()
-
-    def __call__(self, environ: dict[str, Any], start_response: Any) -> Iterable[bytes]:
-        # the guard judges the Host of a request; here any will do
-        routes = self._first.url_map.bind("127.0.0.1")
-        path = get_path_info(environ)
-        is_first = routes.test(path, environ["REQUEST_METHOD"])
-        app = self._first if is_first else self.load()
-        return app(environ, start_response)
-
-    def load(self) -> Flask:
-        """The application with all routes."""
-        with self._loading:
-            if self._whole is None:
-                from pinel_desktop.web.routes import RESOURCES  # noqa: PLC0415 - see above
-
-                self._whole = _create(self._parts, RESOURCES)
-            return self._whole
-
-
-def _create(parts: Services, resources: Iterable[ModuleType]) -> Flask:
+def create_app(parts: Services) -> Flask:
+    """Builds the WSGI application on the given services."""
     app = Flask(__name__, static_folder=None)
-    for module in resources:
+    for module in RESOURCES:
         app.register_blueprint(module.api)
     app.extensions["pinel"] = parts
     app.json = _StrictJson(app)
