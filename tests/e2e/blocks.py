@@ -1,6 +1,8 @@
 """Operates the workspace by pointer and keyboard: drags blocks, types into fields."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeVar
 
 from playwright.sync_api import Locator, Page, expect
 
@@ -16,6 +18,14 @@ class Place:
 
     x: float
     y: float
+
+
+Box = dict[str, float]
+T = TypeVar("T")
+
+# read when the drag begins: until then, what the page fetches may move the blocks
+Target = Callable[[], Place]
+_A_FRAME = "new Promise(requestAnimationFrame)"
 
 
 class Blocks:
@@ -60,7 +70,7 @@ class Blocks:
             ".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable", has_text=words
         ).first
 
-    def drag_from_toolbox(self, category: str, words: str, to: Place) -> None:
+    def drag_from_toolbox(self, category: str, words: str, to: Target) -> None:
         """Drags a block out of its category."""
         before = self.all().count()
         self.open_category(category)
@@ -86,7 +96,7 @@ class Blocks:
         self.in_flyout(words).click(position={"x": 12, "y": 18})
         expect(self.all()).to_have_count(wanted)
 
-    def drag(self, block: Locator, to: Place) -> None:
+    def drag(self, block: Locator, to: Target) -> None:
         """Moves a block of the workspace, with the blocks below it."""
         self._drag(block.locator("> .blocklyPath").first, to)
 
@@ -95,17 +105,14 @@ class Blocks:
         box = box_of(block.locator("> .blocklyPath").first)
         self._page.mouse.click(box["x"] + 5, box["y"] + box["height"] - 16)
 
-    def below(self, block: Locator) -> Place:
-        box = box_of(block.locator("> .blocklyPath").first)
-        return Place(box["x"], box["y"] + box["height"] - _NOTCH_PX)
+    def below(self, block: Locator) -> Target:
+        return lambda: _place(block, lambda box: (0, box["height"] - _NOTCH_PX))
 
-    def inside(self, loop: Locator, row_px: float = 50) -> Place:
-        box = box_of(loop.locator("> .blocklyPath").first)
-        return Place(box["x"] + _MOUTH_PX, box["y"] + row_px)
+    def inside(self, loop: Locator, row_px: float = 50) -> Target:
+        return lambda: _place(loop, lambda box: (_MOUTH_PX, row_px))
 
-    def beside(self, block: Locator, gap_px: float = 160) -> Place:
-        box = box_of(block.locator("> .blocklyPath").first)
-        return Place(box["x"] + box["width"] + gap_px, box["y"] + 40)
+    def beside(self, block: Locator, gap_px: float = 160) -> Target:
+        return lambda: _place(block, lambda box: (box["width"] + gap_px, 40))
 
     def type_into(self, block: Locator, value: str, number: int = 0) -> None:
         """Clicks a field of the block and types over what it holds."""
@@ -120,17 +127,25 @@ class Blocks:
         block.locator("> .blocklyDropdownField").first.click()
         self._page.locator(".blocklyDropDownDiv .blocklyMenuItem", has_text=words).click()
 
-    def _drag(self, outline: Locator, to: Place) -> None:
+    def _drag(self, outline: Locator, to: Target) -> None:
         mouse = self._page.mouse
-        box = box_of(outline)
+        box, place = self._at_rest(lambda: (box_of(outline), to()))
         mouse.move(box["x"] + GRIP_PX[0], box["y"] + GRIP_PX[1])
         mouse.down()
-        end = (to.x + GRIP_PX[0], to.y + GRIP_PX[1])
+        end = (place.x + GRIP_PX[0], place.y + GRIP_PX[1])
         mouse.move(*end, steps=6)
         # a hand arrives with small movements; the gap that the block opened last closes on the first of them
         for step in (3, -3, 1, -1):
             mouse.move(end[0] + step, end[1] + step)
         mouse.up()
+
+    def _at_rest(self, read: Callable[[], T]) -> T:
+        """What is read twice in a row, a frame apart."""
+        last, now = None, read()
+        while now != last:
+            self._page.evaluate(_A_FRAME)
+            last, now = now, read()
+        return now
 
     def _parts(self, words: str) -> int:
         """Number of blocks that a block of the open category consists of."""
@@ -138,7 +153,13 @@ class Blocks:
         return 1 + self.in_flyout(words).locator(inner).count()
 
 
-def box_of(locator: Locator) -> dict[str, float]:
+def _place(block: Locator, offset: Callable[[Box], tuple[float, float]]) -> Place:
+    box = box_of(block.locator("> .blocklyPath").first)
+    right, down = offset(box)
+    return Place(box["x"] + right, box["y"] + down)
+
+
+def box_of(locator: Locator) -> Box:
     locator.scroll_into_view_if_needed()
     box = locator.bounding_box()
     assert box is not None, f"{locator} is not to be seen"

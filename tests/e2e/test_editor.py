@@ -201,5 +201,5 @@ def test_a_finger_drags_as_well_as_a_mouse(open_studio: OpenStudio) -> None:
     blocks.category("motion").tap()
     outline = blocks.in_flyout("andar para frente").locator("> .blocklyPath")
     finger = Finger(studio.page)
-    finger.drag(outline, blocks.below(blocks.start()))
+    finger.drag(outline, blocks.below(blocks.start())())
     expect_distances(studio, 1)

@@ -46,9 +46,9 @@ def test_the_page_arrives_in_its_theme(open_studio: OpenStudio) -> None:
     studio = open_studio()
     studio["theme"].click()
     expect(studio.page.locator("html")).to_have_attribute("data-theme", "dark")
-    studio.eventually(
-        lambda: 'data-theme="dark"' in studio.page.context.request.get(studio.origin).text(), True
-    )
+    # a choice that the server has not answered is sent again by the next page
+    studio.page.wait_for_function("() => sessionStorage.length === 0")
+    assert 'data-theme="dark"' in studio.page.context.request.get(studio.origin).text()
     asked: list[str] = []
     studio.page.on("request", lambda request: asked.append(request.url))
     studio.page.reload()
