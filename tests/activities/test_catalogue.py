@@ -1,6 +1,6 @@
 """The activities that ship, each with its solution, wrong programs that get the right message, and unusual right ones.
 
-`programs/NAME/wrong_*.py` must not pass; what is then said contains the words in `says.json`. `other_*.py` must pass.
+Wrong programs must not pass; what is then said contains the words in `programs/NAME/says.json`. Others must pass.
 """
 
 import json
@@ -24,12 +24,10 @@ from pinel_desktop.activities.reading import read_activity
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import Reading, read_document
+from tests.activities.given_programs import CATALOGUE, PROGRAMS, GivenProgram, others, wrong
 
-PROGRAMS = Path(__file__).parent / "programs"
-CATALOGUE = Path(__file__).parents[2] / "pinel_desktop" / "activities" / "catalogue"
 DOCS = Path(__file__).parents[2] / "docs" / "activities.md"
-WRONG = sorted(PROGRAMS.glob("*/wrong_*.py"))
-OTHER = sorted(PROGRAMS.glob("*/other_*.py"))
+WRONG, OTHER = wrong(), others()
 # on wheels alone the robot slips: its solution misses what counts by some centimetres
 MISSES_BY_SLIP = {
     "square",
@@ -42,19 +40,15 @@ MISSES_BY_SLIP = {
 }
 
 
-def name_of(file: Path) -> str:
-    return f"{file.parent.name}/{file.stem}"
-
-
-def read(file: Path) -> Reading:
-    reading = read_python(file.read_text("utf-8")).reading
+def read(text: str) -> Reading:
+    reading = read_python(text).reading
     assert reading.program is not None, reading.faults
     return reading
 
 
 @cache
-def judged(file: Path) -> Report:
-    return check_program(choose_activity(file.parent.name), read(file))
+def judged(given: GivenProgram) -> Report:
+    return check_program(choose_activity(given.activity), read(given.text))
 
 
 def solution(name: str) -> Reading:
@@ -113,18 +107,18 @@ def test_on_wheels_alone_its_solution_passes_where_slip_is_not_in_the_way(name: 
     assert check_program(activity, solution(name)).passed == (name not in MISSES_BY_SLIP)
 
 
-@pytest.mark.parametrize("file", WRONG, ids=name_of)
-def test_a_wrong_program_gets_its_message(file: Path) -> None:
-    says = json.loads((file.parent / "says.json").read_text("utf-8"))
-    report = judged(file)
+@pytest.mark.parametrize("given", WRONG, ids=str)
+def test_a_wrong_program_gets_its_message(given: GivenProgram) -> None:
+    says = json.loads((PROGRAMS / given.activity / "says.json").read_text("utf-8"))
+    report = judged(given)
     assert not report.passed
     assert report.advice is not None
-    assert says[file.stem] in report.advice.words["pt-BR"]
+    assert says[given.name] in report.advice.words["pt-BR"]
 
 
-@pytest.mark.parametrize("file", OTHER, ids=name_of)
-def test_an_unusual_program_passes_too(file: Path) -> None:
-    report = judged(file)
+@pytest.mark.parametrize("given", OTHER, ids=str)
+def test_an_unusual_program_passes_too(given: GivenProgram) -> None:
+    report = judged(given)
     assert report.passed, report.advice
 
 
@@ -132,19 +126,19 @@ def test_an_unusual_program_passes_too(file: Path) -> None:
 def test_at_least_three_wrong_programs_get_different_messages_and_two_others_pass(
     name: str,
 ) -> None:
-    wrong = [file for file in WRONG if file.parent.name == name]
-    said = [judged(file).advice for file in wrong]
-    assert len({advice.words["pt-BR"] for advice in said if advice}) == len(wrong) >= 3
-    assert sum(file.parent.name == name for file in OTHER) >= 2
-    assert len(json.loads((PROGRAMS / name / "says.json").read_text("utf-8"))) == len(wrong)
+    faulty = [given for given in WRONG if given.activity == name]
+    said = [judged(given).advice for given in faulty]
+    assert len({advice.words["pt-BR"] for advice in said if advice}) == len(faulty) >= 3
+    assert sum(given.activity == name for given in OTHER) >= 2
+    assert len(json.loads((PROGRAMS / name / "says.json").read_text("utf-8"))) == len(faulty)
 
 
 INTERNAL = re.compile(r"[{}]|\d{5}|\b[a-z]+_[a-z_]+\b|\d\.\d{3}|/commands")
 
 
-@pytest.mark.parametrize("file", WRONG, ids=name_of)
-def test_no_word_of_the_inside_reaches_a_pupil(file: Path) -> None:
-    report = judged(file)
+@pytest.mark.parametrize("given", WRONG, ids=str)
+def test_no_word_of_the_inside_reaches_a_pupil(given: GivenProgram) -> None:
+    report = judged(given)
     said: list[dict[str, str]] = [report.advice.words] if report.advice else []
     said += [check.words for case in report.cases for check in case.checks if not check.holds]
     for words in said:
@@ -154,7 +148,7 @@ def test_no_word_of_the_inside_reaches_a_pupil(file: Path) -> None:
 
 
 def test_numbers_are_said_in_the_form_of_the_language() -> None:
-    report = judged(PROGRAMS / "pushing" / "wrong_too_short.py")
+    report = judged(next(given for given in WRONG if str(given) == "pushing/wrong_too_short"))
     assert report.advice is not None
     assert "0,47 m" in report.advice.words["pt-BR"]
     assert "0,47 m" in report.advice.words["es"]

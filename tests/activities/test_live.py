@@ -2,7 +2,6 @@
 
 import re
 from functools import cache
-from pathlib import Path
 
 import pytest
 
@@ -27,15 +26,11 @@ from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import Reading, read_document
 from pinel_desktop.robot import Setting
 from pinel_desktop.runs.start import start
+from tests.activities.given_programs import GivenProgram, others, wrong
 from tests.activities.test_checks import ONE_OF_EACH
 
-PROGRAMS = Path(__file__).parent / "programs"
 ENDLESS = ("until_b/wrong_no_reading", "maze/wrong_no_move")
-FILES = [
-    file
-    for file in sorted(PROGRAMS.glob("*/*.py"))
-    if f"{file.parent.name}/{file.stem}" not in ENDLESS
-]
+GIVEN = [given for given in (*wrong(), *others()) if str(given) not in ENDLESS]
 OFTEN, RARELY = 15, 600  # ticks
 
 States = list[tuple[str, str, str]]
@@ -140,10 +135,10 @@ def test_a_run_in_another_world_is_not_followed() -> None:
     assert not LiveEvaluation(activity, {}, world_of(activity, activity.cases[0]), shaky).applies
 
 
-@pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.stem}")
-def test_the_list_ends_as_the_verdict_and_has_no_open_ends(file: Path) -> None:
-    reading = read_python(file.read_text("utf-8")).reading
-    lists = followed(file.parent.name, reading, language="pt-BR", every=RARELY)
+@pytest.mark.parametrize("given", GIVEN, ids=str)
+def test_the_list_ends_as_the_verdict_and_has_no_open_ends(given: GivenProgram) -> None:
+    reading = read(given.text)
+    lists = followed(given.activity, reading, language="pt-BR", every=RARELY)
     for words, measured, _ in (line for lines in lists for line in lines):
         assert not re.search(r"[{}_]", words + measured)
     assert all(state != "open" for _, _, state in lists[-1])

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -35,9 +34,9 @@ from pinel_desktop.program.sensors import SENSORS
 from pinel_desktop.robot import Setting
 from pinel_desktop.robot.record import BridgeRecord, Room
 from pinel_desktop.runs.start import start
+from tests.activities.given_programs import GivenProgram, wrong
 from tests.activities.test_checks import SIMULATOR_ONLY, activity
 
-PROGRAMS = Path(__file__).parent / "programs"
 BRIDGE = {"robot": BridgeRecord().as_record()}
 JUDGED = (
     "dashed_line",
@@ -178,17 +177,12 @@ def test_a_solution_passes_by_what_a_real_robot_measured(name: str) -> None:
         assert judged(name, solution(name), case), case
 
 
-WRONG = [
-    file
-    for file in sorted(PROGRAMS.glob("*/wrong_*.py"))
-    if file.parent.name in JUDGED and "no_reading" not in file.stem
-]
+WRONG = [given for given in wrong() if given.activity in JUDGED and "no_reading" not in given.name]
 
 
-@pytest.mark.parametrize("file", WRONG, ids=lambda file: f"{file.parent.name}/{file.stem}")
-def test_a_wrong_program_does_not_pass_by_a_wider_tolerance(file: Path) -> None:
-    reading = read_python(file.read_text("utf-8")).reading
-    assert not judged(file.parent.name, reading, 1)
+@pytest.mark.parametrize("given", WRONG, ids=str)
+def test_a_wrong_program_does_not_pass_by_a_wider_tolerance(given: GivenProgram) -> None:
+    assert not judged(given.activity, read_python(given.text).reading, 1)
 
 
 def test_inputs_that_no_case_gives_are_of_none() -> None:

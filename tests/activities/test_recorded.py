@@ -24,18 +24,10 @@ from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import setting_from
 from storage import RunRow, open_for_reading
 from storage.runs.telemetry import STEPS
+from tests.activities.given_programs import GivenProgram, solutions, wrong
 
-PROGRAMS = Path(__file__).parent / "programs"
-CATALOGUE = Path(__file__).parents[2] / "pinel_desktop" / "activities" / "catalogue"
 ENDLESS = ("until_b/wrong_no_reading", "maze/wrong_no_move", "x_against_list/wrong_nobody_wins")
-FILES = sorted(
-    [*CATALOGUE.glob("*/solution.py"), *PROGRAMS.glob("*/wrong_*.py")],
-    key=lambda file: (file.parent.name, file.stem),
-)
-
-
-def name_of(file: Path) -> str:
-    return f"{file.parent.name}/{file.stem}"
+GIVEN = [given for given in (*solutions(), *wrong()) if str(given) not in ENDLESS]
 
 
 @pytest.fixture(autouse=True)
@@ -45,14 +37,20 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+def solution_of(name: str) -> GivenProgram:
+    return next(given for given in solutions() if given.activity == name)
+
+
 @cache
-def read(file: Path) -> Reading:
-    return read_python(file.read_text("utf-8")).reading
+def read(text: str) -> Reading:
+    return read_python(text).reading
 
 
-def recorded(file: Path, folder: Path, case: int, *options: str) -> tuple[RunRow, RunLog]:
+def recorded(given: GivenProgram, folder: Path, case: int, *options: str) -> tuple[RunRow, RunLog]:
     """Runs a program as a case of its activity, records it, and reads it back."""
-    activity = choose_activity(file.parent.name)
+    activity = choose_activity(given.activity)
+    file = folder / f"{given.name}.py"
+    file.write_text(given.text, "utf-8")
     wanted = activity.cases[case - 1]
     world = folder / "world.json"
     world.write_text(json.dumps(world_of(activity, wanted)), "utf-8")
@@ -75,26 +73,28 @@ def test_evidence_rounds_as_the_record_does() -> None:
     assert STEPS["done"] == evidence_module.STEP_DONE
 
 
-@pytest.mark.parametrize(
-    "file", [file for file in FILES if name_of(file) not in ENDLESS], ids=name_of
-)
-def test_the_recorded_run_gets_the_findings_of_the_run_itself(file: Path, tmp_path: Path) -> None:
-    activity = choose_activity(file.parent.name)
+@pytest.mark.parametrize("given", GIVEN, ids=str)
+def test_the_recorded_run_gets_the_findings_of_the_run_itself(
+    given: GivenProgram, tmp_path: Path
+) -> None:
+    activity = choose_activity(given.activity)
     last = len(activity.cases)
-    _, log = recorded(file, tmp_path, last)
-    live = check_program(activity, read(file))
-    again = check_program(activity, read(file), recorded=RecordedRun(log, last))
+    _, log = recorded(given, tmp_path, last)
+    live = check_program(activity, read(given.text))
+    again = check_program(activity, read(given.text), recorded=RecordedRun(log, last))
     assert again.cases[last - 1].recorded
     assert replace(again.cases[last - 1], recorded=False) == live.cases[last - 1]
     assert again.advice == live.advice
 
 
 def test_of_a_run_whose_engine_was_lost_no_block_is_to_blame(tmp_path: Path) -> None:
-    file = CATALOGUE / "square" / "solution.py"
-    _, log = recorded(file, tmp_path, 1)
+    square = solution_of("square")
+    _, log = recorded(square, tmp_path, 1)
     lost = {**log.ended, "state": "failed", "reason": "engine_lost"}
     cut = replace(log, events=(*log.events[: len(log.events) // 2], lost))
-    report = check_program(choose_activity("square"), read(file), recorded=RecordedRun(cut, 1))
+    report = check_program(
+        choose_activity("square"), read(square.text), recorded=RecordedRun(cut, 1)
+    )
     assert not report.passed
     assert report.advice is not None
     assert report.advice.block is None
@@ -116,7 +116,7 @@ def test_of_a_run_whose_engine_was_lost_no_block_is_to_blame(tmp_path: Path) -> 
     ],
 )
 def test_a_run_is_recognised_as_the_case_that_it_was(name: str, case: int, tmp_path: Path) -> None:
-    row, log = recorded(CATALOGUE / name / "solution.py", tmp_path, case)
+    row, log = recorded(solution_of(name), tmp_path, case)
     activity = choose_activity(name)
     setting = setting_from(row.parameters)
     assert case_of_run(activity, row.world_document, setting, log) == case
