@@ -57,6 +57,7 @@ def test_the_blocks_stay_open_beside_a_workspace_with_room(beginners: Studio) ->
 
 def test_a_click_appends_in_the_loop_that_is_selected_else_at_the_end(beginners: Studio) -> None:
     studio, blocks = beginners, beginners.blocks
+    studio.wait_for_screen("editor")
     start = box_of(blocks.start())
     blocks.click_in_toolbox("motion", "andar para frente")
     expect(said(studio)).to_contain_text("“andar para frente 1 m” entrou no fim do programa.")

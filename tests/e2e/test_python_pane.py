@@ -82,7 +82,7 @@ def test_the_name_in_the_text_is_the_name_of_the_program(studio: Studio) -> None
     studio["python-put"].click()
     expect(studio["program-name"]).to_have_value("Meu quadrado")
     studio.eventually(lambda: str((studio.document() or {}).get("name")), "Meu quadrado")
-    assert studio.api(f"/programs/{studio.program_id}")["name"] == "Meu quadrado"
+    studio.eventually(lambda: studio.api(f"/programs/{studio.program_id}")["name"], "Meu quadrado")
 
 
 def test_the_other_form_of_the_text_is_a_tab_away(studio: Studio) -> None:

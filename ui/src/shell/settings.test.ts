@@ -75,3 +75,14 @@ test("a choice whose request did not get through before the page was left is sen
   await waitFor(() => expect(bodies).toEqual([{ name: "pinel_class", value: "b" }]));
   await waitFor(() => expect(sessionStorage).toHaveLength(0));
 });
+
+test("a choice that is answered while the page is being left is sent again", async () => {
+  const { choose } = await served({ pinel_class: "a" });
+  const chosen = choose("pinel_class", "b");
+  dispatchEvent(new Event("beforeunload"));
+  await chosen;
+  const { setting } = await served({ pinel_class: "a" });
+  expect(setting("pinel_class").value).toBe("b");
+  await waitFor(() => expect(bodies).toHaveLength(2));
+  await waitFor(() => expect(sessionStorage).toHaveLength(0));
+});

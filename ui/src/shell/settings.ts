@@ -29,6 +29,10 @@ function signalOf(name: SettingName): Signal<string> {
 
 // A page that is reloaded at once may be served before the server has read what was chosen last: the choice is sent again.
 const UNSENT = "pinel_unsent_";
+let isLeaving = false;
+addEventListener("beforeunload", () => {
+  isLeaving = true;
+});
 for (const [key, value] of Object.entries(sessionStorage)) {
   if (key.startsWith(UNSENT)) void send(key.slice(UNSENT.length) as SettingName, value);
 }
@@ -49,8 +53,8 @@ function send(name: SettingName, value: string): Promise<void> {
   const sent = sending
     .then(() => put("/api/settings/page", { body: { name, value }, keepalive: true }))
     .then(() => {
-      // a later choice of the same setting may still be under way
-      if (now.peek() === value) sessionStorage.removeItem(UNSENT + name);
+      // a later choice of the same setting may still be under way; the next page may have been served before this answer
+      if (now.peek() === value && !isLeaving) sessionStorage.removeItem(UNSENT + name);
     })
     .catch(() => {});
   sending = sent;
