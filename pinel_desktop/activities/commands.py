@@ -4,10 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from pinel_desktop.program.model import MOTIONS
+
 LOOPS = frozenset({"repeat", "while", "until", "for", "forever"})
-MOTIONS = frozenset(
-    {"move_forward", "move_backward", "turn", "arc", "go_to", "go_to_place", "drive"}
-)
+DRIVING = tuple(action for action, motion in MOTIONS.items() if motion != "turn")
+TURNING = tuple(action for action, motion in MOTIONS.items() if motion in ("turn", "arc"))
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,12 +15,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pinel_desktop.activities.commands import MOTIONS, Command, commands_of
+from pinel_desktop.activities.commands import Command, commands_of
 from pinel_desktop.activities.drawing import Points, Sampled, at_steps, length, sampled
 from pinel_desktop.events.model import Event, RunEnded, Telemetry
 from pinel_desktop.events.types import KEPT
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.recorder import MEASURED_STEP_M, WAY_STEP_M
+from pinel_desktop.program.model import MOTIONS
 from sim.floor import Disc, Rectangle, Zone
 from sim.world import World
 

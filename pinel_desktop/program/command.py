@@ -61,9 +61,11 @@ class AnyCommand(Model):
 
     Attributes:
         python: an example of the command in Python text. A command `robot.NAME(...)` is read and written by its fields.
+        motion: how it moves the robot: "straight", "turn" on the spot, "arc", or "free" for a velocity; else "".
     """
 
     python = ""
+    motion = ""
     block: Text | None = None
     comment: Text | None = None
 

@@ -41,6 +41,7 @@ class MoveForward(AnyCommand):
     """Drives straight ahead by the distance, with feedback from the measured pose."""
 
     python = "robot.move_forward(1.0)"
+    motion = "straight"
     action: Literal["move_forward"]
     distance: Distance
 
@@ -49,6 +50,7 @@ class MoveBackward(AnyCommand):
     """Drives straight backwards by the distance."""
 
     python = "robot.move_backward(1.0)"
+    motion = "straight"
     action: Literal["move_backward"]
     distance: Distance
 
@@ -57,6 +59,7 @@ class Turn(AnyCommand):
     """Turns on the spot by the full angle, also beyond 360 degrees; positive is to the left."""
 
     python = "robot.turn(90)"
+    motion = "turn"
     action: Literal["turn"]
     angle: Angle
 
@@ -72,6 +75,7 @@ class Drive(AnyCommand):
     """Sets a velocity until the next motion command or the end; the next command begins at once."""
 
     python = "robot.drive(0.2, 30)"
+    motion = "free"
     action: Literal["drive"]
     linear: MetresPerSecond
     angular: DegreesPerSecond
@@ -81,6 +85,7 @@ class Arc(AnyCommand):
     """Drives along a circle, turning by the angle: positive is to the left; a negative radius drives backwards."""
 
     python = "robot.arc(1.0, 90)"
+    motion = "arc"
     action: Literal["arc"]
     radius: Place
     angle: Angle
@@ -103,6 +108,7 @@ class GoTo(AnyCommand):
     """Turns towards the point and drives there; with `avoid` around obstacles."""
 
     python = "robot.go_to(2.0, 1.0, avoid=True)"
+    motion = "straight"
     action: Literal["go_to"]
     x: Place
     y: Place
@@ -113,6 +119,7 @@ class GoToPlace(AnyCommand):
     """Turns towards the middle of the place of that name and drives there; with `avoid` around obstacles."""
 
     python = 'robot.go_to_place("A", avoid=True)'
+    motion = "straight"
     action: Literal["go_to_place"]
     place: TextValue
     avoid: bool = False
@@ -366,6 +373,7 @@ Command = Annotated[
     Field(discriminator="action"),
 ]
 COMMANDS: tuple[type[AnyCommand], ...] = Command.__origin__.__args__  # type: ignore[attr-defined]
+MOTIONS = {action_of(model): model.motion for model in COMMANDS if model.motion}
 
 
 class Function(Model):

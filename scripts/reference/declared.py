@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 
 from pinel_desktop.gestures.letters import LETTERS
 from pinel_desktop.program import limits as program
+from pinel_desktop.program.model import MOTIONS
 from pinel_desktop.robot import PIONEER_3DX
 from sim import document, floor, world
 from storage import choices
@@ -43,6 +44,8 @@ def declared() -> str:
             _HEAD,
             "/** Limits of parameters: pinel_desktop/program/limits.py. */",
             _numbers("PROGRAM_LIMITS", _PROGRAM),
+            "/** Commands that move the robot: pinel_desktop/program/model.py. */",
+            _list("MOTIONS", MOTIONS),
             "/** Limits of a world: sim/document.py, floor.py, world.py. */",
             _numbers("WORLD_LIMITS", _WORLD),
             "/** The world of a program for which none was chosen: sim/world.py. */",

@@ -19,7 +19,7 @@ class TestSimLink(LinkContract):
 @pytest.mark.parametrize("name", LINK_NAMES)
 def test_every_backend_is_held_to_the_contract(name: str) -> None:
     tests = Path(__file__).with_name(f"test_{name}.py").read_text("utf-8")
-    contract = "LinkContract" if name == "sim" else "RealLinkContract"
+    contract = "RealLinkContract" if name in RECORDS else "LinkContract"
     assert f'({contract}):\n    link = "{name}"\n' in tests
 
 

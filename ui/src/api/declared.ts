@@ -9,6 +9,17 @@ export const PROGRAM_LIMITS = {
   MAX_REPEATS: 100000,
 } as const;
 
+/** Commands that move the robot: pinel_desktop/program/model.py. */
+export const MOTIONS = [
+  "move_forward",
+  "move_backward",
+  "turn",
+  "drive",
+  "arc",
+  "go_to",
+  "go_to_place",
+] as const;
+
 /** Limits of a world: sim/document.py, floor.py, world.py. */
 export const WORLD_LIMITS = {
   MAX_BYTES: 262144,

@@ -1,3 +1,5 @@
+import { MOTIONS } from "../api/declared";
+
 /** What a program held that did nothing in a run. */
 export interface IdleParts {
   readonly emptyLoops: number;
@@ -14,7 +16,7 @@ export interface StoredProgram {
 }
 
 const LOOPS = new Set(["repeat", "while", "until", "for", "forever"]);
-const MOTIONS = new Set(["move_forward", "move_backward", "turn", "arc", "go_to", "drive"]);
+const MOVING: ReadonlySet<string> = new Set(MOTIONS);
 const ROOTS = new Set(["program_start", "function_def"]);
 
 export function idleParts({ document, workspace }: StoredProgram): IdleParts {
@@ -24,7 +26,7 @@ export function idleParts({ document, workspace }: StoredProgram): IdleParts {
       return LOOPS.has(String(action)) && (!Array.isArray(inside) || inside.length === 0);
     }).length,
     looseBlocks: looseStacks(workspace).flatMap(blocksOf).length,
-    hasMotion: commands.some(({ action }) => MOTIONS.has(String(action))),
+    hasMotion: commands.some(({ action }) => MOVING.has(String(action))),
   };
 }
 

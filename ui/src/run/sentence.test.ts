@@ -291,5 +291,7 @@ describe("what a program did not do is said at its end, and not as a success", (
     expect(end(stored([say]), spoken)).toMatchObject({ tone: "done" });
     const unmoved = { action: "conditional_execution", condition: true, else: [move] };
     expect(end(stored([say, unmoved]), spoken)).toMatchObject({ tone: "notice", text: words });
+    const toPlace = { action: "go_to_place", place: "A" };
+    expect(end(stored([say, toPlace]), spoken)).toMatchObject({ tone: "notice", text: words });
   });
 });

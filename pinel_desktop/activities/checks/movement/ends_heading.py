@@ -10,6 +10,7 @@ from pinel_desktop.activities.checks.base import (
     side,
     text,
 )
+from pinel_desktop.activities.commands import TURNING
 from pinel_desktop.activities.evidence import Evidence
 
 
@@ -26,7 +27,7 @@ class EndsHeading(CheckBase):
         heading, target = math.degrees(math.remainder(evidence.end[2], math.tau)), self.heading_deg
         passed = abs(math.remainder(heading - target, 360.0)) <= self.within_deg
         values = {"measured_deg": heading, "target_deg": target}
-        pointer, code = evidence.last_pointer_of("turn", "arc"), "check_ends_heading"
+        pointer, code = evidence.last_pointer_of(*TURNING), "check_ends_heading"
         return CheckResult(passed, heading, target, pointer, code, values, "measured_heading")
 
     def criterion(self, language: str) -> str:

@@ -15,11 +15,10 @@ from pinel_desktop.activities.checks.base import (
     rounded,
     text,
 )
-from pinel_desktop.activities.commands import MOTIONS
+from pinel_desktop.activities.commands import DRIVING
 from pinel_desktop.activities.evidence import Evidence
 from sim.world import World
 
-_DRIVES = tuple(MOTIONS - {"turn"})
 _NEAR = 0.1  # limits that are that much of a length apart are said as one length
 _STILL_M = 0.1
 
@@ -45,7 +44,7 @@ class PathLength(CheckBase):
             passed=self.at_least_m <= length <= self.at_most_m,
             measured=length,
             target=target,
-            pointer=evidence.last_pointer_of(*_DRIVES) or evidence.last_motion,
+            pointer=evidence.last_pointer_of(*DRIVING) or evidence.last_motion,
             code=f"check_path_length{ending}",
             values={"measured_m": length, "target_m": target},
             progress="measured_way",

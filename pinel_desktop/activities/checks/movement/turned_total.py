@@ -13,6 +13,7 @@ from pinel_desktop.activities.checks.base import (
     side,
     text,
 )
+from pinel_desktop.activities.commands import TURNING
 from pinel_desktop.activities.evidence import Evidence
 
 _MAX_DEG = 1_000_000
@@ -36,7 +37,7 @@ class TurnedTotal(CheckBase):
 
     def evaluate(self, evidence: Evidence) -> CheckResult:
         total, net = (math.degrees(one) for one in evidence.turned_rad)
-        pointer, is_much = evidence.last_pointer_of("turn", "arc"), total > self.at_most_deg
+        pointer, is_much = evidence.last_pointer_of(*TURNING), total > self.at_most_deg
         is_within = self.at_least_deg <= total <= self.at_most_deg
         if is_within and self.net_deg is not None and abs(net - self.net_deg) > self.net_within:
             values, code = (
