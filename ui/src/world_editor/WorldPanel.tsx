@@ -35,7 +35,11 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
     />
   );
   return (
-    <section class="world-panel" data-testid="world-panel" data-kind="world">
+    <section
+      class="world-panel column grows shrinks-down gap-2"
+      data-testid="world-panel"
+      data-kind="world"
+    >
       <label class="world-panel__text">
         {words.name}
         <input
@@ -52,7 +56,7 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
         {side("depth", words.depth)}
       </div>
       <BeginFrom store={store} />
-      <div class="world-panel__acts">
+      <div class="world-panel__acts row wrap gap-2">
         <OpenFile onFile={onFile} />
         <Button icon={Download} testId="world-export" onPress={onExport}>
           {words.toFile}
