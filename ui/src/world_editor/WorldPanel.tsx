@@ -1,9 +1,9 @@
 import { Download, FolderOpen, Trash2 } from "lucide-preact";
-import { useRef } from "preact/hooks";
 import { WORLD_LIMITS } from "../api/declared";
 import { worldTitle } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
+import { FileButton } from "../kit/Field";
 import { NumberField } from "../kit/NumberField";
 import { Select } from "../kit/Select";
 import { worlds } from "../shell/session";
@@ -57,7 +57,14 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
       </div>
       <BeginFrom store={store} />
       <div class="world-panel__acts row wrap gap-2">
-        <OpenFile onFile={onFile} />
+        <FileButton
+          icon={FolderOpen}
+          accept=".json,application/json"
+          testId="world-file"
+          onFile={onFile}
+        >
+          {words.fromFile}
+        </FileButton>
         <Button icon={Download} testId="world-export" onPress={onExport}>
           {words.toFile}
         </Button>
@@ -89,28 +96,5 @@ function BeginFrom({ store }: { store: EditorStore }) {
         }}
       />
     </label>
-  );
-}
-
-function OpenFile({ onFile }: { onFile(file: File): void }) {
-  const input = useRef<HTMLInputElement>(null);
-  return (
-    <>
-      <input
-        ref={input}
-        type="file"
-        accept=".json,application/json"
-        hidden
-        data-testid="world-file"
-        onChange={({ currentTarget }) => {
-          const [file] = currentTarget.files ?? [];
-          currentTarget.value = "";
-          if (file) onFile(file);
-        }}
-      />
-      <Button icon={FolderOpen} onPress={() => input.current?.click()}>
-        {texts.value.world.fromFile}
-      </Button>
-    </>
   );
 }
