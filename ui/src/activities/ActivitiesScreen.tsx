@@ -106,7 +106,7 @@ function ActivityCard({ choice, state, group }: ActivityCardProps) {
   return (
     <Button
       kind="bare"
-      class="activities__card"
+      class="activities__card column gap-1"
       testId="activity-card"
       data-activity={choice.name}
       data-state={state}
@@ -116,7 +116,7 @@ function ActivityCard({ choice, state, group }: ActivityCardProps) {
       <strong class="activities__title">
         {choice.number} {choice.title}
       </strong>
-      <span class="activities__facts">
+      <span class="activities__facts aside">
         {choice.minutes !== null && (
           <span>
             <Clock class="icon" aria-hidden="true" /> {activity.minutes(choice.minutes)}

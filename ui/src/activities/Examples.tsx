@@ -23,14 +23,14 @@ export function Examples({ examples, group }: ExamplesProps) {
           <li key={one.name}>
             <Button
               kind="bare"
-              class="activities__card"
+              class="activities__card column gap-1"
               testId="example-card"
               data-example={one.name}
               onPress={() => openExample(group, one)}
             >
               <GoalPicture goal={one.picture} />
               <strong class="activities__title">{one.title}</strong>
-              <span class="activities__about">{one.about}</span>
+              <span class="aside">{one.about}</span>
             </Button>
           </li>
         ))}

@@ -20,7 +20,7 @@ export function CameraPicture() {
   useEffect(() => void refresh().catch(() => {}), []); // a server that is gone has its own line
   return (
     <figure
-      class="camera"
+      class="camera grid shrinks-down"
       data-testid="camera-picture"
       data-state={state}
       style={{ "--aspect": String(aspect.value) }}
@@ -28,7 +28,7 @@ export function CameraPicture() {
       <Preview shown={isShown} />
       {!isShown && problem && <CameraTrouble problem={problem} />}
       {!isShown && !problem && (
-        <p class="camera__opening">
+        <p class="camera__opening column middle center gap-2">
           <Camera class="icon" aria-hidden="true" />
           {opening}
         </p>

@@ -6,7 +6,12 @@ import { problemWords } from "./problem_words";
 export function CameraTrouble({ problem }: { problem: CameraProblem }) {
   const { message, remedy } = problemWords(problem);
   return (
-    <div class="camera-trouble" role="status" data-testid="camera-trouble" data-code={problem.code}>
+    <div
+      class="camera-trouble row gap-3"
+      role="status"
+      data-testid="camera-trouble"
+      data-code={problem.code}
+    >
       <TriangleAlert class="icon" aria-hidden="true" />
       <p>
         <strong>{message}</strong> {remedy}

@@ -19,7 +19,7 @@ export function SignReading({ reading, progress, next }: SignReadingProps) {
   const { steady } = texts.value.camera;
   const whole = Math.round(100 * progress);
   return (
-    <div class="reading" data-testid="reading" data-kind={reading.kind}>
+    <div class="reading row middle shrinks gap-3" data-testid="reading" data-kind={reading.kind}>
       <div
         class="reading__ring"
         role="progressbar"

@@ -10,7 +10,7 @@ import { PARTS } from "./screens";
 export function App() {
   if (connection.value === "locked") return <Locked />;
   return (
-    <div class="page">
+    <div class="page column">
       <Header />
       <Messages />
       <Screen />

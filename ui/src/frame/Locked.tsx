@@ -5,7 +5,7 @@ import { texts } from "../i18n";
 export function Locked() {
   const { trouble } = texts.value;
   return (
-    <main class="locked" data-testid="locked">
+    <main class="locked column middle center gap-3" data-testid="locked">
       <Lock class="locked__icon" aria-hidden="true" />
       <h1>{trouble.lockedTitle}</h1>
       <p>{trouble.locked}</p>

@@ -17,7 +17,7 @@ export function Messages() {
   const { trouble } = texts.value;
   const gone = { message: trouble.goneTitle, remedy: trouble.gone };
   return (
-    <div class="messages" role="status">
+    <div role="status">
       {connection.value === "gone" && (
         <Line words={gone} fault testId="gone" icon={<Unplug class="icon" />} />
       )}

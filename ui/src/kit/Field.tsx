@@ -1,5 +1,8 @@
 import type { InputHTMLAttributes } from "preact";
-import { useId } from "preact/hooks";
+import { useId, useRef } from "preact/hooks";
+import { Button } from "./Button";
+import type { FaceProps } from "./face";
+import { settled } from "./report";
 
 interface FieldProps extends InputHTMLAttributes<HTMLInputElement> {
   label: string;
@@ -37,4 +40,33 @@ export function Field({ label, hint, onText, ...rest }: FieldProps) {
 /** A field for the PIN; the digits are hidden. */
 export function PinField(props: FieldProps) {
   return <Field {...props} type="password" inputMode="numeric" maxLength={12} />;
+}
+
+interface FileButtonProps extends FaceProps {
+  /** Endings or types of the files that are offered. */
+  accept: string;
+  /** May return a promise; its failure is reported. */
+  onFile(file: File): unknown;
+}
+
+/** A button that lets a file be chosen. The test id is that of the input. */
+export function FileButton({ accept, testId, onFile, ...face }: FileButtonProps) {
+  const input = useRef<HTMLInputElement>(null);
+  return (
+    <>
+      <input
+        ref={input}
+        type="file"
+        accept={accept}
+        hidden
+        data-testid={testId}
+        onChange={({ currentTarget }) => {
+          const [file] = currentTarget.files ?? [];
+          currentTarget.value = ""; // the same file can be chosen again
+          if (file) void settled(onFile(file));
+        }}
+      />
+      <Button {...face} onPress={() => input.current?.click()} />
+    </>
+  );
 }

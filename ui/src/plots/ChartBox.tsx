@@ -29,7 +29,7 @@ export function ChartBox({ source, figure }: ChartBoxProps) {
   return (
     <section
       ref={box}
-      class="plots__chart"
+      class="plots__chart grows shrinks-down"
       aria-label={`${plots.titles[figure]}. ${plots.keys}`}
       // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrows go through its moments
       tabIndex={0}

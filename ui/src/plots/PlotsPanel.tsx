@@ -24,8 +24,13 @@ export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
   const { plots } = texts.value;
   const more = source.revision.value;
   return (
-    <section class="plots card" aria-label={plots.label} data-testid="plots" data-more={more}>
-      <div class="text__head">
+    <section
+      class="plots card column shrinks-down"
+      aria-label={plots.label}
+      data-testid="plots"
+      data-more={more}
+    >
+      <div class="text__head row middle apart rigid gap-2">
         <Tabs
           label={plots.label}
           testId="plot-tab"
@@ -96,7 +101,7 @@ function Save({ source, figure }: { source: PlotSource; figure: FigureName }) {
   };
   const { rows } = source.samples;
   return (
-    <div class="plots__save">
+    <div class="plots__save row wrap rigid gap-2">
       <Button icon={Image} disabled={rows === 0} testId="plot-picture" onPress={picture}>
         {plots.picture}
       </Button>

@@ -20,13 +20,17 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
   const reading = readingOf(sight.value);
   const isMatched = reading.kind === "sure" && reading.best === letter.value;
   return (
-    <section class="imitation card" aria-label={practice.imitate} data-matched={String(isMatched)}>
+    <section
+      class="imitation card grows shrinks-down"
+      aria-label={practice.imitate}
+      data-matched={String(isMatched)}
+    >
       <div class="column shrinks-down">
         <h2 class="imitation__title">{practice.imitate}</h2>
         <SignDrawing sign={letter.value} hand={drawnHand.value} class="grows shrinks-down" />
         <Matched letter={isMatched ? letter.value : null} />
       </div>
-      <div class="imitation__choices">
+      <div class="imitation__choices column shrinks-down gap-3">
         <Choice
           label={practice.choose}
           class="imitation__letters"
@@ -60,7 +64,7 @@ const option = (name: string) =>
 
 function Matched({ letter }: { letter: string | null }) {
   return (
-    <p class="imitation__matched" role="status">
+    <p class="imitation__matched row middle gap-2" role="status">
       {letter && (
         <>
           <CircleCheck class="icon" aria-hidden="true" />

@@ -24,7 +24,7 @@ export function NewSamples({ classroom }: { classroom: string }) {
       <Choice
         label={words.suggested}
         legendClass="imitation__legend"
-        class="teaching__letters"
+        class="teaching__letters row middle gap-1"
         optionClass="imitation__letter"
         testId="teach-letter"
         value={sign}

@@ -17,7 +17,7 @@ export function PracticeScreen() {
   const letter = useSignal("A");
   return (
     <main class="screen practice">
-      <div class="practice__head">
+      <div class="practice__head row middle gap-4">
         <h1 class="practice__title">{titles.practice}</h1>
         <p class="practice__hint">{hasPicture.value && practice.hint}</p>
         <CameraChoice />
@@ -25,7 +25,7 @@ export function PracticeScreen() {
       <div class="practice__picture">
         <CameraPicture />
       </div>
-      <div class="practice__side">
+      <div class="practice__side column shrinks shrinks-down gap-3">
         {hasPicture.value && <Seen spelling={spelling} />}
         <Imitation letter={letter} />
         <Teaching />

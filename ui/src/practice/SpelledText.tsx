@@ -36,7 +36,7 @@ export function SpelledText({ spelling }: { spelling: Spelling }) {
         {words.back}
       </Button>
       <ClearButton spelling={spelling} />
-      <p class="spelled__note">
+      <p class="spelled__note aside">
         <span>{words.moving}</span>
         <span>{words.credits}</span>
       </p>

@@ -28,7 +28,7 @@ interface ReplayProps {
 export function Replay(properties: ReplayProps) {
   useEffect(() => cancelWaiting, []);
   return (
-    <div class="replay-place" data-waits={isPinAsked.value || undefined}>
+    <div class="replay-place column grows shrinks-down" data-waits={isPinAsked.value || undefined}>
       {isPinAsked.value && <SignInForm again />}
       <Replayed {...properties} />
     </div>
@@ -56,7 +56,7 @@ function ReplayProgram({ recording, onOpen }: ReplayProps) {
   const forTeacher = teacherSession.value?.is_open || isPinAsked.value;
   return (
     <section class="blocks" aria-label={replay.ofVersion}>
-      <div class="blocks__tools replay__tools">
+      <div class="blocks__tools replay__tools row middle rigid gap-1">
         <Eye class="icon" aria-hidden="true" />
         <p>{run.version ? replay.readOnly : replay.noVersion}</p>
         <RobotName link={run.link} />

@@ -21,11 +21,14 @@ export function ReplayFloor({ recording }: { recording: Recording }) {
   const tall = useSignal(false);
   const besides = plotting.value ? "floor__view--beside" : "";
   return (
-    <section class="floor" aria-label={studio.floor}>
+    <section class="floor column shrinks shrinks-down gap-2" aria-label={studio.floor}>
       <ReplayWords run={run} view={playback.view} />
-      <div class="floor__stage">
-        <div class={`floor__view ${besides}`} hidden={plotting.value && tall.value}>
-          <div class="floor__scene">
+      <div class="floor__stage column grows shrinks-down gap-2">
+        <div
+          class={`floor__view column grows shrinks-down gap-2 ${besides}`}
+          hidden={plotting.value && tall.value}
+        >
+          <div class="floor__scene grows shrinks shrinks-down">
             <Scene
               world={run.world_document}
               robot={robotOf(run.model)}

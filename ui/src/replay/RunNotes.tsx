@@ -17,7 +17,7 @@ export function RunNotes({ runId }: { runId: string }) {
   return (
     <ul class="run-notes" aria-label={words.noteFrom} data-scrolls>
       {notes.value.map((note) => (
-        <li key={note.id} class="run-notes__note" data-testid="note-card">
+        <li key={note.id} class="run-notes__note row middle gap-3" data-testid="note-card">
           <Mail class="icon" aria-hidden="true" />
           <p>
             <strong>{words.noteFrom}:</strong> {note.text}

@@ -23,9 +23,9 @@ export function Transport({ playback, tracks }: TransportProps) {
   };
   useLayoutEffect(() => listenToKeys(() => playback.toggle(), step), [playback]);
   return (
-    <section class="transport" aria-label={replay.title}>
+    <section class="transport row middle gap-3" aria-label={replay.title}>
       <PlayButton playback={playback} />
-      <div class="transport__steps">
+      <div class="transport__steps row gap-1">
         <Button icon={StepBack} label={replay.back} testId="replay-back" onPress={() => step(-1)} />
         <Button
           icon={StepForward}

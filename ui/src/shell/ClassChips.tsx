@@ -19,7 +19,7 @@ export function ClassChips({ classes, withNone, shown }: ClassChipsProps) {
   return (
     <Choice
       label={words.choose}
-      class="class-chips"
+      class="class-chips row wrap gap-2"
       optionClass="class-chips__one"
       testId="class-chip"
       value={shown}

@@ -11,7 +11,7 @@ export function GroupCard({ group }: { group: Group }) {
   return (
     <Button
       kind="bare"
-      class="group-card card tinted"
+      class="group-card card tinted column"
       style={{ "--group": group.color }}
       testId="group-card"
       data-picture={group.picture}
@@ -24,7 +24,7 @@ export function GroupCard({ group }: { group: Group }) {
         </span>
       </span>
       <span class="group-card__words">
-        <span class="group-card__name" dir="auto">
+        <span class="group-card__name one-line" dir="auto">
           {group.name}
         </span>{" "}
         <span class="group-card__counts">{groupCounts(group, texts.value)}</span>

@@ -47,14 +47,15 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
   };
 
   const choice = { chosen: picture, taken, onChoose: setPicture };
+  const look = first ? "new-group--first" : "card";
   return (
-    <Form class={first ? "new-group new-group--first" : "new-group card"} onSubmit={create}>
+    <Form class={`new-group ${look} column center gap-3`} onSubmit={create}>
       {!first && <Title />}
       <div class="row shrinks gap-2">
         {!first && <PictureButton {...choice} />}
         <input
           ref={input}
-          class="field new-group__field"
+          class="field new-group__field grows shrinks"
           data-testid="group-name"
           aria-label={start.nameLabel}
           aria-invalid={fault !== null}
@@ -83,7 +84,7 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
 
 function Title() {
   return (
-    <h2 class="new-group__title">
+    <h2 class="new-group__title row middle gap-2">
       <UserRoundPlus class="icon" aria-hidden="true" />
       {texts.value.start.newGroup}
     </h2>

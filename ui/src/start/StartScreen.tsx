@@ -61,9 +61,9 @@ function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
   const classroomId = shown === NO_CLASS ? null : shown;
   return (
     <main class="screen start">
-      <div class="start__head">
+      <div class="start__head row top apart gap-4">
         <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
-        <div class="start__teacher">
+        <div class="start__teacher row top">
           <div class="row wrap end">
             <PracticeLink />
             <BringIn />
@@ -128,13 +128,13 @@ function FirstGroup({ onLesson }: LessonFileProps) {
   return (
     <main class="screen start start--first">
       <StartPicture />
-      <div class="start__welcome">
+      <div>
         <h1 class="start__title">{start.firstTitle}</h1>
         <p class="start__hint">{start.firstHint}</p>
         <NewGroup first classroomId={null} others={[]} />
         {isNew ? (
           <a
-            class="prepare"
+            class="prepare row middle gap-4"
             href={hashOf({ screen: "teacher", part: "lessons" })}
             data-testid="prepare"
           >
@@ -147,7 +147,7 @@ function FirstGroup({ onLesson }: LessonFileProps) {
         ) : (
           <TeacherLink />
         )}
-        <div class="start__more-ways">
+        <div class="start__more-ways row wrap">
           <PracticeLink />
           <BringIn />
           <LessonFileLink onLesson={onLesson} />
@@ -166,13 +166,7 @@ function LessonFileLink({ onLesson }: LessonFileProps) {
 /** Signs can be practised without a program. */
 function PracticeLink() {
   return (
-    <LinkButton
-      kind="plain"
-      class="start__practice"
-      icon={Hand}
-      href={hashOf({ screen: "practice" })}
-      testId="practice"
-    >
+    <LinkButton kind="plain" icon={Hand} href={hashOf({ screen: "practice" })} testId="practice">
       {texts.value.titles.practice}
     </LinkButton>
   );
@@ -183,7 +177,7 @@ function TeacherLink() {
   return (
     <LinkButton
       kind="plain"
-      class="start__teacher-link"
+      class="start__teacher-link rigid"
       icon={teacherSession.value?.is_open ? DoorOpen : DoorClosed}
       href={hashOf({ screen: "teacher", part: "lessons" })}
       testId="teacher-link"

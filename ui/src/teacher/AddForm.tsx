@@ -29,7 +29,7 @@ export function AddForm({ label, placeholder, fieldId, buttonId, onAdd }: AddFor
   };
 
   return (
-    <Form class="add-form" onSubmit={add}>
+    <Form class="add-form row wrap gap-2" onSubmit={add}>
       <input
         class="field"
         aria-label={label}

@@ -36,7 +36,7 @@ export function NameField({ name, label, testId, onRename, children }: NameField
   };
   if (draft === null) {
     return (
-      <div class="name-field">
+      <div class="name-field row wrap middle shrinks gap-1">
         {children}
         <Button
           kind="plain"
@@ -50,7 +50,7 @@ export function NameField({ name, label, testId, onRename, children }: NameField
     );
   }
   return (
-    <Form class="name-field" onSubmit={() => keep(draft.trim())}>
+    <Form class="name-field row wrap middle shrinks gap-1" onSubmit={() => keep(draft.trim())}>
       <input
         ref={input}
         class="field name-field__input"

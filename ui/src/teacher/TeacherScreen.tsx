@@ -45,7 +45,7 @@ export function TeacherScreen({ part }: ParametersOf<"teacher">) {
     <RequireTeacher>
       <main class="screen teacher">
         <PartLinks part={part} />
-        <div ref={place} class="teacher__part">
+        <div ref={place} class="teacher__part column shrinks gap-4">
           <Part part={part} />
         </div>
       </main>
@@ -56,13 +56,13 @@ export function TeacherScreen({ part }: ParametersOf<"teacher">) {
 function PartLinks({ part }: ParametersOf<"teacher">) {
   const { parts } = texts.value.teacher;
   return (
-    <nav class="teacher__nav" aria-label={parts.label}>
+    <nav class="teacher__nav column gap-1" aria-label={parts.label}>
       {TEACHER_PARTS.map((one) => {
         const Icon = ICONS[one];
         return (
           <a
             key={one}
-            class="teacher__link"
+            class="teacher__link row middle gap-3"
             href={hashOf({ screen: "teacher", part: one })}
             aria-current={one === part ? "page" : undefined}
             data-testid="teacher-part"

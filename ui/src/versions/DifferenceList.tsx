@@ -28,8 +28,8 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
     version: before.id,
   });
   return (
-    <section class="differences__list">
-      <div class="differences__head">
+    <section class="differences__list column shrinks-down">
+      <div class="differences__head row middle rigid gap-2">
         <LinkButton icon={ArrowLeft} label={words.backToHistory} href={history} />
         <h2 data-testid="difference-count">{words.differences(list.length + changes.length)}</h2>
         <Button
@@ -53,7 +53,7 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
           <strong>{words.nothingDiffers}</strong> {words.nothingDiffersHow}
         </p>
       )}
-      <ol class="differences__lines" data-scrolls>
+      <ol class="differences__lines grows shrinks-down" data-scrolls>
         {list.map((one, index) => (
           <DifferenceLine
             key={`${one.kinds[0]} ${one.block}`}
@@ -104,7 +104,7 @@ function DifferenceLine({ one, text, current, onChoose }: DifferenceLineProps) {
     <li>
       <Button
         kind="bare"
-        class="differences__line"
+        class="differences__line row top gap-3"
         elementRef={line}
         current={current}
         testId="difference"
@@ -116,7 +116,7 @@ function DifferenceLine({ one, text, current, onChoose }: DifferenceLineProps) {
             <Sign key={kind} kind={kind} />
           ))}
         </span>
-        <span class="differences__words">
+        <span class="differences__words shrinks">
           <strong>{kindsInWords(one, kinds)}</strong>
           <span>{text}</span>
         </span>

@@ -21,7 +21,7 @@ export function Differences({ compared, programId }: DifferencesProps) {
   return (
     <main class="screen differences">
       <h1 class="visually-hidden">{words.compareTitle}</h1>
-      <section class="blocks differences__side">
+      <section class="blocks">
         <SideChoice side="before" compared={compared} programId={programId} />
         <ReadBlocks
           label={`${words.before}: ${words.version(compared.before.number)}`}
@@ -30,7 +30,7 @@ export function Differences({ compared, programId }: DifferencesProps) {
           }}
         />
       </section>
-      <section class="blocks differences__side">
+      <section class="blocks">
         <SideChoice side="after" compared={compared} programId={programId} />
         <ReadBlocks
           label={`${words.after}: ${words.version(compared.after.number)}`}

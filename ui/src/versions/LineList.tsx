@@ -65,7 +65,7 @@ function ForkOf({ fork, history }: { fork: Fork; history: VersionHistory }) {
   const words = texts.value.keeping;
   return (
     <li class="line-list__fork" data-testid="version-fork">
-      <p class="line-list__fork-words">
+      <p class="line-list__fork-words row gap-2">
         <GitFork class="icon" aria-hidden="true" />
         <span>
           <strong>{words.forkTitle(fork.branches.length)}</strong> {words.forkKept}
@@ -178,14 +178,14 @@ function LineButton({ version, step, history, current }: LineProps & { current: 
     <Button
       icon={iconOf(step)}
       kind="bare"
-      class={`line-list__step line-list__step--${toneOf(version)}`}
+      class={`line-list__step row middle grows shrinks gap-3 line-list__step--${toneOf(version)}`}
       current={current}
       testId="version-step"
       data-number={version.number}
       data-n={step.versions.length}
       onPress={() => history.choose(version)}
     >
-      <span class="line-list__words">
+      <span class="line-list__words shrinks">
         <strong>{label}</strong>
         <span>{[texts.value.keeping.version(version.number), times, ...facts].join(" · ")}</span>
       </span>

@@ -27,8 +27,8 @@ export function LineSlider({ history }: { history: VersionHistory }) {
     />
   );
   return (
-    <div class="transport versions__transport">
-      <div class="transport__steps">
+    <div class="transport versions__transport row middle gap-3">
+      <div class="transport__steps row gap-1">
         {stepper(-1, words.older, "version-older", ChevronLeft)}
         <span class="versions__place">{words.of(place + 1, line.length)}</span>
         {stepper(1, words.newer, "version-newer", ChevronRight)}

@@ -33,7 +33,7 @@ export function SideChoice({ side, compared, programId }: SideChoiceProps) {
   );
   const name = words[side];
   return (
-    <div class="differences__choice">
+    <div class="differences__choice row middle rigid gap-3">
       <strong>{name}</strong>
       <Select
         label={words.choose(name)}

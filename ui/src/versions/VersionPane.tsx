@@ -44,7 +44,7 @@ export function VersionPane({ history }: { history: VersionHistory }) {
   });
 
   return (
-    <section class="blocks versions__pane">
+    <section class="blocks">
       <div class="versions__bar">
         <ChosenWords history={history} />
         {naming.value ? (
@@ -155,7 +155,7 @@ function ChosenWords({ history }: { history: VersionHistory }) {
     : words.version(version.number);
   return (
     <div
-      class="versions__chosen"
+      class="versions__chosen row middle shrinks gap-3"
       data-testid="version-shown"
       data-number={history.shown.value?.number}
     >

@@ -13,7 +13,7 @@ export function Bin({ shelf }: { shelf: ProgramShelf }) {
   const { value: bin } = shelf.bin;
   if (bin.length === 0) return null;
   return (
-    <section class="bin">
+    <section>
       <Button
         icon={Trash2}
         iconEnd={open.value ? ChevronUp : ChevronDown}
@@ -43,7 +43,7 @@ function Thrown({ program, shelf }: { program: Program; shelf: ProgramShelf }) {
   const { keeping, work } = texts.value;
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
   return (
-    <li class="bin__program card" data-testid="bin-program">
+    <li class="bin__program card row middle gap-3" data-testid="bin-program">
       <span class="grid grows shrinks">
         <strong class="work-card__name">{program.name}</strong>
         <span class="bin__line">

@@ -37,12 +37,12 @@ export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
   };
   return (
     <Form
-      class="group-form card tinted"
+      class="group-form card tinted column gap-4"
       style={{ "--group": look.color }}
       onSubmit={save}
       onKeyDown={(event) => event.key === "Escape" && onDone()}
     >
-      <div class="group-form__who">
+      <div class="group-form__who row wrap middle gap-3">
         <span class="badge group-head__badge">
           <GroupPicture name={look.picture} />
         </span>

@@ -11,11 +11,11 @@ export function GroupHead({ group }: { group: Group }) {
   const [editing, setEditing] = useState(false);
   if (editing) return <GroupForm group={group} onDone={() => setEditing(false)} />;
   return (
-    <div class="group-head tinted" style={{ "--group": group.color }}>
+    <div class="group-head tinted row middle gap-3" style={{ "--group": group.color }}>
       <span class="badge group-head__badge">
         <GroupPicture name={group.picture} />
       </span>
-      <span class="group-head__name" dir="auto" data-shortened title={group.name}>
+      <span class="group-head__name one-line shrinks" dir="auto" data-shortened title={group.name}>
         {group.name}
       </span>
       <Button

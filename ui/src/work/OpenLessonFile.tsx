@@ -2,8 +2,8 @@ import { BookOpen } from "lucide-preact";
 import { makingApi } from "../api/making";
 import type { OpenedLesson } from "../api/model";
 import { texts } from "../i18n";
+import { FileButton } from "../kit/Field";
 import { setClassroom } from "../shell/classroom";
-import { report } from "../shell/session";
 import { asTeacher } from "../shell/teacher/teacher_session";
 
 interface OpenLessonFileProps {
@@ -13,28 +13,22 @@ interface OpenLessonFileProps {
 /** Opens the lesson of a file on this PC; asks for the PIN where there is one. */
 export function OpenLessonFile({ onOpened }: OpenLessonFileProps) {
   const { classes } = texts.value;
-  const open = async (file: File | undefined) => {
-    if (!file) return;
+  const open = async (file: File) => {
     const opened = await asTeacher(() => makingApi.openLessonFile(file));
     if (!opened) return;
     setClassroom(opened.classroom.id);
     await onOpened(opened);
   };
   return (
-    <label class="button button--plain bring-in">
-      <BookOpen class="icon" aria-hidden="true" />
+    <FileButton
+      kind="plain"
+      icon={BookOpen}
+      accept=".pinel"
+      testId="lesson-file-open"
+      onFile={open}
+    >
       {classes.openLessonFile}
-      <input
-        type="file"
-        class="visually-hidden"
-        accept=".pinel"
-        data-testid="lesson-file-open"
-        onChange={({ currentTarget }) => {
-          void open(currentTarget.files?.[0]).catch(report);
-          currentTarget.value = "";
-        }}
-      />
-    </label>
+    </FileButton>
   );
 }
 

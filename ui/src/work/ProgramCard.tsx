@@ -20,7 +20,7 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
   const about = (words: string) => `${words}: ${program.name}`;
   return (
-    <div class="program-card card">
+    <div class="program-card card column shrinks">
       <a
         class="work-card"
         href={hashOf({ screen: "studio", program: program.id })}
@@ -39,7 +39,7 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
           <span class="work-card__line">{work.runCount(program.n_runs)}</span>
         </span>
       </a>
-      <div class="program-card__acts">
+      <div class="program-card__acts row rigid">
         <LinkButton
           kind="plain"
           icon={History}

@@ -4,10 +4,11 @@ import { exchange } from "../api/exchange";
 import type { Program } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
+import { FileButton } from "../kit/Field";
 import { setClassroom } from "../shell/classroom";
 import { go } from "../shell/route";
 import { fileName, saveFile } from "../shell/save_file";
-import { problem, report } from "../shell/session";
+import { problem } from "../shell/session";
 
 const SUFFIX = ".pinel";
 
@@ -36,26 +37,14 @@ export function TakeAlong({ program }: { program: Program }) {
 /** Imports a program with its group from a file, and opens it. */
 export function BringIn() {
   const { programFile } = texts.value;
-  const bring = async (file: File | undefined) => {
-    if (!file) return;
+  const bring = async (file: File) => {
     const brought = await exchange.bringProgram(file);
     setClassroom(brought.classroom_id ?? NO_CLASS);
     go({ screen: "studio", program: brought.program_id });
   };
   return (
-    <label class="button button--plain bring-in">
-      <Upload class="icon" aria-hidden="true" />
+    <FileButton kind="plain" icon={Upload} accept={SUFFIX} testId="bring-program" onFile={bring}>
       {programFile.bringIn}
-      <input
-        type="file"
-        class="visually-hidden"
-        accept={SUFFIX}
-        data-testid="bring-program"
-        onChange={({ currentTarget }) => {
-          void bring(currentTarget.files?.[0]).catch(report);
-          currentTarget.value = "";
-        }}
-      />
-    </label>
+    </FileButton>
   );
 }

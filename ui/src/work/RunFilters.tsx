@@ -13,7 +13,7 @@ export function RunFilters({ list, programs }: { list: RunList; programs: readon
   const { value: outcome } = list.outcome;
   const { value: program } = list.program;
   return (
-    <fieldset class="run-filters">
+    <fieldset class="run-filters row wrap middle gap-2">
       <legend class="visually-hidden">{keeping.filters}</legend>
       {([null, ...OUTCOMES] as const).map((one) => (
         <Button

@@ -18,7 +18,7 @@ export function UnreadNotes({ groupId }: { groupId: string }) {
     notes.set(unseen.filter(({ id }) => id !== note.id));
   };
   return (
-    <ul class="letters">
+    <ul class="grid gap-3">
       {unseen.map((note) => (
         <li key={note.id}>
           <Letter note={note} onSeen={() => seen(note)} />
@@ -38,7 +38,7 @@ function Letter({ note, onSeen }: { note: Note; onSeen(): Promise<void> }) {
       <div class="letter__words">
         <h2 class="letter__from">{words.noteFrom}</h2>
         <p class="letter__text">{note.text}</p>
-        <p class="letter__about">
+        <p class="aside">
           {about} · {written}
         </p>
       </div>

@@ -75,7 +75,7 @@ function Programs({ work }: { work: GroupWork }) {
         <li>
           <Button
             kind="bare"
-            class="work__new"
+            class="work__new column middle center gap-2"
             icon={Plus}
             testId="new-program"
             onPress={() => startProgram(work.groupId, work.programs)}

@@ -32,7 +32,12 @@ interface PanelProps<T> {
 export function ThingPanel({ store, plan, thing }: PanelProps<Thing>) {
   const words = texts.value.world;
   return (
-    <section class="world-panel" key={thing.id} data-testid="world-panel" data-kind={thing.kind}>
+    <section
+      class="world-panel column grows shrinks-down gap-2"
+      key={thing.id}
+      data-testid="world-panel"
+      data-kind={thing.kind}
+    >
       <h2>{nameOf(thing, ofKind(plan, thing.kind).indexOf(thing), words)}</h2>
       {isArea(thing) ? (
         <AreaFields store={store} plan={plan} thing={thing} />
@@ -47,7 +52,7 @@ export function ThingPanel({ store, plan, thing }: PanelProps<Thing>) {
 function Acts({ store, thing }: { store: EditorStore; thing: Thing }) {
   const words = texts.value.world;
   return (
-    <div class="world-panel__acts">
+    <div class="world-panel__acts row wrap gap-2">
       {(thing.kind === "paint" || thing.kind === "zone") && (
         <Button icon={Layers} onPress={() => store.layer(true)}>
           {words.onTop}
@@ -260,7 +265,11 @@ export function StartPanel({ store, plan }: { store: EditorStore; plan: Plan }) 
     />
   );
   return (
-    <section class="world-panel" data-testid="world-panel" data-kind="start">
+    <section
+      class="world-panel column grows shrinks-down gap-2"
+      data-testid="world-panel"
+      data-kind="start"
+    >
       <h2>{words.kinds.start}</h2>
       <p class="world-panel__hint">{words.startHint}</p>
       <div class="numbers">

@@ -20,7 +20,12 @@ const ICONS = {
 export function Toolbox({ store }: { store: EditorStore }) {
   const { tools, toolsLabel } = texts.value.world;
   return (
-    <div class="world-tools" role="toolbar" aria-label={toolsLabel} aria-orientation="vertical">
+    <div
+      class="world-tools column gap-1"
+      role="toolbar"
+      aria-label={toolsLabel}
+      aria-orientation="vertical"
+    >
       {TOOLS.map((tool) => {
         const Icon = ICONS[tool];
         return (

@@ -53,7 +53,7 @@ export function WorldEditor({
   return (
     <section
       ref={section}
-      class="world-editor"
+      class="world-editor column"
       aria-label={words.title}
       tabIndex={-1}
       data-testid="world-editor"
@@ -74,7 +74,7 @@ export function WorldEditor({
         />
       )}
       {replaces && <Replaces onOwn={onOwn} />}
-      <div class="world-editor__table">
+      <div class="world-editor__table grows shrinks-down">
         <Toolbox store={store} />
         <Board store={store}>
           <Hint store={store} />
@@ -104,7 +104,7 @@ interface BarProps {
 function Bar({ store, onStop, onDone }: BarProps) {
   const { studio, world, run } = texts.value;
   return (
-    <div class="world-editor__bar">
+    <div class="world-editor__bar row middle rigid gap-1">
       <Button
         icon={Undo2}
         kind="plain"
@@ -175,7 +175,7 @@ function Hint({ store }: { store: EditorStore }) {
   const isEmpty = store.isBare && tool === "select" && store.selected.value === null;
   const isHeld = tool === "select" && store.selected.value !== null;
   return (
-    <p class="world-hint card" role="status" data-testid="world-hint">
+    <p class="world-hint card row middle grows gap-3" role="status" data-testid="world-hint">
       <CircleHelp class="icon" aria-hidden="true" />
       {isEmpty ? hints.empty : isHeld ? hints.selected : hints[tool]}
     </p>
@@ -193,7 +193,7 @@ function Side({ store, onForget, onFile }: SideProps) {
   const selected = store.selected.value;
   const thing = thingOf(plan, selected);
   return (
-    <div class="world-side card">
+    <div class="world-side card column shrinks-down">
       {thing && <ThingPanel store={store} plan={plan} thing={thing} key={thing.id} />}
       {selected === "start" && <StartPanel store={store} plan={plan} />}
       {!thing && selected !== "start" && (
@@ -227,7 +227,7 @@ function Faults({ store }: { store: EditorStore }) {
           <li key={`${fault.pointer} ${fault.code}`}>
             <Button
               kind="bare"
-              class="faults__fault"
+              class="faults__fault row middle apart gap-3"
               testId="world-fault"
               data-code={fault.code}
               onPress={() => {

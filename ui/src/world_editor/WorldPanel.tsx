@@ -1,9 +1,9 @@
 import { Download, FolderOpen, Trash2 } from "lucide-preact";
-import { useRef } from "preact/hooks";
 import { WORLD_LIMITS } from "../api/declared";
 import { worldTitle } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
+import { FileButton } from "../kit/Field";
 import { NumberField } from "../kit/NumberField";
 import { Select } from "../kit/Select";
 import { worlds } from "../shell/session";
@@ -35,7 +35,11 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
     />
   );
   return (
-    <section class="world-panel" data-testid="world-panel" data-kind="world">
+    <section
+      class="world-panel column grows shrinks-down gap-2"
+      data-testid="world-panel"
+      data-kind="world"
+    >
       <label class="world-panel__text">
         {words.name}
         <input
@@ -52,8 +56,15 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
         {side("depth", words.depth)}
       </div>
       <BeginFrom store={store} />
-      <div class="world-panel__acts">
-        <OpenFile onFile={onFile} />
+      <div class="world-panel__acts row wrap gap-2">
+        <FileButton
+          icon={FolderOpen}
+          accept=".json,application/json"
+          testId="world-file"
+          onFile={onFile}
+        >
+          {words.fromFile}
+        </FileButton>
         <Button icon={Download} testId="world-export" onPress={onExport}>
           {words.toFile}
         </Button>
@@ -85,28 +96,5 @@ function BeginFrom({ store }: { store: EditorStore }) {
         }}
       />
     </label>
-  );
-}
-
-function OpenFile({ onFile }: { onFile(file: File): void }) {
-  const input = useRef<HTMLInputElement>(null);
-  return (
-    <>
-      <input
-        ref={input}
-        type="file"
-        accept=".json,application/json"
-        hidden
-        data-testid="world-file"
-        onChange={({ currentTarget }) => {
-          const [file] = currentTarget.files ?? [];
-          currentTarget.value = "";
-          if (file) onFile(file);
-        }}
-      />
-      <Button icon={FolderOpen} onPress={() => input.current?.click()}>
-        {texts.value.world.fromFile}
-      </Button>
-    </>
   );
 }

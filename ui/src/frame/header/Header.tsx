@@ -39,8 +39,13 @@ export function Header() {
   const header = useRef<HTMLElement>(null);
   useRoom(header);
   return (
-    <header class="header" ref={header}>
-      <a class="header__home" href="#/" data-testid="home" title={texts.value.header.home}>
+    <header class="header row middle rigid gap-2" ref={header}>
+      <a
+        class="header__home row middle gap-2"
+        href="#/"
+        data-testid="home"
+        title={texts.value.header.home}
+      >
         <Mark />
         <span class="header__brand">PINEL</span>
       </a>
@@ -69,7 +74,7 @@ function GroupChip() {
   if (!now) return null;
   return (
     <a
-      class="header__group tinted"
+      class="header__group tinted row middle gap-2"
       href="#/"
       title={`${texts.value.header.group}: ${now.name}. ${texts.value.header.home}`}
       data-testid="header-group"
@@ -78,7 +83,7 @@ function GroupChip() {
       <span class="badge">
         <GroupPicture name={now.picture} />
       </span>
-      <span class="header__group-name" dir="auto">
+      <span class="header__group-name one-line" dir="auto">
         {now.name}
       </span>
     </a>
@@ -126,7 +131,6 @@ function ActivitiesLink() {
   return (
     <LinkButton
       icon={Target}
-      class="header__activities"
       label={open}
       href={hashOf({ screen: "activities", group: now.id })}
       testId="open-activities"
@@ -160,7 +164,6 @@ function PracticeLink() {
   return (
     <LinkButton
       icon={Hand}
-      class="header__practice"
       label={texts.value.titles.practice}
       href={hashOf({ screen: "practice" })}
       testId="practice"

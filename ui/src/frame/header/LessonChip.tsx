@@ -20,18 +20,18 @@ export function LessonChip() {
   if (!now) return null;
   const whole = [texts.value.classes.lesson(now.title), now.activity].filter(Boolean).join(" · ");
   return (
-    <div class="lesson-chip" title={whole} data-testid="lesson-chip">
+    <div class="lesson-chip row middle gap-2" title={whole} data-testid="lesson-chip">
       {now.goal ? (
         <LessonGoal activity={now.activity || now.title} goal={now.goal} />
       ) : (
         <BookOpen class="icon" aria-hidden="true" />
       )}
-      <p class="lesson-chip__words">
+      <p class="lesson-chip__words column center shrinks">
         <span class="lesson-chip__title" data-shortened>
           {now.title}
         </span>
         {now.activity && (
-          <span class="lesson-chip__activity" data-shortened>
+          <span class="lesson-chip__activity aside" data-shortened>
             {now.activity}
           </span>
         )}

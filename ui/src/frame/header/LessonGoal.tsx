@@ -43,7 +43,7 @@ export function LessonGoal({ activity, goal }: LessonGoalProps) {
         <GoalPicture goal={goal} />
       </Button>
       {open.value && (
-        <figure class="lesson-goal-chip__large card" data-testid="lesson-goal">
+        <figure class="lesson-goal-chip__large card column gap-2" data-testid="lesson-goal">
           <GoalPicture goal={goal} label={label} />
           <figcaption>{activity}</figcaption>
         </figure>

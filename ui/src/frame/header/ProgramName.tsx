@@ -20,7 +20,7 @@ export function ProgramName() {
   };
 
   return (
-    <label class="program-name" title={header.rename}>
+    <label class="program-name grid middle" title={header.rename}>
       <span class="program-name__sizer" aria-hidden="true">
         {draft ?? now.name}
       </span>

@@ -23,11 +23,11 @@ export function RealRobot() {
   const { robot } = texts.value;
   return (
     <section
-      class="real-robot"
+      class="real-robot row middle rigid shrinks gap-2"
       aria-label={`${robot.real}: ${robotWords(link)}`}
       data-testid="real-robot"
     >
-      <span class="real-robot__words">
+      <span class="real-robot__words column">
         <strong>{robot.real}</strong>
         <RobotState link={link} testId="robot-state" />
       </span>

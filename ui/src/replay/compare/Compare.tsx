@@ -57,7 +57,7 @@ function Head({ pair, view, children }: HeadProps) {
   const back = from.screen === "runs" ? say.back : texts.value.header.backToLesson;
   const [first, second] = pair.sides.map(({ recording }) => recording.run.world_document?.name);
   return (
-    <div class="review-head compare__head">
+    <div class="review-head compare__head row middle gap-4">
       <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
       <h1>{say.title}</h1>
       {children}
@@ -66,7 +66,7 @@ function Head({ pair, view, children }: HeadProps) {
         <p class="compare__elsewhere">{say.otherWorld}</p>
       )}
       <Choice<View>
-        class="switch"
+        class="switch row middle shrinks"
         label={say.view}
         legendClass="switch__word"
         optionClass=""
@@ -93,7 +93,7 @@ function OneFloor({ pair: { sides } }: { pair: Pair }) {
     pose: second.pose,
   }));
   return (
-    <div class="compare__floor">
+    <div class="compare__floor shrinks shrinks-down">
       <Scene
         world={first.recording.run.world_document}
         robot={robotOf(first.recording.run.model)}

@@ -30,7 +30,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
   const title = [group?.name, run.program_name].filter(Boolean).join(" · ");
   return (
     <section
-      class={`compare__side compare__side--${number} tinted`}
+      class={`compare__side shrinks shrinks-down compare__side--${number} tinted`}
       style={group ? { "--group": group.color } : {}}
       aria-label={`${number}: ${title}`}
       data-testid="compare-side"
@@ -50,7 +50,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
         </div>
       )}
       <ReplayWords run={run} view={side.view} />
-      <div class="compare__blocks">
+      <div class="compare__blocks row shrinks-down">
         <SideBlocks
           key={String(together)}
           side={side}
@@ -72,7 +72,7 @@ function HintsOpened({ side }: Pick<RunHeadProps, "side">) {
   if (!setup?.activity) return null;
   const words = texts.value.review.detail.hintsRead(setup.n_hints);
   return (
-    <span class="compare__hints" title={words} data-testid="compare-hints">
+    <span class="compare__hints row middle" title={words} data-testid="compare-hints">
       <Lightbulb class="icon" aria-hidden="true" />
       <span aria-hidden="true">{setup.n_hints}</span>
       <span class="visually-hidden">{words}</span>
@@ -94,7 +94,7 @@ function RunHead({ side, group, number, swatch }: RunHeadProps) {
   const outcome = outcomeOf(run);
   const took = run.duration_s === null ? "" : ` · ${duration(run.duration_s, language.value)}`;
   return (
-    <h2 class="compare__title">
+    <h2 class="compare__title row middle gap-2">
       <GroupPicture name={group?.picture ?? ""} class="compare__picture" />
       <span class="compare__name" data-shortened title={group?.name}>
         {group?.name ?? runs.commandLine}

@@ -52,9 +52,9 @@ export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
     },
   ];
   return (
-    <dl class="readout" aria-label={readout.label}>
+    <dl class="readout grows shrinks" aria-label={readout.label}>
       {cells.map((cell) => (
-        <div class="readout__cell" key={cell.testId} title={cell.help}>
+        <div class="readout__cell column center shrinks" key={cell.testId} title={cell.help}>
           <dt>{cell.name}</dt>
           <dd data-testid={cell.testId} data-value={cell.value.toFixed(4)}>
             {rounded(cell)}

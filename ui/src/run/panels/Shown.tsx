@@ -26,7 +26,7 @@ export function Shown({ view, more }: ShownProps) {
   }
   if (talk.value.length === 0 && rows.length === 0) return null;
   return (
-    <div class="shown">
+    <div class="shown row rigid gap-2">
       {talk.value.length > 0 && <Talk lines={talk.value} />}
       {rows.length > 0 && <Watch rows={rows} />}
     </div>

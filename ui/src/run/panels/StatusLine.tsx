@@ -19,12 +19,12 @@ export function StatusLine({ sentence }: { sentence: Sentence }) {
   const Icon = ICONS[sentence.tone];
   return (
     <div
-      class={`status status--${sentence.tone}`}
+      class={`status row middle gap-3 status--${sentence.tone}`}
       data-testid="status-line"
       data-tone={sentence.tone}
     >
       <Icon class="icon status__icon" aria-hidden="true" />
-      <p class="status__words" title={`${sentence.text} ${sentence.more}`.trim()}>
+      <p class="status__words column shrinks" title={`${sentence.text} ${sentence.more}`.trim()}>
         <span class="status__text">{sentence.text}</span>
         {sentence.more && <span class="status__more">{sentence.more}</span>}
       </p>

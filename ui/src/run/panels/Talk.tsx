@@ -58,8 +58,8 @@ function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
     <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid="talk-line">
       <Icon class="icon" aria-hidden="true" />
       {kind !== "beeped" && <span class="visually-hidden">{texts.value.show[kind]}</span>}
-      <span class="talk__text">{wordsOf(kind, text)}</span>
-      <time class="talk__time">{seconds(tick / 30, language.value)}</time>
+      <span class="talk__text grows shrinks">{wordsOf(kind, text)}</span>
+      <time class="aside rigid">{seconds(tick / 30, language.value)}</time>
     </li>
   );
 }

@@ -91,7 +91,7 @@ export function TimeStrip({ tracks, tick, end, time, testId, onTick, onKey }: Ti
           if (onKey?.(event.key)) event.preventDefault();
         }}
       />
-      <output class="slider__time" aria-hidden="true">
+      <output class="slider__time aside" aria-hidden="true">
         {time}
       </output>
     </div>

@@ -11,7 +11,7 @@ export function RobotState({ link, testId }: RobotStateProps) {
   const state = robotStates.value[link];
   const { short, spoken, tip } = stateWords(state);
   return (
-    <span class="robot-state" title={tip} data-testid={testId} data-state={state?.state}>
+    <span title={tip} data-testid={testId} data-state={state?.state}>
       <span aria-hidden="true">{short}</span>
       <span class="visually-hidden" role="status">
         {spoken}

@@ -41,7 +41,7 @@ export function Toolbar({ scene, tools, again, sensors, onPicture }: ToolbarProp
     if (now) what(now);
   };
   return (
-    <div class="scene__tools">
+    <div class="scene__tools row top gap-2">
       {open.value && <More tools={tools} scene={scene} sensors={sensors} onPicture={onPicture} />}
       <div class="scene__buttons">
         <Tool label={words.zoomIn} Icon={Plus} onClick={act((now) => now.zoom(ZOOM_STEP))} />

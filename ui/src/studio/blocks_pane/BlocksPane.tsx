@@ -72,7 +72,7 @@ function Tools({ control }: { control: StudioControl }) {
     </Button>
   );
   return (
-    <div class="blocks__tools">
+    <div class="blocks__tools row middle rigid gap-1">
       {tool("undo", studio.undo, Undo2, (editor) => editor.undo())}
       {tool("redo", studio.redo, Redo2, (editor) => editor.redo())}
       {tool("tidy", studio.tidy, AlignVerticalJustifyStart, (editor) => editor.tidy())}

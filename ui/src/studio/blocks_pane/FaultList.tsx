@@ -14,7 +14,7 @@ export function FaultList({ faults, onGo }: FaultListProps) {
   if (faults.length === 0) return null;
   return (
     <div class="faults" data-testid="fault-list" role="status">
-      <h2 class="faults__title">
+      <h2 class="faults__title row middle gap-2">
         <TriangleAlert class="icon" aria-hidden="true" />
         {studio.faultsTitle(faults.length)}
       </h2>
@@ -23,7 +23,7 @@ export function FaultList({ faults, onGo }: FaultListProps) {
           <li key={`${fault.pointer}/${fault.code}`}>
             <Button
               kind="bare"
-              class="faults__fault"
+              class="faults__fault row middle apart gap-3"
               iconEnd={fault.block ? ArrowRight : undefined}
               tip={studio.goToBlock}
               testId="fault"

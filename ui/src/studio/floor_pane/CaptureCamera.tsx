@@ -22,7 +22,10 @@ export function CaptureCamera({ expected, onAnswer }: CaptureCameraProps) {
       <div class="capture__picture">
         <CameraPicture />
       </div>
-      <div class="capture__seen" hidden={!hasPicture.value && expected.length === 0}>
+      <div
+        class="capture__seen column shrinks gap-1"
+        hidden={!hasPicture.value && expected.length === 0}
+      >
         <NowSeen progress={sight.value?.progress ?? 0} />
         {expected.length > 0 && <Expected signs={expected} reading={reading} onAnswer={onAnswer} />}
       </div>
@@ -43,14 +46,14 @@ function Expected({ signs, reading, onAnswer }: ExpectedProps) {
   const hand = drawnHand.value;
   return (
     <div class="expected">
-      <p class="expected__title">{camera.expected}</p>
-      <div class="expected__row">
-        <ul class="expected__signs">
+      <p class="expected__title aside">{camera.expected}</p>
+      <div class="expected__row row shrinks gap-1">
+        <ul class="expected__signs row grows shrinks gap-1">
           {signs.map((sign) => (
             <li key={sign}>
               <Button
                 kind="bare"
-                class="expected__sign"
+                class="expected__sign column middle center"
                 tip={capture.answer(sign)}
                 testId="expected-sign"
                 data-sign={sign}

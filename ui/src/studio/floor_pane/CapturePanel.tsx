@@ -31,7 +31,7 @@ export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps)
   useLayoutEffect(() => listenForSigns(onAnswer));
   return (
     <section
-      class={`capture ${hasPicture.value ? "capture--camera" : ""}`}
+      class={`capture column shrinks-down ${hasPicture.value ? "capture--camera" : ""}`}
       aria-label={words.title}
       data-testid="capture"
     >
@@ -47,7 +47,7 @@ function Head({ capture: { leftS, timeoutS } }: { capture: Capture }) {
   const shown = decimal(Math.ceil(leftS), 0, language.value);
   return (
     <>
-      <div class="capture__head">
+      <div class="capture__head row middle gap-3">
         <Hand class="icon capture__hand" aria-hidden="true" />
         <h2 class="capture__title">{hasPicture.value ? words.show : words.title}</h2>
         <CameraChoice />

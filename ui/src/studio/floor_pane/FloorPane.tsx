@@ -44,7 +44,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
     drawer.value = { ...drawer.value, what: wanted, open: !open || what !== wanted };
   };
   return (
-    <section class="floor" aria-label={texts.value.studio.floor}>
+    <section class="floor column shrinks shrinks-down gap-2" aria-label={texts.value.studio.floor}>
       <Controls control={control} />
       <Status control={control} />
       <BeforeRun control={control} />
@@ -85,7 +85,7 @@ function Status({ control }: { control: StudioControl }) {
 function RunTime({ control }: { control: StudioControl }) {
   const has = useComputed(() => control.mine.value && robot.live.value.phase !== "idle");
   const over = useComputed(() => !isLive(robot.live.value));
-  return has.value ? <div class="floor__time">{over.value && <PastRun />}</div> : null;
+  return has.value ? <div class="floor__time row rigid">{over.value && <PastRun />}</div> : null;
 }
 
 /** Offers undo after the group's own world was deleted. */

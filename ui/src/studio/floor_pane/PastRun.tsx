@@ -20,7 +20,11 @@ export function PastRun() {
   const { run } = live.value;
   if (!run) return null;
   return (
-    <section class="past-run" aria-label={texts.value.run.time} data-testid="past-run">
+    <section
+      class="past-run row middle grows shrinks gap-2"
+      aria-label={texts.value.run.time}
+      data-testid="past-run"
+    >
       {record.isWhole && <Strip />}
       <LinkButton
         icon={Film}

@@ -30,13 +30,13 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
       onSubmit={() => !isBlank && onAnswer(value)}
     >
       <CircleQuestionMark class="icon question__icon" aria-hidden="true" />
-      <div class="question__words">
+      <div>
         <h2 class="question__title">{words.title}</h2>
         <p class="question__text" data-testid="question-text">
           {asked}
         </p>
       </div>
-      <div class="question__answer">
+      <div class="question__answer row gap-2">
         <input
           class="field"
           ref={field}
@@ -60,7 +60,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           {words.send}
         </Button>
       </div>
-      <p class="question__hint">{words.keptIn(question.variable)}</p>
+      <p class="question__hint aside">{words.keptIn(question.variable)}</p>
     </Form>
   );
 }

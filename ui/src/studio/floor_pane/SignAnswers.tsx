@@ -29,7 +29,7 @@ export function SignAnswers({ expected, onAnswer }: SignAnswersProps) {
   const hasSigns = others.length > 0;
   return (
     <>
-      <div class="capture__by-hand">
+      <div class="capture__by-hand aside">
         <p>{words.byHand}</p>
         {hasSigns && (
           <Tabs

@@ -43,12 +43,12 @@ export function Stage({ control, drawer }: StageProps) {
   const { open, what, tall, editing } = drawer.value;
   const hasText = open && (editing || !waits);
   return (
-    <div class="floor__stage">
+    <div class="floor__stage column grows shrinks-down gap-2">
       <div
-        class={`floor__view ${hasText ? "floor__view--beside" : ""}`}
+        class={`floor__view column grows shrinks-down gap-2 ${hasText ? "floor__view--beside" : ""}`}
         hidden={hasText && (tall || editing)}
       >
-        <div class="floor__scene">
+        <div class="floor__scene grows shrinks shrinks-down">
           <Scene
             world={control.world.value}
             robot={control.robot.value}
@@ -143,7 +143,7 @@ function RoomWords() {
   const isHeard = state?.state === "connected" || state?.state === "silent";
   const { short, tip } = stateWords(state);
   return (
-    <p class="floor__locked floor__room" title={isHeard ? tip : undefined}>
+    <p class="floor__locked floor__room row middle gap-2" title={isHeard ? tip : undefined}>
       {texts.value.robot.room}
       {isHeard && <span class="floor__robot-state">{short}</span>}
     </p>
@@ -156,7 +156,11 @@ function MissionCorner({ control }: { control: StudioControl }) {
   return (
     <div class="floor__corner">
       <RobotChoice />
-      <p class="floor__locked" title={texts.value.activity.locked} data-testid="world-locked">
+      <p
+        class="floor__locked row middle gap-2"
+        title={texts.value.activity.locked}
+        data-testid="world-locked"
+      >
         <Lock class="icon" aria-hidden="true" />
         {world.value && worldTitle(world.value, language.value)}
         <span class="visually-hidden">{texts.value.activity.locked}</span>

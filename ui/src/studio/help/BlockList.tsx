@@ -34,8 +34,13 @@ function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
   useLayoutEffect(() => picture.current?.replaceChildren(drawing.svg.cloneNode(true)), [drawing]);
   return (
     <>
-      <div class="help__block">
-        <div ref={picture} role="img" aria-label={words} class={`help__picture ${drawings.look}`} />
+      <div class="help__block row wrap middle apart gap-2">
+        <div
+          ref={picture}
+          role="img"
+          aria-label={words}
+          class={`help__picture shrinks ${drawings.look}`}
+        />
         <Button
           icon={Plus}
           label={`${help.tryIt}: ${words}`}
@@ -49,7 +54,7 @@ function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
           {help.tryIt}
         </Button>
       </div>
-      <div class="help__about-block">
+      <div class="help__about-block row middle gap-3">
         {film && <FilmPicture film={film} words={words} />}
         <p>{blocks[`${type.toUpperCase()}_TIP` as TextKey]}</p>
       </div>

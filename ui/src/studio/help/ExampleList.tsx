@@ -16,7 +16,7 @@ export function ExampleList({ examples }: { examples: readonly Example[] }) {
         <li key={one.name}>
           <Button
             kind="bare"
-            class="help__example"
+            class="help__example row middle gap-2"
             tip={help.openExample}
             testId="help-example"
             data-example={one.name}

@@ -31,7 +31,7 @@ export function HelpPanel({ control }: { control: StudioControl }) {
   return (
     <HelpContext.Provider value={content}>
       <section
-        class="help card"
+        class="help card column grows shrinks-down"
         aria-label={texts.value.header.help}
         data-testid="help-panel"
         onKeyDown={(event) => event.key === "Escape" && close()}
@@ -109,7 +109,7 @@ function Head({ query }: { query: Signal<string> }) {
     return () => before instanceof HTMLElement && before.isConnected && before.focus();
   }, []);
   return (
-    <div class="help__head">
+    <div class="help__head row gap-2">
       <label class="help__search">
         <Search class="icon" aria-hidden="true" />
         <input

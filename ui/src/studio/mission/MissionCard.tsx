@@ -30,7 +30,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
   const done = verdict?.passed === true;
   return (
     <section
-      class="mission"
+      class="mission row top gap-4"
       aria-label={texts.value.activity.mission}
       data-testid="mission"
       data-done={done}
@@ -74,7 +74,7 @@ function MissionHead({ mission, done, checks }: MissionHeadProps) {
   const Icon = done ? CircleCheck : Target;
   const met = checks?.filter(({ state }) => state === "met").length ?? 0;
   return (
-    <h2 class="mission__title">
+    <h2 class="mission__title row middle gap-2">
       <Icon class="icon" aria-hidden="true" />
       <span>
         {mission.number} {mission.title}
@@ -82,7 +82,7 @@ function MissionHead({ mission, done, checks }: MissionHeadProps) {
       {checks && (
         <>
           <span class="mission__count">{texts.value.activity.count(met, checks.length)}</span>
-          <span class="mission__brief">{mission.criteria}</span>
+          <span class="mission__brief one-line">{mission.criteria}</span>
         </>
       )}
     </h2>
@@ -152,7 +152,7 @@ function ShowBlock({ control }: { control: StudioControl }) {
 function UnknownMission() {
   const { activity } = texts.value;
   return (
-    <section class="mission" aria-label={activity.mission} data-testid="mission">
+    <section class="mission row top gap-4" aria-label={activity.mission} data-testid="mission">
       <p class="mission__words">{activity.unknown}</p>
     </section>
   );

@@ -38,13 +38,13 @@ function CheckList({ control, paused }: CheckListProps) {
   };
   return (
     <Form
-      class="before-run card"
+      class="before-run card column gap-1"
       testId="before-run"
       aria-label={before.title}
       onSubmit={go}
       onKeyDown={({ key }) => key === "Escape" && close(control)}
     >
-      <h2 class="before-run__title">
+      <h2 class="before-run__title row middle gap-2">
         <TriangleAlert class="icon" aria-hidden="true" />
         {before.title}
       </h2>
@@ -53,7 +53,7 @@ function CheckList({ control, paused }: CheckListProps) {
           <Point key={words} words={words} index={index} done={done} />
         ))}
       </div>
-      <div class="before-run__buttons">
+      <div class="before-run__buttons row wrap gap-2">
         <Button
           submit
           kind="main"
@@ -80,7 +80,7 @@ interface PointProps {
 
 function Point({ words, index, done }: PointProps) {
   return (
-    <label class="before-run__point">
+    <label class="before-run__point row middle gap-3">
       <input
         type="checkbox"
         checked={done.value.includes(index)}

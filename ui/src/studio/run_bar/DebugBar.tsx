@@ -16,7 +16,7 @@ export function DebugBar(props: ActionsProps) {
   const { debug } = texts.value;
   const { open } = props.control;
   return (
-    <section class="debug-bar" aria-label={debug.bar}>
+    <section class="debug-bar row middle gap-2" aria-label={debug.bar}>
       {STEPS.filter(({ isShown }) => isShown(props.state)).map((action) => (
         <ActionButton key={action.name} {...props} action={action} />
       ))}

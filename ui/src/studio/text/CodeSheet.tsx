@@ -26,7 +26,7 @@ export function CodeSheet({ text, lit = null, faulty, label, testId, children }:
   const count = text.split("\n").length;
   return (
     <section
-      class="code"
+      class="code grows shrinks-down"
       ref={sheet}
       aria-label={label}
       data-scrolls

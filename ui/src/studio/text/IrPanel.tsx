@@ -12,13 +12,13 @@ export function IrPanel({ document }: { document: object | null }) {
   const { ir } = texts.value;
   const text = document ? JSON.stringify(document, null, 2) : "";
   return (
-    <section class="text__panel" aria-label={ir.tab}>
-      <div class="text__bar">
-        <p class="text__state">{ir.explain}</p>
+    <section class="text__panel column grows shrinks-down" aria-label={ir.tab}>
+      <div class="text__bar row middle apart rigid gap-2">
+        <p class="text__state row middle grows shrinks gap-2">{ir.explain}</p>
         <CopyButton text={text} />
       </div>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <pre class="text__json" tabIndex={0} data-testid="ir-json">
+      <pre class="text__json grows shrinks-down" tabIndex={0} data-testid="ir-json">
         {text ? tokens(text, JSON_TOKENS) : ir.empty}
       </pre>
     </section>

@@ -59,7 +59,7 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
     if (sheet) showLine(sheet, line);
   };
   return (
-    <div class="text__panel">
+    <div class="text__panel column grows shrinks-down">
       <CodeSheet
         text={text}
         label={python.text}
@@ -69,7 +69,7 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
       </CodeSheet>
       {faults.length > 0 && <PythonFaults faults={faults} onGo={jump} />}
       <State check={check?.text === text ? check : null} isChanged={isChanged} />
-      <div class="text__bar">
+      <div class="text__bar row middle apart rigid gap-2">
         <Button icon={Undo2} testId="python-leave" onPress={onLeave}>
           {python.leave}
         </Button>
@@ -112,7 +112,7 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
   return (
     <div class="text__states">
       <p
-        class={`text__state text__state--${name}`}
+        class={`text__state row middle grows shrinks gap-2 text__state--${name}`}
         role="status"
         data-testid="python-state"
         data-state={name}
@@ -121,7 +121,7 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
         {words}
       </p>
       {/* hidden with faults, which need the room */}
-      <p id="python-keys" class={name === "unchanged" ? "text__keys" : "visually-hidden"}>
+      <p id="python-keys" class={name === "unchanged" ? "aside" : "visually-hidden"}>
         {python.keys}
       </p>
     </div>

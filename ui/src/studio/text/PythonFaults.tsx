@@ -32,7 +32,7 @@ export function PythonFaults({ faults, onGo }: PythonFaultsProps) {
           <li key={`${line}/${column}/${fault.code}`}>
             <Button
               kind="bare"
-              class="faults__fault"
+              class="faults__fault row middle apart gap-3"
               testId="python-fault"
               data-code={fault.code}
               data-line={line}

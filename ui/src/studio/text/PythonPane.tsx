@@ -47,11 +47,11 @@ export function PythonPane(props: PythonPaneProps) {
     );
   }
   return (
-    <div class="text__panel">
+    <div class="text__panel column grows shrinks-down">
       <Loaded of={written}>
         {(now) => <Written document={document} written={now} running={running} />}
       </Loaded>
-      <div class="text__bar">
+      <div class="text__bar row middle apart rigid gap-2">
         <Button
           icon={PencilLine}
           testId="python-edit"

@@ -18,7 +18,7 @@ interface TextDrawerProps {
 /** The program as Python text and as its document. */
 export function TextDrawer({ state, document, running, onState, onPlace }: TextDrawerProps) {
   return (
-    <div class="text card">
+    <div class="text card column shrinks-down">
       {!state.editing && <Head state={state} onState={onState} />}
       {state.tab === "ir" ? (
         <IrPanel document={document} />
@@ -40,7 +40,7 @@ function Head({ state, onState }: Pick<TextDrawerProps, "state" | "onState">) {
   const { tab, tall } = state;
   const words = { python: python.tab, ir: ir.tab };
   return (
-    <div class="text__head">
+    <div class="text__head row middle apart rigid gap-2">
       <Tabs
         label={python.tabs}
         testId="text-tab"

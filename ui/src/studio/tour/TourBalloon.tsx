@@ -46,7 +46,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
       )}
       <section
         ref={balloon}
-        class="tour card"
+        class="tour card grid gap-2"
         aria-label={words.title}
         tabIndex={-1}
         data-testid="tour"

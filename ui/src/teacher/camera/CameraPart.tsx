@@ -23,7 +23,7 @@ export function CameraPart() {
         </div>
         <div class="column shrinks gap-3">
           <Ready isReady={check.isReady.value} />
-          <ul class="camera-try__points">
+          <ul class="column">
             {POINTS.map((point) => (
               <Found
                 key={point}
@@ -71,7 +71,7 @@ function Found({ point, finding, sign }: FoundProps) {
   const words: Partial<Record<Finding, string>> = points[point];
   return (
     <li
-      class="camera-try__point"
+      class="camera-try__point row middle gap-3"
       data-testid="camera-point"
       data-name={point}
       data-finding={finding}

@@ -28,7 +28,7 @@ export function CardsScreen() {
   usePrintedPage("cards");
   return (
     <main class="screen cards-screen">
-      <div class="review-head cards-screen__head">
+      <div class="review-head cards-screen__head row middle gap-4">
         <LinkButton
           icon={ArrowLeft}
           label={say.back}
@@ -90,7 +90,7 @@ function CardOptions({ list, copies, ink }: CardOptionsProps) {
         />
       </label>
       <Choice<Ink>
-        class="switch"
+        class="switch row middle shrinks"
         label={say.ink}
         legendClass="switch__word"
         optionClass=""

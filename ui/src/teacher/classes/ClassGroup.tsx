@@ -45,10 +45,10 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
         onRename={(name) => change({ name })}
       >
         <span class="column shrinks">
-          <strong class="class-groups__name" dir="auto" data-shortened title={group.name}>
+          <strong class="one-line" dir="auto" data-shortened title={group.name}>
             {group.name}
           </strong>
-          <span class="class-groups__counts">{groupCounts(group, texts.value)}</span>
+          <span class="aside">{groupCounts(group, texts.value)}</span>
         </span>
       </NameField>
       {others.length > 0 && (

@@ -39,7 +39,11 @@ export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPan
       </p>
       <ul class="column">
         {groups.map((group) => (
-          <li key={group.id} class="class-groups__one" data-testid="class-group">
+          <li
+            key={group.id}
+            class="class-groups__one row wrap middle gap-3"
+            data-testid="class-group"
+          >
             <ClassGroup group={group} school={school} reload={reload} onMoved={setMoved} />
           </li>
         ))}

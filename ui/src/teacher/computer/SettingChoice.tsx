@@ -15,14 +15,14 @@ export function SettingChoice<Name extends SettingName>(props: SettingChoiceProp
   const values = Object.keys(options) as SettingValues[Name][];
   return (
     <section class="panel card">
-      <fieldset class="setting-choice">
+      <fieldset class="setting-choice row wrap gap-2">
         <legend>
           <h2>{title}</h2>
         </legend>
         {values.map((value) => (
           <label
             key={value}
-            class="setting-choice__one"
+            class="setting-choice__one row middle gap-2"
             data-testid="setting"
             data-setting={name}
             data-value={value}

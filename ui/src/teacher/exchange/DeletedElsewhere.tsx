@@ -57,7 +57,7 @@ function WorkLine({ work, isKept, onToggle }: WorkLineProps) {
   const isGroup = work.kind === "group";
   const content = counted({ programs: isGroup ? work.n_programs : 0, runs: work.n_runs }, say);
   return (
-    <label class="deletion__work" data-testid="can-keep">
+    <label class="deletion__work row middle gap-3" data-testid="can-keep">
       <input type="checkbox" checked={isKept} onChange={onToggle} />
       <span>
         <strong>{isGroup ? work.name : say.programOf(work.name, work.place)}</strong>

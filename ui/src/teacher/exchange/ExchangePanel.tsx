@@ -21,7 +21,7 @@ export function ExchangePanel() {
   const places = useTeacherLoaded("places", () => exchange.folders());
   const known = useTeacherLoaded("known", loadKnown);
   return (
-    <section class="exchange" aria-labelledby="exchange-title">
+    <section class="exchange grid gap-4" aria-labelledby="exchange-title">
       <h1 id="exchange-title">{texts.value.exchange.title}</h1>
       <p class="teacher__hint">{texts.value.exchange.intro}</p>
       <Loaded of={places}>

@@ -16,7 +16,7 @@ export function FolderFiles({ folder, isChosen, onToggle }: FolderFilesProps) {
   const say = texts.value.exchange;
   const Icon = folder.is_removable ? Usb : HardDrive;
   return (
-    <fieldset class="exchange__folder">
+    <fieldset class="exchange__folder shrinks">
       <legend>
         <Icon class="icon" aria-hidden="true" />
         {folder.is_removable ? say.stick(folder.name) : say.folder(folder.name)}

@@ -30,7 +30,7 @@ export function ClassPreset({ classroom, preset, activities, onChanged }: ClassP
     <section class="panel card">
       <h2>{say.title}</h2>
       <p class="teacher__hint">{say.hint}</p>
-      <div class="teacher__row class-preset">
+      <div class="teacher__row">
         <Part
           label={say.level}
           value={preset.level ?? null}

@@ -36,9 +36,9 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
     <section>
       <h2 class="lessons__title">{say.list}</h2>
       {lessons.length === 0 && <p class="teacher__hint">{say.empty}</p>}
-      <ul class="lessons">
+      <ul class="column gap-2">
         {groups.map(({ lesson, parts }) => (
-          <li key={lesson.id} class="lessons__group card">
+          <li key={lesson.id} class="card">
             <LessonRow lesson={lesson} onChanged={onChanged}>
               {groups.length > 1 && (
                 <input

@@ -26,7 +26,7 @@ export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
     await onClosed();
   };
   return (
-    <div class="lesson-now" data-testid="lesson-now">
+    <div class="lesson-now row wrap middle gap-4" data-testid="lesson-now">
       {activity ? (
         <div class="lesson-goal">
           <GoalPicture goal={activity.goal_picture} />
@@ -34,7 +34,7 @@ export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
       ) : (
         <BookOpen class="icon lesson-now__icon" aria-hidden="true" />
       )}
-      <p class="lesson-now__words">
+      <p class="lesson-now__words column shrinks">
         <span>
           {say.now} · {since}
         </span>

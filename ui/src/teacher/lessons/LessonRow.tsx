@@ -35,7 +35,10 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
     say.runs(lesson.n_runs),
   ];
   return (
-    <div class={`lesson-row ${isPart ? "lesson-row--part" : ""}`} data-testid="lesson-row">
+    <div
+      class={`lesson-row row middle gap-3 ${isPart ? "lesson-row--part" : ""}`}
+      data-testid="lesson-row"
+    >
       {children}
       <div class="grows shrinks">
         <NameField

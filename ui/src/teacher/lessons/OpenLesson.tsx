@@ -41,7 +41,7 @@ export function OpenLesson(props: OpenLessonProps) {
     else if (await act(open)) reset();
   };
   return (
-    <Form class="open-lesson" onSubmit={submit}>
+    <Form class="open-lesson column gap-3" onSubmit={submit}>
       <h2>{another ? say.openAnother : say.open}</h2>
       <div class="teacher__row">
         <Field

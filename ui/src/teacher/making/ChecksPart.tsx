@@ -54,7 +54,7 @@ function CheckLine({ kind, chosen, zones, onChange }: CheckLineProps) {
   const fields = fieldsOf(kind);
   return (
     <li class="making__check" data-testid="making-check" data-kind={kind}>
-      <label class="making__choice">
+      <label class="making__choice row wrap middle gap-2">
         <input
           type="checkbox"
           checked={on}

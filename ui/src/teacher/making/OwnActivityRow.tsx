@@ -15,7 +15,7 @@ export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowPro
   const { making: say } = texts.value;
   const { title, goal_picture, problem } = activity;
   return (
-    <li class="making__row card" data-testid="making-row">
+    <li class="making__row card row middle gap-4" data-testid="making-row">
       {goal_picture && (
         <div class="making__goal">
           <GoalPicture goal={goal_picture} />

@@ -125,7 +125,7 @@ function LevelAndTime({ maker }: { maker: Maker }) {
           {say.texts.levelTooLow(levelNames()[needed])}
         </p>
       )}
-      <label class="making__choice">
+      <label class="making__choice row wrap middle gap-2">
         <input
           type="checkbox"
           checked={maker.showsPath.value}

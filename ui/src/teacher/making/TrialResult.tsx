@@ -30,7 +30,7 @@ function TrialLine({ trial }: { trial: Trial }) {
   const who = program === "solution" ? say.solution : say.empty;
   const robot = preset === "ideal" ? say.ideal : say.realistic;
   return (
-    <li class={`making__trial making__trial--${is_right ? "right" : "wrong"}`}>
+    <li class={`row top gap-2 making__trial--${is_right ? "right" : "wrong"}`}>
       <Icon class="icon" aria-hidden="true" />
       <span>
         <strong>

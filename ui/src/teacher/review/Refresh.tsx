@@ -15,7 +15,7 @@ export function Refresh({ at, busy, onRefresh }: RefreshProps) {
   const { refresh: say } = texts.value.review;
   return (
     <Button
-      class="refresh"
+      class="refresh rigid"
       icon={RefreshCw}
       tip={say.help}
       busy={busy}

@@ -59,7 +59,7 @@ function List({ robots, onUse }: ListProps) {
   const { find: say } = texts.value.robotSetup;
   const { state } = texts.value.robot;
   return (
-    <ul class="robots-found__list">
+    <ul class="robots-found__list grid gap-2">
       {robots.map((one) => (
         <li
           key={`${one.namespace} ${one.command_topic}`}

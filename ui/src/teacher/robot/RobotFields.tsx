@@ -37,7 +37,7 @@ export function RobotFields({ robot, draft, field, fill }: RobotFieldsProps) {
         <legend>{parts.speed}</legend>
         {inputs("speed")}
       </fieldset>
-      <fieldset class="robot-form__part robot-form__part--room">
+      <fieldset class="robot-form__part">
         <legend>{parts.room}</legend>
         {inputs("room")}
         <RoomPicture draft={draft} />

@@ -33,7 +33,7 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
   const keep = async () =>
     setKept(await change(() => robotsApi.keep(robot.link, recordOf(robot.fields, draft))));
   return (
-    <Form class="panel card robot-form" onSubmit={keep}>
+    <Form class="panel card" onSubmit={keep}>
       <p>{linkWords(robot.link, language.value)?.remedy}</p>
       <p class="robot-form__state" data-set-up={robot.is_set_up}>
         {robot.is_set_up ? say.isSetUp : say.notSetUp}

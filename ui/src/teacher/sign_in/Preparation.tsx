@@ -58,7 +58,7 @@ function PreparationForm({ known, onDone }: PreparationProps & { known: Known })
   };
   return (
     <main class="screen sign-in">
-      <Form class="sign-in__form card" onSubmit={submit}>
+      <Form class="sign-in__form card column gap-4" onSubmit={submit}>
         <h1>{say.title}</h1>
         <p class="teacher__hint">{say.hint}</p>
         <div class="sign-in__pair">

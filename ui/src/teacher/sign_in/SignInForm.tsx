@@ -24,7 +24,7 @@ export function SignInForm({ again }: SignInFormProps) {
   useEffect(focusField, []);
   return (
     <main ref={place} class="screen sign-in">
-      <Form class="sign-in__form card" onSubmit={enter}>
+      <Form class="sign-in__form card column gap-4" onSubmit={enter}>
         <h1>{say.title}</h1>
         <p class="teacher__hint">{again ? say.again : say.hint}</p>
         <PinField

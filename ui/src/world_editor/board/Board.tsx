@@ -32,7 +32,7 @@ export function Board({ store, children }: { store: EditorStore; children: Compo
   }, [world, view.value, theme.value]);
 
   return (
-    <div class="world-editor__floor">
+    <div class="world-editor__floor column shrinks shrinks-down gap-2">
       <div class="row rigid gap-2">
         {children}
         <Buttons
@@ -47,7 +47,7 @@ export function Board({ store, children }: { store: EditorStore; children: Compo
           }}
         />
       </div>
-      <div class="scene board" ref={frame} data-tool={store.tool.value}>
+      <div class="scene board grows" ref={frame} data-tool={store.tool.value}>
         <canvas class="scene__canvas" ref={canvas} />
         {view.value && <Overlay store={store} view={view as Signal<View>} byHand={byHand} />}
         {view.value && <FaultNote store={store} view={view.value} />}
@@ -196,7 +196,7 @@ function Buttons({ onZoom, onFit }: { onZoom(factor: number): void; onFit(): voi
     <Button icon={Icon} label={label} kind="bare" class="scene__button" onPress={act} />
   );
   return (
-    <div class="world-zoom">
+    <div class="world-zoom row rigid">
       {button(words.zoomIn, Plus, () => onZoom(ZOOM_STEP))}
       {button(words.zoomOut, Minus, () => onZoom(1 / ZOOM_STEP))}
       {button(words.fit, Scan, onFit)}

@@ -24,7 +24,7 @@ export function FaultNote({ store, view }: { store: EditorStore; view: View }) {
   const left = Math.min(view.size.width - WIDE / 2 - 8, Math.max(WIDE / 2 + 8, span.x));
   return (
     <p
-      class={`fault-note ${isAbove ? "" : "fault-note--below"}`}
+      class={`fault-note row top gap-2 ${isAbove ? "" : "fault-note--below"}`}
       style={{ left: `${left}px`, top: `${isAbove ? span.top - GAP : span.bottom + GAP}px` }}
       data-testid="world-fault-note"
       aria-hidden="true"

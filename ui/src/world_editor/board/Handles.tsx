@@ -23,7 +23,7 @@ interface Handle {
 export function Handles({ store, view }: { store: EditorStore; view: View }) {
   const handles = handlesOf(store.shown.value, store.selected.value, view);
   return (
-    <g class="handles">
+    <g>
       {handles.map(({ name, at, root }) => (
         <g
           key={name}

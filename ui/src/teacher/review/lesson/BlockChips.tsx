@@ -12,7 +12,7 @@ export function BlockChips({ blocks }: BlockChipsProps) {
   const { detail } = texts.value.review;
   if (blocks.length === 0) return <p class="detail__none">{detail.noBlocks}</p>;
   return (
-    <ul class="chips">
+    <ul class="chips row wrap gap-1">
       {blocks.map(({ type, count, loose }) => {
         const category = categoryOfType(type);
         const more = loose > 0 ? ` (${detail.loose(loose)})` : "";

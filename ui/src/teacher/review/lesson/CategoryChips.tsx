@@ -19,7 +19,7 @@ export function CategoryChips({ blocks }: CategoryChipsProps) {
     if (category && count > 0) counts.set(category, (counts.get(category) ?? 0) + count);
   }
   return (
-    <ul class="chips" aria-label={detail.blocks}>
+    <ul class="chips row wrap gap-1" aria-label={detail.blocks}>
       {[...counts].map(([category, count]) => {
         const name = counts.size > FEW ? "" : `${categoryName(category, language.value)} `;
         const label = detail.blocksOf(categoryName(category, language.value), count);

@@ -7,7 +7,7 @@ export function Explanations() {
   const { lesson: say } = texts.value.review;
   const now = new Date().toLocaleString(language.value, { dateStyle: "long", timeStyle: "short" });
   return (
-    <section class="lesson__explained" data-testid="lesson-explained">
+    <section class="lesson__explained aside" data-testid="lesson-explained">
       <h2>{say.counts}</h2>
       <p>{say.noRanking}</p>
       <dl>

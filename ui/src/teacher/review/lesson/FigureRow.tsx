@@ -63,7 +63,7 @@ function Figure({ name, value, first, more }: FigureProps) {
   return (
     <Button
       kind="bare"
-      class="figure"
+      class="figure aside"
       tabIndex={first ? 0 : -1}
       data-rove
       testId="review-figure"

@@ -17,7 +17,7 @@ export function GroupDetail({ review, book, onAccepted }: GroupDetailProps) {
   const runs = review.marks.filter(({ kind }) => kind === "run");
   return (
     <div class="detail" data-testid="review-detail">
-      <div class="detail__runs">
+      <div>
         <h2 class="detail__title">{detail.runs}</h2>
         {runs.length === 0 && <p class="detail__none">{detail.noRuns}</p>}
         <ol>
@@ -26,7 +26,7 @@ export function GroupDetail({ review, book, onAccepted }: GroupDetailProps) {
           ))}
         </ol>
       </div>
-      <div class="detail__blocks">
+      <div>
         <HintsRead hints={review.hints} />
         <h2 class="detail__title">{detail.blocks}</h2>
         <BlockChips blocks={review.blocks} />

@@ -52,7 +52,7 @@ export function GroupList({ review: { groups }, place, onAccepted }: GroupListPr
   });
   const parts = NEEDS.filter((need) => groups.some((one) => one.need === need));
   return (
-    <div class="lesson__parts" ref={list} data-time={timeOf.value}>
+    <div ref={list} data-time={timeOf.value}>
       {parts.map((need) => (
         <section key={need} data-need={need}>
           {parts.length > 1 && (

@@ -42,7 +42,7 @@ export function GroupRow(props: GroupRowProps) {
       <div class="group-row__who">
         <Button
           kind="bare"
-          class="group-row__name"
+          class="group-row__name row middle gap-2"
           open={open}
           tip={`${group.name}. ${open ? detail.close(group.name) : detail.open(group.name)}`}
           testId="review-open"

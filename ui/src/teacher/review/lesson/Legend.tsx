@@ -7,7 +7,7 @@ const OUTCOMES = ["passed", "finished", "notyet", "stopped", "failed"] as const;
 export function Legend() {
   const { legend } = texts.value.review;
   return (
-    <ul class="legend" aria-label={legend.title}>
+    <ul class="legend aside" aria-label={legend.title}>
       <li>
         <span class="legend__bar" aria-hidden="true" />
         {legend.edit}

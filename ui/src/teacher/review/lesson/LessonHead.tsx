@@ -29,12 +29,12 @@ export function LessonHead({ page, place, refresh }: LessonHeadProps) {
   const { review } = page;
   return (
     <>
-      <div class="review-head lesson__head">
+      <div class="review-head lesson__head row middle gap-4">
         <BackToLessons />
         <Title page={page} />
         {review.groups.length > 0 && <Tools review={review} timeOf={place.timeOf} />}
       </div>
-      <div class="lesson__about">
+      <div class="lesson__about row middle apart gap-4">
         <p class="lesson__facts">{factsOf(page).join(" · ")}</p>
         {refresh}
       </div>
@@ -83,7 +83,7 @@ interface ToolsProps {
 function Tools({ review, timeOf }: ToolsProps) {
   const say = texts.value.review.lesson;
   return (
-    <div class="lesson__tools">
+    <div class="lesson__tools row rigid gap-2">
       <TimeChoice timeOf={timeOf} />
       <LinkButton icon={ListVideo} href={hashOf({ screen: "runs" })}>
         {say.runs}
@@ -114,7 +114,7 @@ function TimeChoice({ timeOf }: Pick<ToolsProps, "timeOf">) {
   const { lesson: say } = texts.value.review;
   return (
     <Choice<TimeOf>
-      class="switch"
+      class="switch row middle shrinks"
       label={say.clock}
       legendClass="switch__word"
       optionClass=""

@@ -28,20 +28,18 @@ export function RunLine({ mark, book, onAccepted }: RunLineProps) {
   const outcome = outcomeOf(mark);
   if (!mark.run_id) return null;
   return (
-    <li class="run-line" data-testid="review-run" data-outcome={outcome}>
+    <li class="run-line row top gap-3" data-testid="review-run" data-outcome={outcome}>
       <OutcomeSign outcome={outcome} />
       <div class="run-line__words">
         <p>
           <b>{runTitle(mark, book)}</b> <span class="run-line__facts">{facts(mark, book)}</span>
         </p>
-        {mark.unconfirmed && (
-          <p class="run-line__unconfirmed">{detail.unconfirmed[mark.unconfirmed]}</p>
-        )}
+        {mark.unconfirmed && <p>{detail.unconfirmed[mark.unconfirmed]}</p>}
         {mark.message && outcome !== "stopped" && <p>{mark.message}</p>}
         <Repair mark={mark} book={book} />
         <Notes run={mark.run_id} />
       </div>
-      <div class="run-line__links">
+      <div class="run-line__links row rigid gap-2">
         {mark.unconfirmed === "not_repeatable" && (
           <Accept run={mark.run_id} title={runTitle(mark, book)} onAccepted={onAccepted} />
         )}

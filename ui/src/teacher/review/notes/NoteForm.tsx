@@ -31,7 +31,7 @@ export function NoteForm({ editor }: NoteFormProps) {
       data-state={changed ? "changed" : state.value}
       onSubmit={editor.save}
     >
-      <label class="note__title" for="teacher-note">
+      <label class="note__title row middle gap-2" for="teacher-note">
         <StickyNote class="icon" aria-hidden="true" />
         {say.title}
       </label>

@@ -19,7 +19,7 @@ export function ChosenRuns({ chosen }: ChosenRunsProps) {
   };
   if (!first) return null;
   return (
-    <div class="runs__chosen card" role="status">
+    <div class="runs__chosen card row middle gap-3" role="status">
       <span>{second ? say.twoChosen : say.oneChosen}</span>
       <Button icon={X} onPress={forget}>
         {say.forget}

@@ -53,7 +53,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
           <PathPicture path={run.path} />
         </span>
         <span class="work-card__words">
-          <span class="run-card__group">
+          <span class="run-card__group row middle gap-2">
             <GroupPicture name={run.group?.picture ?? ""} class="run-card__picture" />
             <span>{run.group?.name ?? runs.commandLine}</span>
           </span>
@@ -83,7 +83,7 @@ function Choose({ run, chosen, title }: Omit<HistoryCardProps, "lesson"> & { tit
   const { runs } = texts.value.review;
   const isChosen = chosen.value.some(({ id }) => id === run.id);
   return (
-    <label class="run-card__choose" data-chosen={isChosen}>
+    <label class="run-card__choose aside row middle gap-2" data-chosen={isChosen}>
       <input
         type="checkbox"
         checked={isChosen}

@@ -29,7 +29,7 @@ function Runs() {
   const main = useScrollPlace(left, list.status === "ready");
   return (
     <main class="screen runs" ref={main} data-testid="history-page">
-      <div class="review-head runs__head">
+      <div class="review-head runs__head row middle gap-4">
         <BackToLessons />
         <h1>{say.title}</h1>
         <p>{say.help}</p>

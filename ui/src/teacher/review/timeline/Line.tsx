@@ -28,7 +28,7 @@ export function Line({ group, book, layout }: LineProps) {
   return (
     <div class="line" style={{ width: `${layout.width}px`, "--line-width": layout.width }}>
       <Ground layout={layout} />
-      <ol class="line__marks" aria-label={`${line.label(group)}. ${line.keys}`} onKeyDown={rove}>
+      <ol aria-label={`${line.label(group)}. ${line.keys}`} onKeyDown={rove}>
         {layout.marks.map((placed) => (
           <li
             key={placed.mark.run_id ?? `${placed.mark.version_id}/${placed.index}`}
