@@ -172,6 +172,23 @@ describe("a start", () => {
     expect(api.command).not.toHaveBeenCalled();
   });
 
+  test("is not covered by an earlier run that is still being fetched", async () => {
+    stored = [running("other"), ended("other", 1)];
+    let answer = () => {};
+    api.run.mockImplementationOnce(async (id: string) => {
+      await new Promise<void>((resolve) => {
+        answer = resolve;
+      });
+      return { id, program_id: "p", version: null };
+    });
+    api.startRun.mockImplementation(() => new Promise(() => {}));
+    const fetched = page.follow("other");
+    void page.start("v", "w");
+    answer();
+    await fetched;
+    expect(page.live.value.phase).toBe("starting");
+  });
+
   test("refused for another reason shows what was shown before", async () => {
     const before = page.live.value;
     api.startRun.mockRejectedValue(new ApiError(503, { code: "engine_not_ready" }));

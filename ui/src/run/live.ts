@@ -119,6 +119,7 @@ export function clear(): void {
 export function start(versionId: string, world: string, debugging: Debugging = {}): Promise<Run> {
   const before = newest();
   const nameless = starting(null);
+  turns++; // what is still being fetched of an earlier run is not shown any more
   stopWanted = false;
   show(nameless);
   motion.reset();
