@@ -57,6 +57,9 @@ def test_a_frozen_engine_is_said_and_the_next_run_works(
     studio.wait_for_phase("failed")
     expect(studio["problem"]).to_have_count(0)  # that Stop was not confirmed is over with the run
     expect(studio["status-line"]).to_contain_text("foi ligado de novo")
+    # until the next engine is ready, Run may be switched off in the moment in which it is pressed
+    studio.eventually(lambda: studio.api("/status")["engine"], "ready")
+    studio.wait_for_screen("scene")
     studio.run()
     studio.wait_for_phase("running")
     studio["stop"].click()
