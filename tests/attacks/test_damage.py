@@ -85,7 +85,9 @@ def test_a_damaged_file_without_any_backup_is_not_given_up(day: Day) -> None:
     assert n_kept + int(str(notice.params["n_unread"])) == 270
 
 
-def test_an_edit_with_wrong_bits_in_a_damaged_file_is_told_as_lost_not_brought_in(day: Day) -> None:
+def test_an_edit_with_wrong_bits_in_a_damaged_file_is_reported_as_lost_not_imported(
+    day: Day,
+) -> None:
     shutil.rmtree(day.path.parent / "backups")
     day.path.write_bytes(day.path.read_bytes().replace(b'"100 xxx', b'"101 xxx', 1))
     spoil(day.path, PAGE, PAGE)
@@ -194,7 +196,7 @@ def test_no_damage_of_three_hundred_loses_anything_silently(tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("n", [12, pytest.param(300, marks=pytest.mark.nightly)])
-def test_a_bit_that_flips_in_a_value_is_seen_and_mended_from_the_backup(
+def test_a_bit_that_flips_in_a_value_is_detected_and_repaired_from_the_backup(
     tmp_path: Path, n: int
 ) -> None:
     chance = random.Random(16)
@@ -225,7 +227,7 @@ def test_a_damaged_newest_version_is_opened_as_it_was_where_a_backup_has_it(tmp_
         assert pc.store.versions.newest(pc.program_id) == before
 
 
-def test_a_damaged_value_is_mended_by_a_bundle_that_brings_it_again(tmp_path: Path) -> None:
+def test_a_damaged_value_is_repaired_by_a_bundle_that_contains_it(tmp_path: Path) -> None:
     with school(tmp_path) as pc:
         pc.export(tmp_path / "a.pinel")
         pc.spoil("events", pc.run_id, "data", b"{}")

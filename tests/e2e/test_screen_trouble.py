@@ -51,7 +51,9 @@ def test_a_group_that_is_deleted_while_its_program_is_open_is_reported_once_and_
     expect(studio["group-name"]).to_be_visible()
 
 
-def test_the_blocks_stay_visible_while_the_server_is_gone(studio: Studio, watch: Watch) -> None:
+def test_the_blocks_stay_visible_while_the_server_does_not_answer(
+    studio: Studio, watch: Watch
+) -> None:
     watch.expect("Failed to load resource")
     enter_made_group(studio, [("move_forward", 0.3)])
     place = studio.page.url

@@ -19,7 +19,7 @@ outbox.close()
 """
 
 
-def test_a_pending_battery_level_is_not_sent_once_the_battery_is_gone() -> None:
+def test_a_pending_battery_level_is_not_sent_after_the_battery_was_removed() -> None:
     done = subprocess.run(
         [sys.executable, "-c", PENDING_THEN_GONE],
         cwd=installed.NODE.parent,
