@@ -101,7 +101,13 @@ class Studio:
         if not tour and self.api(f"/programs/{self.program_id}")["version"] is None:
             self["tour-skip"].click()
         if level is not None:
-            self["level"].select_option(str(level))
+            self.choose_level(level)
+
+    def choose_level(self, level: int) -> None:
+        """Chooses a level and waits until the editor has it: above the first one, its palette does not stay open."""
+        self["level"].select_option(str(level))
+        if level > 1:
+            expect(self.page.locator(".blocklyToolboxFlyout")).to_be_hidden()
 
     def enter_new_group(self, name: str = "Os Tatus", level: int | None = 3) -> None:
         """Creates a group with a unique name, for tests that share an app."""

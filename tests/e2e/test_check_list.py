@@ -34,7 +34,7 @@ def open_mission(studio: Studio, name: str) -> None:
 
 def hurry(studio: Studio) -> None:
     """For a run that nobody watches."""
-    studio["level"].select_option("2")
+    studio.choose_level(2)
     studio["speed"].select_option("10")
 
 
@@ -48,7 +48,7 @@ def expect_state(studio: Studio, words: str, state: str) -> None:
 
 def test_the_list_fills_while_the_robot_drives(studio: Studio) -> None:
     open_mission(studio, "left_right")
-    studio["level"].select_option("2")
+    studio.choose_level(2)
     for words in ("Chegar ao fim", "Não encostar", "Passar por padaria", "Terminar em “praça”"):
         expect_state(studio, words, "open")
     write_program(studio, f"{TWO_LEFT_TURNS}robot.wait(120)\n")

@@ -53,7 +53,7 @@ def test_every_block_of_the_level_is_drawn_with_its_help(studio: Studio) -> None
     studio.wait_for_screen(studio.page.locator(row.format("repeat")))
     n_first = blocks.count()
     expect(studio.page.locator(row.format("function_def"))).to_have_count(0)
-    studio["level"].select_option("3")
+    studio.choose_level(3)
     expect(studio.page.locator(row.format("function_def"))).to_have_count(1)
     assert cut(studio, "help-block") == []
     n_all = blocks.count()

@@ -150,7 +150,7 @@ def with_group(pc: Studio, name: str, work: Callable[[Studio], None]) -> None:
     pc["group-card"].filter(has_text=name).click()
     pc.wait_until_open()
     expect(pc["lesson-chip"]).to_contain_text(LESSON)
-    pc["level"].select_option("3")
+    pc.choose_level(3)
     pc["speed"].select_option("10")
     work(pc)
     pc.wait_until_saved()

@@ -25,7 +25,7 @@ def test_a_new_group_begins_with_the_first_steps(studio: Studio) -> None:
 def test_a_level_is_chosen_and_remembered_for_the_group(studio: Studio) -> None:
     studio.enter_new_group(level=None)
     group = studio.api("/groups")["groups"][0]["name"]
-    studio["level"].select_option("3")
+    studio.choose_level(3)
     expect(studio.blocks.category("functions")).to_be_visible()
     studio.page.reload()
     studio.wait_until_open()

@@ -78,7 +78,7 @@ def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None
     studio.wait_until_open()
     expect(studio["mission"]).to_be_visible()
     put_move(studio, "5,6")
-    studio["level"].select_option("2")
+    studio.choose_level(2)
     studio["speed"].select_option("10")
     studio.run()
     expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)

@@ -130,7 +130,7 @@ def solve(pc: Studio) -> None:
     expect(pc["lesson-chip"]).to_contain_text(TITLE)
     expect(pc["mission"]).to_contain_text("A porta fica 2 m à frente")
     expect(pc["mission"]).to_contain_text("Terminar 2 m à frente da partida")
-    pc["level"].select_option("3")
+    pc.choose_level(3)
     pc["speed"].select_option("10")
     write_program(pc, "robot.move_forward(1)\n")
     pc["run"].click()

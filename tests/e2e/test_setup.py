@@ -43,7 +43,7 @@ def test_what_was_chosen_for_a_program_is_there_tomorrow_and_nowhere_else(
     later.page.goto(f"{later.origin}/#/")
     later["group-card"].filter(has_text="Os Tatus").click()
     later.wait_until_open()
-    later["level"].select_option("3")  # this window knows no choice of the group
+    later.choose_level(3)  # this window knows no choice of the group
     expect_chosen(later, *now)
     later.run()
     later.wait_for_phase("finished")

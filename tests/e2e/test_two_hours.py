@@ -190,7 +190,7 @@ def with_group(pc: Studio, name: str, work: Work, pictures: Pictures) -> None:
     to_group(pc, name)
     expect(pc["mission"]).to_be_visible()
     if name != GROUPS[0]:  # the others need not be watched in real time
-        pc["level"].select_option("2")
+        pc.choose_level(2)
         pc["speed"].select_option("10")
     work(pc, pictures)
     pc.wait_until_saved()
