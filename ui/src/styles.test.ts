@@ -3,17 +3,17 @@ import { dirname, join } from "node:path";
 import { describe, expect, test } from "vitest";
 
 const FIRST = "src/styles.ts";
-const LATER = "src/styles_later.ts";
+const LAZY = "src/styles_lazy.ts";
 /** The editor is also shown apart from the page, and brings its own sheet there. */
-const APART = ["src/editor/index.ts", "src/editor/reader/reader.ts"];
+const STANDALONE = ["src/editor/index.ts", "src/editor/reader/viewer.ts"];
 
 const files = readdirSync("src", { recursive: true, encoding: "utf8" }).map((path) =>
   join("src", path),
 );
 const read = (path: string) => readFileSync(path, "utf8");
 
-function imported(path: string, word: RegExp): string[] {
-  return [...read(path).matchAll(word)].map(([, name]) => join(dirname(path), name ?? ""));
+function imported(path: string, pattern: RegExp): string[] {
+  return [...read(path).matchAll(pattern)].map(([, name]) => join(dirname(path), name ?? ""));
 }
 
 /** Each sheet of a list with those it is made of. */
@@ -22,10 +22,10 @@ const sheets = (list: string) =>
     path,
     ...imported(path, /^@import "(\.\/.+)";/gm),
   ]);
-const wholes = [...sheets(FIRST), ...sheets(LATER)];
+const wholes = [...sheets(FIRST), ...sheets(LAZY)];
 
 /** Classes that a sheet styles wherever they stand, on any screen and not only on paper. */
-function owned(path: string): string[] {
+function globalClasses(path: string): string[] {
   const text = read(path).replace(/\/\*[\s\S]*?\*\//g, "");
   const onScreen = text.replace(/@media print \{[\s\S]*?\n\}/g, "");
   const selectors = [...onScreen.matchAll(/([^{};]+)\{/g)].flatMap(([, all]) =>
@@ -57,7 +57,7 @@ const classesIn = (path: string) =>
 describe("style sheets", () => {
   test("what the start shows needs none that is fetched later", () => {
     const owners = new Map(
-      sheets(LATER).flatMap((whole) => whole.flatMap(owned).map((name) => [name, whole[0]])),
+      sheets(LAZY).flatMap((whole) => whole.flatMap(globalClasses).map((name) => [name, whole[0]])),
     );
     const start = [...reached("src/main.tsx")];
     expect(start).toContain(join("src", "studio", "blocks_pane", "BlocksPane.tsx"));
@@ -77,21 +77,21 @@ describe("style sheets", () => {
 
   test("no part brings its own along", () => {
     const modules = files.filter(
-      (path) => /\.tsx?$/.test(path) && ![FIRST, LATER, ...APART].includes(path),
+      (path) => /\.tsx?$/.test(path) && ![FIRST, LAZY, ...STANDALONE].includes(path),
     );
     expect(modules.filter((path) => /^import .*\.css"/m.test(read(path)))).toEqual([]);
   });
 
   test("only the kit's sheet says whose arrow a select has", () => {
-    const says = /[^{};]*\bselect\b[^{};]*\{[^}]*\bappearance\b/;
-    const sheets = wholes.flat().filter((path) => says.test(read(path)));
+    const setsAppearance = /[^{};]*\bselect\b[^{};]*\{[^}]*\bappearance\b/;
+    const sheets = wholes.flat().filter((path) => setsAppearance.test(read(path)));
     expect(sheets).toEqual([join("src", "kit", "controls.css")]);
   });
 
   test("a class belongs to one sheet", () => {
     const owners = new Map<string, Set<string>>();
     for (const whole of wholes) {
-      for (const name of whole.flatMap(owned)) {
+      for (const name of whole.flatMap(globalClasses)) {
         owners.set(name, (owners.get(name) ?? new Set()).add(whole[0] ?? ""));
       }
     }

@@ -1,6 +1,6 @@
 /*
  * The style sheets of what the start shows, in the one order that the built page has too; those of all other parts stand
- * in styles_later.ts. Were each part to bring its own along, what is fetched later would come after what was fetched
+ * in styles_lazy.ts. Were each part to bring its own along, what is fetched later would come after what was fetched
  * before, and one screen would look different after another.
  * What a later sheet says about an element wins over an earlier one: what others build on stands first.
  */

@@ -11,13 +11,13 @@ interface ExamplesProps {
 
 /** Finished programs as cards with the picture of their path; a press opens a copy, ready to run. */
 export function Examples({ examples, group }: ExamplesProps) {
-  const words = texts.value.help.examples;
+  const labels = texts.value.help.examples;
   return (
     <section class="activities__path" data-testid="examples">
       <h2 id="examples" tabIndex={-1}>
-        {words.title}
+        {labels.title}
       </h2>
-      <p class="activities__hint">{words.hint}</p>
+      <p class="activities__hint">{labels.hint}</p>
       <ul>
         {examples.map((one) => (
           <li key={one.name}>

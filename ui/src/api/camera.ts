@@ -5,7 +5,7 @@ export const cameraApi = {
   status: () => get("/api/camera"),
   choose: (source: string) => put("/api/camera", { body: { source } }),
   /** Gets ready to recognise signs; the camera itself stays off. */
-  wake: () => post("/api/camera/wake"),
+  warmUp: () => post("/api/camera/wake"),
 };
 
 /** Where the mirrored picture is, which keeps the camera on; another number asks for it anew. */

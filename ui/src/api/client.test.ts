@@ -1,6 +1,6 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { api } from "./client";
-import { ApiError, ServerGone } from "./errors";
+import { ApiError, ServerUnreachable } from "./errors";
 import { exchange } from "./exchange";
 import { reviewApi } from "./review";
 
@@ -66,7 +66,7 @@ test("an answer of no shape is an error all the same", async () => {
 
 test("no answer means that the server has gone", async () => {
   serverThat(() => Promise.reject(new TypeError("refused")));
-  await expect(api.status()).rejects.toBeInstanceOf(ServerGone);
+  await expect(api.status()).rejects.toBeInstanceOf(ServerUnreachable);
 });
 
 test("a request that was given up is no sign of a server that has gone", async () => {

@@ -1,6 +1,6 @@
 import createClient, { type ClientPathsWithMethod, type MaybeOptionalInit } from "openapi-fetch";
-import { ApiError, ServerGone } from "./errors";
-import type { Content, Debugging, DocumentToWrite, LiveCommand, NewVersion } from "./model";
+import { ApiError, ServerUnreachable } from "./errors";
+import type { DocumentToWrite, EditorContent, LiveCommand, NewVersion, RunOptions } from "./model";
 import type { paths } from "./types";
 
 /** The one HTTP client. Paths, parameters, bodies and answers are typed by the server's own description. */
@@ -11,7 +11,7 @@ const http = createClient<paths>({
 });
 
 http.use({
-  onError: ({ error }) => (isAbort(error) ? undefined : new ServerGone(String(error))),
+  onError: ({ error }) => (isAbort(error) ? undefined : new ServerUnreachable(String(error))),
   onResponse: async ({ response }) => {
     if (response.ok) return;
     const answer = await response.json().catch(() => ({}));
@@ -24,18 +24,18 @@ const isAbort = (error: unknown) => error instanceof DOMException && error.name 
 type Method = "get" | "post" | "put" | "patch" | "delete";
 type Path<M extends Method> = ClientPathsWithMethod<typeof http, M>;
 type Init<P extends keyof paths, M extends Method> = MaybeOptionalInit<paths[P], M>;
-type Answer<Operation> = Operation extends { responses: { 200: { content: infer Content } } }
+type ResponseBody<Operation> = Operation extends { responses: { 200: { content: infer Content } } }
   ? Content[keyof Content]
   : never;
 
-/** Requests of one method. They reject with ApiError, which has the server's words, or with ServerGone. */
+/** Requests of one method. They reject with ApiError, which has the server's words, or with ServerUnreachable. */
 const requests =
   <M extends Method>(method: M) =>
   async <P extends Path<M>>(
     path: P,
     ...init: undefined extends Init<P, M> ? [Init<P, M>?] : [Init<P, M>]
-  ): Promise<Answer<paths[P][M]>> =>
-    (await http.request(method, path, ...(init as never))).data as Answer<paths[P][M]>;
+  ): Promise<ResponseBody<paths[P][M]>> =>
+    (await http.request(method, path, ...(init as never))).data as ResponseBody<paths[P][M]>;
 
 export const [get, post, put, patch, del] = [
   requests("get"),
@@ -80,7 +80,7 @@ export const api = {
   renameProgram: (id: string, name: string) =>
     patch("/api/programs/{id}", { ...of(id), body: { name } }),
   /** `last`: the page is closing, the request must outlive it. */
-  saveVersion: (program: string, content: Content, last = false) => {
+  saveVersion: (program: string, content: EditorContent, last = false) => {
     const body = content as NewVersion;
     const keepalive = last && JSON.stringify(body).length < KEEPALIVE_LIMIT;
     return post("/api/programs/{id}/versions", { ...of(program), body, keepalive });
@@ -88,7 +88,7 @@ export const api = {
 
   runs: (group: string, before: string | null = null, limit = 50) =>
     get("/api/groups/{id}/runs", { params: { path: { id: group }, query: { before, limit } } }),
-  startRun: (version_id: string, world: string, debugging: Debugging) =>
+  startRun: (version_id: string, world: string, debugging: RunOptions) =>
     post("/api/runs", { body: { version_id, world, ...debugging } }),
   command: (run: string, body: LiveCommand) =>
     post("/api/runs/{id}/commands", { ...of(run), body }),

@@ -21,6 +21,6 @@ export class ApiError extends Error {
 }
 
 /** No answer came: the program behind the page has gone. */
-export class ServerGone extends Error {
-  override readonly name = "ServerGone";
+export class ServerUnreachable extends Error {
+  override readonly name = "ServerUnreachable";
 }

@@ -17,13 +17,13 @@ export type Language = Status["language"];
 /** Sensors around the robot that a page may subscribe to. */
 export type Ring = Subscribe["sensors"][number];
 /** What the page has to know of the version it shows, whether it was opened or saved. */
-export type OnDisk = Pick<SavedVersion, "id" | "faults">;
+export type SavedState = Pick<SavedVersion, "id" | "faults">;
 /** How true to life a run is, and what the robot knows of its place. */
-export type Lifelike = Required<Pick<NewRun, "preset" | "feedback">>;
+export type RealismOptions = Required<Pick<NewRun, "preset" | "feedback">>;
 /** What a run is to know of breakpoints, speed, steps, start and robot from its beginning. */
-export type Debugging = Omit<NewRun, "version_id" | "world" | "seed">;
+export type RunOptions = Omit<NewRun, "version_id" | "world" | "seed">;
 /** What the editor hands over and the server keeps; of any object JSON can be made. */
-export interface Content extends Pick<NewVersion, "parent_id"> {
+export interface EditorContent extends Pick<NewVersion, "parent_id"> {
   workspace: object;
   document: object | null;
   world?: World | null;

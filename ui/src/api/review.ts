@@ -17,8 +17,8 @@ export const reviewApi = {
   /** The table of a lesson, as a spreadsheet opens it. */
   table: (id: string) => file(get("/api/lessons/{id}/review.csv", asFile(id))),
   runs: (filter: RunFilter, before: string | null, limit = 24) => {
-    const told = Object.entries({ ...filter, before }).filter(([, value]) => value);
-    return get("/api/runs", { params: { query: { ...Object.fromEntries(told), limit } } });
+    const entries = Object.entries({ ...filter, before }).filter(([, value]) => value);
+    return get("/api/runs", { params: { query: { ...Object.fromEntries(entries), limit } } });
   },
   difference: (id: string, to: string) =>
     get("/api/versions/{id}/difference", { params: { path: { id }, query: { to } } }),

@@ -5,7 +5,7 @@ const link = (name: string) => ({ params: { path: { link: name } } });
 /** The real robots that this PC can drive. */
 export const robotsApi = {
   all: async () => (await get("/api/real-robots")).robots,
-  keep: (name: string, record: Record<string, unknown>) =>
+  save: (name: string, record: Record<string, unknown>) =>
     put("/api/real-robots/{link}", { ...link(name), body: { record } }),
   contact: (name: string) => post("/api/real-robots/{link}/contact", link(name)),
   find: (name: string, record: Record<string, unknown>) =>
@@ -19,6 +19,6 @@ export const robotsApi = {
       keepalive: true,
     }),
   halt: (name: string) => del("/api/real-robots/{link}/jog", link(name)),
-  standAtStart: (name: string) => post("/api/real-robots/{link}/at-start", link(name)),
+  setStartHere: (name: string) => post("/api/real-robots/{link}/at-start", link(name)),
   forget: (name: string) => del("/api/real-robots/{link}", link(name)),
 };

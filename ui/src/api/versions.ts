@@ -1,5 +1,5 @@
 import { api, del, get, of, post, put } from "./client";
-import type { Content, VersionLine, VersionMark } from "./model";
+import type { EditorContent, VersionLine, VersionMark } from "./model";
 import { reviewApi } from "./review";
 
 const PAGE = 200;
@@ -31,16 +31,16 @@ export const versionsApi = {
   label: (id: string, text: string) =>
     put("/api/versions/{id}/label", { ...of(id), body: { text } }),
   /** Keeps an old content once more, as the newest version. */
-  goOnFrom: (program: string, parent_id: string, content: Content) =>
+  saveAsNewest: (program: string, parent_id: string, content: EditorContent) =>
     api.saveVersion(program, { ...content, parent_id }),
 
   bin: async (group: string) => (await get("/api/groups/{id}/bin", of(group))).programs,
   throwAway: (program: string) => del("/api/programs/{id}", of(program)),
-  takeBack: (program: string) => post("/api/programs/{id}/take-back", of(program)),
+  restore: (program: string) => post("/api/programs/{id}/take-back", of(program)),
 
   unseenNotes: async (id: string) =>
     (await get("/api/groups/{id}/notes", { params: { path: { id }, query: { unseen: true } } }))
       .notes,
   notesOfRun: reviewApi.notes,
-  seeNote: (note: string) => post("/api/notes/{id}/seen", of(note)),
+  acknowledgeNote: (note: string) => post("/api/notes/{id}/seen", of(note)),
 };

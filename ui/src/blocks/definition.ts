@@ -28,7 +28,7 @@ export interface Limits {
 /** What stands in an empty input: a number, a text (by the key of its words, or a letter), or a block that shows one. */
 export type Shadow =
   | { readonly number: number }
-  | { readonly words: string }
+  | { readonly textKey: string }
   | { readonly letter: string };
 
 /** A parameter's place on a block. `key` is its name in the document. */

@@ -1,9 +1,9 @@
 import * as Blockly from "blockly/core";
 import { ALL_DEFINITIONS, type Row } from "./definitions";
+import { DefinitionNameField } from "./fields/definition_name_field";
 import { IconField } from "./fields/icon_field";
 import { MeasureField } from "./fields/measure_field";
 import { NameField } from "./fields/name_field";
-import { OwnNameField } from "./fields/own_name_field";
 import { SignField } from "./fields/sign_field";
 import { iconArgument, iconSource } from "./icons";
 import { branches } from "./shapes/branches";
@@ -11,8 +11,8 @@ import { callShape } from "./shapes/call";
 import { functionShape } from "./shapes/function";
 import { listData } from "./shapes/list_data";
 import { variadic } from "./shapes/variadic";
-import type { TextKey } from "./words";
-import { reference } from "./words";
+import type { TextKey } from "./texts";
+import { reference } from "./texts";
 
 export { ALL_DEFINITIONS, type BlockType, CATEGORIES, DEFINITIONS } from "./definitions";
 export { type Category, HUES } from "./hues";
@@ -34,7 +34,7 @@ function registerFields(): void {
   Blockly.fieldRegistry.register("field_icon", IconField);
   Blockly.fieldRegistry.register("field_measure", MeasureField);
   Blockly.fieldRegistry.register("field_name", NameField);
-  Blockly.fieldRegistry.register("field_function_name", OwnNameField);
+  Blockly.fieldRegistry.register("field_function_name", DefinitionNameField);
   Blockly.fieldRegistry.register("field_sign", SignField);
 }
 

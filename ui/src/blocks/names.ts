@@ -15,9 +15,9 @@ export function isName(text: string): boolean {
 }
 
 /** The name, or the name with the first number that is free. */
-export function freeName(wanted: string, taken: ReadonlySet<string>): string {
-  let name = wanted;
-  for (let number = 2; taken.has(name); number++) name = `${wanted} ${number}`;
+export function freeName(base: string, used: ReadonlySet<string>): string {
+  let name = base;
+  for (let number = 2; used.has(name); number++) name = `${base} ${number}`;
   return name;
 }
 

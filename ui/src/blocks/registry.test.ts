@@ -7,12 +7,12 @@ import { CATEGORY_COLOURS } from "./categories";
 import type { BlockArgument, Level } from "./definition";
 import { argumentsOf, categoryOf, type Row } from "./definitions";
 import { VALUES } from "./generator/values";
-import { sensorWords } from "./sensor_words";
+import { sensorText } from "./sensor_text";
 import { SENSOR_ROWS } from "./table/sensor_rows";
+import type { TextKey } from "./texts";
+import { setBlockLanguage } from "./texts";
 import { searchBlocks } from "./toolbox/search";
 import { flyoutBlocks, TOOLBOX_CATEGORIES, toolbox } from "./toolbox/toolbox";
-import type { TextKey } from "./words";
-import { setBlockLanguage } from "./words";
 
 beforeAll(() => {
   setBlockLanguage("pt-BR");
@@ -58,8 +58,8 @@ describe.each(ALL_DEFINITIONS.map((row) => [row.type, row] as const))("block %s"
 
   test("stands in the toolbox from its level on, unless it is the start", () => {
     for (const level of [1, 2, 3] as const) {
-      const wanted = type !== "program_start" && !row.hidden && row.level <= level;
-      expect(offered(level).includes(type), `level ${level}`).toBe(wanted);
+      const expected = type !== "program_start" && !row.hidden && row.level <= level;
+      expect(offered(level).includes(type), `level ${level}`).toBe(expected);
     }
   });
 
@@ -165,12 +165,12 @@ describe.each(LANGUAGES)("texts in %s", (language) => {
 
 test("a sensor that is asked is called as on its block", () => {
   setBlockLanguage("en");
-  expect(sensorWords({ sensor: "sonar", index: 3 } as { sensor: string })).toBe("sonar 3 (m)");
-  expect(sensorWords({ sensor: "y" })).toBe("position y (m)");
+  expect(sensorText({ sensor: "sonar", index: 3 } as { sensor: string })).toBe("sonar 3 (m)");
+  expect(sensorText({ sensor: "y" })).toBe("position y (m)");
   const front = { sensor: "distance", direction: "front" } as { sensor: string };
-  expect(sensorWords(front)).toBe("distance ahead (m)");
+  expect(sensorText(front)).toBe("distance ahead (m)");
   for (const sensor of SENSOR_ROWS.flatMap((row) => row.sensors)) {
-    expect(sensorWords({ sensor })).not.toBe("");
+    expect(sensorText({ sensor })).not.toBe("");
   }
 });
 

@@ -100,8 +100,8 @@ describe.each(COMMAND_ROWS)("the places of %s", (type, row, { action }) => {
 });
 
 test("there is a block for every sensor and every operator", () => {
-  const wanted = models.flatMap(({ properties = {} }) => choicesIn(properties.sensor));
-  expect(sensors().sort()).toEqual(wanted.sort());
+  const expected = models.flatMap(({ properties = {} }) => choicesIn(properties.sensor));
+  expect(sensors().sort()).toEqual(expected.sort());
   expect(operators().sort()).toEqual([...OPERATORS].sort());
 });
 

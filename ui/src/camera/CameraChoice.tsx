@@ -10,20 +10,20 @@ const WEBCAMS = ["0", "1", "2"];
 
 /** Which camera the app looks through. */
 export function CameraChoice() {
-  const words = texts.value.camera;
+  const labels = texts.value.camera;
   const status = useLoaded("camera", refresh);
   const source = valueIn(status)?.source;
   if (source === undefined) return null;
-  const webcams = WEBCAMS.map((one) => [one, words.number(Number(one) + 1)] as const);
+  const webcams = WEBCAMS.map((one) => [one, labels.number(Number(one) + 1)] as const);
   return (
     <Select
       class="camera-choice"
       icon={Camera}
-      label={words.choose}
-      tip={words.choose}
+      label={labels.choose}
+      tip={labels.choose}
       testId="camera-choice"
       value={source}
-      options={WEBCAMS.includes(source) ? webcams : [[source, words.other], ...webcams]}
+      options={WEBCAMS.includes(source) ? webcams : [[source, labels.other], ...webcams]}
       onChange={async (chosen) => status.set(await cameraApi.choose(chosen))}
     />
   );

@@ -1,7 +1,7 @@
 import { act, cleanup, render } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { passesAxe } from "../kit/testing/control";
-import { changed, hand, seen } from "./testing/seen";
+import { changed, hand, sightOf } from "./testing/camera_events";
 
 const cameraApi = { status: vi.fn() };
 vi.mock("../api/camera", () => ({
@@ -52,13 +52,13 @@ describe("the picture of the camera", () => {
   test("has a hand drawn over it, with all its bones", () => {
     const page = draw();
     act(() => receive(changed("on")));
-    act(() => receive(seen(hand(), hand({ sure: false }))));
+    act(() => receive(sightOf(hand(), hand({ sure: false }))));
     const hands = [...page.container.querySelectorAll<SVGElement>(".skeleton__hand")];
     expect(hands.map((one) => one.dataset.sure)).toEqual(["true", "false"]);
     const bones = hands[0]?.querySelector("path")?.getAttribute("d") ?? "";
     expect(bones.match(/M/g)).toHaveLength(6);
     expect(bones).not.toContain("undefined");
-    act(() => receive(seen()));
+    act(() => receive(sightOf()));
     expect(page.container.querySelector(".skeleton__hand")).toBeNull();
   });
 

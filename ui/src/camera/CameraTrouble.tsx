@@ -1,10 +1,10 @@
 import { TriangleAlert } from "lucide-preact";
 import type { CameraProblem } from "../api/model";
-import { problemWords } from "./problem_words";
+import { problemText } from "./problem_text";
 
 /** Why the camera is of no use, and what to do. */
 export function CameraTrouble({ problem }: { problem: CameraProblem }) {
-  const { message, remedy } = problemWords(problem);
+  const { message, remedy } = problemText(problem);
   return (
     <div
       class="camera-trouble row gap-3"

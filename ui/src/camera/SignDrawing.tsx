@@ -17,9 +17,9 @@ interface SignDrawingProps {
 
 /** How a hand shows a sign: a drawing that ships, else of the class's own hands; its name where there is neither. */
 export function SignDrawing({ sign, hand = "right", class: more = "" }: SignDrawingProps) {
-  const words = texts.value.camera;
+  const labels = texts.value.camera;
   const landmarks = landmarksOf(sign);
-  const name = landmarks ? words.sign(sign) : words.noDrawing(sign);
+  const name = landmarks ? labels.sign(sign) : labels.noDrawing(sign);
   return (
     <svg class={`sign-drawing ${more}`} viewBox="0 0 100 100" role="img" aria-label={name}>
       {landmarks ? (
@@ -44,23 +44,23 @@ function landmarksOf(sign: string): readonly Landmark[] | null {
 const LINE = 1.1;
 /** Of a letter's height: its width. */
 const LETTER = 0.62;
-const LARGEST = 64;
+const MAX_SIZE = 64;
 
 /** A name as large as there is room, a line for each of its words. */
 function Name({ name }: { name: string }) {
-  const words = name.split(" ");
-  const longest = Math.max(...words.map(({ length }) => length));
-  const size = Math.min(LARGEST, 96 / (LETTER * longest), 96 / (LINE * words.length));
-  const first = 50 - ((words.length - 1) * LINE * size) / 2;
-  return words.map((word, line) => (
+  const parts = name.split(" ");
+  const maxLength = Math.max(...parts.map(({ length }) => length));
+  const size = Math.min(MAX_SIZE, 96 / (LETTER * maxLength), 96 / (LINE * parts.length));
+  const first = 50 - ((parts.length - 1) * LINE * size) / 2;
+  return parts.map((part, line) => (
     <text
-      key={`${line} ${word}`}
+      key={`${line} ${part}`}
       class="sign-drawing__name"
       x="50"
       y={first + line * LINE * size}
       font-size={size}
     >
-      {word}
+      {part}
     </text>
   ));
 }

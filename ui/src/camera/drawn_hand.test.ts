@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
-import { changed, hand, seen } from "./testing/seen";
+import { changed, hand, sightOf } from "./testing/camera_events";
 
 let drawn: typeof import("./drawn_hand");
 let page: typeof import("./sight");
@@ -13,7 +13,7 @@ beforeEach(async () => {
 
 const show = (times: number, ...sides: ("left" | "right")[]) => {
   for (let n = 0; n < times; n++) {
-    page.receive(seen(...sides.map((handedness) => hand({ handedness }))));
+    page.receive(sightOf(...sides.map((handedness) => hand({ handedness }))));
   }
 };
 

@@ -10,14 +10,14 @@ export const drawnHand = signal<HandSide>("right");
 const N_SIGHTS = 4;
 
 let followed: HandSide | null = null;
-let seen: HandSide | null = null;
+let lastSide: HandSide | null = null;
 let times = 0;
 
 effect(() => {
   const side = sideOf(sight.value);
   if (side === null) return;
-  times = side === seen ? times + 1 : 1;
-  seen = side;
+  times = side === lastSide ? times + 1 : 1;
+  lastSide = side;
   if (times < N_SIGHTS || side === followed) return;
   followed = side;
   drawnHand.value = side;

@@ -18,13 +18,15 @@ export function hasCapture(document: unknown): boolean {
 }
 
 /** The server takes no longer answer. */
-const MAX_ANSWER = 100;
+const MAX_SIGN_LENGTH = 100;
 
 /** The signs that a program compares the answer of its captures with, also by way of a variable, in their order. */
 export function expectedSigns(document: unknown): string[] {
   const nodes = [...within(document)];
-  const keeping = nodes.filter((node) => node.action === "set_variable" && isResult(node.value));
-  const names = new Set(keeping.map(({ name }) => name));
+  const assignments = nodes.filter(
+    (node) => node.action === "set_variable" && isResult(node.value),
+  );
+  const names = new Set(assignments.map(({ name }) => name));
   const isAnswer = (value: unknown) =>
     isResult(value) || (isTree(value) && "var" in value && names.has(value.var));
   const signs = nodes
@@ -33,7 +35,7 @@ export function expectedSigns(document: unknown): string[] {
     )
     .flatMap(({ args }) => args as unknown[])
     .filter((value): value is string => typeof value === "string" && value.trim() !== "")
-    .filter((name) => name.length <= MAX_ANSWER)
+    .filter((name) => name.length <= MAX_SIGN_LENGTH)
     .map((name) => (name.length === 1 ? name.toUpperCase() : name));
   return signs.filter((one, at) => signs.findIndex((other) => isSameSign(one, other)) === at);
 }

@@ -1,8 +1,8 @@
 import { waitFor } from "@testing-library/preact";
 import { beforeEach, describe, expect, test, vi } from "vitest";
-import { changed, hand, seen } from "./testing/seen";
+import { changed, hand, sightOf } from "./testing/camera_events";
 
-const cameraApi = { status: vi.fn(), wake: vi.fn() };
+const cameraApi = { status: vi.fn(), warmUp: vi.fn() };
 vi.mock("../api/camera", () => ({ cameraApi }));
 
 let page: typeof import("./sight");
@@ -10,7 +10,7 @@ let page: typeof import("./sight");
 beforeEach(async () => {
   vi.resetModules();
   vi.clearAllMocks();
-  cameraApi.wake.mockResolvedValue({});
+  cameraApi.warmUp.mockResolvedValue({});
   page = await import("./sight");
 });
 
@@ -18,17 +18,17 @@ describe("what the camera sees", () => {
   test("is the newest, until the camera goes off", () => {
     page.receive(changed("opening"));
     page.receive(changed("on"));
-    page.receive(seen(hand()));
+    page.receive(sightOf(hand()));
     expect(page.sight.value?.hands).toHaveLength(1);
     page.receive(changed("off"));
     expect(page.sight.value).toBeNull();
-    page.receive(seen(hand())); // was on its way
+    page.receive(sightOf(hand())); // was on its way
     expect(page.sight.value).toBeNull();
   });
 
   test("keeps its proportions while there is none", () => {
     page.receive(changed("on"));
-    page.receive({ ...seen(), aspect: 16 / 9 });
+    page.receive({ ...sightOf(), aspect: 16 / 9 });
     page.receive(changed("off"));
     expect(page.aspect.value).toBeCloseTo(16 / 9);
   });
@@ -52,7 +52,7 @@ describe("why the camera is of no use", () => {
 
   test("leaves the picture in sight where one sees in it what is wrong", () => {
     page.receive(changed("on"));
-    page.receive(seen(hand()));
+    page.receive(sightOf(hand()));
     page.receive(changed("failed", "camera_dark"));
     expect(page.hasPicture.value).toBe(true);
     expect(page.sight.value).not.toBeNull();
@@ -74,17 +74,17 @@ describe("why the camera is of no use", () => {
 
 describe("a program that captures", () => {
   test("wakes the camera once", () => {
-    page.wake();
-    page.wake();
-    expect(cameraApi.wake).toHaveBeenCalledTimes(1);
+    page.warmUp();
+    page.warmUp();
+    expect(cameraApi.warmUp).toHaveBeenCalledTimes(1);
   });
 
   test("wakes it at the next opening where it could not at the first", async () => {
-    cameraApi.wake.mockRejectedValueOnce(new Error("gone"));
-    page.wake();
+    cameraApi.warmUp.mockRejectedValueOnce(new Error("gone"));
+    page.warmUp();
     await waitFor(() => {
-      page.wake();
-      expect(cameraApi.wake).toHaveBeenCalledTimes(2);
+      page.warmUp();
+      expect(cameraApi.warmUp).toHaveBeenCalledTimes(2);
     });
   });
 });

@@ -75,13 +75,13 @@ function change(mode: CameraNow["mode"], problem: CameraProblem | null): void {
   });
 }
 
-let isAwake = false;
+let isWarmedUp = false;
 
 /** A program is open that will want the camera: gets it ready, once. What goes wrong, its state says. */
-export function wake(): void {
-  if (isAwake) return;
-  isAwake = true;
-  cameraApi.wake().catch(() => {
-    isAwake = false;
+export function warmUp(): void {
+  if (isWarmedUp) return;
+  isWarmedUp = true;
+  cameraApi.warmUp().catch(() => {
+    isWarmedUp = false;
   });
 }

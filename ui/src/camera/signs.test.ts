@@ -80,7 +80,7 @@ describe("the signs that can be answered", () => {
   test("are found whatever the capitals, and a key is one of a single character", async () => {
     signsApi.use.mockResolvedValue(named("A", "Vai", "7"));
     await page.chooseSigns("c");
-    expect(["vai", "a", "olá"].map(page.asKnown)).toEqual(["Vai", "A", "olá"]);
+    expect(["vai", "a", "olá"].map(page.canonicalSign)).toEqual(["Vai", "A", "olá"]);
     const onSign = vi.fn();
     const stop = page.listenForSigns(onSign);
     for (const key of ["a", "7", "b", "v"]) {

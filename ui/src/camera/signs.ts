@@ -18,15 +18,15 @@ export const signNames = computed(() => signs.value?.map(({ name }) => name) ?? 
 /** The class in use; null for a group without a class, undefined before one was chosen. */
 export const classOfSigns = signal<string | null | undefined>(undefined);
 
-let told: Promise<void> = Promise.resolve();
+let pending: Promise<void> = Promise.resolve();
 
 /** From now on the camera, the blocks and the panel know what this class taught; null is a group without a class. */
 export function chooseSigns(classroom: string | null): Promise<void> {
   if (classroom !== classOfSigns.peek()) signs.value = null;
   classOfSigns.value = classroom;
   // one after the other: of two requests at once the camera would keep the one that arrives last
-  told = told.then(() => take(classroom, () => signsApi.use(classroom)));
-  return told;
+  pending = pending.then(() => updateSigns(classroom, () => signsApi.use(classroom)));
+  return pending;
 }
 
 /** The server may have been started again. */
@@ -39,11 +39,11 @@ export async function chooseSignsAgain(): Promise<void> {
 export async function askForSigns(changed: string | null): Promise<void> {
   const { value: classroom } = classOfSigns;
   if (!classroom || (changed !== null && changed !== classroom)) return;
-  await take(classroom, () => signsApi.list(classroom));
+  await updateSigns(classroom, () => signsApi.list(classroom));
 }
 
 /** A sign as the class spells it; a name that is none is given back. */
-export function asKnown(name: string): string {
+export function canonicalSign(name: string): string {
   return signNames.value.find((one) => isSameSign(one, name)) ?? name;
 }
 
@@ -56,14 +56,17 @@ export function listenForSigns(onSign: (sign: string) => void): () => void {
   });
 }
 
-async function take(classroom: string | null, ask: () => Promise<readonly Sign[]>): Promise<void> {
+async function updateSigns(
+  classroom: string | null,
+  ask: () => Promise<readonly Sign[]>,
+): Promise<void> {
   if (classOfSigns.peek() !== classroom) return;
   try {
     const found = await ask();
     if (classOfSigns.peek() === classroom) signs.value = found;
   } catch (error) {
     // a class that was deleted taught nothing; without a server the letters stay until it is back
-    const isGone = error instanceof ApiError && error.code === "classroom_not_found";
-    if (isGone && classOfSigns.peek() === classroom) void chooseSigns(null);
+    const isDeleted = error instanceof ApiError && error.code === "classroom_not_found";
+    if (isDeleted && classOfSigns.peek() === classroom) void chooseSigns(null);
   }
 }

@@ -2,15 +2,15 @@ import * as Blockly from "blockly/core";
 import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
 import type { BlockType } from "../blocks/definitions";
-import { offeredRows, paletteBlock } from "../blocks/toolbox/toolbox";
+import { flyoutBlock, offeredRows } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
-import { type BlockDrawing, drawn, lookOf, onStage } from "./block_drawings";
+import { type BlockDrawing, drawn, onStage, stageClassesOf } from "./block_drawings";
 import { applyLanguage } from "./locale";
-import { patchAriaUpdates } from "./quietly";
 import { registerRenderer } from "./renderer";
+import { patchAriaUpdates } from "./without_events";
 
 /** A block on paper: its values are blanks, and its mouths have room for other cards. */
-export interface BlockCard extends Pick<BlockDrawing, "words" | "svg"> {
+export interface BlockCard extends Pick<BlockDrawing, "text" | "svg"> {
   /** Type of the block, and the option that is printed on it. */
   readonly name: string;
 }
@@ -32,9 +32,9 @@ const NOT_ON_PAPER: readonly BlockType[] = ["call", "call_value"];
 /** Room for a number of three digits in pencil. */
 const BLANK = "\u00a0".repeat(9);
 /** A menu with more options is a blank; one with fewer gives a card for each. */
-const MOST_OPTIONS = 2;
+const MAX_OPTIONS = 2;
 /** Room in a mouth, in blocks. */
-const ROOM = 2;
+const N_FILLING_BLOCKS = 2;
 
 /** Draws the cards of a level, or of these blocks. */
 export function drawCards(language: Language, which: Level | readonly BlockType[]): BlockCards {
@@ -44,7 +44,7 @@ export function drawCards(language: Language, which: Level | readonly BlockType[
   patchAriaUpdates();
   const types = typeof which === "number" ? offeredRows(which).map(({ type }) => type) : which;
   return onStage("light", (workspace) => ({
-    look: lookOf(workspace),
+    stageClasses: stageClassesOf(workspace),
     cards: types
       .filter((type) => !NOT_ON_PAPER.includes(type))
       .flatMap((type) => cardsOf(type, workspace)),
@@ -53,19 +53,19 @@ export function drawCards(language: Language, which: Level | readonly BlockType[
 
 export interface BlockCards {
   /** Classes of an element around the drawings, which Blockly's own styles depend on. */
-  readonly look: string;
+  readonly stageClasses: string;
   readonly cards: readonly BlockCard[];
 }
 
 function cardsOf(type: BlockType, workspace: Blockly.WorkspaceSvg): BlockCard[] {
   let options: readonly string[] = [""];
   const card = (index: number): BlockCard => {
-    const picture = drawn(paletteBlock(type, 3, workspace), workspace, (block) => {
+    const picture = drawn(flyoutBlock(type, 3, workspace), workspace, (block) => {
       const menu = shortMenu(block);
       if (menu) options = valuesOf(menu);
       menu?.setValue(options[index]);
       for (const one of block.getDescendants(false)) makeBlank(one, menu);
-      makeRoom(block);
+      openStatementInputs(block);
     });
     for (const filling of picture.svg.querySelectorAll(`.${FILLING}`)) filling.remove();
     // Blockly insists on white words in menus
@@ -80,7 +80,7 @@ function cardsOf(type: BlockType, workspace: Blockly.WorkspaceSvg): BlockCard[] 
 
 function shortMenu(block: Blockly.Block): Blockly.FieldDropdown | null {
   const menus = [...block.getFields()].filter((field) => field instanceof Blockly.FieldDropdown);
-  return menus.find((menu) => menu.getOptions(false).length <= MOST_OPTIONS) ?? null;
+  return menus.find((menu) => menu.getOptions(false).length <= MAX_OPTIONS) ?? null;
 }
 
 function valuesOf(menu: Blockly.FieldDropdown): string[] {
@@ -101,11 +101,11 @@ function makeBlank(block: Blockly.Block, but: Blockly.Field | null): void {
 const FILLING = "cardFilling";
 
 /** Opens each mouth of a block with blocks that are not drawn. */
-function makeRoom(block: Blockly.BlockSvg): void {
+function openStatementInputs(block: Blockly.BlockSvg): void {
   for (const input of block.inputList) {
     if (input.type !== Blockly.inputs.inputTypes.STATEMENT) continue;
     let below: Blockly.Connection | null = input.connection;
-    for (let n = 0; n < ROOM && below; n++) {
+    for (let n = 0; n < N_FILLING_BLOCKS && below; n++) {
       const filling = block.workspace.newBlock("stop") as Blockly.BlockSvg;
       filling.initSvg();
       filling.getSvgRoot().classList.add(FILLING);

@@ -3,24 +3,24 @@ import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
 import type { BlockType } from "../blocks/definitions";
 import { searchBlocks } from "../blocks/toolbox/search";
-import { type Offered, offeredRows, paletteBlock } from "../blocks/toolbox/toolbox";
+import { flyoutBlock, type OfferedActions, offeredRows } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
 import { applyLanguage } from "./locale";
-import { patchAriaUpdates, quietly } from "./quietly";
 import { RENDERER, registerRenderer } from "./renderer";
 import { blocklyTheme, type ThemeName } from "./themes";
+import { patchAriaUpdates, withoutEvents } from "./without_events";
 
 export interface BlockDrawing {
   readonly type: BlockType;
   readonly category: string;
   /** What the block says, with its first values. */
-  readonly words: string;
+  readonly text: string;
   readonly svg: SVGSVGElement;
 }
 
 export interface BlockDrawings {
   /** Classes of an element around the drawings, which Blockly's own styles depend on. */
-  readonly look: string;
+  readonly stageClasses: string;
   /** The blocks that a level offers, in the order of the toolbox. */
   readonly all: readonly BlockDrawing[];
   /** Those that the search of the toolbox finds, best first. */
@@ -32,7 +32,7 @@ interface DrawingOptions {
   theme: ThemeName;
   level: Level;
   /** The actions that an activity offers; null for all blocks of the level. */
-  offered: Offered;
+  offered: OfferedActions;
 }
 
 /** Calls are drawn by what they call, and nothing is defined here. */
@@ -50,11 +50,11 @@ export function drawBlocks({ language, theme, level, offered }: DrawingOptions):
     const all = rows.map(({ type, style }) => ({
       type,
       category: style,
-      ...drawn(paletteBlock(type, level, workspace), workspace),
+      ...drawn(flyoutBlock(type, level, workspace), workspace),
     }));
     const byType = new Map<string | undefined, BlockDrawing>(all.map((one) => [one.type, one]));
     return {
-      look: lookOf(workspace),
+      stageClasses: stageClassesOf(workspace),
       all,
       find: (query) => [
         ...new Set(
@@ -70,7 +70,7 @@ export function drawBlocks({ language, theme, level, offered }: DrawingOptions):
 const STAGE = "injectionDiv";
 
 /** Blockly's classes of the stage, which its styles depend on. */
-export function lookOf(workspace: Blockly.WorkspaceSvg): string {
+export function stageClassesOf(workspace: Blockly.WorkspaceSvg): string {
   return [...workspace.getInjectionDiv().classList].filter((one) => one !== STAGE).join(" ");
 }
 
@@ -105,18 +105,18 @@ export function drawn(
   state: Blockly.serialization.blocks.State,
   workspace: Blockly.WorkspaceSvg,
   change: (block: Blockly.BlockSvg) => void = () => {},
-): Pick<BlockDrawing, "words" | "svg"> {
+): Pick<BlockDrawing, "text" | "svg"> {
   let block: Blockly.BlockSvg | undefined;
-  quietly(() => {
+  withoutEvents(() => {
     block = Blockly.serialization.blocks.append(state, workspace) as Blockly.BlockSvg;
     change(block);
   });
   Blockly.renderManagement.triggerQueuedRenders(workspace);
   if (!block) throw new Error(`there is no drawing of ${state.type}`);
-  const words = block.toString().replace(/\s+/g, " ");
+  const text = block.toString().replace(/\s+/g, " ");
   const svg = pictureOf(block.getSvgRoot());
-  quietly(() => block?.dispose());
-  return { words, svg };
+  withoutEvents(() => block?.dispose());
+  return { text, svg };
 }
 
 function pictureOf(root: SVGGElement): SVGSVGElement {

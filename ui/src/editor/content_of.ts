@@ -4,7 +4,7 @@ import { generateDocument } from "../blocks/generator";
 import { workspaceOf } from "../blocks/loader";
 import { language } from "../i18n";
 import { applyLanguage } from "./locale";
-import { quietly } from "./quietly";
+import { withoutEvents } from "./without_events";
 
 /** What an editor that shows a document would hand over to be saved, without an editor. */
 export function contentOf(document: { name?: string }): { workspace: object; document: object } {
@@ -12,7 +12,7 @@ export function contentOf(document: { name?: string }): { workspace: object; doc
   registerBlocks();
   const trial = new Blockly.Workspace();
   try {
-    quietly(() => Blockly.serialization.workspaces.load(workspaceOf(document), trial));
+    withoutEvents(() => Blockly.serialization.workspaces.load(workspaceOf(document), trial));
     trial.getBlocksByType("program_start")[0]?.setDeletable(false);
     return {
       workspace: Blockly.serialization.workspaces.save(trial),

@@ -1,10 +1,10 @@
 import type { Level } from "../blocks/definition";
 import type { BlockType } from "../blocks/definitions";
 import type { KnownSigns } from "../blocks/known_signs";
-import type { Offered } from "../blocks/toolbox/toolbox";
+import type { OfferedActions } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
 import type { EditorElements } from "./elements";
-import type { Fault } from "./marks/faults";
+import type { Fault } from "./marks/fault_decorations";
 import type { ThemeName } from "./themes";
 
 /** What the page does with an editor; `index.ts` makes one. */
@@ -32,7 +32,7 @@ export interface Editor {
    * Sets the level of the toolbox, and the actions that an activity offers, null for all. Other blocks that are already
    * in the program stay.
    */
-  setLevel(level: Level, offered?: Offered): void;
+  setLevel(level: Level, offered?: OfferedActions): void;
   /** Sets the signs that blocks offer; a block that names another one is marked. Null while they are not known. */
   setSigns(signs: KnownSigns | null): void;
   /** Sets the names of the world's places; a block that compares with another one is marked. Null while not known. */

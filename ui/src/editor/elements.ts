@@ -10,14 +10,14 @@ export class EditorElements {
   ) {}
 
   /** The blocks of the open category. */
-  palette(): Element | null {
+  flyout(): Element | null {
     const flyout = this.workspace.getFlyout();
     return flyout?.isVisible() ? flyout.getWorkspace().getParentSvg() : null;
   }
 
   /** Where a block can be taken: the block in the palette, else its category. */
   offered(type: BlockType): Element | null {
-    const shown = this.palette()
+    const shown = this.flyout()
       ? this.workspace.getFlyout()?.getWorkspace().getBlocksByType(type)
       : [];
     const [block] = (shown ?? []) as Blockly.BlockSvg[];

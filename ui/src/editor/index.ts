@@ -8,35 +8,35 @@ import { generateDocument } from "../blocks/generator";
 import { setKnownPlaces } from "../blocks/known_places";
 import { type KnownSigns, setKnownSigns } from "../blocks/known_signs";
 import { shownWorkspace } from "../blocks/loader";
-import { EVERYTHING, type Offered, paletteBlock, toolbox } from "../blocks/toolbox/toolbox";
-import { word } from "../blocks/words";
+import { blockText } from "../blocks/texts";
+import { EVERYTHING, flyoutBlock, type OfferedActions, toolbox } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
 import { watchContent } from "./changes";
 import type { Editor } from "./editor";
 import { EditorElements } from "./elements";
 import { injectWorkspace } from "./inject";
-import { keepFocus } from "./keep_focus";
 import { applyLanguage } from "./locale";
 import { Breakpoints } from "./marks/breakpoints";
-import { type Fault, Faults } from "./marks/faults";
+import { type Fault, FaultDecorations } from "./marks/fault_decorations";
 import { bringIntoView, Highlight } from "./marks/highlight";
-import { Notices } from "./marks/notices";
 import { StartHint } from "./marks/start_hint";
 import { ValueBubble } from "./marks/value_bubble";
+import { WarningDecorations } from "./marks/warning_decorations";
+import { Minimap } from "./minimap";
 import type { EditorOptions } from "./options";
-import { Overview } from "./overview";
-import { quietly } from "./quietly";
-import { ensureStartBlock, markLooseBlocks } from "./start_block";
+import { restoreFocus } from "./restore_focus";
+import { dimLooseBlocks, ensureStartBlock } from "./start_block";
 import { interceptEmptyUndo, undoInto } from "./steps_back";
 import { pageFont, showTheme, type ThemeName } from "./themes";
 import { appendBlock } from "./toolbox/append";
-import { Shelf } from "./toolbox/palette";
+import { PinelToolbox } from "./toolbox/flyout";
+import { withoutEvents } from "./without_events";
 import { addZoomControls } from "./zoom_controls";
 
 export type { Editor, Fault };
 
 /** Width of an editor whose workspace has room beside an open palette: categories, palette, a turn inside of a loop. */
-const ROOM_FOR_PALETTE_PX = 730;
+const MIN_WIDTH_WITH_FLYOUT_PX = 730;
 
 /** Distance from the workspace's corner to the start block, in pixels. */
 const MARGIN = 32;
@@ -51,20 +51,20 @@ export function createEditor(options: EditorOptions): Editor {
 class BlockEditor implements Editor {
   readonly elements: EditorElements;
   private readonly workspace: Blockly.WorkspaceSvg;
-  private readonly faults: Faults;
-  private readonly advice: Faults;
+  private readonly faults: FaultDecorations;
+  private readonly advice: FaultDecorations;
   private readonly running: Highlight;
-  private readonly notices: Notices;
+  private readonly warnings: WarningDecorations;
   private readonly breakpoints: Breakpoints | undefined;
   private readonly values: ValueBubble | undefined;
-  private readonly overview: Overview;
+  private readonly minimap: Minimap;
   private readonly hint = new StartHint();
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
   private readonly letFocusGo: () => void;
   private known = "";
   private level: Level;
-  private offered: Offered;
+  private offered: OfferedActions;
   private language: Language;
   private isRunning = false;
   private disposed = false;
@@ -74,20 +74,20 @@ class BlockEditor implements Editor {
     this.language = options.language;
     this.offered = options.offered ?? null;
     this.workspace = injectWorkspace({ ...options, level: this.level }, () => this.offered);
-    this.keepPaletteOpen();
-    this.faults = new Faults(this.workspace);
-    this.advice = new Faults(this.workspace, "advice");
+    this.pinFlyout();
+    this.faults = new FaultDecorations(this.workspace);
+    this.advice = new FaultDecorations(this.workspace, "advice");
     this.running = new Highlight(this.workspace);
     this.elements = new EditorElements(this.workspace, this.running);
-    this.notices = new Notices(this.workspace);
+    this.warnings = new WarningDecorations(this.workspace);
     const { onBreakpoints } = options;
     this.breakpoints = onBreakpoints && new Breakpoints(this.workspace, onBreakpoints);
-    this.overview = new Overview(this.workspace);
-    this.values = options.peek && new ValueBubble(this.workspace, options.peek);
+    this.minimap = new Minimap(this.workspace);
+    this.values = options.evaluate && new ValueBubble(this.workspace, options.evaluate);
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
-    this.letFocusGo = keepFocus(this.workspace);
+    this.letFocusGo = restoreFocus(this.workspace);
     this.measureAgainWithFont();
     this.workspace.addChangeListener((event) => this.onEvent(event));
     watchContent(this.workspace, () => this.onContent());
@@ -99,10 +99,10 @@ class BlockEditor implements Editor {
     if (workspace) tried(workspace);
     Blockly.hideChaff();
     this.running.show(null);
-    this.clearMarks();
+    this.clearDecorations();
     this.replace(workspace);
     this.showFromTheStart();
-    this.offerPalette();
+    this.offerFlyout();
     this.workspace.clearUndo();
     this.known = this.fingerprint();
   }
@@ -128,7 +128,7 @@ class BlockEditor implements Editor {
 
   append(type: BlockType): void {
     if (this.workspace.isReadOnly()) return;
-    appendBlock(paletteBlock(type, EVERYTHING, this.workspace), this.workspace);
+    appendBlock(flyoutBlock(type, EVERYTHING, this.workspace), this.workspace);
   }
 
   showAdvice(advice: Fault | null): void {
@@ -155,30 +155,30 @@ class BlockEditor implements Editor {
     showTheme(this.workspace, theme);
   }
 
-  setLevel(level: Level, offered: Offered = null): void {
+  setLevel(level: Level, offered: OfferedActions = null): void {
     if (level === this.level && String(offered) === String(this.offered)) return;
     this.level = level;
     this.offered = offered;
     Blockly.hideChaff();
     this.updateToolbox();
-    this.keepPaletteOpen();
+    this.pinFlyout();
   }
 
   setSigns(signs: KnownSigns | null): void {
     setKnownSigns(signs);
-    this.notices.refresh();
+    this.warnings.refresh();
   }
 
   setPlaces(names: readonly string[] | null): void {
     setKnownPlaces(names);
-    this.notices.refresh();
+    this.warnings.refresh();
   }
 
   setReadOnly(readOnly: boolean): void {
     Blockly.hideChaff();
     this.workspace.setIsReadOnly(readOnly);
     this.workspace.getToolbox()?.setVisible(!readOnly);
-    this.keepPaletteOpen();
+    this.pinFlyout();
     this.options.container.classList.toggle("pinelReadOnly", readOnly);
     this.refreshHint();
     this.resize();
@@ -198,12 +198,12 @@ class BlockEditor implements Editor {
 
   undoTo(saved: object | null): boolean {
     const workspace = shownWorkspace(saved ?? {});
-    const looksTheSame = saved
+    const isUnchanged = saved
       ? JSON.stringify(tried(workspace)) === this.fingerprint()
       : this.workspace.getAllBlocks(false).length <= 1;
-    if (looksTheSame) return false;
+    if (isUnchanged) return false;
     Blockly.hideChaff();
-    undoInto(this.workspace, workspace, (state) => this.exchange(state));
+    undoInto(this.workspace, workspace, (state) => this.replaceForUndo(state));
     return true;
   }
 
@@ -217,8 +217,8 @@ class BlockEditor implements Editor {
 
   resize(): void {
     Blockly.svgResize(this.workspace);
-    this.keepPaletteOpen();
-    this.overview.refresh();
+    this.pinFlyout();
+    this.minimap.refresh();
   }
 
   dispose(): void {
@@ -231,7 +231,7 @@ class BlockEditor implements Editor {
     this.sizes.disconnect();
     this.zoomControls.remove();
     this.values?.dispose();
-    this.overview.dispose();
+    this.minimap.dispose();
     this.letFocusGo();
     this.workspace.dispose();
   }
@@ -253,7 +253,7 @@ class BlockEditor implements Editor {
     const { shown: faults } = this.faults;
     const { shown: advice } = this.advice;
     this.running.show(null);
-    this.clearMarks();
+    this.clearDecorations();
     this.replace(Blockly.serialization.workspaces.save(this.workspace));
     this.faults.show(faults);
     this.advice.show(advice);
@@ -276,45 +276,45 @@ class BlockEditor implements Editor {
   }
 
   /** In the first level the blocks stay beside the workspace, if it has room: whoever begins sees what there is. */
-  private keepPaletteOpen(): void {
-    const shelf = this.workspace.getToolbox();
-    const hasRoom = this.options.container.clientWidth >= ROOM_FOR_PALETTE_PX;
+  private pinFlyout(): void {
+    const blocklyToolbox = this.workspace.getToolbox();
+    const hasRoom = this.options.container.clientWidth >= MIN_WIDTH_WITH_FLYOUT_PX;
     const isStaying = this.level === 1 && hasRoom && !this.workspace.isReadOnly();
     this.options.container.classList.toggle("pinelPaletteStays", isStaying);
-    if (shelf instanceof Shelf) shelf.setStaying(isStaying);
+    if (blocklyToolbox instanceof PinelToolbox) blocklyToolbox.setStaying(isStaying);
   }
 
-  private clearMarks(): void {
+  private clearDecorations(): void {
     this.faults.clear();
     this.advice.clear();
   }
 
   /** Where they do not stay they are open until the first one is taken. */
-  private offerPalette(): void {
-    const shelf = this.workspace.getToolbox();
+  private offerFlyout(): void {
+    const blocklyToolbox = this.workspace.getToolbox();
     const isEmpty = this.workspace.getTopBlocks(false).every((block) => !block.getNextBlock());
     const isOffered = isEmpty && this.level === 1 && !this.workspace.isReadOnly();
-    if (shelf instanceof Shelf && isOffered) shelf.offer();
+    if (blocklyToolbox instanceof PinelToolbox && isOffered) blocklyToolbox.offer();
   }
 
-  private exchange(workspace: object): void {
+  private replaceForUndo(workspace: object): void {
     this.running.show(null);
-    this.clearMarks();
+    this.clearDecorations();
     this.replace(workspace);
     this.onContent();
   }
 
   private replace(workspace: object | null): void {
-    quietly(() => {
+    withoutEvents(() => {
       this.hint.hide();
       this.workspace.clear();
       if (workspace) Blockly.serialization.workspaces.load(workspace, this.workspace);
       ensureStartBlock(this.workspace);
-      markLooseBlocks(this.workspace);
+      dimLooseBlocks(this.workspace);
     });
-    this.notices.forget();
-    this.notices.refresh();
-    this.overview.refresh();
+    this.warnings.forget();
+    this.warnings.refresh();
+    this.minimap.refresh();
     this.breakpoints?.refresh();
     this.refreshHint();
   }
@@ -332,21 +332,21 @@ class BlockEditor implements Editor {
     if (event.isUiEvent) return;
     const { blockId, newParentId, oldParentId } = event as Partial<Blockly.Events.BlockMove>;
     for (const id of [blockId, newParentId, oldParentId]) this.faults.clearBlock(id);
-    if (this.isRunning) this.sayNextRun(event);
+    if (this.isRunning) this.announceNextRun(event);
   }
 
-  private sayNextRun(event: Blockly.Events.Abstract): void {
+  private announceNextRun(event: Blockly.Events.Abstract): void {
     if (event.type !== Blockly.Events.BLOCK_CHANGE) return;
     const { blockId, element, name } = event as Blockly.Events.BlockChange;
     const block = blockId && this.workspace.getBlockById(blockId);
     const field = block && element === "field" ? block.getField(name ?? "") : null;
-    if (field) addToFieldNote(field, word("NEXT_RUN"));
+    if (field) addToFieldNote(field, blockText("NEXT_RUN"));
   }
 
   private onContent(): void {
-    markLooseBlocks(this.workspace);
+    dimLooseBlocks(this.workspace);
     this.breakpoints?.refresh();
-    this.notices.refresh();
+    this.warnings.refresh();
     this.refreshHint();
     const fingerprint = this.fingerprint();
     if (fingerprint === this.known) return;
@@ -356,8 +356,8 @@ class BlockEditor implements Editor {
 
   private refreshHint(): void {
     const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
-    const wanted = start && !start.getNextBlock() && !this.workspace.isDragging();
-    if (wanted && !this.workspace.isReadOnly()) this.hint.show(start);
+    const needsHint = start && !start.getNextBlock() && !this.workspace.isDragging();
+    if (needsHint && !this.workspace.isReadOnly()) this.hint.show(start);
     else this.hint.hide();
   }
 
@@ -370,7 +370,7 @@ class BlockEditor implements Editor {
 function tried(workspace: object): object {
   const trial = new Blockly.Workspace();
   try {
-    quietly(() => Blockly.serialization.workspaces.load(workspace, trial));
+    withoutEvents(() => Blockly.serialization.workspaces.load(workspace, trial));
     return Blockly.serialization.workspaces.save(trial);
   } finally {
     trial.dispose();

@@ -1,20 +1,20 @@
 import * as Blockly from "blockly/core";
-import { keepCallsInStep } from "../blocks/shapes/function_sync";
-import { type Offered, registerFlyouts, toolbox } from "../blocks/toolbox/toolbox";
+import { syncCalls } from "../blocks/shapes/function_sync";
+import { type OfferedActions, registerFlyouts, toolbox } from "../blocks/toolbox/toolbox";
 import { adaptMenus } from "./menus";
 import type { EditorOptions } from "./options";
-import { patchAriaUpdates } from "./quietly";
 import { RENDERER, registerRenderer } from "./renderer";
 import { blocklyTheme } from "./themes";
-import { patchPaletteClicks } from "./toolbox/append";
-import { PALETTE_PLUGINS } from "./toolbox/palette";
+import { patchFlyoutClicks } from "./toolbox/append";
+import { TOOLBOX_PLUGINS } from "./toolbox/flyout";
 import { registerSearchItem } from "./toolbox/search_item";
 import { registerToolboxCategory } from "./toolbox/toolbox_category";
+import { patchAriaUpdates } from "./without_events";
 
 /** Injects a Blockly workspace with this application's renderer, theme and toolbox into the container. */
 export function injectWorkspace(
   options: EditorOptions,
-  offered: () => Offered,
+  offered: () => OfferedActions,
 ): Blockly.WorkspaceSvg {
   registerRenderer();
   registerToolboxCategory();
@@ -26,12 +26,12 @@ export function injectWorkspace(
   Blockly.dialog.setConfirm((_message, answer) => answer(true));
   adaptMenus();
   patchAriaUpdates();
-  patchPaletteClicks();
+  patchFlyoutClicks();
   const workspace = Blockly.inject(options.container, {
     toolbox: toolbox(options.level, offered()),
     theme: blocklyTheme(options.theme),
     renderer: RENDERER,
-    plugins: PALETTE_PLUGINS,
+    plugins: TOOLBOX_PLUGINS,
     media: options.mediaPath,
     sounds: false,
     trashcan: true,
@@ -45,6 +45,6 @@ export function injectWorkspace(
     zoom: { controls: false, wheel: false, pinch: true, startScale: 1, maxScale: 2, minScale: 0.4 },
   });
   registerFlyouts(workspace, offered);
-  keepCallsInStep(workspace);
+  syncCalls(workspace);
   return workspace;
 }

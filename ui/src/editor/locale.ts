@@ -1,5 +1,5 @@
 import * as Blockly from "blockly/core";
-import { setBlockLanguage } from "../blocks/words";
+import { setBlockLanguage } from "../blocks/texts";
 import { type Language, textsOf } from "../i18n";
 
 /** Sets the language of Blockly's texts and of our blocks; drawn blocks keep theirs until they are recreated. */

@@ -13,7 +13,7 @@ export function adaptMenus(): void {
   const { registry } = Blockly.ContextMenuRegistry;
   for (const entry of IDLE_ENTRIES) if (registry.getItem(entry)) registry.unregister(entry);
   adapt("blockDelete", (item) => {
-    item.displayText = ({ block }) => deletionWords(block);
+    item.displayText = ({ block }) => deletionLabel(block);
   });
   adapt("blockComment", (entry) => {
     const allowed = entry.preconditionFn;
@@ -42,7 +42,7 @@ function adapt(id: string, change: (entry: Entry) => void): void {
 }
 
 /** Counts blocks as a pupil does; Blockly also counts the shadow blocks in a block's inputs. */
-function deletionWords(block?: Blockly.BlockSvg): string {
+function deletionLabel(block?: Blockly.BlockSvg): string {
   const after = new Set(block?.getNextBlock()?.getDescendants(false));
   const count = (block?.getDescendants(false) ?? []).filter(
     (one) => !one.isShadow() && !after.has(one),

@@ -1,7 +1,7 @@
 import type { Level } from "../blocks/definition";
-import type { Offered } from "../blocks/toolbox/toolbox";
+import type { OfferedActions } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
-import type { Peek } from "./marks/value_bubble";
+import type { EvaluateExpression } from "./marks/value_bubble";
 import type { ThemeName } from "./themes";
 
 /** Settings and callbacks of an editor. */
@@ -14,12 +14,12 @@ export interface EditorOptions {
   /** Level of the toolbox: 1 first steps, 2 explorer, 3 everything (the default). */
   level?: Level;
   /** The actions that an activity offers; null, the default, for all blocks of the level. */
-  offered?: Offered;
+  offered?: OfferedActions;
   programName?: () => string;
   /** Called with the ids of all breakpoint blocks when they change. Without it the editor has no breakpoints. */
   onBreakpoints?(ids: readonly string[]): void;
   /** Evaluates an expression. Without it values are not shown. */
-  peek?: Peek;
+  evaluate?: EvaluateExpression;
   /** Called when undo is requested and the undo stack of this session is empty. */
   onNothingToUndo?(): void;
   onChange(content: { workspace: object; document: object | null }): void;

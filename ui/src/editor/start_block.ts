@@ -22,7 +22,7 @@ function newStart(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
 export const ROOTS = [START, "function_def"];
 
 /** Only blocks below the start block or in a function definition run. All others are kept and drawn dimmed. */
-export function markLooseBlocks(workspace: Blockly.WorkspaceSvg): void {
+export function dimLooseBlocks(workspace: Blockly.WorkspaceSvg): void {
   Blockly.Events.disable();
   try {
     for (const top of workspace.getTopBlocks(false)) {

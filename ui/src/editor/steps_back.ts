@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 
 /** Undo event for the replacement of the whole program, one step among those of single blocks. */
-class Exchange extends Blockly.Events.Abstract {
+class ReplaceProgramEvent extends Blockly.Events.Abstract {
   override type = "pinel_exchange";
   override isBlank = false;
 
@@ -20,11 +20,11 @@ class Exchange extends Blockly.Events.Abstract {
 }
 
 /** Calls `tell` when undo is requested by any button or key and the undo stack of this session is empty. */
-export function interceptEmptyUndo(workspace: Blockly.WorkspaceSvg, tell: () => void): void {
+export function interceptEmptyUndo(workspace: Blockly.WorkspaceSvg, notify: () => void): void {
   const undo = workspace.undo.bind(workspace);
   workspace.undo = (redo = false) => {
     if (redo || workspace.getUndoStack().length > 0) undo(redo);
-    else tell();
+    else notify();
   };
 }
 
@@ -35,6 +35,6 @@ export function undoInto(
   show: (workspace: object) => void,
 ): void {
   const now = Blockly.serialization.workspaces.save(workspace);
-  workspace.getUndoStack().push(new Exchange(before, now, show));
+  workspace.getUndoStack().push(new ReplaceProgramEvent(before, now, show));
   workspace.undo(false);
 }

@@ -4,7 +4,7 @@ import { HUES } from "../blocks/hues";
 /** Themes of the editor, as in the rest of the page. */
 export type ThemeName = "light" | "dark" | "contrast";
 
-interface Look {
+interface BlockColours {
   /** Fill of a block, from its category's hue. */
   face(hue: string): string;
   /** Outline of a block, from its fill. */
@@ -14,7 +14,7 @@ interface Look {
 const mix = (colour: string, other: string, part: number) =>
   Blockly.utils.colour.blend(other, colour, part) ?? colour;
 
-const LOOKS: Readonly<Record<ThemeName, Look>> = {
+const COLOURS_BY_THEME: Readonly<Record<ThemeName, BlockColours>> = {
   light: { face: (hue) => hue, edge: (face) => mix(face, "#000000", 0.3) },
   dark: { face: (hue) => hue, edge: (face) => mix(face, "#ffffff", 0.35) },
   // white on the plain hues has a contrast of 4.5 : 1; the contrast theme has 7 : 1
@@ -41,7 +41,7 @@ const BEGIN_STACKS = ["start", "functions"];
 
 /** The Zelos theme in our hues and our font. */
 export function blocklyTheme(name: ThemeName): Blockly.Theme {
-  const { face, edge } = LOOKS[name];
+  const { face, edge } = COLOURS_BY_THEME[name];
   const faces = Object.entries(HUES).map(([category, hue]) => [category, face(hue)] as const);
   return Blockly.Theme.defineTheme(nameOf(name), {
     name: nameOf(name),

@@ -1,6 +1,6 @@
 import type * as Blockly from "blockly/core";
-import type { TextKey } from "../blocks/words";
-import { word } from "../blocks/words";
+import type { TextKey } from "../blocks/texts";
+import { blockText } from "../blocks/texts";
 import { svgIcon } from "./svg_icon";
 
 const SHAPES = {
@@ -29,8 +29,8 @@ export function addZoomControls(workspace: Blockly.WorkspaceSvg, zoomToFit: () =
   });
   const relabel = () => {
     for (const { control, button } of buttons) {
-      button.title = word(control);
-      button.setAttribute("aria-label", word(control));
+      button.title = blockText(control);
+      button.setAttribute("aria-label", blockText(control));
     }
   };
   relabel();

@@ -22,7 +22,7 @@ function Screen() {
   const now = route.value;
   if (connection.value === "opening") return <main class="screen" aria-busy="true" />;
   if (connection.value === "failed") {
-    return <NotLoaded as="screen" again={refreshStatus} ways={null} />;
+    return <NotLoaded as="screen" again={refreshStatus} actions={null} />;
   }
   const { screen, ...parameters } = now;
   const Part = PARTS[screen] as ComponentType<object>; // each has one: screens.test.ts

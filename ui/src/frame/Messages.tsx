@@ -5,7 +5,7 @@ import { ApiError } from "../api/errors";
 import type { Notice } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { type Problem, wordsOf } from "../kit/requests/problem";
+import { type Problem, problemOf } from "../kit/requests/problem";
 import { Unbroken } from "../kit/requests/Unbroken";
 import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/save_file";
@@ -15,24 +15,29 @@ import { type OpenProgram, programOnScreen } from "../studio/program/open_progra
 /** Notices and errors as lines under the header, never as dialogs. */
 export function Messages() {
   const { trouble } = texts.value;
-  const gone = { message: trouble.goneTitle, remedy: trouble.gone };
+  const disconnected = { message: trouble.goneTitle, remedy: trouble.gone };
   return (
     <div role="status">
       {connection.value === "gone" && (
-        <Line words={gone} fault testId="gone" icon={<Unplug class="icon" />} />
+        <MessageLine text={disconnected} fault testId="gone" icon={<Unplug class="icon" />} />
       )}
       {notice.value && !isSuperseded(notice.value, unsavedProblem()) && (
-        <Line words={notice.value} testId="notice" icon={<Database class="icon" />}>
+        <MessageLine text={notice.value} testId="notice" icon={<Database class="icon" />}>
           {notice.value.code === "database_place_missing" && (
             <Button testId="begin-empty" onPress={beginEmpty}>
               {trouble.beginEmpty}
             </Button>
           )}
-        </Line>
+        </MessageLine>
       )}
       <Unsaved />
       {problem.value && (
-        <Line words={problem.value} fault testId="problem" icon={<TriangleAlert class="icon" />}>
+        <MessageLine
+          text={problem.value}
+          fault
+          testId="problem"
+          icon={<TriangleAlert class="icon" />}
+        >
           <Button
             kind="plain"
             icon={X}
@@ -41,7 +46,7 @@ export function Messages() {
               problem.value = null;
             }}
           />
-        </Line>
+        </MessageLine>
       )}
     </div>
   );
@@ -73,57 +78,57 @@ function Unsaved() {
   const { autosave: save } = open;
   if (save.state.value !== "failed") return null;
   const { saved } = texts.value;
-  const { message, remedy } = wordsOf(save.problem.value);
+  const { message, remedy } = problemOf(save.problem.value);
   // to wait helps where room can be made, not where nothing can be written
-  const patience = isCode(save.problem.value, "database_read_only") ? "" : saved.failedRemedy;
-  const words = { message, remedy: `${remedy} ${patience}`.trim() };
-  return <Line words={words} fault testId="unsaved" icon={<Save class="icon" />} />;
+  const waitHint = isCode(save.problem.value, "database_read_only") ? "" : saved.failedRemedy;
+  const text = { message, remedy: `${remedy} ${waitHint}`.trim() };
+  return <MessageLine text={text} fault testId="unsaved" icon={<Save class="icon" />} />;
 }
 
 /** The open program or its group was deleted; its text can still be saved as a file. */
 function Deleted({ open, what }: { open: OpenProgram; what: "program" | "group" }) {
   const { deleted } = texts.value.trouble;
   const { document } = open.content.value ?? {};
-  const canTake = Boolean(document) && !open.isEmpty;
-  const words = { message: deleted[what], remedy: canTake ? deleted.take : deleted.leave };
+  const canSave = Boolean(document) && !open.isEmpty;
+  const text = { message: deleted[what], remedy: canSave ? deleted.take : deleted.leave };
   return (
-    <Line words={words} fault testId="deleted" icon={<FileX class="icon" />}>
-      {canTake && document && (
+    <MessageLine text={text} fault testId="deleted" icon={<FileX class="icon" />}>
+      {canSave && document && (
         <Button
           icon={Download}
           testId="take-text"
-          onPress={() => takeText(document, open.program.name)}
+          onPress={() => saveText(document, open.program.name)}
         >
           {deleted.takeText}
         </Button>
       )}
       <ToStart />
-    </Line>
+    </MessageLine>
   );
 }
 
-async function takeText(document: object, name: string): Promise<void> {
+async function saveText(document: object, name: string): Promise<void> {
   const { text } = await api.writePython(document);
   if (text) saveFile(`${fileName(name, "programa")}.py`, new Blob([text]));
 }
 
-interface LineProps {
-  words: Problem;
+interface MessageLineProps {
+  text: Problem;
   icon: ComponentChildren;
   testId: string;
   fault?: boolean;
   children?: ComponentChildren;
 }
 
-function Line({ words, icon, testId, fault = false, children }: LineProps) {
+function MessageLine({ text, icon, testId, fault = false, children }: MessageLineProps) {
   return (
     <p class={`line-message ${fault ? "line-message--fault" : ""}`} data-testid={testId}>
       {icon}
       <span>
         <strong>
-          <Unbroken text={words.message} />
+          <Unbroken text={text.message} />
         </strong>{" "}
-        <Unbroken text={words.remedy} />
+        <Unbroken text={text.remedy} />
       </span>
       {children}
     </p>

@@ -1,5 +1,5 @@
 import type { ComponentType } from "preact";
-import { laterScreen } from "../shell/later";
+import { lazyScreen } from "../shell/lazy";
 import type { ScreenName } from "../shell/route";
 import { StartScreen } from "../start/StartScreen";
 import { StudioScreen } from "../studio/StudioScreen";
@@ -17,17 +17,17 @@ const FILES = import.meta.glob<File>([
   "!../studio/StudioScreen.tsx",
 ]);
 
-const LATER = Object.entries(FILES).map(([path, load]) => {
+const LAZY = Object.entries(FILES).map(([path, load]) => {
   const component = path.replace(/^.*\/|\.tsx$/g, "");
   const name = component.replace(/Screen$/, "").toLowerCase();
   return [name, async () => (await load())[component] as Screen] as const;
 });
 
 /** Imports a screen; none for those of the first bundle. */
-export const LOADS: Partial<Record<string, () => Promise<Screen>>> = Object.fromEntries(LATER);
+export const LOADS: Partial<Record<string, () => Promise<Screen>>> = Object.fromEntries(LAZY);
 
 /** The component of each screen: that of `runs` is `RunsScreen` in `RunsScreen.tsx`, in whichever folder. */
 export const PARTS: Partial<Record<string, Screen>> = {
   ...FIRST,
-  ...Object.fromEntries(LATER.map(([name, load]) => [name, laterScreen(load)])),
+  ...Object.fromEntries(LAZY.map(([name, load]) => [name, lazyScreen(load)])),
 };

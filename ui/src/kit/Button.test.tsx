@@ -44,13 +44,13 @@ describe("a button", () => {
     ["stop", "button button--stop"],
     ["plain", "button button--plain"],
     ["bare", "figure"],
-  ] as const)("of kind %s looks so", (kind, look) => {
+  ] as const)("of kind %s looks so", (kind, expectedClass) => {
     render(
       <Button kind={kind} class={kind === "bare" ? "figure" : undefined}>
         3
       </Button>,
     );
-    expect(button().className).toBe(look);
+    expect(button().className).toBe(expectedClass);
   });
 
   test("tells what is on, open and shown", () => {

@@ -1,14 +1,14 @@
 import type { ButtonHTMLAttributes, Ref, TargetedMouseEvent } from "preact";
 import { useRef, useState } from "preact/hooks";
-import { type FaceProps, faceOf, type OwnAttributes } from "./face";
+import { type AppearanceProps, appearanceOf, type OwnAttributes } from "./appearance";
 import { settled } from "./report";
 
 type Press = TargetedMouseEvent<HTMLButtonElement>;
 
 export interface ButtonProps
-  extends FaceProps,
+  extends AppearanceProps,
     OwnAttributes,
-    Omit<ButtonHTMLAttributes<HTMLButtonElement>, keyof FaceProps | keyof OwnAttributes> {
+    Omit<ButtonHTMLAttributes<HTMLButtonElement>, keyof AppearanceProps | keyof OwnAttributes> {
   /** State of a toggle button. */
   pressed?: boolean | undefined;
   /** Whether the element that it controls is expanded. */
@@ -26,7 +26,7 @@ export interface ButtonProps
 
 /** A push button or toggle button. */
 export function Button(props: ButtonProps) {
-  const { attributes, contents, rest: own } = faceOf(props);
+  const { attributes, contents, rest: own } = appearanceOf(props);
   const { pressed, open, current, busy, submit, onPress, elementRef, ...rest } = own;
   const press = usePress(onPress);
   const isBusy = busy || press.pending;

@@ -1,7 +1,7 @@
 import type { InputHTMLAttributes } from "preact";
 import { useId, useRef } from "preact/hooks";
+import type { AppearanceProps } from "./appearance";
 import { Button } from "./Button";
-import type { FaceProps } from "./face";
 import { settled } from "./report";
 
 interface FieldProps extends InputHTMLAttributes<HTMLInputElement> {
@@ -42,7 +42,7 @@ export function PinField(props: FieldProps) {
   return <Field {...props} type="password" inputMode="numeric" maxLength={12} />;
 }
 
-interface FileButtonProps extends FaceProps {
+interface FileButtonProps extends AppearanceProps {
   /** Endings or types of the files that are offered. */
   accept: string;
   /** May return a promise; its failure is reported. */

@@ -5,8 +5,8 @@ import { language, texts } from "../i18n";
 interface NumberFieldProps {
   label: string;
   value: number;
-  least: number;
-  most: number;
+  min: number;
+  max: number;
   step: number;
   testId: string;
   onNumber(value: number): void;
@@ -14,21 +14,21 @@ interface NumberFieldProps {
 
 /** A number field; an invalid text stays in it for correction, with the error below. */
 export function NumberField(props: NumberFieldProps) {
-  const { label, value, least, most, step, testId, onNumber } = props;
+  const { label, value, min, max, step, testId, onNumber } = props;
   const id = useId();
   const typed = useSignal<string | null>(null);
-  const tell = (number: number) => written(number, language.value);
+  const format = (number: number) => written(number, language.value);
   const read = typed.value === null ? value : numberIn(typed.value);
-  const isFault = read === null || read < least || read > most;
-  const take = (text: string) => {
+  const isFault = read === null || read < min || read > max;
+  const handleInput = (text: string) => {
     typed.value = text;
     const number = numberIn(text);
-    if (number !== null && number >= least && number <= most && number !== value) onNumber(number);
+    if (number !== null && number >= min && number <= max && number !== value) onNumber(number);
   };
-  const nudge = (way: number) => {
-    const number = Math.round((value + way * step) * 1000) / 1000;
+  const nudge = (direction: number) => {
+    const number = Math.round((value + direction * step) * 1000) / 1000;
     typed.value = null;
-    if (number >= least && number <= most) onNumber(number);
+    if (number >= min && number <= max) onNumber(number);
   };
   return (
     <div class="number">
@@ -38,25 +38,25 @@ export function NumberField(props: NumberFieldProps) {
         class="field number__input"
         inputMode="decimal"
         autocomplete="off"
-        value={typed.value ?? tell(value)}
+        value={typed.value ?? format(value)}
         aria-invalid={isFault}
         aria-describedby={isFault ? `${id}-fault` : undefined}
         data-testid={testId}
         data-value={value}
-        onInput={({ currentTarget }) => take(currentTarget.value)}
+        onInput={({ currentTarget }) => handleInput(currentTarget.value)}
         onBlur={() => {
           if (!isFault) typed.value = null;
         }}
         onKeyDown={(event) => {
-          const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-          if (way === undefined) return;
+          const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+          if (direction === undefined) return;
           event.preventDefault();
-          nudge(way);
+          nudge(direction);
         }}
       />
       {isFault && (
         <p class="number__fault" id={`${id}-fault`} role="alert">
-          {texts.value.world.between(tell(least), tell(most))}
+          {texts.value.world.between(format(min), format(max))}
         </p>
       )}
     </div>

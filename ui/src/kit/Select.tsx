@@ -63,9 +63,9 @@ export function Select<T extends Value>(props: SelectProps<T>) {
 }
 
 function Options<T extends Value>({ of }: { of: readonly SelectOption<T>[] }) {
-  return of.map(([value, words, more]) => (
+  return of.map(([value, text, more]) => (
     <option key={written(value)} {...more} value={written(value)}>
-      {words}
+      {text}
     </option>
   ));
 }

@@ -17,7 +17,7 @@ interface TabsProps<T> {
 export function Tabs<T extends string>({ label, value, options, onChange, testId }: TabsProps<T>) {
   return (
     <div class="tabs" role="tablist" aria-label={label} onKeyDown={toOtherTab}>
-      {options.map(([option, words, more]) => (
+      {options.map(([option, text, more]) => (
         <button
           key={option}
           {...more}
@@ -29,7 +29,7 @@ export function Tabs<T extends string>({ label, value, options, onChange, testId
           data-testid={testId}
           onClick={() => onChange(option)}
         >
-          {words}
+          {text}
         </button>
       ))}
     </div>
@@ -37,12 +37,12 @@ export function Tabs<T extends string>({ label, value, options, onChange, testId
 }
 
 function toOtherTab(event: KeyboardEvent & { currentTarget: HTMLElement }): void {
-  const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  if (!way) return;
+  const direction = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+  if (!direction) return;
   event.stopPropagation();
   const tabs = [...event.currentTarget.querySelectorAll<HTMLElement>("[role=tab]")];
   const now = tabs.findIndex((tab) => tab.getAttribute("aria-selected") === "true");
-  const other = tabs.at((now + way) % tabs.length);
+  const other = tabs.at((now + direction) % tabs.length);
   other?.focus();
   other?.click();
 }

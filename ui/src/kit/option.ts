@@ -1,10 +1,10 @@
 import type { ComponentChildren } from "preact";
 
 /** A value with its label; `more` are props for its element. */
-export type Option<T, Words = string, More = object> = readonly [
+export type Option<T, Label = string, More = object> = readonly [
   value: T,
-  words: Words,
+  label: Label,
   more?: More & { [name: `data-${string}`]: string | undefined },
 ];
 
-export type Words = ComponentChildren;
+export type LabelContent = ComponentChildren;

@@ -2,11 +2,11 @@ import { cleanup, render } from "@testing-library/preact";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { usePolling } from "./usePolling";
 
-const look = vi.fn();
+const poll = vi.fn();
 let isHidden = false;
 
 function Poller(polling: Parameters<typeof usePolling>[1]) {
-  usePolling(look, { everyMs: 1000, ...polling });
+  usePolling(poll, { everyMs: 1000, ...polling });
   return null;
 }
 
@@ -19,7 +19,7 @@ beforeEach(() => {
   vi.useFakeTimers();
   vi.spyOn(document, "hidden", "get").mockImplementation(() => isHidden);
   setHidden(false);
-  look.mockClear();
+  poll.mockClear();
 });
 
 afterEach(() => {
@@ -30,31 +30,31 @@ afterEach(() => {
 
 test("looks at its interval, until it is off or gone", () => {
   const { rerender, unmount } = render(<Poller />);
-  expect(look).toHaveBeenCalledTimes(0);
+  expect(poll).toHaveBeenCalledTimes(0);
   vi.advanceTimersByTime(2500);
-  expect(look).toHaveBeenCalledTimes(2);
+  expect(poll).toHaveBeenCalledTimes(2);
   rerender(<Poller isOn={false} />);
   vi.advanceTimersByTime(5000);
-  expect(look).toHaveBeenCalledTimes(2);
+  expect(poll).toHaveBeenCalledTimes(2);
   rerender(<Poller />);
   vi.advanceTimersByTime(1000);
   unmount();
   vi.advanceTimersByTime(5000);
-  expect(look).toHaveBeenCalledTimes(3);
+  expect(poll).toHaveBeenCalledTimes(3);
 });
 
 test("rests while the page is hidden, and looks at once when it is shown again", () => {
   render(<Poller />);
   setHidden(true);
   vi.advanceTimersByTime(5000);
-  expect(look).toHaveBeenCalledTimes(0);
+  expect(poll).toHaveBeenCalledTimes(0);
   setHidden(false);
-  expect(look).toHaveBeenCalledTimes(1);
+  expect(poll).toHaveBeenCalledTimes(1);
 });
 
 test("goes on while the page is hidden where that is asked for", () => {
   render(<Poller evenHidden />);
   setHidden(true);
   vi.advanceTimersByTime(2000);
-  expect(look).toHaveBeenCalledTimes(2);
+  expect(poll).toHaveBeenCalledTimes(2);
 });

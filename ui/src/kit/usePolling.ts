@@ -10,11 +10,11 @@ interface Polling {
 
 /** Calls `look` again and again while the component is there. The first call is after `everyMs`. */
 export function usePolling(
-  look: () => unknown,
+  poll: () => unknown,
   { everyMs = 3000, isOn = true, evenHidden = false }: Polling = {},
 ): void {
-  const latest = useRef(look);
-  latest.current = look;
+  const latest = useRef(poll);
+  latest.current = poll;
   useEffect(() => {
     if (!isOn) return;
     const call = () => {

@@ -2,57 +2,57 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { language, type Texts, texts } from "../i18n";
 import { theme } from "../shell/theme";
-import type { Chart, PlotInput, Setting } from "./chart";
-import { type FigureName, TIME_FIGURES } from "./figures";
-import { readLook } from "./look";
+import type { Chart, ChartOptions, PlotInput } from "./chart";
 import { PathChart } from "./path_chart";
 import type { PlotSource } from "./plot_source";
+import { currentStyle } from "./plot_style";
+import { type PlotName, TIME_PLOTS } from "./plots";
 import { TimeChart } from "./time_chart";
 
 interface ChartBoxProps {
   source: PlotSource;
-  figure: FigureName;
+  plotName: PlotName;
 }
 
 /** Step of an arrow key, in ticks. */
 const KEY_TICKS = 3;
 
 /** A plot that fills its container. */
-export function ChartBox({ source, figure }: ChartBoxProps) {
+export function ChartBox({ source, plotName }: ChartBoxProps) {
   const box = useRef<HTMLDivElement>(null);
   const { plots } = texts.value;
   useEffect(() => {
     const element = box.current;
     if (!element) return undefined;
-    return drawn(element, source, figure);
-  }, [source, figure, theme.value, language.value]);
+    return drawn(element, source, plotName);
+  }, [source, plotName, theme.value, language.value]);
   return (
     <section
       ref={box}
       class="plots__chart grows shrinks-down"
-      aria-label={`${plots.titles[figure]}. ${plots.keys}`}
+      aria-label={`${plots.titles[plotName]}. ${plots.keys}`}
       // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrows go through its moments
       tabIndex={0}
       data-testid="plot"
-      data-figure={figure}
-      data-tick={source.moment.value ?? ""}
+      data-figure={plotName}
+      data-tick={source.selectedTick.value ?? ""}
       onKeyDown={(event) => goThrough(event, source)}
     />
   );
 }
 
-function drawn(element: HTMLElement, source: PlotSource, figure: FigureName): () => void {
+function drawn(element: HTMLElement, source: PlotSource, plotName: PlotName): () => void {
   const { clientWidth, clientHeight } = element;
-  const titles = titlesOf(figure, texts.peek());
-  const look = readLook();
+  const titles = titlesOf(plotName, texts.peek());
+  const style = currentStyle();
   const size = { width: clientWidth, height: clientHeight };
-  const setting = { look, language: language.peek(), titles, ...size };
-  const chart = chartOf(figure, setting, element, source.input);
+  const chartOptions = { style, language: language.peek(), titles, ...size };
+  const chart = chartOf(plotName, chartOptions, element, source.input);
   const stopData = effect(() => {
     source.revision.value;
     chart.show(source.samples, source.stretches);
   });
-  const stopMoment = effect(() => chart.mark(source.moment.value));
+  const stopMoment = effect(() => chart.selectTick(source.selectedTick.value));
   const sizes = new ResizeObserver(() => chart.resize(element.clientWidth, element.clientHeight));
   sizes.observe(element);
   return () => {
@@ -64,27 +64,27 @@ function drawn(element: HTMLElement, source: PlotSource, figure: FigureName): ()
 }
 
 export function chartOf(
-  figure: FigureName,
-  setting: Setting,
+  plotName: PlotName,
+  chartOptions: ChartOptions,
   into: HTMLElement,
   input: PlotInput,
 ): Chart {
-  if (figure === "path") return new PathChart(setting, into, input);
-  return new TimeChart(figure, setting, into, input);
+  if (plotName === "path") return new PathChart(chartOptions, into, input);
+  return new TimeChart(plotName, chartOptions, into, input);
 }
 
 /** Titles of the axes. */
-export function titlesOf(figure: FigureName, { plots }: Texts): readonly [string, string] {
-  if (figure === "path") return ["x (m)", "y (m)"];
-  return [`${plots.time} (s)`, `${plots.quantities[figure]} (${TIME_FIGURES[figure].unit})`];
+export function titlesOf(plotName: PlotName, { plots }: Texts): readonly [string, string] {
+  if (plotName === "path") return ["x (m)", "y (m)"];
+  return [`${plots.time} (s)`, `${plots.quantities[plotName]} (${TIME_PLOTS[plotName].unit})`];
 }
 
-function goThrough(event: KeyboardEvent, { moment, samples, input }: PlotSource): void {
-  const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  if (!way) return;
+function goThrough(event: KeyboardEvent, { selectedTick, samples, input }: PlotSource): void {
+  const direction = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+  if (!direction) return;
   event.preventDefault();
   event.stopPropagation();
   const last = samples.column("tick").at(-1) ?? 0;
-  const now = Math.round(moment.peek() ?? last);
-  input.onPress(Math.min(last, Math.max(0, now + way * KEY_TICKS)));
+  const now = Math.round(selectedTick.peek() ?? last);
+  input.onPress(Math.min(last, Math.max(0, now + direction * KEY_TICKS)));
 }

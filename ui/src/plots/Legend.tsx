@@ -1,18 +1,18 @@
 import { CATEGORY_COLOURS } from "../blocks/categories";
 import { categoryOf } from "../blocks/definitions";
-import type { TextKey } from "../blocks/words";
+import type { TextKey } from "../blocks/texts";
 import { type Language, language, type Texts, texts, textsOf } from "../i18n";
 import { decimal, seconds } from "../i18n/format";
 import { type Column, rowAt, type Samples } from "../run/samples";
-import { type FigureName, linesOf, type Role, TIME_FIGURES } from "./figures";
-import { DASHES, type Look, WIDTHS } from "./look";
 import { pathRoles } from "./path_chart";
 import type { PlotSource } from "./plot_source";
+import { DASHES, type PlotStyle, WIDTHS } from "./plot_style";
+import { linesOf, type PlotName, type Role, TIME_PLOTS } from "./plots";
 
 /** A legend entry: one line of a plot in words. */
 export interface Entry {
   readonly role: Role;
-  readonly ink: keyof Pick<Look, "x" | "y" | "only" | "soft">;
+  readonly ink: keyof Pick<PlotStyle, "x" | "y" | "only" | "soft">;
   readonly name: string;
   /** Its value at a row, with the unit. */
   valueAt(row: number): string;
@@ -20,22 +20,22 @@ export interface Entry {
 
 /** The legend entries of a plot. */
 export function entriesOf(
-  figure: FigureName,
+  plotName: PlotName,
   samples: Samples,
   { plots }: Texts,
   language: Language,
 ): Entry[] {
-  if (figure === "path") {
+  if (plotName === "path") {
     return pathRoles(samples).map((role) => ({
       role,
       ink: role === "desired" ? "soft" : "only",
       name: plots.roles[role],
-      valueAt: (row) => placeAt(samples, role, row, language),
+      valueAt: (row) => positionAt(samples, role, row, language),
     }));
   }
-  const { unit } = TIME_FIGURES[figure];
+  const { unit } = TIME_PLOTS[plotName];
   const digits = unit === "m" || unit === "m/s" ? 2 : 1;
-  return linesOf(figure, samples).map(({ letter, role, ink, values }) => ({
+  return linesOf(plotName, samples).map(({ letter, role, ink, values }) => ({
     role,
     ink,
     name: `${letter} ${plots.roles[role]}`,
@@ -46,14 +46,14 @@ export function entriesOf(
   }));
 }
 
-const PLACES: Partial<Record<Role, readonly [Column, Column]>> = {
+const POSITION_COLUMNS: Partial<Record<Role, readonly [Column, Column]>> = {
   obtained: ["x_m", "y_m"],
   desired: ["goal_x_m", "goal_y_m"],
   true: ["true_x_m", "true_y_m"],
 };
 
-function placeAt(samples: Samples, role: Role, row: number, language: Language): string {
-  const [x, y] = (PLACES[role] ?? ["x_m", "y_m"]).map((name) =>
+function positionAt(samples: Samples, role: Role, row: number, language: Language): string {
+  const [x, y] = (POSITION_COLUMNS[role] ?? ["x_m", "y_m"]).map((name) =>
     decimal(samples.column(name)[row] ?? 0, 2, language),
   );
   return `(${x}; ${y}) m`;
@@ -61,19 +61,20 @@ function placeAt(samples: Samples, role: Role, row: number, language: Language):
 
 interface LegendProps {
   source: PlotSource;
-  figure: FigureName;
+  plotName: PlotName;
 }
 
 /** The lines of a plot by name, each with its line style and its value at the selected tick. */
-export function Legend({ source, figure }: LegendProps) {
+export function Legend({ source, plotName }: LegendProps) {
   const { samples } = source;
-  const moment = source.moment.value;
-  const row = moment === null ? samples.rows - 1 : rowAt(samples.column("tick"), moment);
+  const selectedTick = source.selectedTick.value;
+  const row =
+    selectedTick === null ? samples.rows - 1 : rowAt(samples.column("tick"), selectedTick);
   const tick = samples.column("tick")[row] ?? 0;
   return (
     <div class="plots__legend">
       <span class="plots__line">{seconds(tick / 30, language.value)}</span>
-      {entriesOf(figure, samples, texts.value, language.value).map(
+      {entriesOf(plotName, samples, texts.value, language.value).map(
         ({ role, ink, name, valueAt }) => (
           <span class="plots__line" key={name}>
             <svg class="plots__swatch" aria-hidden="true">
@@ -92,7 +93,7 @@ export function Legend({ source, figure }: LegendProps) {
           </span>
         ),
       )}
-      {figure !== "path" && <Block source={source} tick={tick} />}
+      {plotName !== "path" && <Block source={source} tick={tick} />}
     </div>
   );
 }
@@ -105,12 +106,12 @@ function Block({ source, tick }: { source: PlotSource; tick: number }) {
   return (
     <span class="plots__line">
       <span class="plots__block" style={{ background: CATEGORY_COLOURS[category] }} />
-      {categoryWords(category, language.value)}
+      {categoryLabel(category, language.value)}
     </span>
   );
 }
 
-export function categoryWords(category: keyof typeof CATEGORY_COLOURS, now: Language): string {
+export function categoryLabel(category: keyof typeof CATEGORY_COLOURS, now: Language): string {
   const key = `CATEGORY_${category.toUpperCase()}` as TextKey;
   return textsOf(now).blocks[key];
 }

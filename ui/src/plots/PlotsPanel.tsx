@@ -6,10 +6,10 @@ import { Tabs } from "../kit/Tabs";
 import { fileName, saveFile } from "../shell/save_file";
 import { ChartBox } from "./ChartBox";
 import { csvOf } from "./csv";
-import { FIGURES, type FigureName } from "./figures";
 import { Legend } from "./Legend";
 import { pictureOf } from "./picture";
 import type { PlotSource } from "./plot_source";
+import { PLOTS, type PlotName } from "./plots";
 
 interface PlotsPanelProps {
   source: PlotSource;
@@ -19,7 +19,7 @@ interface PlotsPanelProps {
 
 /** The plots of a run, one at a time, with buttons to export them. */
 export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
-  const figure = useSignal<FigureName>("path");
+  const plotName = useSignal<PlotName>("path");
   const saving = useSignal(false);
   const { plots } = texts.value;
   const more = source.revision.value;
@@ -34,14 +34,14 @@ export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
         <Tabs
           label={plots.label}
           testId="plot-tab"
-          value={figure.value}
-          options={FIGURES.map((name) => [
+          value={plotName.value}
+          options={PLOTS.map((name) => [
             name,
             plots.figures[name],
             { title: plots.titles[name], "data-figure": name },
           ])}
           onChange={(name) => {
-            figure.value = name;
+            plotName.value = name;
           }}
         />
         <div class="row rigid">
@@ -58,13 +58,13 @@ export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
           <Size tall={tall} onTall={onTall} />
         </div>
       </div>
-      {saving.value && <Save source={source} figure={figure.value} />}
+      {saving.value && <Save source={source} plotName={plotName.value} />}
       {source.samples.rows === 0 ? (
         <p class="plots__empty">{plots.empty}</p>
       ) : (
         <>
-          <Legend source={source} figure={figure.value} />
-          <ChartBox source={source} figure={figure.value} />
+          <Legend source={source} plotName={plotName.value} />
+          <ChartBox source={source} plotName={plotName.value} />
         </>
       )}
     </section>
@@ -86,7 +86,7 @@ function Size({ tall, onTall }: Pick<PlotsPanelProps, "tall" | "onTall">) {
   );
 }
 
-function Save({ source, figure }: { source: PlotSource; figure: FigureName }) {
+function Save({ source, plotName }: { source: PlotSource; plotName: PlotName }) {
   const { plots } = texts.value;
   const base = fileName(source.name(), "pinel");
   const table = () => {
@@ -94,9 +94,9 @@ function Save({ source, figure }: { source: PlotSource; figure: FigureName }) {
     saveFile(`${base}.csv`, new Blob([csv], { type: "text/csv;charset=utf-8" }));
   };
   const picture = async () => {
-    const about = { figure, name: source.name(), texts: texts.value, language: language.value };
+    const about = { plotName, name: source.name(), texts: texts.value, language: language.value };
     const image = await pictureOf(source.samples, source.stretches, about);
-    const kind = fileName(plots.figures[figure], figure);
+    const kind = fileName(plots.figures[plotName], plotName);
     if (image) saveFile(`${base}-${kind}.png`, image);
   };
   const { rows } = source.samples;

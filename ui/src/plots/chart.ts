@@ -3,7 +3,7 @@ import type { Language } from "../i18n";
 import { decimal } from "../i18n/format";
 import type { Stretch } from "../run/playback";
 import type { Samples } from "../run/samples";
-import type { Look } from "./look";
+import type { PlotStyle } from "./plot_style";
 
 /** Callbacks of a plot's pointer and keyboard input; `null` when the pointer has left. */
 export interface PlotInput {
@@ -12,8 +12,8 @@ export interface PlotInput {
 }
 
 /** Appearance and size of a plot. */
-export interface Setting {
-  readonly look: Look;
+export interface ChartOptions {
+  readonly style: PlotStyle;
   readonly language: Language;
   readonly width: number;
   readonly height: number;
@@ -27,7 +27,7 @@ export interface Chart {
   show(samples: Samples, stretches: readonly Stretch[]): void;
   resize(width: number, height: number): void;
   /** Marks a tick. */
-  mark(tick: number | null): void;
+  selectTick(tick: number | null): void;
   dispose(): void;
 }
 
@@ -50,17 +50,23 @@ const NO_MOUSE: uPlot.Cursor.Bind = {
 export const NO_DATA: uPlot.AlignedData = [[0, 1]];
 
 /** uPlot options that all plots share. */
-export function optionsFor({ look, language, width, height, titles }: Setting): uPlot.Options {
+export function optionsFor({
+  style,
+  language,
+  width,
+  height,
+  titles,
+}: ChartOptions): uPlot.Options {
   const axis = (title: string, size: number): uPlot.Axis => ({
     label: title,
-    labelFont: `600 13px ${look.font}`,
+    labelFont: `600 13px ${style.font}`,
     labelSize: 18,
     labelGap: 0,
-    font: `500 13px ${look.font}`,
+    font: `500 13px ${style.font}`,
     gap: 4,
     size: size - 18,
-    stroke: look.ink,
-    grid: { stroke: look.faint, width: 1 },
+    stroke: style.ink,
+    grid: { stroke: style.faint, width: 1 },
     ticks: { show: false },
     values: (_plot, splits) => splits.map((value) => numberOf(value, splits, language)),
   });

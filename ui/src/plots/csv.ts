@@ -1,6 +1,6 @@
 import type { Language, Texts } from "../i18n";
 import type { Samples } from "../run/samples";
-import { linesOf, TIME_FIGURES, times } from "./figures";
+import { linesOf, TIME_PLOTS, times } from "./plots";
 
 /** Without this mark spreadsheets do not read the file as UTF-8. */
 const BYTE_ORDER_MARK = "\ufeff";
@@ -44,7 +44,7 @@ function tableOf(samples: Samples, { plots }: Texts): TableColumn[] {
     { title: `${plots.time} (s)`, digits: 3, values: times(samples) },
   ];
   for (const name of ["position", "heading", "speed", "turning"] as const) {
-    const { unit } = TIME_FIGURES[name];
+    const { unit } = TIME_PLOTS[name];
     for (const { letter, role, values } of linesOf(name, samples)) {
       columns.push({ title: title(letter, role, unit), digits: 4, values: values(samples) });
     }

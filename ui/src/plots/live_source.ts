@@ -1,6 +1,6 @@
 import { computed, signal } from "@preact/signals";
+import { inspectedTick, inspectTick } from "../run/inspected_tick";
 import { record } from "../run/live_record";
-import { moment, showMoment } from "../run/moment";
 import { program } from "../shell/session";
 import type { PlotSource } from "./plot_source";
 
@@ -15,14 +15,14 @@ export const liveSource: PlotSource = {
     return record.stretches;
   },
   revision: record.revision,
-  moment: computed(() => pointed.value ?? moment.value?.tick ?? null),
+  selectedTick: computed(() => pointed.value ?? inspectedTick.value?.tick ?? null),
   input: {
     onPoint: (tick) => {
       pointed.value = tick;
     },
     onPress: (tick) => {
       pointed.value = tick;
-      showMoment(tick);
+      inspectTick(tick);
     },
   },
   name: () => program.peek()?.name ?? "",

@@ -1,14 +1,21 @@
 import uPlot from "uplot";
 import { rowAt, Samples } from "../run/samples";
-import { type Chart, listen, NO_DATA, optionsFor, type PlotInput, type Setting } from "./chart";
-import { equalRange, hasTruth, nearestRow, type Range, type Role } from "./figures";
-import { DASHES, type Look, WIDTHS } from "./look";
+import {
+  type Chart,
+  type ChartOptions,
+  listen,
+  NO_DATA,
+  optionsFor,
+  type PlotInput,
+} from "./chart";
+import { DASHES, type PlotStyle, WIDTHS } from "./plot_style";
+import { equalRange, hasTruth, nearestRow, type Range, type Role } from "./plots";
 
 type Columns = readonly [x: Float32Array, y: Float32Array];
 
 interface PathLine {
   readonly role: Role;
-  readonly ink: keyof Pick<Look, "only" | "soft">;
+  readonly ink: keyof Pick<PlotStyle, "only" | "soft">;
   readonly points: Columns;
 }
 
@@ -17,18 +24,18 @@ export class PathChart implements Chart {
   readonly plot: uPlot;
   private samples = new Samples();
   private range: Range = { x: [-1, 1], y: [-1, 1] };
-  private marked: number | null = null;
+  private selectedTick: number | null = null;
   private readonly here = document.createElement("div");
 
-  constructor(setting: Setting, into: HTMLElement, input: PlotInput) {
-    const options = optionsFor(setting);
+  constructor(chartOptions: ChartOptions, into: HTMLElement, input: PlotInput) {
+    const options = optionsFor(chartOptions);
     options.scales = {
       x: { time: false, range: () => this.range.x },
       y: { range: () => this.range.y },
     };
     options.cursor = { ...options.cursor, show: false };
     options.series = [{}, { show: true, points: { show: false } }];
-    options.hooks = { draw: [(plot) => this.draw(plot, setting.look)] };
+    options.hooks = { draw: [(plot) => this.draw(plot, chartOptions.style)] };
     this.plot = new uPlot(options, [...NO_DATA, [0, 1]] as uPlot.AlignedData, into);
     this.here.className = "plots__here";
     this.here.hidden = true;
@@ -46,8 +53,8 @@ export class PathChart implements Chart {
     this.aim();
   }
 
-  mark(tick: number | null): void {
-    this.marked = tick;
+  selectTick(tick: number | null): void {
+    this.selectedTick = tick;
     const { samples, plot, here } = this;
     here.hidden = tick === null || samples.rows === 0;
     if (here.hidden || tick === null) return;
@@ -68,7 +75,7 @@ export class PathChart implements Chart {
     this.range = equalRange(points, area.width, area.height);
     // setting the data makes uPlot read the range again; the data are the range's corners
     this.plot.setData([this.range.x, this.range.y]);
-    queueMicrotask(() => this.mark(this.marked));
+    queueMicrotask(() => this.selectTick(this.selectedTick));
   }
 
   /** Size of the drawing area where the chart is not in the page, and so has no layout. */
@@ -84,7 +91,7 @@ export class PathChart implements Chart {
     return samples.column("tick")[row] ?? 0;
   }
 
-  private draw(plot: uPlot, look: Look): void {
+  private draw(plot: uPlot, style: PlotStyle): void {
     const { ctx } = plot;
     const { left, top, width, height } = plot.bbox;
     ctx.save();
@@ -93,12 +100,12 @@ export class PathChart implements Chart {
     ctx.clip();
     ctx.lineJoin = "round";
     for (const { role, ink, points } of linesIn(this.samples)) {
-      ctx.strokeStyle = look[ink];
+      ctx.strokeStyle = style[ink];
       ctx.lineWidth = (WIDTHS[role] + (role === "obtained" ? 0.5 : 0)) * uPlot.pxRatio;
       ctx.setLineDash(DASHES[role].map((part) => part * uPlot.pxRatio));
       trace(plot, points);
     }
-    drawEnds(plot, this.samples, look);
+    drawEnds(plot, this.samples, style);
     ctx.restore();
   }
 }
@@ -135,7 +142,7 @@ function trace(plot: uPlot, [xs, ys]: Columns): void {
 }
 
 /** Draws a ring at the start of the path and a full dot at its end. */
-function drawEnds(plot: uPlot, samples: Samples, look: Look): void {
+function drawEnds(plot: uPlot, samples: Samples, style: PlotStyle): void {
   const { ctx } = plot;
   const dot = (x: number, y: number) => {
     ctx.beginPath();
@@ -149,14 +156,14 @@ function drawEnds(plot: uPlot, samples: Samples, look: Look): void {
   };
   ctx.setLineDash([]);
   ctx.lineWidth = 2 * uPlot.pxRatio;
-  ctx.strokeStyle = look.soft;
-  ctx.fillStyle = look.ground;
+  ctx.strokeStyle = style.soft;
+  ctx.fillStyle = style.ground;
   dot(0, 0);
   ctx.fill();
   ctx.stroke();
   const last = samples.rows - 1;
   if (last < 0) return;
-  ctx.fillStyle = look.only;
+  ctx.fillStyle = style.only;
   dot(samples.column("x_m")[last] ?? 0, samples.column("y_m")[last] ?? 0);
   ctx.fill();
 }

@@ -10,7 +10,7 @@ export interface PlotSource {
   /** Changes when there are new samples to draw. */
   readonly revision: ReadonlySignal<number>;
   /** The selected tick; null where none is. */
-  readonly moment: ReadonlySignal<number | null>;
+  readonly selectedTick: ReadonlySignal<number | null>;
   readonly input: PlotInput;
   /** Name of the program. */
   name(): string;

@@ -3,7 +3,7 @@ import type { TelemetryEvent } from "../api/model";
 import { textsOf } from "../i18n";
 import { type Column, rowAt, Samples } from "../run/samples";
 import { csvOf } from "./csv";
-import { equalRange, headings, linesOf, nearestRow, rangeOf } from "./figures";
+import { equalRange, headings, linesOf, nearestRow, rangeOf } from "./plots";
 
 /** Samples of a drive along x at 0.01 m a tick; `over` sets other columns in every sample. */
 function driven(rows: number, over: Partial<Record<Column, number>> = {}): Samples {

@@ -3,18 +3,25 @@ import { CATEGORY_COLOURS } from "../blocks/categories";
 import { categoryOf } from "../blocks/definitions";
 import { coarse, type Stretch } from "../run/playback";
 import { rowAt, type Samples } from "../run/samples";
-import { type Chart, listen, NO_DATA, optionsFor, type PlotInput, type Setting } from "./chart";
-import { type FigureName, type Line, linesOf, rangeOf, TIME_FIGURES, times } from "./figures";
-import { DASHES, type Look, WIDTHS } from "./look";
+import {
+  type Chart,
+  type ChartOptions,
+  listen,
+  NO_DATA,
+  optionsFor,
+  type PlotInput,
+} from "./chart";
+import { DASHES, type PlotStyle, WIDTHS } from "./plot_style";
+import { type Line, linesOf, type PlotName, rangeOf, TIME_PLOTS, times } from "./plots";
 
 /** Height in pixels of the coloured band that shows the blocks, and the opacity of the tint above it. */
 const BAND = 7;
 const TINT = 0.1;
 
 /** Shortest time axis of a live run, in seconds. */
-const LEAST_S = 2;
+const MIN_SPAN_S = 2;
 
-type TimeFigureName = Exclude<FigureName, "path">;
+type TimePlotName = Exclude<PlotName, "path">;
 
 /** Quantities over time, above the blocks that ran. */
 export class TimeChart implements Chart {
@@ -22,56 +29,56 @@ export class TimeChart implements Chart {
   private lines: readonly Line[] = [];
   private stretches: readonly Stretch[] = [];
   private ticks: Float32Array = new Float32Array(0);
-  private marked: number | null = null;
+  private selectedTick: number | null = null;
 
   constructor(
-    private readonly name: TimeFigureName,
-    setting: Setting,
+    private readonly name: TimePlotName,
+    chartOptions: ChartOptions,
     into: HTMLElement,
     input: PlotInput,
   ) {
-    const { span } = TIME_FIGURES[name];
-    const { look } = setting;
-    const options = optionsFor(setting);
+    const { span } = TIME_PLOTS[name];
+    const { style } = chartOptions;
+    const options = optionsFor(chartOptions);
     options.scales = {
-      x: { time: false, range: (_plot, _low, high) => [0, Math.max(LEAST_S, high ?? 0)] },
+      x: { time: false, range: (_plot, _low, high) => [0, Math.max(MIN_SPAN_S, high ?? 0)] },
       y: { range: (_plot, low, high) => rangeOf(low, high, span) },
     };
     options.cursor = {
       ...options.cursor,
-      points: { size: 9, width: 2, fill: (_plot, at) => this.inkOf(at, look) },
+      points: { size: 9, width: 2, fill: (_plot, at) => this.inkOf(at, style) },
     };
     options.hooks = {
       drawClear: [(plot) => drawBands(plot, this.stretches, TINT, 0)],
       draw: [
         (plot) => drawBands(plot, this.stretches, 1, BAND),
-        (plot) => drawLetters(plot, this.lines, look),
+        (plot) => drawLetters(plot, this.lines, style),
       ],
     };
-    this.look = look;
+    this.style = style;
     this.plot = new uPlot(options, NO_DATA, into);
     listen(this.plot, (x) => this.tickAt(x), input);
   }
 
-  private readonly look: Look;
+  private readonly style: PlotStyle;
 
   show(samples: Samples, stretches: readonly Stretch[]): void {
     const { plot } = this;
     this.stretches = coarse(stretches, samples.column("tick").at(-1) ?? 0);
     this.ticks = samples.column("tick");
-    this.takeLines(linesOf(this.name, samples));
+    this.setLines(linesOf(this.name, samples));
     const data = [times(samples), ...this.lines.map((line) => line.values(samples))];
     plot.setData(data as unknown as uPlot.AlignedData);
-    this.mark(this.marked);
+    this.selectTick(this.selectedTick);
   }
 
   resize(width: number, height: number): void {
     this.plot.setSize({ width, height });
-    this.mark(this.marked);
+    this.selectTick(this.selectedTick);
   }
 
-  mark(tick: number | null): void {
-    this.marked = tick;
+  selectTick(tick: number | null): void {
+    this.selectedTick = tick;
     const left = tick === null ? -10 : this.plot.valToPos(tick / 30, "x");
     this.plot.setCursor({ left, top: tick === null ? -10 : 0 }, false);
   }
@@ -86,22 +93,22 @@ export class TimeChart implements Chart {
   }
 
   /** The set of lines can change during a run, for instance when the true pose becomes known. */
-  private takeLines(lines: readonly Line[]): void {
+  private setLines(lines: readonly Line[]): void {
     const same = lines.length === this.lines.length;
     this.lines = lines;
     if (same) return;
     while (this.plot.series.length > 1) this.plot.delSeries(1);
-    for (const line of lines) this.plot.addSeries(seriesOf(line, this.look));
+    for (const line of lines) this.plot.addSeries(seriesOf(line, this.style));
   }
 
-  private inkOf(series: number, look: Look): string {
-    return look[this.lines[series - 1]?.ink ?? "only"];
+  private inkOf(series: number, style: PlotStyle): string {
+    return style[this.lines[series - 1]?.ink ?? "only"];
   }
 }
 
-function seriesOf({ ink, role }: Line, look: Look): uPlot.Series {
+function seriesOf({ ink, role }: Line, style: PlotStyle): uPlot.Series {
   return {
-    stroke: look[ink],
+    stroke: style[ink],
     width: WIDTHS[role],
     dash: [...DASHES[role]],
     points: { show: false },
@@ -133,13 +140,13 @@ function drawBands(
 }
 
 /** Draws the letter of each quantity at the end of its line, so that lines do not differ by colour alone. */
-function drawLetters(plot: uPlot, lines: readonly Line[], look: Look): void {
+function drawLetters(plot: uPlot, lines: readonly Line[], style: PlotStyle): void {
   const { ctx } = plot;
   const last = plot.data[0].length - 1;
   const time = plot.data[0][last];
   if (time === undefined) return;
   ctx.save();
-  ctx.font = `700 ${14 * uPlot.pxRatio}px ${look.font}`;
+  ctx.font = `700 ${14 * uPlot.pxRatio}px ${style.font}`;
   ctx.textBaseline = "middle";
   ctx.textAlign = "left";
   const placed: number[] = [];
@@ -150,7 +157,7 @@ function drawLetters(plot: uPlot, lines: readonly Line[], look: Look): void {
     let y = plot.valToPos(value, "y", true);
     while (placed.some((other) => Math.abs(other - y) < height)) y -= height / 2;
     placed.push(y);
-    ctx.fillStyle = look[ink];
+    ctx.fillStyle = style[ink];
     ctx.fillText(letter, plot.valToPos(time, "x", true) + 6 * uPlot.pxRatio, y);
   });
   ctx.restore();

@@ -3,12 +3,12 @@ import { CircleCheck } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
 import { drawnHand } from "../camera/drawn_hand";
 import type { HandSide } from "../camera/hand_shape";
-import { readingOf } from "../camera/reading";
 import { SignDrawing } from "../camera/SignDrawing";
 import { sight } from "../camera/sight";
+import { signStateOf } from "../camera/sign_state";
 import { listenForSigns, signNames } from "../camera/signs";
 import { texts } from "../i18n";
-import { Choice } from "../kit/Choice";
+import { RadioGroup } from "../kit/RadioGroup";
 
 /** A letter to imitate: its drawing, and whether the camera sees it now. */
 export function Imitation({ letter }: { letter: Signal<string> }) {
@@ -17,8 +17,8 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
     letter.value = chosen;
   };
   useLayoutEffect(() => listenForSigns(choose), []);
-  const reading = readingOf(sight.value);
-  const isMatched = reading.kind === "sure" && reading.best === letter.value;
+  const state = signStateOf(sight.value);
+  const isMatched = state.kind === "sure" && state.best === letter.value;
   return (
     <section
       class="imitation card grows shrinks-down"
@@ -31,7 +31,7 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
         <Matched letter={isMatched ? letter.value : null} />
       </div>
       <div class="imitation__choices column shrinks-down gap-3">
-        <Choice
+        <RadioGroup
           label={practice.choose}
           class="imitation__letters"
           optionClass="imitation__letter"
@@ -40,7 +40,7 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
           options={signNames.value.map(option)}
           onChange={choose}
         />
-        <Choice
+        <RadioGroup
           label={practice.hand}
           legendClass="imitation__legend"
           class="imitation__hands"

@@ -3,27 +3,27 @@ interface MissingLetter {
   /** Whether it is signed with a movement. */
   readonly moves: boolean;
   /** The way of the hand as one sees it in a mirror, in a box of 24; "" for a hand at rest. */
-  readonly way: string;
+  readonly path: string;
 }
 
 /** The letters that the camera does not know untaught. */
 export const MISSING_LETTERS: readonly MissingLetter[] = [
-  { letter: "H", moves: true, way: "M5 15a7 5 0 1 1 14 0M19 15l-3-2M19 15l2-3" },
-  { letter: "J", moves: true, way: "M15 4v10a5 5 0 0 1-9 2M6 16l-1 4M6 16l4 1" },
-  { letter: "X", moves: true, way: "M4 10L19 15M19 15l-4 1M19 15l-2-4" },
-  { letter: "Y", moves: false, way: "" },
-  { letter: "Z", moves: true, way: "M5 6h13L6 18h13M19 18l-4-3M19 18l-4 3" },
+  { letter: "H", moves: true, path: "M5 15a7 5 0 1 1 14 0M19 15l-3-2M19 15l2-3" },
+  { letter: "J", moves: true, path: "M15 4v10a5 5 0 0 1-9 2M6 16l-1 4M6 16l4 1" },
+  { letter: "X", moves: true, path: "M4 10L19 15M19 15l-4 1M19 15l-2-4" },
+  { letter: "Y", moves: false, path: "" },
+  { letter: "Z", moves: true, path: "M5 6h13L6 18h13M19 18l-4-3M19 18l-4 3" },
 ];
 
 /** A letter with the way that its hand goes. */
 export function MovementDrawing({ letter }: { letter: string }) {
-  const way = MISSING_LETTERS.find((one) => one.letter === letter)?.way;
+  const path = MISSING_LETTERS.find((one) => one.letter === letter)?.path;
   return (
     <>
       {letter}
-      {way && (
+      {path && (
         <svg class="teaching__way" viewBox="0 0 24 24" aria-hidden="true">
-          <path d={way} />
+          <path d={path} />
         </svg>
       )}
     </>

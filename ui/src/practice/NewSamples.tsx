@@ -4,14 +4,14 @@ import { STORE_LIMITS } from "../api/declared";
 import { signsApi } from "../api/signs";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { Choice } from "../kit/Choice";
 import { Field } from "../kit/Field";
 import { Form } from "../kit/Form";
+import { RadioGroup } from "../kit/RadioGroup";
 import { MISSING_LETTERS, MovementDrawing } from "./MovementDrawing";
 
 /** A sign that is to be taught: its name, whether it moves, and how it is shown to the camera. */
 export function NewSamples({ classroom }: { classroom: string }) {
-  const words = texts.value.teaching;
+  const labels = texts.value.teaching;
   const name = useSignal("");
   const moves = useSignal(false);
   const sign = name.value.trim();
@@ -21,8 +21,8 @@ export function NewSamples({ classroom }: { classroom: string }) {
   };
   return (
     <Form class="column gap-2" onSubmit={record}>
-      <Choice
-        label={words.suggested}
+      <RadioGroup
+        label={labels.suggested}
         legendClass="imitation__legend"
         class="teaching__letters row middle gap-1"
         optionClass="imitation__letter"
@@ -40,7 +40,7 @@ export function NewSamples({ classroom }: { classroom: string }) {
       />
       <div class="teaching__form">
         <Field
-          label={words.name}
+          label={labels.name}
           value={name.value}
           maxLength={STORE_LIMITS.MAX_SIGN}
           data-testid="teach-name"
@@ -48,24 +48,24 @@ export function NewSamples({ classroom }: { classroom: string }) {
             name.value = text;
           }}
         />
-        <Choice
-          label={words.kind}
+        <RadioGroup
+          label={labels.kind}
           class="imitation__hands"
           testId="teach-kind"
           value={moves.value}
           options={[
-            [false, words.still],
-            [true, `${words.moves} (${words.experimental})`],
+            [false, labels.still],
+            [true, `${labels.moves} (${labels.experimental})`],
           ]}
           onChange={(chosen: boolean) => {
             moves.value = chosen;
           }}
         />
         <Button submit icon={Video} disabled={sign === ""} testId="teach-record">
-          {words.record}
+          {labels.record}
         </Button>
       </div>
-      <p class="teaching__how">{moves.value ? words.howMoving : words.howStill}</p>
+      <p class="teaching__how">{moves.value ? labels.howMoving : labels.howStill}</p>
     </Form>
   );
 }

@@ -1,6 +1,6 @@
 import { act, cleanup, fireEvent, render, screen } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { changed, hand, seen } from "../camera/testing/seen";
+import { changed, hand, sightOf } from "../camera/testing/camera_events";
 import { passesAxe } from "../kit/testing/control";
 
 const cameraApi = { status: vi.fn() };
@@ -38,9 +38,9 @@ describe("practising signs", () => {
 
   test("says when the letter is imitated", () => {
     render(<PracticeScreen />);
-    act(() => receive(seen(hand({ best: "B" }))));
+    act(() => receive(sightOf(hand({ best: "B" }))));
     expect(screen.queryByText("É isso! Letra A.")).toBeNull();
-    act(() => receive(seen(hand({ best: "A" }))));
+    act(() => receive(sightOf(hand({ best: "A" }))));
     expect(screen.getByText("É isso! Letra A.")).toBeTruthy();
   });
 

@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { CameraChoice } from "../camera/CameraChoice";
 import { CameraPicture } from "../camera/CameraPicture";
-import { NowSeen } from "../camera/NowSeen";
+import { CurrentSign } from "../camera/CurrentSign";
 import { hasPicture } from "../camera/sight";
 import { texts } from "../i18n";
 import { useInstance } from "../kit/instance";
@@ -26,7 +26,7 @@ export function PracticeScreen() {
         <CameraPicture />
       </div>
       <div class="practice__side column shrinks shrinks-down gap-3">
-        {hasPicture.value && <Seen spelling={spelling} />}
+        {hasPicture.value && <CurrentSignCard spelling={spelling} />}
         <Imitation letter={letter} />
         <Teaching />
       </div>
@@ -35,12 +35,12 @@ export function PracticeScreen() {
   );
 }
 
-function Seen({ spelling }: { spelling: Spelling }) {
+function CurrentSignCard({ spelling }: { spelling: Spelling }) {
   const { seen, spelled } = texts.value.practice;
   const held = spelling.held.value;
   return (
     <section class="practice__seen card" aria-label={seen}>
-      <NowSeen progress={heldPart(held)} next={held?.isSpelled ? spelled : undefined} />
+      <CurrentSign progress={heldPart(held)} next={held?.isSpelled ? spelled : undefined} />
     </section>
   );
 }

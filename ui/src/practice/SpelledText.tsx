@@ -4,28 +4,28 @@ import { Button } from "../kit/Button";
 import type { Spelling } from "./spelling";
 
 /** Characters: more than any word or short sentence takes. */
-const LONGEST = 200;
+const MAX_LENGTH = 200;
 
 /** What the signs have spelled; the keyboard writes into it too. */
 export function SpelledText({ spelling }: { spelling: Spelling }) {
-  const words = texts.value.practice;
+  const labels = texts.value.practice;
   const text = spelling.text.value;
   const isEmpty = text === "";
   return (
-    <section class="spelled" aria-label={words.text}>
+    <section class="spelled" aria-label={labels.text}>
       <input
         class="field spelled__text"
         value={text}
-        maxLength={LONGEST}
+        maxLength={MAX_LENGTH}
         autoComplete="off"
         spellcheck={false}
-        aria-label={words.text}
-        placeholder={words.placeholder}
+        aria-label={labels.text}
+        placeholder={labels.placeholder}
         data-testid="practice-text"
         onInput={(event) => spelling.write(event.currentTarget.value)}
       />
       <Button icon={Space} testId="practice-space" onPress={() => spelling.write(`${text} `)}>
-        {words.space}
+        {labels.space}
       </Button>
       <Button
         icon={Delete}
@@ -33,12 +33,12 @@ export function SpelledText({ spelling }: { spelling: Spelling }) {
         disabled={isEmpty}
         onPress={() => spelling.back()}
       >
-        {words.back}
+        {labels.back}
       </Button>
       <ClearButton spelling={spelling} />
       <p class="spelled__note aside">
-        <span>{words.moving}</span>
-        <span>{words.credits}</span>
+        <span>{labels.moving}</span>
+        <span>{labels.credits}</span>
       </p>
       <p class="visually-hidden" role="status">
         {text}
@@ -49,7 +49,7 @@ export function SpelledText({ spelling }: { spelling: Spelling }) {
 
 /** Clears, and brings back what was cleared by mistake. */
 function ClearButton({ spelling }: { spelling: Spelling }) {
-  const words = texts.value.practice;
+  const labels = texts.value.practice;
   const wasCleared = spelling.cleared.value !== "";
   return (
     <Button
@@ -58,7 +58,7 @@ function ClearButton({ spelling }: { spelling: Spelling }) {
       disabled={!wasCleared && spelling.text.value === ""}
       onPress={() => (wasCleared ? spelling.bringBack() : spelling.clear())}
     >
-      {wasCleared ? words.bringBack : words.clear}
+      {wasCleared ? labels.bringBack : labels.clear}
     </Button>
   );
 }

@@ -23,7 +23,7 @@ const { setClassroom } = await import("../shell/classroom");
 const A = { name: "A", is_letter: true, n_samples: 0, n_movements: 0, landmarks: null };
 const GO = { name: "vai", is_letter: false, n_samples: 10, n_movements: 0, landmarks: null };
 
-const told = (more: Partial<SignRecordingEvent>): SignRecordingEvent => ({
+const recordingEvent = (more: Partial<SignRecordingEvent>): SignRecordingEvent => ({
   type: "sign_recording",
   classroom: "c",
   sign: "vai",
@@ -68,9 +68,9 @@ describe("teaching a sign", () => {
     fireEvent.input(screen.getByTestId("teach-name"), { target: { value: " vai " } });
     fireEvent.click(screen.getByTestId("teach-record"));
     await waitFor(() => expect(signsApi.record).toHaveBeenCalledWith("c", "vai"));
-    act(() => receive(told({})));
+    act(() => receive(recordingEvent({})));
     expect(status()).toContain("3 de 10");
-    act(() => receive(told({ n_samples: 10, is_kept: true })));
+    act(() => receive(recordingEvent({ n_samples: 10, is_kept: true })));
     expect(status()).toContain("vai");
     await passesAxe(container);
   });
@@ -95,7 +95,7 @@ describe("teaching a sign", () => {
     expect(container.textContent).toContain("Cinco vezes");
     fireEvent.click(screen.getByTestId("teach-record"));
     await waitFor(() => expect(signsApi.recordMoving).toHaveBeenCalledWith("c", "J"));
-    act(() => receive(told({ sign: "J", is_moving: true, n_samples: 2, n_wanted: 5 })));
+    act(() => receive(recordingEvent({ sign: "J", is_moving: true, n_samples: 2, n_wanted: 5 })));
     expect(status()).toContain("J: 2 de 5. Parem a mão");
     await passesAxe(container);
   });
@@ -115,11 +115,15 @@ describe("teaching a sign", () => {
   test("says why it was given up", async () => {
     render(<Teaching />);
     await screen.findByTestId("teach-told");
-    act(() => receive(told({ code: "x", message: "Sem mão.", remedy: "Mostrem a mão." })));
+    act(() =>
+      receive(recordingEvent({ code: "x", message: "Sem mão.", remedy: "Mostrem a mão." })),
+    );
     expect(status()).toBe("Sem mão. Mostrem a mão.");
-    act(() => receive(told({ code: "sign_recording_stopped", message: "No hand.", remedy: "" })));
+    act(() =>
+      receive(recordingEvent({ code: "sign_recording_stopped", message: "No hand.", remedy: "" })),
+    );
     expect(status()).toContain("Não deu para ver a mão parada.");
-    act(() => receive(told({ classroom: "other" })));
+    act(() => receive(recordingEvent({ classroom: "other" })));
     expect(status()).toBe("");
   });
 

@@ -3,7 +3,7 @@ import { useEffect } from "preact/hooks";
 import { NO_CLASS } from "../api/classes";
 import type { Sign } from "../api/model";
 import { signsApi } from "../api/signs";
-import { problemWords } from "../camera/problem_words";
+import { problemText } from "../camera/problem_text";
 import { recording } from "../camera/sight";
 import { chooseSigns, signs } from "../camera/signs";
 import { texts } from "../i18n";
@@ -37,16 +37,16 @@ function WithoutClass() {
 
 /** A sign is shown to the camera, counted while it is recorded, listed, and deleted again. */
 function OfClass({ id }: { id: string }) {
-  const words = texts.value.teaching;
-  const told = recording.value?.classroom === id ? recording.value : null;
+  const labels = texts.value.teaching;
+  const status = recording.value?.classroom === id ? recording.value : null;
   useEffect(() => void chooseSigns(id), [id]);
   useEffect(() => () => void signsApi.stop().catch(() => {}), []);
   return (
     <details class="teaching card">
-      <summary class="teaching__title">{words.title}</summary>
+      <summary class="teaching__title">{labels.title}</summary>
       <NewSamples classroom={id} />
       <p class="teaching__told" role="status" data-testid="teach-told">
-        {told && wordsOfRecording(told)}
+        {status && recordingText(status)}
       </p>
       <Taught
         signs={(signs.value ?? []).filter((one) => one.n_samples + one.n_movements > 0)}
@@ -62,17 +62,17 @@ interface TaughtProps {
 }
 
 function Taught({ signs, onForget }: TaughtProps) {
-  const words = texts.value.teaching;
+  const labels = texts.value.teaching;
   return (
     <ul class="teaching__signs">
       {signs.map(({ name, n_samples, n_movements }) => (
         <li key={name} data-testid="taught-sign" data-sign={name}>
           <strong>{name}</strong>
-          {n_samples > 0 && <span>{words.samples(n_samples)}</span>}
-          {n_movements > 0 && <span>{words.movements(n_movements)}</span>}
+          {n_samples > 0 && <span>{labels.samples(n_samples)}</span>}
+          {n_movements > 0 && <span>{labels.movements(n_movements)}</span>}
           <Button
             icon={Trash2}
-            label={words.forget(name)}
+            label={labels.forget(name)}
             testId="forget-sign"
             onPress={() => onForget(name)}
           />
@@ -82,13 +82,13 @@ function Taught({ signs, onForget }: TaughtProps) {
   );
 }
 
-function wordsOfRecording(told: NonNullable<typeof recording.value>): string {
-  const words = texts.value.teaching;
-  if (told.code !== null) {
-    const { message, remedy } = problemWords({ ...told, code: told.code });
+function recordingText(status: NonNullable<typeof recording.value>): string {
+  const labels = texts.value.teaching;
+  if (status.code !== null) {
+    const { message, remedy } = problemText({ ...status, code: status.code });
     return `${message} ${remedy}`;
   }
-  if (told.is_kept) return words.learnt(told.sign);
-  const counted = told.is_moving ? words.countedMoving : words.counted;
-  return counted(told.sign, told.n_samples, told.n_wanted);
+  if (status.is_kept) return labels.learnt(status.sign);
+  const counted = status.is_moving ? labels.countedMoving : labels.counted;
+  return counted(status.sign, status.n_samples, status.n_wanted);
 }

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 import { receive, sight } from "../camera/sight";
-import { changed, hand, seen } from "../camera/testing/seen";
+import { changed, hand, sightOf } from "../camera/testing/camera_events";
 import { GAP_MS, HOLD_MS, heldPart, Spelling } from "./spelling";
 
 const FRAME_MS = 100;
@@ -22,7 +22,7 @@ afterEach(() => {
 /** The camera sees a sign for so long, ten times a second; "" for none. */
 function show(sign: string, lastsMs: number): void {
   for (let passed = 0; passed <= lastsMs; passed += FRAME_MS) {
-    receive(sign === "" ? seen() : seen(hand({ best: sign })));
+    receive(sign === "" ? sightOf() : sightOf(hand({ best: sign })));
     nowMs += FRAME_MS;
   }
 }
@@ -67,7 +67,7 @@ describe("what signs spell", () => {
 
 describe("a sign that moved", () => {
   test("is spelled once, at once, and again when it is made again", () => {
-    for (const moved of ["", "J", "J", "", "J", "Z"]) receive({ ...seen(), moved });
+    for (const moved of ["", "J", "J", "", "J", "Z"]) receive({ ...sightOf(), moved });
     expect(spelling.text.value).toBe("JJZ");
   });
 });

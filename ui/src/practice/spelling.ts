@@ -10,22 +10,22 @@ export const GAP_MS = 400;
 export interface Held {
   readonly sign: string;
   readonly sinceMs: number;
-  readonly seenMs: number;
+  readonly lastDetectedMs: number;
   readonly isSpelled: boolean;
 }
 
 /** What is held after the camera saw `sign` ("" for none) at `nowMs`; it is spelled once, when it was held for long enough. */
 export function hold(before: Held | null, sign: string, nowMs: number): Held | null {
-  if (sign === "") return before && nowMs - before.seenMs < GAP_MS ? before : null;
-  if (before?.sign !== sign || nowMs - before.seenMs >= GAP_MS) {
-    return { sign, sinceMs: nowMs, seenMs: nowMs, isSpelled: false };
+  if (sign === "") return before && nowMs - before.lastDetectedMs < GAP_MS ? before : null;
+  if (before?.sign !== sign || nowMs - before.lastDetectedMs >= GAP_MS) {
+    return { sign, sinceMs: nowMs, lastDetectedMs: nowMs, isSpelled: false };
   }
-  return { ...before, seenMs: nowMs, isSpelled: nowMs - before.sinceMs >= HOLD_MS };
+  return { ...before, lastDetectedMs: nowMs, isSpelled: nowMs - before.sinceMs >= HOLD_MS };
 }
 
 /** How near a held sign is to being spelled, 0 to 1. */
 export function heldPart(held: Held | null): number {
-  return held ? Math.min(1, (held.seenMs - held.sinceMs) / HOLD_MS) : 0;
+  return held ? Math.min(1, (held.lastDetectedMs - held.sinceMs) / HOLD_MS) : 0;
 }
 
 /** The text that the signs seen by the camera make. */
@@ -39,7 +39,7 @@ export class Spelling {
 
   constructor(clock: () => number = () => performance.now()) {
     this.stop = effect(() => {
-      if (sight.value) this.see(sight.value.label, sight.value.moved, clock());
+      if (sight.value) this.update(sight.value.label, sight.value.moved, clock());
       else this.held.value = null;
     });
   }
@@ -68,7 +68,7 @@ export class Spelling {
     this.write(this.cleared.peek() + this.text.peek());
   }
 
-  private see(sign: string, moved: string, nowMs: number): void {
+  private update(sign: string, moved: string, nowMs: number): void {
     if (moved && moved !== this.moved) this.write(this.text.peek() + moved);
     this.moved = moved;
     const before = this.held.peek();

@@ -6,21 +6,21 @@ import type { Playback } from "../run/playback";
 import { RobotName } from "../run/real/RobotName";
 import { VerdictLine } from "../run/real/VerdictLine";
 import { beep } from "../run/sound";
-import { later } from "../shell/later";
+import { lazy } from "../shell/lazy";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
+import { PlaybackControls } from "./PlaybackControls";
 import { ReplayFloor } from "./ReplayFloor";
 import { ReplayBlocks } from "./ReplayParts";
 import { RunNotes } from "./RunNotes";
-import type { Recording } from "./recording";
-import { Transport } from "./Transport";
+import type { RecordedRun } from "./recorded_run";
 
-const TeacherNote = later(
+const TeacherNote = lazy(
   async () => (await import("../teacher/review/notes/TeacherNote")).TeacherNote,
 );
-const SignInForm = later(async () => (await import("../teacher/sign_in/SignInForm")).SignInForm);
+const SignInForm = lazy(async () => (await import("../teacher/sign_in/SignInForm")).SignInForm);
 
 interface ReplayProps {
-  recording: Recording;
+  recordedRun: RecordedRun;
   onOpen(): void;
 }
 
@@ -36,22 +36,22 @@ export function Replay(properties: ReplayProps) {
 }
 
 /** Floor, blocks and transport of a recorded run. */
-function Replayed({ recording, onOpen }: ReplayProps) {
-  const { playback, stretches } = recording;
+function Replayed({ recordedRun, onOpen }: ReplayProps) {
+  const { playback, stretches } = recordedRun;
   useEffect(() => soundOf(playback), [playback]);
   return (
     <main class="screen replay">
       <h1 class="visually-hidden">{texts.value.replay.title}</h1>
-      <ReplayProgram recording={recording} onOpen={onOpen} />
-      <ReplayFloor recording={recording} />
-      <Transport playback={playback} tracks={[stretches]} />
+      <ReplayProgram recordedRun={recordedRun} onOpen={onOpen} />
+      <ReplayFloor recordedRun={recordedRun} />
+      <PlaybackControls playback={playback} tracks={[stretches]} />
     </main>
   );
 }
 
 /** The blocks of the run and the teacher's notes about it. */
-function ReplayProgram({ recording, onOpen }: ReplayProps) {
-  const { run, playback } = recording;
+function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
+  const { run, playback } = recordedRun;
   const { replay } = texts.value;
   const forTeacher = teacherSession.value?.is_open || isPinAsked.value;
   return (
@@ -78,10 +78,10 @@ function ReplayProgram({ recording, onOpen }: ReplayProps) {
 const LOUD_SPEED = 2;
 
 function soundOf(playback: Playback): () => void {
-  let heard = playback.view.value.output.beeps.count;
+  let playedCount = playback.view.value.output.beeps.count;
   return playback.view.subscribe(({ output: { beeps } }) => {
     const { playing, speed } = playback;
-    if (beeps.count > heard && playing.peek() && speed.peek() <= LOUD_SPEED) beep();
-    heard = beeps.count;
+    if (beeps.count > playedCount && playing.peek() && speed.peek() <= LOUD_SPEED) beep();
+    playedCount = beeps.count;
   });
 }

@@ -1,28 +1,28 @@
 import { useSignal } from "@preact/signals";
 import { ChartLine } from "lucide-preact";
 import { texts } from "../i18n";
-import { FootButton } from "../kit/FootButton";
+import { PanelToggle } from "../kit/PanelToggle";
 import { MuteButton } from "../run/panels/MuteButton";
 import { Readout } from "../run/panels/Readout";
 import { Shown } from "../run/panels/Shown";
 import { Scene } from "../scene/Scene";
-import { later } from "../shell/later";
+import { lazy } from "../shell/lazy";
 import { robotOf } from "../shell/session";
-import { ReplayWords } from "./ReplayParts";
-import type { Recording } from "./recording";
+import { ReplaySentence } from "./ReplayParts";
+import type { RecordedRun } from "./recorded_run";
 
-const PlotsPanel = later(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
+const PlotsPanel = lazy(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
 
 /** The floor of a recorded run, with its plots beside it or in its place. */
-export function ReplayFloor({ recording }: { recording: Recording }) {
-  const { run, playback } = recording;
+export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
+  const { run, playback } = recordedRun;
   const { plots, studio } = texts.value;
   const plotting = useSignal(false);
   const tall = useSignal(false);
   const besides = plotting.value ? "floor__view--beside" : "";
   return (
     <section class="floor column shrinks shrinks-down gap-2" aria-label={studio.floor}>
-      <ReplayWords run={run} view={playback.view} />
+      <ReplaySentence run={run} view={playback.view} />
       <div class="floor__stage column grows shrinks-down gap-2">
         <div
           class={`floor__view column grows shrinks-down gap-2 ${besides}`}
@@ -47,10 +47,10 @@ export function ReplayFloor({ recording }: { recording: Recording }) {
             class={`floor__drawer floor__drawer--plots ${tall.value ? "floor__drawer--tall" : ""}`}
           >
             <PlotsPanel
-              source={recording.plots}
+              source={recordedRun.plots}
               tall={tall.value}
-              onTall={(wanted) => {
-                tall.value = wanted;
+              onTall={(isTall) => {
+                tall.value = isTall;
               }}
             />
           </div>
@@ -58,10 +58,10 @@ export function ReplayFloor({ recording }: { recording: Recording }) {
       </div>
       <div class="floor__foot card">
         <Readout view={playback.view} />
-        <FootButton
+        <PanelToggle
           testId="plots-toggle"
           icon={ChartLine}
-          word={plots.open}
+          text={plots.open}
           label={plots.label}
           open={plotting.value}
           onPress={() => {

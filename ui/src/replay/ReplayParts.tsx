@@ -6,7 +6,7 @@ import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { failureIn } from "../run/failure";
 import { StatusLine } from "../run/panels/StatusLine";
-import { isLive, litBlock, type RunView } from "../run/reducer";
+import { activeBlockId, isLive, type RunView } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { theme } from "../shell/theme";
 
@@ -17,7 +17,7 @@ export interface Shown {
 }
 
 /** The robot's action at the current tick, in words. */
-export function ReplayWords({ run, view }: Shown) {
+export function ReplaySentence({ run, view }: Shown) {
   const sentence = useComputed<Sentence>(() => {
     const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
     // a run that was cut off before its first tick has no moment but its end
@@ -53,7 +53,7 @@ export function ReplayBlocks({ run, view }: Shown) {
     made.load(run.version.workspace);
     made.setReadOnly(true);
     const stop = effect(() => {
-      made.highlight(litBlock(view.value));
+      made.highlight(activeBlockId(view.value));
       made.showFaults(failureIn(view.value, language.value));
     });
     return () => {

@@ -6,25 +6,25 @@ import { nameInHeader } from "../shell/named";
 import { go, type ParametersOf } from "../shell/route";
 import { couldNotOpen } from "../studio/program/open_program";
 import { Replay } from "./Replay";
-import { loadRecording, type Recording } from "./recording";
+import { loadRecordedRun, type RecordedRun } from "./recorded_run";
 
 /** Loads the recording of a run and shows it. */
 export function ReplayScreen({ run: runId }: ParametersOf<"replay">) {
-  const recording = useLoaded(runId, () => load(runId), {
+  const recordedRun = useLoaded(runId, () => load(runId), {
     onFailed: couldNotOpen,
     release: ({ playback }) => playback.dispose(),
   });
   return (
-    <Loaded of={recording} as="screen" loading={texts.value.replay.loading}>
-      {(loaded) => <Replay recording={loaded} onOpen={() => openProgram(loaded.run)} />}
+    <Loaded of={recordedRun} as="screen" loading={texts.value.replay.loading}>
+      {(loaded) => <Replay recordedRun={loaded} onOpen={() => openProgram(loaded.run)} />}
     </Loaded>
   );
 }
 
-async function load(runId: string): Promise<Recording> {
-  const recording = await loadRecording(runId);
-  await nameInHeader(recording.run.program_id, recording.run.group_id);
-  return recording;
+async function load(runId: string): Promise<RecordedRun> {
+  const recordedRun = await loadRecordedRun(runId);
+  await nameInHeader(recordedRun.run.program_id, recordedRun.run.group_id);
+  return recordedRun;
 }
 
 function openProgram(run: RunWithVersion): void {

@@ -9,22 +9,22 @@ import { useLoaded } from "../kit/requests/useLoaded";
 export function RunNotes({ runId }: { runId: string }) {
   const notes = useLoaded(runId, () => versionsApi.notesOfRun(runId));
   if (notes.status !== "ready" || notes.value.length === 0) return null;
-  const { keeping: words } = texts.value;
-  const see = async (note: Note) => {
-    const seen = await versionsApi.seeNote(note.id);
-    notes.set(notes.value.map((one) => (one.id === seen.id ? seen : one)));
+  const { keeping: labels } = texts.value;
+  const acknowledge = async (note: Note) => {
+    const updated = await versionsApi.acknowledgeNote(note.id);
+    notes.set(notes.value.map((one) => (one.id === updated.id ? updated : one)));
   };
   return (
-    <ul class="run-notes" aria-label={words.noteFrom} data-scrolls>
+    <ul class="run-notes" aria-label={labels.noteFrom} data-scrolls>
       {notes.value.map((note) => (
         <li key={note.id} class="run-notes__note row middle gap-3" data-testid="note-card">
           <Mail class="icon" aria-hidden="true" />
           <p>
-            <strong>{words.noteFrom}:</strong> {note.text}
+            <strong>{labels.noteFrom}:</strong> {note.text}
           </p>
           {note.seen_at === null && (
-            <Button icon={Check} testId="note-seen" onPress={() => see(note)}>
-              {words.noteSeen}
+            <Button icon={Check} testId="note-seen" onPress={() => acknowledge(note)}>
+              {labels.noteSeen}
             </Button>
           )}
         </li>

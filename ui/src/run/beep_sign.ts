@@ -30,20 +30,20 @@ export function showBeeps(
     const still = isStill();
     const { tick, output, ...now } = view.value;
     const { beeps } = output;
-    const heard = now.run === run ? beeps.count - known : 0;
-    if (heard < 0 || now.run !== run) end();
-    else if (heard > 0 && !still && tick - beeps.tick < PASSED_TICKS) {
+    const newBeeps = now.run === run ? beeps.count - known : 0;
+    if (newBeeps < 0 || now.run !== run) end();
+    else if (newBeeps > 0 && !still && tick - beeps.tick < PASSED_TICKS) {
       const before = passing;
       end();
-      passing = before + Math.min(heard, beeps.inRow);
+      passing = before + Math.min(newBeeps, beeps.inRow);
       timer = setTimeout(() => {
         end();
-        show(atMoment(view.peek(), isStill()));
+        show(beepsAtTick(view.peek(), isStill()));
       }, SIGN_MS);
     }
     run = now.run;
     known = beeps.count;
-    show(atMoment(view.value, still) || passing);
+    show(beepsAtTick(view.value, still) || passing);
   });
   return () => {
     stop();
@@ -51,6 +51,6 @@ export function showBeeps(
   };
 }
 
-function atMoment({ tick, output: { beeps } }: RunView, still: boolean): number {
+function beepsAtTick({ tick, output: { beeps } }: RunView, still: boolean): number {
   return still && beeps.count > 0 && tick - beeps.tick < ROW_TICKS ? beeps.inRow : 0;
 }

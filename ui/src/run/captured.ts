@@ -3,7 +3,7 @@ import { percent } from "../i18n/format";
 import type { Captured } from "./reducer";
 
 /** The answer of a capture in words: which sign, and who saw or gave it. */
-export function capturedWords(given: Captured, { status }: Texts, language: Language): string {
+export function captureText(given: Captured, { status }: Texts, language: Language): string {
   const { captured } = status;
   const { label, by, confidence } = given;
   if (by === null) return captured.noneSeen;

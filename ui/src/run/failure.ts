@@ -16,6 +16,6 @@ export function failureIn({ phase, ending }: RunView, language: Language): Failu
 
 export function failureOf(ending: Ending | null, language: Language): Failure[] {
   if (!ending?.block) return [];
-  const words = reasonWords(ending.reason, ending.params, language);
-  return words ? [{ block: ending.block, ...words }] : [];
+  const explanation = reasonWords(ending.reason, ending.params, language);
+  return explanation ? [{ block: ending.block, ...explanation }] : [];
 }

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import type { RunEvent } from "../api/model";
 import { History } from "./history";
 import { Playback, stepFrom, stretches } from "./playback";
-import { litBlock } from "./reducer";
+import { activeBlockId } from "./reducer";
 import type { Telemetry } from "./telemetry";
 
 const RUN = "run-1";
@@ -64,9 +64,9 @@ describe("a recorded run", () => {
   const history = new History(RUN, events, telemetry);
 
   test("has the state of any moment, forwards and backwards", () => {
-    expect(litBlock(history.at(30))).toBe("b0");
-    expect(litBlock(history.at(90))).toBe("b1");
-    expect(litBlock(history.at(30))).toBe("b0");
+    expect(activeBlockId(history.at(30))).toBe("b0");
+    expect(activeBlockId(history.at(90))).toBe("b1");
+    expect(activeBlockId(history.at(30))).toBe("b0");
     expect(history.at(30).pose.x).toBeCloseTo(0.3);
     expect(history.at(90).motion).toMatchObject({ kind: "turn", amount: 180, done: 90 });
   });
@@ -101,7 +101,7 @@ describe("a recorded run", () => {
   test("shows the moment that was sought and never leaves its ends", () => {
     const playback = new Playback(history);
     playback.seek(90);
-    expect(litBlock(playback.view.value)).toBe("b1");
+    expect(activeBlockId(playback.view.value)).toBe("b1");
     playback.seek(9999);
     expect(playback.tick.value).toBe(LAST);
     playback.seek(-5);

@@ -4,7 +4,7 @@ import { IDLE, type Pose, type RunView, reduce } from "./reducer";
 import { type Telemetry, telemetryEvent } from "./telemetry";
 
 /** Interval of the stored states, so that seeking is fast. */
-const KEEP_EVERY_TICKS = 30;
+const CHECKPOINT_INTERVAL_TICKS = 30;
 
 /** Merges the events of a run and its telemetry in the order of their ticks. */
 export function* inOrder(
@@ -25,7 +25,7 @@ export function* inOrder(
 }
 
 /** A stored state and the index of the event after it. */
-interface Mark {
+interface Checkpoint {
   readonly next: number;
   readonly view: RunView;
 }
@@ -33,9 +33,13 @@ interface Mark {
 /** All states of a recorded run, at any tick. Built with the same reducer as a live run. */
 export class History {
   private readonly ordered: RunEvent[];
-  private readonly marks: Mark[] = [];
+  private readonly checkpoints: Checkpoint[] = [];
   /** Cache of the last result, because a replay requests increasing ticks. */
-  private last: Mark & { tick: number } = { next: 0, view: IDLE, tick: Number.POSITIVE_INFINITY };
+  private last: Checkpoint & { tick: number } = {
+    next: 0,
+    view: IDLE,
+    tick: Number.POSITIVE_INFINITY,
+  };
   readonly lastTick: number;
   /** The state after the last event. */
   readonly end: RunView;
@@ -47,11 +51,11 @@ export class History {
   ) {
     this.ordered = [...inOrder(run, events, telemetry)];
     let view: RunView = { ...IDLE, run };
-    let kept = Number.NEGATIVE_INFINITY;
+    let lastCheckpointTick = Number.NEGATIVE_INFINITY;
     for (const [index, event] of this.ordered.entries()) {
-      if (event.tick >= kept + KEEP_EVERY_TICKS) {
-        kept = event.tick;
-        this.marks.push({ next: index, view });
+      if (event.tick >= lastCheckpointTick + CHECKPOINT_INTERVAL_TICKS) {
+        lastCheckpointTick = event.tick;
+        this.checkpoints.push({ next: index, view });
       }
       view = reduce(view, event);
     }
@@ -62,13 +66,15 @@ export class History {
   /** The state after all events up to and including `tick`. */
   at(tick: number): RunView {
     const { last } = this;
-    if (last.tick <= tick && tick - last.tick < KEEP_EVERY_TICKS) return this.from(last, tick);
-    const before = (mark: { next: number }) => (this.ordered[mark.next]?.tick ?? 0) <= tick;
-    const mark = this.marks.findLast(before) ?? this.marks[0];
-    return this.from({ next: mark?.next ?? 0, view: mark?.view ?? this.end }, tick);
+    if (last.tick <= tick && tick - last.tick < CHECKPOINT_INTERVAL_TICKS)
+      return this.from(last, tick);
+    const before = (checkpoint: { next: number }) =>
+      (this.ordered[checkpoint.next]?.tick ?? 0) <= tick;
+    const checkpoint = this.checkpoints.findLast(before) ?? this.checkpoints[0];
+    return this.from({ next: checkpoint?.next ?? 0, view: checkpoint?.view ?? this.end }, tick);
   }
 
-  private from({ next, view: known }: Mark, tick: number): RunView {
+  private from({ next, view: known }: Checkpoint, tick: number): RunView {
     let [index, view] = [next, known];
     for (; index < this.ordered.length; index++) {
       const event = this.ordered[index];

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { JudgedEvent } from "../api/model";
 import { textsOf } from "../i18n";
-import { checksOf, verdictOf, withJudgement } from "./judgement";
+import { checksOf, verdictOf, withVerdict } from "./judgement";
 import type { Sentence } from "./sentence";
 
 const ptBR = textsOf("pt-BR");
@@ -22,20 +22,20 @@ function judged(passed: boolean, missing: string | null): JudgedEvent {
 }
 
 test("a run on a real robot that was not judged is neither a failure nor a success", () => {
-  const told = { ...judged(false, null), passed: null, not_judged: "Não julgada." };
-  expect(withJudgement(ended, "r", told, ptBR)).toEqual({ ...ended, more: "Não julgada." });
+  const notJudged = { ...judged(false, null), passed: null, not_judged: "Não julgada." };
+  expect(withVerdict(ended, "r", notJudged, ptBR)).toEqual({ ...ended, more: "Não julgada." });
 });
 
 test("a run that passed says so first", () => {
-  const said = withJudgement(ended, "r", judged(true, null), ptBR);
-  expect(said).toEqual({ text: ptBR.activity.passed, more: "Terminou.", tone: "done" });
+  const sentence = withVerdict(ended, "r", judged(true, null), ptBR);
+  expect(sentence).toEqual({ text: ptBR.activity.passed, more: "Terminou.", tone: "done" });
 });
 
 test("a run that did not pass says what is missing, after how it ended", () => {
-  const said = withJudgement(ended, "r", judged(false, "O robô termina no início."), ptBR);
-  expect([said.text, said.tone]).toEqual(["Terminou.", "notice"]);
-  expect(said.more).toContain("O robô termina no início.");
-  expect(withJudgement(ended, "r", judged(false, null), ptBR).more).toBe(ptBR.activity.toTheEnd);
+  const sentence = withVerdict(ended, "r", judged(false, "O robô termina no início."), ptBR);
+  expect([sentence.text, sentence.tone]).toEqual(["Terminou.", "notice"]);
+  expect(sentence.more).toContain("O robô termina no início.");
+  expect(withVerdict(ended, "r", judged(false, null), ptBR).more).toBe(ptBR.activity.toTheEnd);
 });
 
 test("what to do about a run that failed is not replaced by that it is not judged", () => {
@@ -45,19 +45,19 @@ test("what to do about a run that failed is not replaced by that it is not judge
     more: "Ele está ligado?",
     tone: "fault",
   };
-  expect(withJudgement(failed, "r", verdict, ptBR)).toBe(failed);
-  expect(withJudgement(ended, "r", verdict, ptBR).more).toBe("Não julgada.");
+  expect(withVerdict(failed, "r", verdict, ptBR)).toBe(failed);
+  expect(withVerdict(ended, "r", verdict, ptBR).more).toBe("Não julgada.");
 });
 
 test("of a run that PINEL lost it is said once what happened, with what to do", () => {
   const lost: Sentence = { text: "O motor parou.", more: "Apertem Rodar.", tone: "fault" };
   const verdict = judged(false, "O motor parou. Apertem Rodar.");
-  expect(withJudgement(lost, "r", verdict, ptBR)).toBe(lost);
+  expect(withVerdict(lost, "r", verdict, ptBR)).toBe(lost);
 });
 
 test("the judgement of another run is not said", () => {
-  expect(withJudgement(ended, "other", judged(true, null), ptBR)).toBe(ended);
-  expect(withJudgement(ended, null, null, ptBR)).toBe(ended);
+  expect(withVerdict(ended, "other", judged(true, null), ptBR)).toBe(ended);
+  expect(withVerdict(ended, null, null, ptBR)).toBe(ended);
 });
 
 test("the check list is that of the run, else what counts before any run", () => {
@@ -67,10 +67,10 @@ test("the check list is that of the run, else what counts before any run", () =>
     measured: "a 2 m de lá",
     state: "open",
   } as const;
-  const stand = { type: "checks_stand", run: "r", checks: [line] } as const;
+  const checkStatus = { type: "checks_stand", run: "r", checks: [line] } as const;
   const before = [{ ...line, measured: "" }];
-  expect(checksOf(mission, "r", { ...stand, checks: [line] })).toEqual([line]);
-  expect(checksOf(mission, "other", { ...stand, checks: [line] })).toEqual(before);
+  expect(checksOf(mission, "r", { ...checkStatus, checks: [line] })).toEqual([line]);
+  expect(checksOf(mission, "other", { ...checkStatus, checks: [line] })).toEqual(before);
   expect(checksOf(mission, null, null)).toEqual(before);
 });
 

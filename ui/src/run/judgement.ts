@@ -3,7 +3,7 @@ import type { Texts } from "../i18n";
 import type { Sentence } from "./sentence";
 
 /** The sentence at the end of a run, with the result of the lesson's activity. */
-export function withJudgement(
+export function withVerdict(
   ended: Sentence,
   run: string | null,
   judged: JudgedEvent | null,
@@ -25,9 +25,9 @@ export function withJudgement(
 export function checksOf(
   { checks }: Pick<Activity, "checks">,
   run: string | null,
-  stand: ChecksStandEvent | null,
+  checkStatus: ChecksStandEvent | null,
 ): readonly CheckLine[] {
-  if (run !== null && stand?.run === run) return stand.checks;
+  if (run !== null && checkStatus?.run === run) return checkStatus.checks;
   return checks.map((criterion) => ({ criterion, measured: "", state: "open" }));
 }
 

@@ -3,11 +3,11 @@ import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type {
   CommandAnswer,
-  Debugging,
   LiveCommand,
   RangesEvent,
   Run,
   RunEvent,
+  RunOptions,
   RunWithVersion,
 } from "../api/model";
 import { History } from "./history";
@@ -27,14 +27,14 @@ export const isRunning = computed(() => isLive(live.value));
 
 const motion = new MotionBuffer();
 /** Number of pending requests whose answers decide which run events belong to; until then events are queued. */
-let holds = 0;
-let held: RunEvent[] = [];
+let pendingRequests = 0;
+let queuedEvents: RunEvent[] = [];
 /** Events that already triggered a `follow`. Each triggers only one, so that a failing server is not polled forever. */
 const tried = new WeakSet<RunEvent>();
 /** Sequence number of requests; only the newest answer is shown. */
-let turns = 0;
+let newestRequest = 0;
 /** Stop was pressed before the run had an id. */
-let stopWanted = false;
+let stopRequested = false;
 
 /**
  * The newest view, waiting for the next redraw: a program can send thousands of block events a second, and the page is
@@ -80,12 +80,12 @@ export function receive(event: RunEvent): void {
   const view = newest();
   if (event.type === "ranges") {
     if (event.run === view.run) ranges.value = event;
-  } else if (holds > 0) held.push(event);
+  } else if (pendingRequests > 0) queuedEvents.push(event);
   else if (event.run === view.run) apply(event);
   else if (!isLive(view) && isSignOfLife(event) && !tried.has(event)) {
     // started in another window
     tried.add(event);
-    held.push(event);
+    queuedEvents.push(event);
     // if this fails, the next such event tries again
     follow(event.run).catch(() => {});
   }
@@ -98,7 +98,7 @@ function apply(event: RunEvent): void {
   const before = newest();
   const next = reduce(before, event);
   if (next === before) return;
-  record.take(event);
+  record.add(event);
   if (event.type === "telemetry") motion.push(event.tick, next.truth, performance.now());
   if (event.type === "beeped") beep();
   showSoon(next);
@@ -116,27 +116,27 @@ export function clear(): void {
 }
 
 /** Starts a run. Rejects with the server's message, then shows the previous state or the run that is in the way. */
-export function start(versionId: string, world: string, debugging: Debugging = {}): Promise<Run> {
+export function start(versionId: string, world: string, debugging: RunOptions = {}): Promise<Run> {
   const before = newest();
   const nameless = starting(null);
-  turns++; // what is still being fetched of an earlier run is not shown any more
-  stopWanted = false;
+  newestRequest++; // what is still being fetched of an earlier run is not shown any more
+  stopRequested = false;
   show(nameless);
   motion.reset();
   record.begin();
-  return holding(async () => {
+  return queueingEvents(async () => {
     try {
       const run = await api.startRun(versionId, world, debugging);
-      turns++;
+      newestRequest++;
       batch(() => {
         liveRun.value = run;
         if (newest().run !== run.id) show(starting(run.id));
       });
-      if (stopWanted) await stop();
+      if (stopRequested) await stop();
       return run;
     } catch (error) {
       if (newest() === nameless) show(before);
-      if (isCode(error, "run_in_progress")) await meet(stopWanted);
+      if (isCode(error, "run_in_progress")) await adoptServerRun(stopRequested);
       throw error;
     }
   });
@@ -144,14 +144,14 @@ export function start(versionId: string, world: string, debugging: Debugging = {
 
 /** Loads what a run has done so far and follows it from there. */
 export function follow(runId: string): Promise<void> {
-  const turn = ++turns;
-  return holding(async () => {
+  const request = ++newestRequest;
+  return queueingEvents(async () => {
     const [run, events, telemetry] = await Promise.all([
       api.run(runId),
       api.runEvents(runId),
       api.runTelemetry(runId).then(decodeTelemetry, () => NO_TELEMETRY),
     ]);
-    if (turn !== turns) return;
+    if (request !== newestRequest) return;
     const { end } = new History(runId, events, telemetry);
     batch(() => {
       liveRun.value = run;
@@ -163,14 +163,14 @@ export function follow(runId: string): Promise<void> {
 }
 
 /** Queues events during `work`, then replays them; the reducer ignores those that are already applied. */
-async function holding<T>(work: () => Promise<T>): Promise<T> {
-  holds++;
+async function queueingEvents<T>(work: () => Promise<T>): Promise<T> {
+  pendingRequests++;
   try {
     return await work();
   } finally {
-    if (--holds === 0) {
-      const events = held;
-      held = [];
+    if (--pendingRequests === 0) {
+      const events = queuedEvents;
+      queuedEvents = [];
       for (const event of events) receive(event);
       catchUp();
     }
@@ -184,33 +184,33 @@ export async function resync(runId: string | null): Promise<void> {
   else if (isLive(shown) && shown.run) await follow(shown.run);
 }
 
-export type { Debugging };
+export type { RunOptions };
 
 /** Sends a command to the live run; null where there is none. */
-export async function command(wanted: LiveCommand): Promise<CommandAnswer | null> {
-  if (wanted.do === "speed") motion.setSpeed(wanted.factor);
-  if (wanted.do === "subscribe" && wanted.sensors.length === 0) ranges.value = null;
+export async function command(liveCommand: LiveCommand): Promise<CommandAnswer | null> {
+  if (liveCommand.do === "speed") motion.setSpeed(liveCommand.factor);
+  if (liveCommand.do === "subscribe" && liveCommand.sensors.length === 0) ranges.value = null;
   const view = newest();
-  return view.run && isLive(view) ? api.command(view.run, wanted) : null;
+  return view.run && isLive(view) ? api.command(view.run, liveCommand) : null;
 }
 
 /** Stops the robot, also where another client started the run and this page does not know it yet. */
 export async function stop(): Promise<void> {
   const view = newest();
-  if (!isLive(view)) await meet(true);
-  else if (view.run === null) stopWanted = true;
+  if (!isLive(view)) await adoptServerRun(true);
+  else if (view.run === null) stopRequested = true;
   else {
     try {
       await api.command(view.run, STOP);
     } catch (error) {
       if (!isCode(error, "run_not_live")) throw error;
-      await meet(true);
+      await adoptServerRun(true);
     }
   }
 }
 
 /** Queries which run is live, stops it when `toStop`, and shows it. */
-async function meet(toStop: boolean): Promise<void> {
+async function adoptServerRun(toStop: boolean): Promise<void> {
   const { run } = await api.status();
   if (run && toStop) {
     await api.command(run, STOP).catch((error) => {

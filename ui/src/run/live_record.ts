@@ -9,7 +9,7 @@ import type { Telemetry } from "./telemetry";
 const REDRAW_MS = 200;
 
 /** More events than this are not kept: of such a long run the studio has the plots, and the replay has all of it. */
-const MOST_EVENTS = 200_000;
+const MAX_EVENTS = 200_000;
 
 /** Samples and events of the live run, or of the last one, for the plots and the past moments of the studio. */
 export class LiveRecord {
@@ -50,19 +50,19 @@ export class LiveRecord {
     this.samples = Samples.of(telemetry);
     this.timeline = new Timeline();
     this.events = [];
-    for (const event of events) this.takeEvent(event);
+    for (const event of events) this.addEvent(event);
     this.changed();
   }
 
-  take(event: RunEvent): void {
+  add(event: RunEvent): void {
     if (event.type === "telemetry") this.samples.push(event);
-    else this.takeEvent(event);
+    else this.addEvent(event);
     this.timer ??= setTimeout(() => this.changed(), REDRAW_MS);
   }
 
-  private takeEvent(event: RunEvent): void {
-    this.timeline.take(event);
-    if (this.events?.length === MOST_EVENTS) this.events = null;
+  private addEvent(event: RunEvent): void {
+    this.timeline.add(event);
+    if (this.events?.length === MAX_EVENTS) this.events = null;
     this.events?.push(event);
   }
 

@@ -8,7 +8,7 @@ interface Sample {
 const TICK_MS = 1000 / 30;
 /** The drawn pose is this far behind, so that there is always a later sample to interpolate to. */
 const DELAY_TICKS = 1.5;
-const KEPT = 12;
+const MAX_SAMPLES = 12;
 
 /** Interpolates 30 samples a second to a pose for every animation frame. */
 export class MotionBuffer {
@@ -28,7 +28,7 @@ export class MotionBuffer {
     const last = this.samples.at(-1);
     if (last && tick <= last.tick) this.reset();
     this.samples.push({ tick, pose });
-    if (this.samples.length > KEPT) this.samples.shift();
+    if (this.samples.length > MAX_SAMPLES) this.samples.shift();
     const origin = now - tick * this.tickMs;
     // samples can be late, never early; the slow correction follows clock drift
     if (!(origin >= this.origin) || origin - this.origin > 500) this.origin = origin;

@@ -1,13 +1,13 @@
 import { describe, expect, test } from "vitest";
 import type { RunEvent } from "../api/model";
-import { given, MOST_LINES, MOST_STROKES, NOTHING, type Output, ROW_TICKS } from "./output";
+import { MAX_LINES, MAX_STROKES, NOTHING, type Output, ROW_TICKS, reduceOutput } from "./output";
 import { points } from "./trail";
 
 const RUN = "run-1";
 let seq = 0;
 const head = (tick: number) => ({ run: RUN, v: 1, seq: seq++, tick }) as const;
 
-const said = (text: string, tick = 0): RunEvent => ({
+const speech = (text: string, tick = 0): RunEvent => ({
   ...head(tick),
   type: "said",
   block: "b",
@@ -41,7 +41,7 @@ function outputOf(...events: RunEvent[]): Output {
   let place: [number, number] = [0, 0];
   let output = NOTHING;
   for (const event of events) {
-    output = given(output, event, place);
+    output = reduceOutput(output, event, place);
     if (event.type === "telemetry") place = [event.x_m, event.y_m];
   }
   return output;
@@ -53,7 +53,7 @@ const drawn = ({ strokes, pen }: Output) =>
 
 describe("talk", () => {
   test("is what was said, asked and answered, in order", () => {
-    const { talk } = outputOf(said("Olá"), asked(), answered(4));
+    const { talk } = outputOf(speech("Olá"), asked(), answered(4));
     expect(talk.map(({ kind, text, number }) => [kind, text, number])).toEqual([
       ["said", "Olá", 0],
       ["asked", "Quantos?", 1],
@@ -62,10 +62,10 @@ describe("talk", () => {
   });
 
   test("keeps the newest lines only, and goes on counting", () => {
-    const { talk } = outputOf(...Array.from({ length: MOST_LINES + 5 }, (_, n) => said(`${n}`)));
-    expect(talk).toHaveLength(MOST_LINES);
+    const { talk } = outputOf(...Array.from({ length: MAX_LINES + 5 }, (_, n) => speech(`${n}`)));
+    expect(talk).toHaveLength(MAX_LINES);
     expect(talk[0]?.text).toBe("5");
-    expect(talk.at(-1)?.number).toBe(MOST_LINES + 4);
+    expect(talk.at(-1)?.number).toBe(MAX_LINES + 4);
   });
 });
 
@@ -130,19 +130,19 @@ describe("the pen", () => {
   });
 
   test("forgets the oldest of very many strokes", () => {
-    const dashes = Array.from({ length: MOST_STROKES + 10 }, (_, n) => [
+    const dashes = Array.from({ length: MAX_STROKES + 10 }, (_, n) => [
       at(n, 0),
       pen(true),
       at(n + 0.5, 0),
       pen(false),
     ]).flat();
-    expect(drawn(outputOf(...dashes))).toHaveLength(MOST_STROKES);
+    expect(drawn(outputOf(...dashes))).toHaveLength(MAX_STROKES);
   });
 
   test("leaves the states before as they were", () => {
     const before = outputOf(pen(true), at(1, 0));
     const copy = structuredClone(before);
-    given(before, at(2, 0), [1, 0]);
+    reduceOutput(before, at(2, 0), [1, 0]);
     expect(before).toEqual(copy);
   });
 });
@@ -172,7 +172,7 @@ describe("beeps", () => {
   });
 
   test("stand in the talk where they were heard", () => {
-    const output = outputOf(beeped(0), said("Olá", 1), beeped(2));
+    const output = outputOf(beeped(0), speech("Olá", 1), beeped(2));
     expect(output.beeps.inRow).toBe(2);
     expect(lines(output).map(([kind]) => kind)).toEqual(["beeped", "said", "beeped"]);
   });
@@ -195,5 +195,5 @@ test("the watch tells variables and the functions that run, without the program 
 });
 
 test("an event that says nothing of it changes nothing", () => {
-  expect(given(NOTHING, at(1, 1), [0, 0])).toBe(NOTHING);
+  expect(reduceOutput(NOTHING, at(1, 1), [0, 0])).toBe(NOTHING);
 });

@@ -75,23 +75,23 @@ export const NOTHING: Output = {
 };
 
 /** Limits above which the oldest entries are dropped. States of a run share the entries that they keep. */
-export const MOST_LINES = 200;
-export const MOST_MARKS = 1000;
-export const MOST_STROKES = 1000;
+export const MAX_LINES = 200;
+export const MAX_MARKS = 1000;
+export const MAX_STROKES = 1000;
 
 /** A beep that comes later than this after the one before begins a new row, in ticks of the robot. */
 export const ROW_TICKS = 36;
 
 /** The output after an event; the same object when the event changes nothing. `at` is the robot's true position. */
-export function given(output: Output, event: RunEvent, at: Point): Output {
+export function reduceOutput(output: Output, event: RunEvent, at: Point): Output {
   switch (event.type) {
     case "telemetry":
       return drawn(output, [event.true_x_m ?? event.x_m, event.true_y_m ?? event.y_m]);
     case "said":
-      return { ...output, talk: told(output, "said", event.text, event.block, event.tick) };
+      return { ...output, talk: addLine(output, "said", event.text, event.block, event.tick) };
     case "marked": {
       const mark: FloorMark = { symbol: event.symbol, x: event.x_m, y: event.y_m };
-      return { ...output, marks: newest(output.marks, mark, MOST_MARKS) };
+      return { ...output, marks: newest(output.marks, mark, MAX_MARKS) };
     }
     case "beeped":
       return beeped(output, event.block, event.tick);
@@ -99,12 +99,12 @@ export function given(output: Output, event: RunEvent, at: Point): Output {
       return withPen(output, event.down ? event.color : null, at);
     case "asked": {
       const { block, question, variable, tick } = event;
-      const talk = told(output, "asked", question, block, tick);
+      const talk = addLine(output, "asked", question, block, tick);
       return { ...output, talk, question: { block, text: question, variable } };
     }
     case "answered": {
       const block = output.question?.block ?? null;
-      const talk = told(output, "answered", event.value, block, event.tick);
+      const talk = addLine(output, "answered", event.value, block, event.tick);
       return { ...output, talk, question: null };
     }
     case "block_ended":
@@ -122,7 +122,7 @@ export function given(output: Output, event: RunEvent, at: Point): Output {
 const isNamed = (call: { function: string | null; block: string | null }): call is Call =>
   call.function !== null;
 
-function told(
+function addLine(
   { talk }: Output,
   kind: Line["kind"],
   text: Line["text"],
@@ -130,7 +130,7 @@ function told(
   tick: number,
 ): readonly Line[] {
   const number = (talk.at(-1)?.number ?? -1) + 1;
-  return newest(talk, { kind, text, block, tick, number }, MOST_LINES);
+  return newest(talk, { kind, text, block, tick, number }, MAX_LINES);
 }
 
 /** Beeps in a row share a line of the talk, unless something was said between them. */
@@ -142,12 +142,12 @@ function beeped(output: Output, block: string | null, tick: number): Output {
   const talk =
     isNext && last?.kind === "beeped"
       ? output.talk.with(-1, { ...last, text: Number(last.text) + 1 })
-      : told(output, "beeped", 1, block, tick);
+      : addLine(output, "beeped", 1, block, tick);
   return { ...output, beeps, talk };
 }
 
-function newest<T>(all: readonly T[], one: T, most: number): readonly T[] {
-  return [...(all.length < most ? all : all.slice(1 - most)), one];
+function newest<T>(all: readonly T[], one: T, maxLength: number): readonly T[] {
+  return [...(all.length < maxLength ? all : all.slice(1 - maxLength)), one];
 }
 
 function drawn(output: Output, point: Point): Output {
@@ -165,7 +165,7 @@ function withPen(output: Output, color: string | null, at: Point): Output {
   const strokes = done && !isRepeated(output.strokes.at(-1), done);
   return {
     ...output,
-    strokes: strokes ? newest(output.strokes, done, MOST_STROKES) : output.strokes,
+    strokes: strokes ? newest(output.strokes, done, MAX_STROKES) : output.strokes,
     pen: color === null ? null : { color, trail: extend(EMPTY_TRAIL, at) },
   };
 }

@@ -99,18 +99,18 @@ const HOLDERS = new Set([
 ]);
 
 /** Limit of the number of stretches; above it neighbours are merged. */
-const MOST_STRETCHES = 6000;
+const MAX_STRETCHES = 6000;
 
 /** Collects from events when each block ran; blocks that only contain others are left out. */
 export class Timeline {
   private found: Stretch[] = [];
 
-  take(event: RunEvent): void {
+  add(event: RunEvent): void {
     const open = this.found.at(-1);
     if (event.type === "block_started" && !HOLDERS.has(event.action)) {
       if (open && open.to > event.tick) open.to = event.tick;
       const { tick, action, amount, block } = event;
-      if (this.found.length >= MOST_STRETCHES) this.found = coarse(this.found, tick);
+      if (this.found.length >= MAX_STRETCHES) this.found = coarse(this.found, tick);
       this.found.push({ from: tick, to: Number.POSITIVE_INFINITY, action, amount, block });
     }
     const isOpen = open?.to === Number.POSITIVE_INFINITY;
@@ -126,14 +126,14 @@ export class Timeline {
 /** When each block ran; blocks that only contain others are left out. */
 export function stretches(events: readonly RunEvent[], lastTick: number): Stretch[] {
   const timeline = new Timeline();
-  for (const event of events) timeline.take(event);
+  for (const event of events) timeline.add(event);
   return timeline.until(lastTick);
 }
 
 /** Merges neighbours of one category, so that a long run does not become thousands of narrow stretches. */
-export function coarse(all: readonly Stretch[], lastTick: number, most = 300): Stretch[] {
-  if (all.length <= most) return [...all];
-  const gap = lastTick / most;
+export function coarse(all: readonly Stretch[], lastTick: number, maxStretches = 300): Stretch[] {
+  if (all.length <= maxStretches) return [...all];
+  const gap = lastTick / maxStretches;
   const merged: Stretch[] = [];
   for (const one of all) {
     const before = merged.at(-1);
@@ -145,8 +145,13 @@ export function coarse(all: readonly Stretch[], lastTick: number, most = 300): S
 }
 
 /** Start of the next or previous block. */
-export function stepFrom(all: readonly Stretch[], tick: number, way: -1 | 1, end: number): number {
+export function stepFrom(
+  all: readonly Stretch[],
+  tick: number,
+  direction: -1 | 1,
+  end: number,
+): number {
   const begins = all.map((stretch) => stretch.from);
-  if (way > 0) return begins.find((begin) => begin > tick + 0.5) ?? end;
+  if (direction > 0) return begins.find((begin) => begin > tick + 0.5) ?? end;
   return begins.findLast((begin) => begin < tick - 0.5) ?? 0;
 }

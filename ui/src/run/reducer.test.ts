@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { RunEvent } from "../api/model";
-import { IDLE, isLive, litBlock, type RunView, reduce, starting } from "./reducer";
+import { activeBlockId, IDLE, isLive, type RunView, reduce, starting } from "./reducer";
 import { points } from "./trail";
 
 const RUN = "run-1";
@@ -71,11 +71,11 @@ describe("a run", () => {
       runEnded(9, "finished"),
     ];
     let view = starting(RUN);
-    const seen = phases.map((event) => {
+    const observed = phases.map((event) => {
       view = reduce(view, event);
       return view.phase;
     });
-    expect(seen).toEqual(["running", "paused", "running", "finished"]);
+    expect(observed).toEqual(["running", "paused", "running", "finished"]);
     expect(isLive(view)).toBe(false);
   });
 
@@ -86,9 +86,9 @@ describe("a run", () => {
   });
 
   test("applies an event that comes twice once", () => {
-    const begun = started(0, "/commands/0", "move_forward", 1);
-    const view = viewAfter(begun);
-    expect(reduce(view, begun)).toBe(view);
+    const blockStart = started(0, "/commands/0", "move_forward", 1);
+    const view = viewAfter(blockStart);
+    expect(reduce(view, blockStart)).toBe(view);
   });
 
   test("leaves the state before it as it was", () => {
@@ -112,13 +112,15 @@ describe("blocks", () => {
       started(0, "/commands/0", "repeat"),
       started(0, "/commands/0/commands/0", "move_forward", 1),
     );
-    expect(litBlock(view)).toBe("b/commands/0/commands/0");
-    expect(litBlock(reduce(view, ended(50, "/commands/0/commands/0")))).toBe("b/commands/0");
+    expect(activeBlockId(view)).toBe("b/commands/0/commands/0");
+    expect(activeBlockId(reduce(view, ended(50, "/commands/0/commands/0")))).toBe("b/commands/0");
   });
 
   test("a block without an id leaves the block around it lit", () => {
     const bare = { ...started(0, "/commands/0/commands/0", "stop"), block: null };
-    expect(litBlock(viewAfter(started(0, "/commands/0", "repeat"), bare))).toBe("b/commands/0");
+    expect(activeBlockId(viewAfter(started(0, "/commands/0", "repeat"), bare))).toBe(
+      "b/commands/0",
+    );
   });
 
   test("the end of a block ends what is still open inside it", () => {
@@ -164,14 +166,14 @@ describe("blocks", () => {
       ({ ...state(tick, "paused"), cause, block }) as RunEvent;
     const before = viewAfter(state(0, "running"), started(1, "/commands/0", "repeat"));
     const held = reduce(before, paused(3, "breakpoint", "b2"));
-    expect(litBlock(held)).toBe("b2");
-    expect(litBlock(reduce(held, state(4, "running")))).toBe(litBlock(before));
+    expect(activeBlockId(held)).toBe("b2");
+    expect(activeBlockId(reduce(held, state(4, "running")))).toBe(activeBlockId(before));
     expect(reduce(before, paused(5, "person", "b1")).next).toBeNull();
   });
 
   test("nothing is lit after the end", () => {
     const view = viewAfter(started(0, "/commands/0", "wait", 1), runEnded(3, "stopped"));
-    expect(litBlock(view)).toBeNull();
+    expect(activeBlockId(view)).toBeNull();
     expect(view.motion).toBeNull();
   });
 });
@@ -213,7 +215,7 @@ describe("telemetry", () => {
 });
 
 describe("a capture", () => {
-  const begun = (): RunEvent => ({
+  const captureStart = (): RunEvent => ({
     ...head(30),
     type: "capture_started",
     block: "c",
@@ -227,7 +229,7 @@ describe("a capture", () => {
   });
 
   test("asks until there is a result", () => {
-    const asked = viewAfter(started(30, "/commands/0", "classify_gestures"), begun());
+    const asked = viewAfter(started(30, "/commands/0", "classify_gestures"), captureStart());
     expect(asked.capture).toEqual({ block: "c", timeoutS: 10, leftS: 10 });
     const answered = reduce(asked, result());
     expect(answered.capture).toBeNull();
@@ -236,7 +238,7 @@ describe("a capture", () => {
 
   test("keeps who answered it and how sure the camera was; a block that sets the result does not", () => {
     const answer = { label: "B", by: "camera", confidence: 0.97, tick: 60, nextLine: 0 };
-    const asked = viewAfter(begun());
+    const asked = viewAfter(captureStart());
     const view = reduce(asked, { ...result(), by: "camera", confidence: 0.97 } as RunEvent);
     expect(view.captured).toEqual(answer);
     const set = { ...head(70), type: "gesture_result", result: "A", source: "block" } as RunEvent;
@@ -249,12 +251,12 @@ describe("a capture", () => {
       type: "countdown",
       left_s,
     });
-    expect(viewAfter(begun(), countdown(7.4)).capture?.leftS).toBe(7.4);
-    expect(viewAfter(begun(), result(), countdown(7.2)).capture).toBeNull();
+    expect(viewAfter(captureStart(), countdown(7.4)).capture?.leftS).toBe(7.4);
+    expect(viewAfter(captureStart(), result(), countdown(7.2)).capture).toBeNull();
   });
 
   test("ends with the run", () => {
-    expect(viewAfter(begun(), runEnded(40, "stopped")).capture).toBeNull();
+    expect(viewAfter(captureStart(), runEnded(40, "stopped")).capture).toBeNull();
   });
 });
 
@@ -316,13 +318,16 @@ describe("how far from its start a run ended", () => {
 });
 
 test("things that were pushed are where they were told last", () => {
-  const things = (tick: number, boxes: Record<string, [number, number, number]>): RunEvent => ({
+  const boxesEvent = (tick: number, boxes: Record<string, [number, number, number]>): RunEvent => ({
     ...head(tick),
     type: "things",
     boxes,
   });
-  const view = viewAfter(things(1, { 0: [1, 0, 0], 2: [0, 0, 0] }), things(2, { 0: [2, 0, 0] }));
-  expect(view.things).toEqual({ 0: [2, 0, 0], 2: [0, 0, 0] });
+  const view = viewAfter(
+    boxesEvent(1, { 0: [1, 0, 0], 2: [0, 0, 0] }),
+    boxesEvent(2, { 0: [2, 0, 0] }),
+  );
+  expect(view.boxes).toEqual({ 0: [2, 0, 0], 2: [0, 0, 0] });
 });
 
 describe("whether the robot was told to move", () => {

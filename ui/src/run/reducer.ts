@@ -1,5 +1,5 @@
 import type { GestureResultEvent, RunEndedEvent, RunEvent, TelemetryEvent } from "../api/model";
-import { given, NOTHING, type Output } from "./output";
+import { NOTHING, type Output, reduceOutput } from "./output";
 import { EMPTY_TRAIL, extend, type Trail } from "./trail";
 
 /** Phase of a run. */
@@ -12,7 +12,7 @@ export interface Pose {
 }
 
 /** A block that has started and not ended; the last one of the stack is the innermost. */
-export interface LitBlock {
+export interface ActiveBlock {
   readonly block: string | null;
   readonly pointer: string;
   readonly action: string;
@@ -69,7 +69,7 @@ export interface Ending {
 }
 
 /** Poses of movable boxes that have moved: x and y in metres, heading in radians, world frame, by index. */
-export type Things = Readonly<Record<string, readonly number[]>>;
+export type BoxPoses = Readonly<Record<string, readonly number[]>>;
 
 /** All that the page shows of a run at one tick, live or replayed. */
 export interface RunView {
@@ -78,7 +78,7 @@ export interface RunView {
   /** `seq` of the newest event applied, telemetry excluded. */
   readonly seq: number;
   readonly tick: number;
-  readonly stack: readonly LitBlock[];
+  readonly stack: readonly ActiveBlock[];
   /** The block that starts next, where the run is paused before one. */
   readonly next: string | null;
   /** The believed pose. */
@@ -89,7 +89,7 @@ export interface RunView {
   /** The true path. */
   readonly path: Trail;
   readonly idealPath: Trail;
-  readonly things: Things;
+  readonly boxes: BoxPoses;
   readonly motion: Motion | null;
   /** Whether the robot has been told to move. */
   readonly moved: boolean;
@@ -107,11 +107,11 @@ export interface RunView {
 const SAME_M = 1e-6;
 
 /** Lower speeds count as standing still, m/s and rad/s. */
-export const STANDING_MPS = 0.005;
-export const STANDING_RADPS = 0.01;
+export const STANDSTILL_MPS = 0.005;
+export const STANDSTILL_RADPS = 0.01;
 
-const isStanding = (linear: number, angular: number) =>
-  Math.abs(linear) <= STANDING_MPS && Math.abs(angular) <= STANDING_RADPS;
+const isStandstill = (linear: number, angular: number) =>
+  Math.abs(linear) <= STANDSTILL_MPS && Math.abs(angular) <= STANDSTILL_RADPS;
 
 const AT_START: Pose = { x: 0, y: 0, yaw: 0 };
 const AT_REST: Speed = { linear: 0, angular: 0 };
@@ -128,7 +128,7 @@ export const IDLE: RunView = {
   setpoint: AT_START,
   path: EMPTY_TRAIL,
   idealPath: EMPTY_TRAIL,
-  things: {},
+  boxes: {},
   motion: null,
   moved: false,
   speed: AT_REST,
@@ -139,35 +139,35 @@ export const IDLE: RunView = {
   ending: null,
 };
 
-const NOT_BEGUN = { pointer: "", action: "", amount: null, round: 0, roundTick: 0 };
+const NOT_STARTED = { pointer: "", action: "", amount: null, round: 0, roundTick: 0 };
 
 export const starting = (run: string | null): RunView => ({ ...IDLE, run, phase: "starting" });
 
-export const isUnderWay = (phase: Phase) =>
+export const isLivePhase = (phase: Phase) =>
   phase === "starting" || phase === "running" || phase === "paused";
 
-export const isLive = (view: RunView) => isUnderWay(view.phase);
+export const isLive = (view: RunView) => isLivePhase(view.phase);
 
 /** The block before which the run is paused, else the innermost running one that has an id. */
-export function runningBlock(view: RunView): LitBlock | null {
-  if (view.next !== null) return { ...NOT_BEGUN, block: view.next };
+export function runningBlock(view: RunView): ActiveBlock | null {
+  if (view.next !== null) return { ...NOT_STARTED, block: view.next };
   return view.stack.findLast((entry) => entry.block !== null) ?? null;
 }
 
-export const litBlock = (view: RunView): string | null => runningBlock(view)?.block ?? null;
+export const activeBlockId = (view: RunView): string | null => runningBlock(view)?.block ?? null;
 
 /** The state after an event. Events of another run and events already applied change nothing. */
 export function reduce(view: RunView, event: RunEvent): RunView {
   if (event.run !== view.run) return view;
   if (event.type === "telemetry") return withTelemetry(view, event);
   if (event.seq <= view.seq) return view;
-  const output = given(view.output, event, [view.truth.x, view.truth.y]);
+  const output = reduceOutput(view.output, event, [view.truth.x, view.truth.y]);
   const next = { ...view, output, seq: event.seq, tick: Math.max(view.tick, event.tick) };
   switch (event.type) {
     case "run_state":
       return { ...next, phase: event.state, next: heldBefore(event) };
     case "block_started":
-      return begun(next, event);
+      return started(next, event);
     case "block_ended":
       return ended(next, event.pointer);
     case "capture_started":
@@ -182,7 +182,7 @@ export function reduce(view: RunView, event: RunEvent): RunView {
     case "watch":
       return { ...next, gesture: event.gesture || null };
     case "things":
-      return { ...next, things: { ...view.things, ...event.boxes } };
+      return { ...next, boxes: { ...view.boxes, ...event.boxes } };
     case "run_ended":
       return closed(next, event);
     default:
@@ -210,10 +210,10 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
     setpoint,
     path: extend(view.path, [truth.x, truth.y]),
     idealPath: extend(view.idealPath, [setpoint.x, setpoint.y]),
-    output: given(view.output, event, [truth.x, truth.y]),
+    output: reduceOutput(view.output, event, [truth.x, truth.y]),
     speed: { linear: event.command_v_mps, angular: event.command_omega_radps },
     motion: view.motion && { ...view.motion, done: event.done ?? view.motion.done },
-    moved: view.moved || !isStanding(event.command_v_mps, event.command_omega_radps),
+    moved: view.moved || !isStandstill(event.command_v_mps, event.command_omega_radps),
   };
 }
 
@@ -232,9 +232,9 @@ function heldBefore({ state, cause, block }: RunState): string | null {
 
 type BlockStarted = Extract<RunEvent, { type: "block_started" }>;
 
-function begun(view: RunView, event: BlockStarted): RunView {
+function started(view: RunView, event: BlockStarted): RunView {
   const { block, pointer, action, amount, tick } = event;
-  const entry: LitBlock = { block, pointer, action, amount, round: 0, roundTick: -Infinity };
+  const entry: ActiveBlock = { block, pointer, action, amount, round: 0, roundTick: -Infinity };
   return {
     ...view,
     stack: [...withRound(view.stack, pointer, tick), entry],
@@ -247,7 +247,11 @@ function begun(view: RunView, event: BlockStarted): RunView {
  * Begins the next round of the loop whose first command starts. For commands that take no time the robot reports only
  * one start per tick, so rounds on consecutive ticks cannot be counted.
  */
-function withRound(stack: readonly LitBlock[], pointer: string, tick: number): readonly LitBlock[] {
+function withRound(
+  stack: readonly ActiveBlock[],
+  pointer: string,
+  tick: number,
+): readonly ActiveBlock[] {
   const at = stack.findLastIndex((entry) => pointer === `${entry.pointer}/commands/0`);
   const loop = stack[at];
   if (!loop) return stack;
@@ -270,7 +274,7 @@ function closed(view: RunView, event: RunEndedEvent): RunView {
     motion: null,
     speed: AT_REST,
     capture: null,
-    ...placesAtEnd(view, event),
+    ...posesAtEnd(view, event),
     ending: {
       reason: event.reason,
       params: event.params,
@@ -295,7 +299,7 @@ function closingErrors(
 }
 
 /** The last event has only the believed pose; it is also the true one where both were equal until then. */
-function placesAtEnd(
+function posesAtEnd(
   { pose, truth }: RunView,
   event: RunEndedEvent,
 ): Pick<RunView, "pose" | "truth"> {

@@ -22,19 +22,19 @@ export const COLUMNS = [
 
 export type Column = (typeof COLUMNS)[number];
 
-const FIRST_ROOM = 1024;
+const FIRST_CAPACITY = 1024;
 
 /** The samples of a run by column; they grow while it is live. Unknown values are NaN. */
 export class Samples {
   rows = 0;
-  private room = FIRST_ROOM;
-  private columns: Float32Array[] = COLUMNS.map(() => new Float32Array(FIRST_ROOM));
+  private capacity = FIRST_CAPACITY;
+  private columns: Float32Array[] = COLUMNS.map(() => new Float32Array(FIRST_CAPACITY));
 
   static of(telemetry: Telemetry): Samples {
     const samples = new Samples();
     const { rows } = telemetry;
     samples.rows = rows;
-    samples.room = rows;
+    samples.capacity = rows;
     samples.columns = COLUMNS.map((name) => {
       return telemetry.columns.get(name) ?? new Float32Array(rows).fill(Number.NaN);
     });
@@ -55,7 +55,7 @@ export class Samples {
   push(event: TelemetryEvent): void {
     const last = this.rows > 0 ? (this.column("tick")[this.rows - 1] ?? -1) : -1;
     if (event.tick <= last) return;
-    if (this.rows === this.room) this.grow();
+    if (this.rows === this.capacity) this.grow();
     const values = event as unknown as Record<Column, number | null | undefined>;
     COLUMNS.forEach((name, index) => {
       const column = this.columns[index];
@@ -65,9 +65,9 @@ export class Samples {
   }
 
   private grow(): void {
-    this.room = Math.max(FIRST_ROOM, 2 * this.room);
+    this.capacity = Math.max(FIRST_CAPACITY, 2 * this.capacity);
     this.columns = this.columns.map((column) => {
-      const larger = new Float32Array(this.room);
+      const larger = new Float32Array(this.capacity);
       larger.set(column);
       return larger;
     });

@@ -5,7 +5,7 @@ import { parameterIn, sentenceOf } from "./sentence";
 
 const ptBR = textsOf("pt-BR");
 
-const voice = { texts: ptBR, language: "pt-BR", parameterOf: () => 4 } as const;
+const context = { texts: ptBR, language: "pt-BR", parameterOf: () => 4 } as const;
 
 const moving = (kind: string, amount: number, done: number): RunView => ({
   ...IDLE,
@@ -32,7 +32,7 @@ const over = (phase: "finished" | "failed" | "stopped", ending: object): RunView
   },
 });
 
-const said = (view: RunView) => sentenceOf(view, voice)?.text.replaceAll("\u00a0", " ");
+const sentenceText = (view: RunView) => sentenceOf(view, context)?.text.replaceAll("\u00a0", " ");
 
 describe("what the robot does, in words", () => {
   test.each([
@@ -41,8 +41,8 @@ describe("what the robot does, in words", () => {
     [moving("turn", 90, 47.2), "Girando à esquerda: 47° de 90°"],
     [moving("turn", -90, -47.2), "Girando à direita: 47° de 90°"],
     [moving("wait", 3, 1.2), "Esperando: 1,2 s de 3,0 s"],
-  ])("a motion tells how far it is: %#", (view, words) => {
-    expect(said(view)).toBe(words);
+  ])("a motion tells how far it is: %#", (view, expected) => {
+    expect(sentenceText(view)).toBe(expected);
   });
 
   const command = (action: string): RunView => ({
@@ -50,27 +50,29 @@ describe("what the robot does, in words", () => {
     motion: null,
   });
   const written = (values: Record<string, unknown>) => ({
-    ...voice,
+    ...context,
     parameterOf: (_pointer: string, name: string) => values[name],
   });
-  const words = (view: RunView, values = {}) =>
+  const commandText = (view: RunView, values = {}) =>
     sentenceOf(view, written(values))?.text.replaceAll("\u00a0", " ");
 
   test("a curve tells its direction and how far it is", () => {
-    expect(said(moving("arc", 90, 30))).toBe("Curva à esquerda: 30° de 90°");
-    expect(said(moving("arc", -90, -30))).toBe("Curva à direita: 30° de 90°");
+    expect(sentenceText(moving("arc", 90, 30))).toBe("Curva à esquerda: 30° de 90°");
+    expect(sentenceText(moving("arc", -90, -30))).toBe("Curva à direita: 30° de 90°");
   });
 
   test("going to a point names it where it is written in the program", () => {
-    expect(words(command("go_to"), { x: 1, y: -2 })).toBe("Indo até x 1,00 m, y −2,00 m");
-    expect(words(command("go_to"), { x: { var: "a" }, y: 2 })).toBe("Indo até o ponto");
-    expect(words(command("go_to_place"), { place: "E" })).toBe("Indo até o lugar “E”");
-    expect(words(command("go_to_place"), { place: { var: "a" } })).toBe("Indo até o lugar");
+    expect(commandText(command("go_to"), { x: 1, y: -2 })).toBe("Indo até x 1,00 m, y −2,00 m");
+    expect(commandText(command("go_to"), { x: { var: "a" }, y: 2 })).toBe("Indo até o ponto");
+    expect(commandText(command("go_to_place"), { place: "E" })).toBe("Indo até o lugar “E”");
+    expect(commandText(command("go_to_place"), { place: { var: "a" } })).toBe("Indo até o lugar");
   });
 
   test("waiting for a condition tells for how long at most", () => {
-    expect(words(command("wait_until"))).toBe("Esperando a condição");
-    expect(words(command("wait_until"), { timeout: 5 })).toBe("Esperando a condição (até 5,0 s)");
+    expect(commandText(command("wait_until"))).toBe("Esperando a condição");
+    expect(commandText(command("wait_until"), { timeout: 5 })).toBe(
+      "Esperando a condição (até 5,0 s)",
+    );
   });
 
   test.each([
@@ -80,20 +82,20 @@ describe("what the robot does, in words", () => {
     [0, Math.PI / 4, "Girando à esquerda a 45°/s"],
     [0, 0, "Rodando o programa"],
   ])("a velocity that lasts is told: %d m/s, %d rad/s", (linear, angular, text) => {
-    expect(said({ ...command("while"), speed: { linear, angular } })).toBe(text);
+    expect(sentenceText({ ...command("while"), speed: { linear, angular } })).toBe(text);
   });
 
   test("an open question waits for the group", () => {
     const question = { block: "b", text: "?", variable: "x" };
     const view = { ...command("ask"), output: { ...IDLE.output, question } };
-    expect(said(view)).toBe("Esperando a resposta do grupo");
+    expect(sentenceText(view)).toBe("Esperando a resposta do grupo");
   });
 
   test("what was just said is in the sentence, for a while", () => {
     const line = { kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 } as const;
     const view = { ...moving("wait", 3, 1), output: { ...IDLE.output, talk: [line] } };
-    expect(sentenceOf({ ...view, tick: 60 }, voice)?.more).toBe("Diz: “Olá!”");
-    expect(sentenceOf({ ...view, tick: 300 }, voice)?.more).toBe("");
+    expect(sentenceOf({ ...view, tick: 60 }, context)?.more).toBe("Diz: “Olá!”");
+    expect(sentenceOf({ ...view, tick: 300 }, context)?.more).toBe("");
   });
 
   test.each([
@@ -109,10 +111,10 @@ describe("what the robot does, in words", () => {
       ...moving("wait", 3, 1),
       captured: { label, by, confidence, tick: 30, nextLine: 0 },
     };
-    expect(sentenceOf({ ...view, tick: 60 }, voice)?.more).toBe(text);
-    expect(sentenceOf({ ...view, tick: 300 }, voice)?.more).toBe("");
+    expect(sentenceOf({ ...view, tick: 60 }, context)?.more).toBe(text);
+    expect(sentenceOf({ ...view, tick: 300 }, context)?.more).toBe("");
     expect(
-      sentenceOf({ ...over("finished", {}), ...view, phase: "finished", tick: 30 }, voice),
+      sentenceOf({ ...over("finished", {}), ...view, phase: "finished", tick: 30 }, context),
     ).toMatchObject({ more: text });
   });
 
@@ -121,9 +123,11 @@ describe("what the robot does, in words", () => {
     const captured = { label: "B", by: "person", confidence: null, tick: 30, nextLine: 1 } as const;
     const view = { ...moving("wait", 3, 1), tick: 40, captured };
     // in the same tick, as when a program refuses a sign and asks again
-    const heard = (number: number) => ({ ...IDLE.output, talk: [{ ...line, number }] });
-    expect(sentenceOf({ ...view, output: heard(0) }, voice)?.more).toBe("Vocês responderam B");
-    expect(sentenceOf({ ...view, output: heard(1) }, voice)?.more).toBe("Diz: “Olá!”");
+    const outputWith = (number: number) => ({ ...IDLE.output, talk: [{ ...line, number }] });
+    expect(sentenceOf({ ...view, output: outputWith(0) }, context)?.more).toBe(
+      "Vocês responderam B",
+    );
+    expect(sentenceOf({ ...view, output: outputWith(1) }, context)?.more).toBe("Diz: “Olá!”");
   });
 
   test("a beep is told beside what was said, and how many there were in a row", () => {
@@ -131,7 +135,7 @@ describe("what the robot does, in words", () => {
     const beeps = { count: 5, inRow: 2, tick: 35 };
     const view = { ...moving("wait", 3, 1), tick: 40 };
     const more = (output: object) =>
-      sentenceOf({ ...view, output: { ...IDLE.output, ...output } }, voice)?.more;
+      sentenceOf({ ...view, output: { ...IDLE.output, ...output } }, context)?.more;
     expect(more({ beeps })).toBe("Bipe × 2");
     expect(more({ beeps, talk })).toBe("Diz: “Olá!” · Bipe × 2");
     expect(more({ beeps: { ...beeps, tick: -60 } })).toBe("");
@@ -139,7 +143,9 @@ describe("what the robot does, in words", () => {
 
   test("a function that runs is named", () => {
     const output = { ...IDLE.output, calls: [{ function: "lado", block: "c" }] };
-    expect(sentenceOf({ ...moving("turn", 90, 1), output }, voice)?.more).toBe("na função “lado”");
+    expect(sentenceOf({ ...moving("turn", 90, 1), output }, context)?.more).toBe(
+      "na função “lado”",
+    );
   });
 
   test("a loop without a number of rounds tells its round, unless rounds come too fast to tell", () => {
@@ -151,8 +157,8 @@ describe("what the robot does, in words", () => {
       roundTick: 0,
     };
     const view = (round: number) => ({ ...moving("turn", 90, 1), stack: [{ ...loop, round }] });
-    expect(sentenceOf(view(7), voice)?.more).toBe("volta 7");
-    expect(sentenceOf(view(Number.NaN), voice)?.more).toBe("");
+    expect(sentenceOf(view(7), context)?.more).toBe("volta 7");
+    expect(sentenceOf(view(Number.NaN), context)?.more).toBe("");
   });
 
   test("a loop tells its round", () => {
@@ -165,18 +171,20 @@ describe("what the robot does, in words", () => {
       roundTick: 0,
     };
     const view = { ...moving("turn", 90, 1), stack: [loop] };
-    expect(sentenceOf(view, voice)?.more).toBe("volta 2 de 4");
+    expect(sentenceOf(view, context)?.more).toBe("volta 2 de 4");
   });
 
   test("an end tells how far from the start", () => {
-    expect(said(over("finished", {}))).toBe("Programa terminou: voltou ao ponto de partida");
-    expect(said(over("finished", { closingErrorM: 1.234 }))).toBe(
+    expect(sentenceText(over("finished", {}))).toBe(
+      "Programa terminou: voltou ao ponto de partida",
+    );
+    expect(sentenceText(over("finished", { closingErrorM: 1.234 }))).toBe(
       "Programa terminou: parou a 1,23 m da partida",
     );
-    expect(said(over("finished", { pathLengthM: 0 }))).toBe("Programa terminou");
+    expect(sentenceText(over("finished", { pathLengthM: 0 }))).toBe("Programa terminou");
   });
 
-  const more = (view: RunView) => sentenceOf(view, voice)?.more.replaceAll("\u00a0", " ");
+  const more = (view: RunView) => sentenceOf(view, context)?.more.replaceAll("\u00a0", " ");
 
   test.each([
     [{ closingErrorM: 0.05, estimatedClosingErrorM: 1e-6 }, "parou a 0,05 m da partida", "voltou"],
@@ -184,7 +192,7 @@ describe("what the robot does, in words", () => {
     [{ closingErrorM: 0.5, estimatedClosingErrorM: 0.4 }, "a 0,50 m da", "parou a 0,40 m dela"],
   ])("an end tells the truth, and what the robot believes instead: %#", (ending, text, belief) => {
     const view = over("finished", ending);
-    expect(said(view)).toContain(text);
+    expect(sentenceText(view)).toContain(text);
     expect(more(view)).toContain("O robô pensa que");
     expect(more(view)).toContain(belief);
   });
@@ -197,15 +205,15 @@ describe("what the robot does, in words", () => {
   test.each([
     [0.001, "Pelas medidas do robô, ele voltou ao ponto de partida."],
     [0.25, "Pelas medidas do robô, ele parou a 0,25 m da partida."],
-  ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, words) => {
+  ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, expected) => {
     const view = over("finished", { closingErrorM: null, estimatedClosingErrorM });
-    expect([said(view), more(view)]).toEqual(["Programa terminou", words]);
+    expect([sentenceText(view), more(view)]).toEqual(["Programa terminou", expected]);
   });
 
   test("a failure has the server's words and remedy", () => {
     const sentence = sentenceOf(
       over("failed", { reason: "blocked", params: { done: 3.78, amount: 9 } }),
-      voice,
+      context,
     );
     expect(sentence?.tone).toBe("fault");
     expect(sentence?.text).toContain("3,78");
@@ -213,7 +221,7 @@ describe("what the robot does, in words", () => {
   });
 
   test("an unknown reason still says something", () => {
-    expect(said(over("failed", { reason: "no_such_code" }))).toBe(ptBR.status.failed);
+    expect(sentenceText(over("failed", { reason: "no_such_code" }))).toBe(ptBR.status.failed);
   });
 });
 
@@ -226,11 +234,11 @@ test("a parameter is read out of the document", () => {
 });
 
 describe("of a run that was", () => {
-  const past = (view: RunView) => sentenceOf(view, { ...voice, past: true });
+  const past = (view: RunView) => sentenceOf(view, { ...context, past: true });
 
   test("no button is spoken of that is not there", () => {
     const stopped = over("stopped", { reason: "stopped_by_person" });
-    expect(sentenceOf(stopped, voice)?.more).toContain("Rodar");
+    expect(sentenceOf(stopped, context)?.more).toContain("Rodar");
     expect(past(stopped)).toEqual({ text: "O grupo parou o robô.", more: "", tone: "notice" });
     const held = { ...moving("wait", 3, 1), phase: "paused", next: "b" } as RunView;
     expect(past(held)).toEqual({ text: "A rodada estava em pausa.", more: "", tone: "notice" });
@@ -238,7 +246,7 @@ describe("of a run that was", () => {
 
   test("what is to be mended is said still", () => {
     const failed = over("failed", { reason: "division_by_zero", params: { operator: "/" } });
-    expect(past(failed)).toEqual(sentenceOf(failed, voice));
+    expect(past(failed)).toEqual(sentenceOf(failed, context));
     expect(past(failed)?.more).not.toBe("");
   });
 });
@@ -250,7 +258,7 @@ describe("what a program did not do is said at its end, and not as a success", (
     workspace: { blocks: { blocks: [{ type: "program_start" }, ...loose] } },
   });
   const end = (program: ReturnType<typeof stored>, changes: Partial<RunView> = {}) =>
-    sentenceOf({ ...over("finished", {}), ...changes }, { ...voice, program });
+    sentenceOf({ ...over("finished", {}), ...changes }, { ...context, program });
   const talk = [{ kind: "said", text: "Olá!", block: null, tick: 1, number: 0 }] as const;
   const still = { moved: false, ending: { ...over("finished", {}).ending, pathLengthM: 0 } };
 
@@ -280,18 +288,24 @@ describe("what a program did not do is said at its end, and not as a success", (
   });
 
   test("a robot that stood still, unless the program only speaks", () => {
-    const words = "Programa terminou, mas o robô não saiu do lugar";
+    const expected = "Programa terminou, mas o robô não saiu do lugar";
     const wait = { action: "wait", seconds: 1 };
-    const say = { action: "say", text: "Olá!" };
+    const speech = { action: "say", text: "Olá!" };
     expect(end(stored([wait]), still as Partial<RunView>)).toMatchObject({
       tone: "notice",
-      text: words,
+      text: expected,
     });
     const spoken = { ...still, output: { ...IDLE.output, talk } } as Partial<RunView>;
-    expect(end(stored([say]), spoken)).toMatchObject({ tone: "done" });
+    expect(end(stored([speech]), spoken)).toMatchObject({ tone: "done" });
     const unmoved = { action: "conditional_execution", condition: true, else: [move] };
-    expect(end(stored([say, unmoved]), spoken)).toMatchObject({ tone: "notice", text: words });
+    expect(end(stored([speech, unmoved]), spoken)).toMatchObject({
+      tone: "notice",
+      text: expected,
+    });
     const toPlace = { action: "go_to_place", place: "A" };
-    expect(end(stored([say, toPlace]), spoken)).toMatchObject({ tone: "notice", text: words });
+    expect(end(stored([speech, toPlace]), spoken)).toMatchObject({
+      tone: "notice",
+      text: expected,
+    });
   });
 });

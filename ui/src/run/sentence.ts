@@ -1,11 +1,11 @@
 import type { Language, Texts } from "../i18n";
 import { degrees, metres, numberWords, seconds } from "../i18n/format";
 import { reasonWords } from "../i18n/reasons";
-import { capturedWords } from "./captured";
-import { drivingWords } from "./driving";
+import { captureText } from "./captured";
+import { drivingText } from "./driving";
 import { idleParts, type StoredProgram } from "./idle_parts";
-import type { LitBlock, Motion, RunView } from "./reducer";
-import { saidWords } from "./values";
+import type { ActiveBlock, Motion, RunView } from "./reducer";
+import { localizeNumbers } from "./values";
 
 /** Tone of a sentence, for its colour and icon. */
 export type Tone = "calm" | "moving" | "done" | "notice" | "fault";
@@ -22,7 +22,7 @@ export interface Sentence {
 const CLOSED_M = 0.01;
 
 /** How long a message of the robot, or the answer of a capture, stays in the sentence. */
-const HEARD_TICKS = 90;
+const RECENT_TICKS = 90;
 
 const LOOPS = new Set(["repeat", "while", "until", "for", "forever"]);
 
@@ -35,7 +35,7 @@ const RUN_AGAIN = new Set([
   "internal_error",
 ]);
 
-export interface Voice {
+export interface SentenceContext {
   texts: Texts;
   language: Language;
   /** A parameter of the command at a pointer of the document, as written there. */
@@ -46,42 +46,44 @@ export interface Voice {
   program?: StoredProgram | null;
 }
 
-export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
-  const { status } = voice.texts;
+export function sentenceOf(view: RunView, context: SentenceContext): Sentence | null {
+  const { status } = context.texts;
   switch (view.phase) {
     case "idle":
       return null;
     case "starting":
       return { text: status.starting, more: "", tone: "calm" };
     case "paused":
-      if (voice.past) return { text: voice.texts.replay.paused, more: "", tone: "notice" };
+      if (context.past) return { text: context.texts.replay.paused, more: "", tone: "notice" };
       return view.next === null
         ? { text: status.paused, more: "", tone: "notice" }
         : { text: status.held, more: status.heldHow, tone: "notice" };
     case "running":
       return {
-        text: doing(view, voice),
-        more: around(view, voice),
+        text: doing(view, context),
+        more: around(view, context),
         tone: "moving",
         part: partOf(view.motion),
       };
     default:
-      return ending(view, voice);
+      return ending(view, context);
   }
 }
 
-function doing(view: RunView, voice: Voice): string {
-  const { status } = voice.texts;
+function doing(view: RunView, context: SentenceContext): string {
+  const { status } = context.texts;
   const current = view.stack.at(-1);
   if (view.output.question) return status.asking;
   if (view.capture) return status.capture;
   if (!current) return status.running;
-  if (view.motion) return moving(view.motion, voice);
-  return COMMANDS[current.action]?.(current, view, voice) ?? driving(view, voice) ?? status.running;
+  if (view.motion) return moving(view.motion, context);
+  return (
+    COMMANDS[current.action]?.(current, view, context) ?? driving(view, context) ?? status.running
+  );
 }
 
 const COMMANDS: Readonly<
-  Record<string, (command: LitBlock, view: RunView, voice: Voice) => string>
+  Record<string, (command: ActiveBlock, view: RunView, context: SentenceContext) => string>
 > = {
   stop: (_command, _view, { texts }) => texts.status.stopping,
   set_gesture_result: (_command, { gesture }, { texts }) =>
@@ -102,7 +104,7 @@ const COMMANDS: Readonly<
   },
 };
 
-function moving(motion: Motion, { texts, language }: Voice): string {
+function moving(motion: Motion, { texts, language }: SentenceContext): string {
   const { status } = texts;
   const show = (format: (value: number, language: Language) => string) =>
     [format(Math.abs(motion.done), language), format(Math.abs(motion.amount), language)] as const;
@@ -124,8 +126,8 @@ function moving(motion: Motion, { texts, language }: Voice): string {
   }
 }
 
-function driving(view: RunView, { texts, language }: Voice): string | null {
-  return drivingWords(view.speed, texts, language);
+function driving(view: RunView, { texts, language }: SentenceContext): string | null {
+  return drivingText(view.speed, texts, language);
 }
 
 function partOf(motion: Motion | null): number | null {
@@ -134,24 +136,24 @@ function partOf(motion: Motion | null): number | null {
 }
 
 /** Context of the command: a recent message or answer of a capture, else the loop round, the function, and whether the robot is moving. */
-function around(view: RunView, voice: Voice): string {
-  const { status } = voice.texts;
-  const heard = view.output.talk.findLast((line) => line.kind === "said");
+function around(view: RunView, context: SentenceContext): string {
+  const { status } = context.texts;
+  const message = view.output.talk.findLast((line) => line.kind === "said");
   // robot time stands still in a capture: what was said before and after it may be of the same tick
-  const isSaidSince = heard && heard.number >= (view.captured?.nextLine ?? 0);
-  const answer = isSaidSince ? "" : answered(view, voice);
+  const isNewerThanCapture = message && message.number >= (view.captured?.nextLine ?? 0);
+  const answer = isNewerThanCapture ? "" : answered(view, context);
   if (answer) return answer;
-  const isHeard = heard && view.tick - heard.tick < HEARD_TICKS;
+  const isRecent = message && view.tick - message.tick < RECENT_TICKS;
   const sounds = [
-    isHeard ? status.says(saidWords(String(heard.text), voice.language)) : "",
-    beeped(view, voice),
+    isRecent ? status.says(localizeNumbers(String(message.text), context.language)) : "",
+    beeped(view, context),
   ];
   if (sounds.some(Boolean)) return sounds.filter(Boolean).join(" · ");
   const call = view.output.calls.at(-1);
   const isWaiting = view.motion?.kind === "wait" || view.stack.at(-1)?.action === "wait_until";
   return [
-    isWaiting ? driving(view, voice) : null,
-    round(view, voice),
+    isWaiting ? driving(view, context) : null,
+    round(view, context),
     call ? status.inFunction(call.function) : null,
   ]
     .filter(Boolean)
@@ -159,18 +161,18 @@ function around(view: RunView, voice: Voice): string {
 }
 
 /** The beeps in a row, unless the newest was some time ago. */
-function beeped({ output: { beeps }, tick }: RunView, { texts }: Voice): string {
-  const isRecent = beeps.count > 0 && tick - beeps.tick < HEARD_TICKS;
+function beeped({ output: { beeps }, tick }: RunView, { texts }: SentenceContext): string {
+  const isRecent = beeps.count > 0 && tick - beeps.tick < RECENT_TICKS;
   return isRecent ? texts.show.beeps(beeps.inRow) : "";
 }
 
 /** The answer of a capture, unless it was some time ago. */
-function answered({ captured, tick }: RunView, { texts, language }: Voice): string {
-  const isRecent = captured && tick - captured.tick < HEARD_TICKS;
-  return isRecent ? capturedWords(captured, texts, language) : "";
+function answered({ captured, tick }: RunView, { texts, language }: SentenceContext): string {
+  const isRecent = captured && tick - captured.tick < RECENT_TICKS;
+  return isRecent ? captureText(captured, texts, language) : "";
 }
 
-function round(view: RunView, { texts, language, parameterOf }: Voice): string {
+function round(view: RunView, { texts, language, parameterOf }: SentenceContext): string {
   const loop = view.stack.findLast((entry) => LOOPS.has(entry.action));
   if (!loop?.round) return "";
   const times = loop.action === "repeat" ? parameterOf(loop.pointer, "times") : null;
@@ -178,30 +180,30 @@ function round(view: RunView, { texts, language, parameterOf }: Voice): string {
   return texts.status.round(loop.round, numberWords(times, language));
 }
 
-function ending(view: RunView, voice: Voice): Sentence {
-  const { texts, language, past } = voice;
+function ending(view: RunView, context: SentenceContext): Sentence {
+  const { texts, language, past } = context;
   const { reason = null, params = {} } = view.ending ?? {};
-  const words = reasonWords(reason, params, language);
+  const explanation = reasonWords(reason, params, language);
   if (view.phase === "failed" || view.phase === "stopped") {
-    const more = past && RUN_AGAIN.has(reason ?? "") ? "" : words?.remedy;
+    const more = past && RUN_AGAIN.has(reason ?? "") ? "" : explanation?.remedy;
     const tone = view.phase === "failed" ? "fault" : "notice";
-    return { text: words?.message ?? texts.status.failed, more: more ?? "", tone };
+    return { text: explanation?.message ?? texts.status.failed, more: more ?? "", tone };
   }
-  return finishedSentence(view, voice);
+  return finishedSentence(view, context);
 }
 
 /** A run that ended well; what pupils may not have wanted so is said without calling it a success. */
-function finishedSentence(view: RunView, voice: Voice): Sentence {
-  const { status } = voice.texts;
-  const { emptyLoops, looseBlocks, hasMotion } = idleParts(voice.program ?? NO_PROGRAM);
+function finishedSentence(view: RunView, context: SentenceContext): Sentence {
+  const { status } = context.texts;
+  const { emptyLoops, looseBlocks, hasMotion } = idleParts(context.program ?? NO_PROGRAM);
   const isStill = !view.moved && (hasMotion || !showedSomething(view));
   const remarks = [
     emptyLoops > 0 && status.emptyLoop(emptyLoops),
     looseBlocks > 0 && status.looseBlocks(looseBlocks),
   ].filter((remark) => remark !== false);
-  const text = isStill ? status.finishedStill : finished(view, voice.texts, voice.language);
-  const estimate = isStill ? "" : estimated(view, voice);
-  const more = [...remarks, estimate, answered(view, voice)].filter(Boolean).join(" ");
+  const text = isStill ? status.finishedStill : finished(view, context.texts, context.language);
+  const estimate = isStill ? "" : estimated(view, context);
+  const more = [...remarks, estimate, answered(view, context)].filter(Boolean).join(" ");
   return { text, more, tone: isStill || remarks.length > 0 ? "notice" : "done" };
 }
 
@@ -219,7 +221,7 @@ function finished(view: RunView, { status }: Texts, language: Language): string 
 }
 
 /** Where the robot estimates to be: all that is known of a real one, else only where it is truly not about there. */
-function estimated(view: RunView, { texts: { status }, language }: Voice): string {
+function estimated(view: RunView, { texts: { status }, language }: SentenceContext): string {
   const { pathLengthM, closingErrorM = null, estimatedClosingErrorM: m } = view.ending ?? {};
   if (!pathLengthM || m == null || pathLengthM < CLOSED_M) return "";
   const [isClosed, distance] = [m < CLOSED_M, metres(m, language)];

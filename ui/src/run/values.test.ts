@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { textsOf } from "../i18n";
-import { saidWords, valueWords } from "./values";
+import { localizeNumbers, valueText } from "./values";
 
 const ptBR = textsOf("pt-BR");
 
@@ -16,12 +16,12 @@ test.each([
   ["3", "“3”"],
   ["", "(vazio)"],
   [[1.5, "a", false], "[1,5; “a”; falso]"],
-])("%j is shown as %s", (value, words) => {
-  expect(valueWords(value, ptBR, "pt-BR")).toBe(words);
+])("%j is shown as %s", (value, expected) => {
+  expect(valueText(value, ptBR, "pt-BR")).toBe(expected);
 });
 
 test("numbers and lists are written as in the language", () => {
-  expect(valueWords([1.5, 2], textsOf("en"), "en")).toBe("[1.5, 2]");
+  expect(valueText([1.5, 2], textsOf("en"), "en")).toBe("[1.5, 2]");
 });
 
 test.each([
@@ -36,11 +36,11 @@ test.each([
   ["0,5 e R2.5D2", "0,5 e R2.5D2"],
   ["Olá!", "Olá!"],
   ["", ""],
-])("the robot's %j is read as %s in Portuguese", (text, words) => {
-  expect(saidWords(text, "pt-BR")).toBe(words);
+])("the robot's %j is read as %s in Portuguese", (text, expected) => {
+  expect(localizeNumbers(text, "pt-BR")).toBe(expected);
 });
 
 test("English keeps the point and loses the digits", () => {
-  expect(saidWords("3.82905218142 m", "en")).toBe("3.83 m");
-  expect(saidWords("1, 2.5", "en")).toBe("1, 2.5");
+  expect(localizeNumbers("3.82905218142 m", "en")).toBe("3.83 m");
+  expect(localizeNumbers("1, 2.5", "en")).toBe("1, 2.5");
 });

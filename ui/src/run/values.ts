@@ -7,7 +7,7 @@ const NUMBER_INSIDE = /(^|[^\p{L}\d.,])(-?\d+\.\d+(?:e[-+]?\d+)?)(?![\p{L}\d]|[.
 const THOUSANDS = /^-?[1-9]\d{0,2}\.\d{3}$/;
 
 /** What the robot says, with its numbers as in the language: the program writes them with a point and all digits. */
-export function saidWords(text: string, language: Language): string {
+export function localizeNumbers(text: string, language: Language): string {
   const parts = text.split(", ");
   if (parts.every((part) => isWrittenByProgram(part))) {
     return parts.map((part) => numberWords(Number(part), language)).join(separatorIn(language));
@@ -26,12 +26,12 @@ const isWrittenByProgram = (text: string) =>
 const separatorIn = (language: Language) => (language === "en" ? ", " : "; ");
 
 /** Formats a program's value for the watch panel: texts in quotes, numbers in the language's format. */
-export function valueWords(value: unknown, texts: Texts, language: Language): string {
+export function valueText(value: unknown, texts: Texts, language: Language): string {
   if (typeof value === "number") return numberWords(value, language);
   if (typeof value === "boolean") return value ? texts.show.yes : texts.show.no;
   if (typeof value === "string") return value === "" ? texts.show.emptyText : `“${value}”`;
   if (Array.isArray(value)) {
-    const items = value.map((item) => valueWords(item, texts, language));
+    const items = value.map((item) => valueText(item, texts, language));
     return `[${items.join(separatorIn(language))}]`;
   }
   return JSON.stringify(value) ?? "";

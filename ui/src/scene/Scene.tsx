@@ -12,11 +12,11 @@ import { program } from "../shell/session";
 import { prefersStill, theme } from "../shell/theme";
 import type { Companion } from "./companion";
 import { startOf, toWorld, type XY } from "./frames";
-import { markWords } from "./mark_words";
+import { markText } from "./mark_text";
 import { savePicture } from "./picture";
 import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
-import { drawMeasure, measureWords } from "./tools/measure_view";
+import { drawMeasure, measureText } from "./tools/measure_view";
 import { type Grip, listenToPointer } from "./tools/pointer_input";
 import { Toolbar } from "./tools/Toolbar";
 import { SceneTools } from "./tools/tools";
@@ -77,7 +77,7 @@ export function Scene({ world, robot, view, poseAt, whole, companion, hold, play
         scene,
         tools,
         grip: () => hold?.grip.peek() ?? null,
-        places: () => placesOn(scene, view.peek()),
+        snapPoints: () => placesOn(scene, view.peek()),
       }),
       putAwayOnEscape(tools),
     ];
@@ -124,8 +124,8 @@ function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
     metres(truth.y, language.value),
     degrees(headingDegrees(truth.yaw), language.value),
   );
-  const told = output.marks.map((mark) => markWords(mark, world, texts.value, language.value));
-  const marks = told.length > 0 ? scene.marks(told.join("; ")) : "";
+  const markLabels = output.marks.map((mark) => markText(mark, world, texts.value, language.value));
+  const marks = markLabels.length > 0 ? scene.marks(markLabels.join("; ")) : "";
   const keys = tools.tool.value ? scene.measureKeys : hold ? scene.startKeys : "";
   return (
     <>
@@ -142,7 +142,7 @@ function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
       />
       {/* the newest mark, told to who does not see it when it is put on the floor */}
       <output class="visually-hidden" data-testid="last-mark">
-        {told.at(-1)}
+        {markLabels.at(-1)}
       </output>
     </>
   );
@@ -154,15 +154,15 @@ function MeasureHint({ tools }: { tools: SceneTools }) {
   const { value: result } = tools.result;
   if (!tool) return null;
   const { scene } = texts.value;
-  const words = result ? measureWords(result, texts.value, language.value) : "";
+  const text = result ? measureText(result, texts.value, language.value) : "";
   const value = result?.kind === "distance" ? result.metres : result?.degrees;
   return (
     <output
-      class={words ? "visually-hidden" : "scene__hint"}
+      class={text ? "visually-hidden" : "scene__hint"}
       data-testid="measure"
       data-value={value?.toFixed(3) ?? ""}
     >
-      {words || scene[tool === "ruler" ? "rulerHint" : "protractorHint"]}
+      {text || scene[tool === "ruler" ? "rulerHint" : "protractorHint"]}
     </output>
   );
 }
@@ -181,11 +181,11 @@ function showMeasure(scene: SceneRenderer, tools: SceneTools): () => void {
     const { value: tool } = tools.tool;
     const { value: points } = tools.shown;
     const { value: result } = tools.result;
-    const words = result ? measureWords(result, texts.value, language.value) : "";
+    const text = result ? measureText(result, texts.value, language.value) : "";
     scene.setOverlay(
       tool &&
-        ((ctx, camera, size, palette) =>
-          drawMeasure(ctx, tool, points, words, [camera, size], palette)),
+        ((ctx, viewport, size, colours) =>
+          drawMeasure(ctx, tool, points, text, [viewport, size], colours)),
     );
   });
 }
@@ -199,6 +199,6 @@ function placesOn(scene: SceneRenderer, { output }: RunView): XY[] {
 
 function putAwayOnEscape(tools: SceneTools): () => void {
   return listen(window, {
-    keydown: ({ key }) => key === "Escape" && tools.tool.peek() && tools.take(null),
+    keydown: ({ key }) => key === "Escape" && tools.tool.peek() && tools.toggle(null),
   });
 }

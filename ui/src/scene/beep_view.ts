@@ -1,6 +1,6 @@
-import type { Size } from "./camera";
+import type { Colours } from "./colours";
 import type { XY } from "./frames";
-import type { Palette } from "./palette";
+import type { Size } from "./viewport";
 
 type Ctx = CanvasRenderingContext2D;
 
@@ -25,7 +25,7 @@ const CHIP_PX = 36;
 /** The sign of a beep. */
 export interface Beeping {
   /** Upright and short. */
-  readonly words: string;
+  readonly text: string;
   /** Radius of the robot's circle in metres. */
   readonly radius: number;
   /** How far the arcs have left the robot, 0 to 1. */
@@ -35,17 +35,17 @@ export interface Beeping {
 /** Draws sound waves beside the robot at `at` and the words above it, in pixels of the canvas. `scale` in pixels per metre. */
 export function drawBeep(
   ctx: Ctx,
-  { words, radius, grown }: Beeping,
+  { text, radius, grown }: Beeping,
   at: XY,
   [scale, size]: readonly [number, Size],
-  palette: Palette,
+  colours: Colours,
 ): void {
   const free = Math.max(FREE_PX, (radius + FREE_M) * scale);
   ctx.save();
   ctx.lineCap = "round";
   for (const [colour, width] of [
-    [palette.tile, EDGE_PX],
-    [palette.ink, LINE_PX],
+    [colours.tile, EDGE_PX],
+    [colours.ink, LINE_PX],
   ] as const) {
     ctx.beginPath();
     for (let arc = 0; arc < ARCS; arc++) wave(ctx, at, free + arc * GAP_PX * grown);
@@ -53,7 +53,7 @@ export function drawBeep(
     ctx.lineWidth = width;
     ctx.stroke();
   }
-  drawWords(ctx, words, at, [free + GAP_PX * ARCS, size], palette);
+  drawText(ctx, text, at, [free + GAP_PX * ARCS, size], colours);
   ctx.restore();
 }
 
@@ -64,28 +64,28 @@ function wave(ctx: Ctx, { x, y }: XY, radius: number): void {
   }
 }
 
-function drawWords(
+function drawText(
   ctx: Ctx,
-  words: string,
+  text: string,
   at: XY,
   [reach, size]: readonly [number, Size],
-  palette: Palette,
+  colours: Colours,
 ): void {
-  ctx.font = `700 20px ${palette.font}`;
+  ctx.font = `700 20px ${colours.font}`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
-  const half = ctx.measureText(words).width / 2 + 14;
+  const half = ctx.measureText(text).width / 2 + 14;
   const above = at.y - reach - CHIP_PX / 2;
-  const wanted = above < TOP_PX ? at.y + reach + CHIP_PX / 2 : above;
+  const middleY = above < TOP_PX ? at.y + reach + CHIP_PX / 2 : above;
   const x = Math.min(size.width - half - 4, Math.max(half + 4, at.x));
-  const y = Math.min(size.height - CHIP_PX, Math.max(CHIP_PX, wanted));
+  const y = Math.min(size.height - CHIP_PX, Math.max(CHIP_PX, middleY));
   ctx.beginPath();
   ctx.roundRect(x - half, y - CHIP_PX / 2, 2 * half, CHIP_PX, CHIP_PX / 2);
-  ctx.fillStyle = palette.ink;
+  ctx.fillStyle = colours.ink;
   ctx.fill();
-  ctx.strokeStyle = palette.tile;
+  ctx.strokeStyle = colours.tile;
   ctx.lineWidth = 2;
   ctx.stroke();
-  ctx.fillStyle = palette.tile;
-  ctx.fillText(words, x, y + 1);
+  ctx.fillStyle = colours.tile;
+  ctx.fillText(text, x, y + 1);
 }

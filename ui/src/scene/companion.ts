@@ -1,10 +1,10 @@
 import type { Robot, World } from "../api/model";
 import type { Pose, RunView } from "../run/reducer";
 import { points } from "../run/trail";
-import type { Camera } from "./camera";
+import type { Colours } from "./colours";
 import { startOf } from "./frames";
-import type { Palette } from "./palette";
 import { drawRobot } from "./robot";
+import type { Viewport } from "./viewport";
 
 /** A second run on the same floor, with its own start pose. */
 export interface Companion {
@@ -18,8 +18,8 @@ export interface Companion {
 export function drawCompanion(
   ctx: CanvasRenderingContext2D,
   { world, robot, view, pose }: Companion,
-  { scale }: Camera,
-  palette: Palette,
+  { scale }: Viewport,
+  colours: Colours,
   ratio: number,
 ): void {
   const start = startOf(world);
@@ -30,12 +30,12 @@ export function drawCompanion(
   ctx.beginPath();
   for (const point of points(view.path)) ctx.lineTo(...point);
   if (view.run) ctx.lineTo(here.x, here.y);
-  ctx.strokeStyle = palette.start;
+  ctx.strokeStyle = colours.start;
   ctx.lineWidth = 5 / scale;
   ctx.lineJoin = "round";
   ctx.setLineDash([12 / scale, 7 / scale]);
   ctx.stroke();
   ctx.setLineDash([]);
-  if (robot) drawRobot(ctx, robot, here, { ...palette, robot: palette.start }, scale * ratio);
+  if (robot) drawRobot(ctx, robot, here, { ...colours, robot: colours.start }, scale * ratio);
   ctx.restore();
 }

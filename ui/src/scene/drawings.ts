@@ -1,7 +1,7 @@
 import type { FloorMark, Stroke } from "../run/output";
 import { lastPoint, type Point, points } from "../run/trail";
+import type { Colours } from "./colours";
 import { edgeOf, paintOf } from "./paints";
-import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 
@@ -19,13 +19,13 @@ export function drawStroke(
   ctx: Ctx,
   stroke: Stroke,
   end: Point | null,
-  palette: Palette,
+  colours: Colours,
   pixel: number,
 ): void {
   ctx.lineCap = "round";
   ctx.lineJoin = "round";
   const paint = paintOf(stroke.color);
-  const edge = edgeOf(paint, palette.tile, palette.number);
+  const edge = edgeOf(paint, colours.tile, colours.number);
   const width = Math.max(PEN_M, PEN_PX * pixel);
   trace(ctx, stroke);
   if (end) ctx.lineTo(...end);
@@ -48,7 +48,7 @@ function paintLine(ctx: Ctx, colour: string, width: number): void {
 }
 
 /** Draws the X and O marks of the program. */
-export function drawMarks(ctx: Ctx, marks: readonly FloorMark[], palette: Palette): void {
+export function drawMarks(ctx: Ctx, marks: readonly FloorMark[], colours: Colours): void {
   ctx.lineCap = "round";
   for (const mark of marks) {
     ctx.save();
@@ -57,16 +57,16 @@ export function drawMarks(ctx: Ctx, marks: readonly FloorMark[], palette: Palett
     if (mark.symbol === "X") cross(ctx);
     else ctx.arc(0, 0, MARK_M, 0, 2 * Math.PI);
     // an edge in the floor's colour separates it from the path and from other marks
-    paintLine(ctx, palette.tile, MARK_LINE_M + 0.04);
-    paintLine(ctx, mark.symbol === "X" ? palette.markX : palette.markO, MARK_LINE_M);
+    paintLine(ctx, colours.tile, MARK_LINE_M + 0.04);
+    paintLine(ctx, mark.symbol === "X" ? colours.markX : colours.markO, MARK_LINE_M);
     ctx.restore();
   }
 }
 
 function cross(ctx: Ctx): void {
   const reach = MARK_M * 0.9;
-  for (const way of [-1, 1]) {
-    ctx.moveTo(-reach, -reach * way);
-    ctx.lineTo(reach, reach * way);
+  for (const sign of [-1, 1]) {
+    ctx.moveTo(-reach, -reach * sign);
+    ctx.lineTo(reach, reach * sign);
   }
 }

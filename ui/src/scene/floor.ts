@@ -1,9 +1,9 @@
 import type { World } from "../api/model";
-import type { Things } from "../run/reducer";
-import { type Camera, EDGE, type Size, toScreen } from "./camera";
+import type { BoxPoses } from "../run/reducer";
+import type { Colours } from "./colours";
 import { roomOf, startOf, toStart, toWorld } from "./frames";
 import { drawPaint, drawZones } from "./ground";
-import type { Palette } from "./palette";
+import { EDGE, type Size, toScreen, type Viewport } from "./viewport";
 
 /** Height of the world selector over the upper left corner, pixels. */
 const WORLD_CHOICE = 68;
@@ -15,7 +15,7 @@ type Ctx = CanvasRenderingContext2D;
 export function drawFloor(
   ctx: Ctx,
   world: World | null,
-  palette: Palette,
+  colours: Colours,
   scale: number,
   withMovable = true,
 ): void {
@@ -23,15 +23,15 @@ export function drawFloor(
   ctx.save();
   ctx.beginPath();
   ctx.rect(room.left, room.bottom, room.right - room.left, room.top - room.bottom);
-  ctx.fillStyle = palette.tile;
+  ctx.fillStyle = colours.tile;
   ctx.fill();
   ctx.clip();
-  drawTiles(ctx, world, palette, scale);
+  drawTiles(ctx, world, colours, scale);
   ctx.restore();
-  drawPaint(ctx, world, palette, 1 / scale);
-  drawZones(ctx, world, palette, 1 / scale);
-  for (const box of world?.boxes ?? []) if (withMovable || !box.movable) drawBox(ctx, box, palette);
-  drawWalls(ctx, world, palette);
+  drawPaint(ctx, world, colours, 1 / scale);
+  drawZones(ctx, world, colours, 1 / scale);
+  for (const box of world?.boxes ?? []) if (withMovable || !box.movable) drawBox(ctx, box, colours);
+  drawWalls(ctx, world, colours);
 }
 
 /** Range of the start frame that the room covers, metres. */
@@ -51,16 +51,16 @@ function spanOf(world: World | null): [left: number, right: number, bottom: numb
   ];
 }
 
-function drawTiles(ctx: Ctx, world: World | null, palette: Palette, scale: number): void {
+function drawTiles(ctx: Ctx, world: World | null, colours: Colours, scale: number): void {
   const start = startOf(world);
   const [left, right, bottom, top] = spanOf(world);
   ctx.translate(start.x, start.y);
   ctx.rotate(start.yaw);
-  ctx.fillStyle = palette.otherTile;
+  ctx.fillStyle = colours.otherTile;
   for (let x = left; x < right; x++) {
     for (let y = bottom; y < top; y++) if ((x + y) % 2 !== 0) ctx.fillRect(x, y, 1, 1);
   }
-  ctx.strokeStyle = palette.line;
+  ctx.strokeStyle = colours.line;
   ctx.lineWidth = 1 / scale;
   ctx.beginPath();
   for (let x = left; x <= right; x++) {
@@ -74,8 +74,8 @@ function drawTiles(ctx: Ctx, world: World | null, palette: Palette, scale: numbe
   ctx.stroke();
 }
 
-function drawWalls(ctx: Ctx, world: World | null, palette: Palette): void {
-  ctx.strokeStyle = palette.wall;
+function drawWalls(ctx: Ctx, world: World | null, colours: Colours): void {
+  ctx.strokeStyle = colours.wall;
   ctx.lineCap = "round";
   ctx.lineJoin = "round";
   ctx.lineWidth = 0.09;
@@ -87,7 +87,7 @@ function drawWalls(ctx: Ctx, world: World | null, palette: Palette): void {
   ctx.stroke();
 }
 
-function drawBox(ctx: Ctx, box: World["boxes"][number], palette: Palette): void {
+function drawBox(ctx: Ctx, box: World["boxes"][number], colours: Colours): void {
   const [width = 0, depth = 0] = box.size;
   ctx.save();
   ctx.translate(box.center[0] ?? 0, box.center[1] ?? 0);
@@ -95,13 +95,13 @@ function drawBox(ctx: Ctx, box: World["boxes"][number], palette: Palette): void 
   ctx.beginPath();
   ctx.roundRect(-width / 2, -depth / 2, width, depth, 0.05);
   ctx.save();
-  ctx.shadowColor = palette.shadow;
+  ctx.shadowColor = colours.shadow;
   ctx.shadowBlur = 10;
   ctx.shadowOffsetY = 3;
-  ctx.fillStyle = palette.box;
+  ctx.fillStyle = colours.box;
   ctx.fill();
   ctx.restore();
-  ctx.strokeStyle = palette.boxSide;
+  ctx.strokeStyle = colours.boxSide;
   ctx.lineWidth = 0.04;
   ctx.stroke();
   ctx.lineWidth = 0.02;
@@ -113,20 +113,25 @@ function drawBox(ctx: Ctx, box: World["boxes"][number], palette: Palette): void 
 function drawLid(ctx: Ctx, right: number, top: number, movable: boolean): void {
   if (right <= 0 || top <= 0) return;
   ctx.beginPath();
-  for (const way of movable ? [-1, 1] : [0]) {
-    ctx.moveTo(-right, -way * top);
-    ctx.lineTo(right, way * top);
+  for (const sign of movable ? [-1, 1] : [0]) {
+    ctx.moveTo(-right, -sign * top);
+    ctx.lineTo(right, sign * top);
   }
   ctx.stroke();
 }
 
 /** Draws the movable boxes at their current poses. */
-export function drawThings(ctx: Ctx, world: World | null, things: Things, palette: Palette): void {
+export function drawMovableBoxes(
+  ctx: Ctx,
+  world: World | null,
+  poses: BoxPoses,
+  colours: Colours,
+): void {
   world?.boxes.forEach((box, index) => {
     if (!box.movable) return;
-    const [x, y, yaw] = things[index] ?? [];
-    if (x === undefined || y === undefined || yaw === undefined) drawBox(ctx, box, palette);
-    else drawBox(ctx, { ...box, center: [x, y], heading_deg: (yaw * 180) / Math.PI }, palette);
+    const [x, y, yaw] = poses[index] ?? [];
+    if (x === undefined || y === undefined || yaw === undefined) drawBox(ctx, box, colours);
+    else drawBox(ctx, { ...box, center: [x, y], heading_deg: (yaw * 180) / Math.PI }, colours);
   });
 }
 
@@ -134,34 +139,34 @@ export function drawThings(ctx: Ctx, world: World | null, things: Things, palett
 export function drawRulers(
   ctx: Ctx,
   world: World | null,
-  camera: Camera,
+  viewport: Viewport,
   size: Size,
-  palette: Palette,
+  colours: Colours,
 ): void {
   const start = startOf(world);
   const [left, right, bottom, top] = spanOf(world);
-  const every = camera.scale < 34 ? 2 : 1;
-  ctx.font = `600 13px ${palette.font}`;
+  const every = viewport.scale < 34 ? 2 : 1;
+  ctx.font = `600 13px ${colours.font}`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   const label = (metre: number, from: [number, number], to: [number, number]) => {
     if (metre % every !== 0) return;
-    const a = toScreen(camera, size, toWorld(start, ...from));
-    const b = toScreen(camera, size, toWorld(start, ...to));
+    const a = toScreen(viewport, size, toWorld(start, ...from));
+    const b = toScreen(viewport, size, toWorld(start, ...to));
     const place = edgePoint(a, b, size);
-    if (place) number(ctx, metre, place, palette);
+    if (place) number(ctx, metre, place, colours);
   };
   for (let x = left; x <= right; x++) label(x, [x, bottom], [x, top]);
   for (let y = bottom; y <= top; y++) label(y, [left, y], [right, y]);
 }
 
-interface Place {
+interface ScreenPoint {
   x: number;
   y: number;
 }
 
 /** Where a grid line crosses the lower edge, or the left edge for a horizontal line. */
-function edgePoint(a: Place, b: Place, size: Size): Place | null {
+function edgePoint(a: ScreenPoint, b: ScreenPoint, size: Size): ScreenPoint | null {
   const dx = b.x - a.x;
   const dy = b.y - a.y;
   if (Math.abs(dy) >= Math.abs(dx)) {
@@ -174,13 +179,13 @@ function edgePoint(a: Place, b: Place, size: Size): Place | null {
   return y > WORLD_CHOICE && y < size.height - EDGE.bottom ? { x, y } : null;
 }
 
-function number(ctx: Ctx, metre: number, { x, y }: Place, palette: Palette): void {
+function number(ctx: Ctx, metre: number, { x, y }: ScreenPoint, colours: Colours): void {
   const text = metre < 0 ? `\u2212${-metre}` : metre === 0 ? "0" : `${metre}`;
   const width = ctx.measureText(text).width + 10;
-  ctx.fillStyle = palette.tile;
+  ctx.fillStyle = colours.tile;
   ctx.beginPath();
   ctx.roundRect(x - width / 2, y - 9, width, 18, 9);
   ctx.fill();
-  ctx.fillStyle = palette.number;
+  ctx.fillStyle = colours.number;
   ctx.fillText(text, x, y + 0.5);
 }

@@ -1,11 +1,11 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import type { World } from "../api/model";
+import type { Colours } from "./colours";
 import { drawPaint, drawZones } from "./ground";
 import { contrast, paintOf } from "./paints";
-import type { Palette } from "./palette";
 
-const PALETTE = { tile: "#fafafa", number: "#202020" } as Palette;
+const COLOURS = { tile: "#fafafa", number: "#202020" } as Colours;
 
 /** Fill calls in order: the colour and the number of shapes in the path. */
 function filled(floor: World["floor"]): [string, number][] {
@@ -30,7 +30,7 @@ function filled(floor: World["floor"]): [string, number][] {
   drawPaint(
     ctx as unknown as CanvasRenderingContext2D,
     { floor } as unknown as World,
-    PALETTE,
+    COLOURS,
     0.01,
   );
   return fills;
@@ -46,7 +46,7 @@ const square = (color: string) => ({
 
 test("areas of one colour that follow each other are one shape", () => {
   const fills = filled([disc("red"), square("red"), disc("blue"), disc("red")] as World["floor"]);
-  expect(fills.filter(([color]) => color !== PALETTE.tile)).toEqual([
+  expect(fills.filter(([color]) => color !== COLOURS.tile)).toEqual([
     [paintOf("red"), 2],
     [paintOf("blue"), 1],
     [paintOf("red"), 1],
@@ -56,15 +56,15 @@ test("areas of one colour that follow each other are one shape", () => {
 test("each colour hides what is below it", () => {
   const fills = filled([disc("red"), square("blue")] as World["floor"]);
   expect(fills.map(([color]) => color)).toEqual([
-    PALETTE.tile,
+    COLOURS.tile,
     paintOf("red"),
-    PALETTE.tile,
+    COLOURS.tile,
     paintOf("blue"),
   ]);
 });
 
 test("white is the bare floor, as the robot's sensor sees it", () => {
-  expect(filled([disc("white")] as World["floor"])).toEqual([[PALETTE.tile, 1]]);
+  expect(filled([disc("white")] as World["floor"])).toEqual([[COLOURS.tile, 1]]);
 });
 
 const tokens = readFileSync("src/kit/tokens.css", "utf8");
@@ -82,7 +82,7 @@ test.each([
   expect([tiles.length, inks.length]).toEqual([3, 3]);
   const theme = ["light", "dark", "contrast"].indexOf(name);
   const [tile = "", ink = ""] = [tiles[theme], inks[theme]];
-  const { letters, halos } = namesDrawn({ tile, ink } as Palette);
+  const { letters, halos } = namesDrawn({ tile, ink } as Colours);
   expect(letters).toEqual([[ink, 1]]);
   // the letters stand on the colour of the floor, whatever is painted there
   expect(halos).toEqual([[tile, 1]]);
@@ -119,12 +119,12 @@ function letterHeights(zones: object[], pixel: number): number[] {
     get: (own, key: string) => own[key] ?? (() => {}),
   });
   const world = { zones } as unknown as World;
-  drawZones(quiet as unknown as CanvasRenderingContext2D, world, PALETTE, pixel);
+  drawZones(quiet as unknown as CanvasRenderingContext2D, world, COLOURS, pixel);
   return found;
 }
 
 /** Colour and opacity of the letters of an area's name, and of what is drawn around them before. */
-function namesDrawn(palette: Palette) {
+function namesDrawn(colours: Colours) {
   const letters: [string, number][] = [];
   const halos: [string, number][] = [];
   const ctx = new Proxy(
@@ -142,6 +142,6 @@ function namesDrawn(palette: Palette) {
     },
   );
   const world = { zones: [{ ...square("red"), name: "meta" }] } as unknown as World;
-  drawZones(ctx as unknown as CanvasRenderingContext2D, world, palette, 0.01);
+  drawZones(ctx as unknown as CanvasRenderingContext2D, world, colours, 0.01);
   return { letters, halos };
 }

@@ -1,7 +1,7 @@
 import type { World } from "../api/model";
 import { areaOf, trace } from "./areas";
+import type { Colours } from "./colours";
 import { edgeOf, paintOf } from "./paints";
-import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 type Paint = World["floor"][number];
@@ -10,15 +10,15 @@ type Paint = World["floor"][number];
 const BARE_FLOOR = "white";
 
 /** Draws the painted areas of the floor in order, so that later ones cover earlier ones. World frame, metres. */
-export function drawPaint(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
+export function drawPaint(ctx: Ctx, world: World | null, colours: Colours, pixel: number): void {
   ctx.lineWidth = 3 * pixel; // the inner half is painted over
   for (const areas of layersOf(world?.floor ?? [])) {
     const paint = paintOf(areas[0].color);
     ctx.beginPath();
     for (const area of areas) trace(ctx, areaOf(area));
-    ctx.strokeStyle = edgeOf(paint, palette.tile, palette.number) ?? paint;
+    ctx.strokeStyle = edgeOf(paint, colours.tile, colours.number) ?? paint;
     ctx.stroke();
-    ctx.fillStyle = palette.tile;
+    ctx.fillStyle = colours.tile;
     ctx.fill();
     if (areas[0].color === BARE_FLOOR) continue;
     ctx.fillStyle = paint;
@@ -40,10 +40,10 @@ function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
 }
 
 /** Draws zones as dashed outlines with the name in the centre, which can be read on any paint. */
-export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
+export function drawZones(ctx: Ctx, world: World | null, colours: Colours, pixel: number): void {
   const zones = world?.zones ?? [];
   ctx.save();
-  ctx.strokeStyle = palette.number;
+  ctx.strokeStyle = colours.number;
   ctx.lineWidth = 2 * pixel;
   for (const zone of zones) {
     ctx.beginPath();
@@ -52,7 +52,7 @@ export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel
   }
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
-  for (const zone of zones) drawName(ctx, zone, roomBeside(zone, zones), palette, pixel);
+  for (const zone of zones) drawName(ctx, zone, widthBeside(zone, zones), colours, pixel);
   ctx.restore();
 }
 
@@ -67,7 +67,7 @@ const HALO_PART = 0.12;
 type Zone = World["zones"][number];
 
 /** Width in m that a name can take without meeting the name of a zone beside. */
-function roomBeside(zone: Zone, zones: readonly Zone[]): number {
+function widthBeside(zone: Zone, zones: readonly Zone[]): number {
   const [x = 0, y = 0] = zone.center;
   const gaps = zones
     .filter((other) => other !== zone && Math.abs((other.center[1] ?? 0) - y) < NAME_M)
@@ -78,8 +78,8 @@ function roomBeside(zone: Zone, zones: readonly Zone[]): number {
 function drawName(
   ctx: Ctx,
   zone: Zone,
-  room: number,
-  { font, ink, tile }: Palette,
+  maxWidth: number,
+  { font, ink, tile }: Colours,
   pixel: number,
 ): void {
   const [x = 0, y = 0] = zone.center;
@@ -89,7 +89,7 @@ function drawName(
   ctx.font = `700 ${NAME_M * 100}px ${font}`;
   const width = ctx.measureText(zone.name).width / 100;
   const inside = Math.min(1, (NAME_PART * areaOf(zone).width) / width);
-  const readable = Math.min((READABLE_PX * pixel) / NAME_M, room / width);
+  const readable = Math.min((READABLE_PX * pixel) / NAME_M, maxWidth / width);
   const fit = Math.max(inside, readable);
   ctx.scale(fit, fit);
   // no ink has enough contrast to all paints of a theme, but to the floor it has

@@ -14,8 +14,8 @@ test.each(NAMES)("%s can be seen on the floor of every theme", (name) => {
   expect(grounds).toHaveLength(3);
   for (const [theme, ground] of grounds.entries()) {
     const paint = paintOf(name);
-    const seen = edgeOf(paint, ground, inks[theme] ?? "") ?? paint;
-    expect(contrast(seen, ground)).toBeGreaterThan(1.85);
+    const drawn = edgeOf(paint, ground, inks[theme] ?? "") ?? paint;
+    expect(contrast(drawn, ground)).toBeGreaterThan(1.85);
   }
 });
 

@@ -1,5 +1,5 @@
 import { fileName, saveFile } from "../shell/save_file";
-import { paperPalette } from "./palette";
+import { paperColours } from "./colours";
 import type { SceneRenderer } from "./renderer";
 
 const WIDTH = 800;
@@ -10,8 +10,8 @@ const RATIO = 2;
 
 /** Downloads the floor with path and drawings as a PNG on a white background, named after the program. */
 export async function savePicture(scene: SceneRenderer, name: string): Promise<void> {
-  const palette = paperPalette();
-  const floor = scene.picture({ width: WIDTH, height: HEIGHT }, RATIO, palette);
+  const colours = paperColours();
+  const floor = scene.picture({ width: WIDTH, height: HEIGHT }, RATIO, colours);
   const canvas = document.createElement("canvas");
   canvas.width = WIDTH * RATIO;
   canvas.height = (HEIGHT + HEAD) * RATIO;
@@ -23,9 +23,9 @@ export async function savePicture(scene: SceneRenderer, name: string): Promise<v
   ctx.scale(RATIO, RATIO);
   ctx.fillStyle = "#211f1b";
   ctx.textBaseline = "middle";
-  ctx.font = `700 24px ${palette.font}`;
+  ctx.font = `700 24px ${colours.font}`;
   ctx.fillText(name, 16, HEAD / 2, WIDTH - 120);
-  ctx.font = `600 15px ${palette.font}`;
+  ctx.font = `600 15px ${colours.font}`;
   ctx.textAlign = "right";
   ctx.fillText("PINEL", WIDTH - 16, HEAD / 2);
   const image = await new Promise<Blob | null>((done) => canvas.toBlob(done, "image/png"));

@@ -1,5 +1,5 @@
 import type { Laser, Robot, Sonar } from "../api/model";
-import type { Palette } from "./palette";
+import type { Colours } from "./colours";
 
 type Ctx = CanvasRenderingContext2D;
 
@@ -18,16 +18,16 @@ export function drawRanges(
   ctx: Ctx,
   robot: Robot,
   ranges: Measurements,
-  palette: Palette,
+  colours: Colours,
   pixel: number,
 ): void {
   const { laser, sonars, sonar_range_m } = robot;
   ctx.save();
-  if (ranges.lidar && laser) drawLidar(ctx, laser, ranges.lidar, palette, pixel);
+  if (ranges.lidar && laser) drawLidar(ctx, laser, ranges.lidar, colours, pixel);
   ranges.sonar?.forEach((metres, index) => {
     const sonar = sonars[index];
     const isNear = metres < sonar_range_m - FAR_M;
-    if (sonar) drawCone(ctx, sonar, [metres, isNear], palette, pixel);
+    if (sonar) drawCone(ctx, sonar, [metres, isNear], colours, pixel);
   });
   ctx.restore();
 }
@@ -37,7 +37,7 @@ function drawLidar(
   ctx: Ctx,
   { x_m, y_m, field_deg }: Laser,
   beams: readonly number[],
-  palette: Palette,
+  colours: Colours,
   pixel: number,
 ): void {
   ctx.beginPath();
@@ -48,10 +48,10 @@ function drawLidar(
   });
   ctx.closePath();
   ctx.globalAlpha = 0.1;
-  ctx.fillStyle = palette.start;
+  ctx.fillStyle = colours.start;
   ctx.fill();
   ctx.globalAlpha = 0.55;
-  ctx.strokeStyle = palette.start;
+  ctx.strokeStyle = colours.start;
   ctx.lineWidth = 1.5 * pixel;
   ctx.stroke();
 }
@@ -60,7 +60,7 @@ function drawCone(
   ctx: Ctx,
   { x_m: x, y_m: y, angle_rad: angle }: Sonar,
   [metres, near]: readonly [number, boolean],
-  palette: Palette,
+  colours: Colours,
   pixel: number,
 ): void {
   const half = (CONE_DEG * Math.PI) / 180;
@@ -69,13 +69,13 @@ function drawCone(
   ctx.arc(x, y, metres, angle - half, angle + half);
   ctx.closePath();
   ctx.globalAlpha = near ? 0.13 : 0.04;
-  ctx.fillStyle = palette.path;
+  ctx.fillStyle = colours.path;
   ctx.fill();
   if (!near) return;
   ctx.beginPath();
   ctx.arc(x, y, metres, angle - half, angle + half);
   ctx.globalAlpha = 0.9;
-  ctx.strokeStyle = palette.path;
+  ctx.strokeStyle = colours.path;
   ctx.lineWidth = 3 * pixel;
   ctx.stroke();
 }

@@ -2,25 +2,25 @@ import type { Robot, World } from "../api/model";
 import { IDLE, type Pose, type RunView } from "../run/reducer";
 import type { Point } from "../run/trail";
 import { drawBeep, GROWING_MS } from "./beep_view";
+import { BoxInterpolator } from "./box_interpolator";
+import { type Colours, readColours } from "./colours";
+import { type Companion, drawCompanion } from "./companion";
+import { contentBounds, wholeRoom } from "./content_bounds";
+import { drawMovableBoxes, drawRulers } from "./floor";
+import { HANDLE_M, startOf, toWorld, type XY } from "./frames";
+import { drawRanges, type Measurements } from "./ranges_view";
+import { drawBelief, drawKnob, drawRobot } from "./robot";
+import { type CacheInput, SceneCache } from "./scene_cache";
 import {
   approach,
-  type Camera,
-  cameraFor,
   clampScale,
   EDGE_WITH_TOOLS,
   type Size,
   toFloor,
   toScreen,
-} from "./camera";
-import { type Companion, drawCompanion } from "./companion";
-import { drawRulers, drawThings } from "./floor";
-import { HANDLE_M, startOf, toWorld, type XY } from "./frames";
-import { type Palette, readPalette } from "./palette";
-import { Pushed } from "./pushed";
-import { drawRanges, type Measurements } from "./ranges_view";
-import { drawBelief, drawKnob, drawRobot } from "./robot";
-import { type CacheInput, SceneCache } from "./scene_cache";
-import { subjectOf, wholeRoom } from "./subject";
+  type Viewport,
+  viewportFor,
+} from "./viewport";
 
 /** Redraws continue this long after the last change, until the robot's interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
@@ -34,15 +34,15 @@ export type Framing = "subject" | "room" | "manual" | "robot";
 /** Drawn over the floor, in pixels. */
 export type Overlay = (
   ctx: CanvasRenderingContext2D,
-  camera: Camera,
+  viewport: Viewport,
   size: Size,
-  palette: Palette,
+  colours: Colours,
 ) => void;
 
 /** Redraws the floor from above after a change, at most once per animation frame. */
 export class SceneRenderer {
   private readonly ctx: CanvasRenderingContext2D;
-  private palette: Palette = readPalette();
+  private colours: Colours = readColours();
   private world: World | null = null;
   private robot: Robot | null = null;
   private view: RunView = IDLE;
@@ -50,15 +50,15 @@ export class SceneRenderer {
   private whole: RunView = IDLE;
   private size: Size = { width: 1, height: 1 };
   private ratio = 1;
-  private camera: Camera | null = null;
-  private target: Camera = { x: 0, y: 0, scale: 60 };
+  private viewport: Viewport | null = null;
+  private target: Viewport = { x: 0, y: 0, scale: 60 };
   private framing: Framing = "subject";
-  private awakeUntil = 0;
+  private redrawUntil = 0;
   private handle = 0;
   private lastFrame = 0;
   private moved = false;
   private cache = new SceneCache();
-  private readonly pushed = new Pushed();
+  private readonly boxInterpolator = new BoxInterpolator();
   private ranges: Measurements | null = null;
   /** The robot is at its start and can be moved. */
   private movable = false;
@@ -66,7 +66,7 @@ export class SceneRenderer {
   private held = false;
   private overlay: Overlay | null = null;
   private companion: Companion | null = null;
-  private beep: { words: string; since: number } | null = null;
+  private beep: { text: string; since: number } | null = null;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -86,70 +86,70 @@ export class SceneRenderer {
     if (sameRoom) {
       // only the start pose differs
       this.moved = true;
-      this.wake();
+      this.requestRedraw();
       return;
     }
     this.setFraming("subject");
-    this.camera = null;
+    this.viewport = null;
     this.aim();
   }
 
   setRobot(robot: Robot | null): void {
     this.robot = robot;
-    this.wake();
+    this.requestRedraw();
   }
 
   setMovable(movable: boolean): void {
     this.movable = movable;
-    this.wake();
+    this.requestRedraw();
   }
 
   setRanges(ranges: Measurements | null): void {
     this.ranges = ranges;
-    this.wake();
+    this.requestRedraw();
   }
 
   setOverlay(overlay: Overlay | null): void {
     this.overlay = overlay;
-    this.wake();
+    this.requestRedraw();
   }
 
   /** Sets the words that are seen at the robot while it beeps; "" while it does not. */
-  setBeep(words: string): void {
+  setBeep(text: string): void {
     const since = this.beep?.since ?? performance.now();
-    this.beep = words ? { words, since } : null;
-    this.wake();
+    this.beep = text ? { text, since } : null;
+    this.requestRedraw();
   }
 
   /** Sets the second run that is drawn on this floor. */
   setCompanion(companion: Companion | null): void {
     this.companion = companion;
     this.moved = true;
-    this.wake();
+    this.requestRedraw();
   }
 
   /** Fixes the camera while something is being dragged. */
   hold(held: boolean): void {
     this.held = held;
     this.moved = true;
-    this.wake();
+    this.requestRedraw();
   }
 
   /** Turns following the robot on or off. */
-  follow(wanted: boolean): void {
-    if (wanted) this.setFraming("robot");
+  follow(isOn: boolean): void {
+    if (isOn) this.setFraming("robot");
     else if (this.framing === "robot") this.setFraming("manual");
     this.aim();
   }
 
   /** Converts a point of the canvas to the world frame. */
   floorAt(place: XY): XY {
-    return toFloor(this.camera ?? this.target, this.size, place);
+    return toFloor(this.viewport ?? this.target, this.size, place);
   }
 
   /** Size of a pixel in metres. */
   get pixel(): number {
-    return 1 / (this.camera ?? this.target).scale;
+    return 1 / (this.viewport ?? this.target).scale;
   }
 
   get shownWorld(): World | null {
@@ -168,12 +168,12 @@ export class SceneRenderer {
     this.whole = whole;
     // the camera is aimed at the next redraw, because many events may arrive before it
     this.moved = true;
-    this.wake();
+    this.requestRedraw();
   }
 
   setTheme(): void {
-    this.palette = readPalette();
-    this.wake();
+    this.colours = readColours();
+    this.requestRedraw();
   }
 
   resize(width: number, height: number): void {
@@ -181,7 +181,7 @@ export class SceneRenderer {
     this.ratio = window.devicePixelRatio || 1;
     this.canvas.width = Math.round(width * this.ratio);
     this.canvas.height = Math.round(height * this.ratio);
-    this.camera = null;
+    this.viewport = null;
     this.aim();
     this.draw(performance.now());
   }
@@ -195,15 +195,15 @@ export class SceneRenderer {
   zoom(factor: number): void {
     if (this.framing !== "robot") this.setFraming("manual");
     this.target = { ...this.target, scale: clampScale(this.target.scale * factor) };
-    this.wake();
+    this.requestRedraw();
   }
 
   pan(dx: number, dy: number): void {
     this.setFraming("manual");
     const { x, y, scale } = this.target;
     this.target = { x: x - dx / scale, y: y + dy / scale, scale };
-    this.camera = { ...this.target };
-    this.wake();
+    this.viewport = { ...this.target };
+    this.requestRedraw();
   }
 
   dispose(): void {
@@ -211,16 +211,16 @@ export class SceneRenderer {
   }
 
   /** Draws the whole subject with the given palette on a new canvas, for export. */
-  picture(size: Size, ratio: number, palette: Palette): HTMLCanvasElement {
+  picture(size: Size, ratio: number, colours: Colours): HTMLCanvasElement {
     const canvas = document.createElement("canvas");
     canvas.width = size.width * ratio;
     canvas.height = size.height * ratio;
     const ctx = canvas.getContext("2d");
     if (!ctx) return canvas;
-    const camera = cameraFor(subjectOf(this.world, this.view, this.companion), size);
+    const viewport = viewportFor(contentBounds(this.world, this.view, this.companion), size);
     const { world, robot, view } = this;
-    const input = { world, robot, view, palette, size, ratio };
-    this.paintCached(ctx, input, new SceneCache(), camera, performance.now());
+    const input = { world, robot, view, colours, size, ratio };
+    this.paintCached(ctx, input, new SceneCache(), viewport, performance.now());
     return canvas;
   }
 
@@ -232,31 +232,31 @@ export class SceneRenderer {
 
   private aim(): void {
     this.point();
-    this.wake();
+    this.requestRedraw();
   }
 
   private point(): void {
     this.moved = false;
     if (this.held) return;
     if (this.framing === "subject")
-      this.target = cameraFor(
-        subjectOf(this.world, this.whole, this.companion),
+      this.target = viewportFor(
+        contentBounds(this.world, this.whole, this.companion),
         this.size,
         EDGE_WITH_TOOLS,
       );
     if (this.framing === "room")
-      this.target = cameraFor(wholeRoom(this.world), this.size, EDGE_WITH_TOOLS);
+      this.target = viewportFor(wholeRoom(this.world), this.size, EDGE_WITH_TOOLS);
   }
 
-  private wake(): void {
-    this.awakeUntil = performance.now() + LINGER_MS;
+  private requestRedraw(): void {
+    this.redrawUntil = performance.now() + LINGER_MS;
     this.handle ||= requestAnimationFrame((now) => this.tick(now));
   }
 
   private tick(now: number): void {
     this.handle = 0;
     const moving = this.draw(now);
-    if (moving || now < this.awakeUntil) {
+    if (moving || now < this.redrawUntil) {
       this.handle = requestAnimationFrame((next) => this.tick(next));
     }
   }
@@ -267,17 +267,17 @@ export class SceneRenderer {
     if (this.framing === "robot" && !this.held) {
       this.target = { ...toWorld(startOf(this.world), pose.x, pose.y), scale: this.target.scale };
     }
-    this.camera ??= { ...this.target };
+    this.viewport ??= { ...this.target };
     const elapsed = Math.min(50, now - this.lastFrame);
     this.lastFrame = now;
-    const moving = approach(this.camera, this.target, elapsed, this.still());
-    const pushing = this.pushed.approach(this.view.things, elapsed, this.still());
-    const { world, robot, view, palette, size, ratio } = this;
-    const input = { world, robot, view, palette, size, ratio };
-    const camera = this.cache.aligned(this.camera, ratio);
-    const blurred = this.paintCached(this.ctx, input, this.cache, camera, now);
-    this.drawBeep(pose, camera, now);
-    this.overlay?.(this.ctx, camera, size, palette);
+    const moving = approach(this.viewport, this.target, elapsed, this.still());
+    const pushing = this.boxInterpolator.approach(this.view.boxes, elapsed, this.still());
+    const { world, robot, view, colours, size, ratio } = this;
+    const input = { world, robot, view, colours, size, ratio };
+    const viewport = this.cache.aligned(this.viewport, ratio);
+    const blurred = this.paintCached(this.ctx, input, this.cache, viewport, now);
+    this.drawBeep(pose, viewport, now);
+    this.overlay?.(this.ctx, viewport, size, colours);
     return moving || pushing || blurred;
   }
 
@@ -286,49 +286,49 @@ export class SceneRenderer {
     ctx: CanvasRenderingContext2D,
     input: CacheInput,
     cache: SceneCache,
-    camera: Camera,
+    viewport: Viewport,
     now: number,
   ): boolean {
-    const { world, palette, size, ratio } = input;
+    const { world, colours, size, ratio } = input;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
-    ctx.fillStyle = palette.outside;
+    ctx.fillStyle = colours.outside;
     ctx.fillRect(0, 0, size.width, size.height);
-    const blurred = cache.drawImage(ctx, input, camera, now);
+    const blurred = cache.drawImage(ctx, input, viewport, now);
     const pose = this.poseAt(now);
     const end: Point | null = this.view.run ? [pose.x, pose.y] : null;
-    onFloor(ctx, input, camera, () => {
-      drawThings(ctx, world, this.pushed.places, palette);
+    onFloor(ctx, input, viewport, () => {
+      drawMovableBoxes(ctx, world, this.boxInterpolator.poses, colours);
       toStartFrame(ctx, world);
-      cache.drawPaths(ctx, input, camera, end);
+      cache.drawPaths(ctx, input, viewport, end);
     });
-    cache.drawStrokeLayer(ctx, input, camera);
+    cache.drawStrokeLayer(ctx, input, viewport);
     const { companion } = this;
     if (companion) {
-      onFloor(ctx, input, camera, () => drawCompanion(ctx, companion, camera, palette, ratio));
+      onFloor(ctx, input, viewport, () => drawCompanion(ctx, companion, viewport, colours, ratio));
     }
-    onFloor(ctx, input, camera, () => {
+    onFloor(ctx, input, viewport, () => {
       toStartFrame(ctx, world);
-      cache.drawPen(ctx, input, camera, end);
-      this.drawRobot(ctx, pose, camera, input);
+      cache.drawPen(ctx, input, viewport, end);
+      this.drawRobot(ctx, pose, viewport, input);
     });
-    drawRulers(ctx, world, camera, size, palette);
+    drawRulers(ctx, world, viewport, size, colours);
     return blurred;
   }
 
-  private drawBeep(pose: Pose, camera: Camera, now: number): void {
-    const { beep, world, robot, size, palette } = this;
+  private drawBeep(pose: Pose, viewport: Viewport, now: number): void {
+    const { beep, world, robot, size, colours } = this;
     if (!beep) return;
-    const at = toScreen(camera, size, toWorld(startOf(world), pose.x, pose.y));
+    const at = toScreen(viewport, size, toWorld(startOf(world), pose.x, pose.y));
     const grown = this.still() ? 1 : Math.min(1, Math.max(0, now - beep.since) / GROWING_MS);
     const radius = robot?.radius_m ?? 0;
-    drawBeep(this.ctx, { words: beep.words, radius, grown }, at, [camera.scale, size], palette);
+    drawBeep(this.ctx, { text: beep.text, radius, grown }, at, [viewport.scale, size], colours);
   }
 
   private drawRobot(
     ctx: CanvasRenderingContext2D,
     pose: Pose,
-    { scale }: Camera,
-    { robot, palette, ratio }: CacheInput,
+    { scale }: Viewport,
+    { robot, colours, ratio }: CacheInput,
   ): void {
     const { view, ranges } = this;
     if (!robot) return;
@@ -336,15 +336,15 @@ export class SceneRenderer {
       ctx.save();
       ctx.translate(pose.x, pose.y);
       ctx.rotate(pose.yaw);
-      drawRanges(ctx, robot, ranges, palette, 1 / scale);
+      drawRanges(ctx, robot, ranges, colours, 1 / scale);
       ctx.restore();
     }
-    if (this.movable && !view.run) drawKnob(ctx, robot, HANDLE_M, palette, 1 / scale);
-    drawRobot(ctx, robot, pose, palette, scale * ratio);
+    if (this.movable && !view.run) drawKnob(ctx, robot, HANDLE_M, colours, 1 / scale);
+    drawRobot(ctx, robot, pose, colours, scale * ratio);
     const off = { x: view.pose.x - view.truth.x, y: view.pose.y - view.truth.y };
     if (Math.hypot(off.x, off.y) < OFF_M) return;
     const yaw = pose.yaw + view.pose.yaw - view.truth.yaw;
-    drawBelief(ctx, robot, { x: pose.x + off.x, y: pose.y + off.y, yaw }, palette, 1 / scale);
+    drawBelief(ctx, robot, { x: pose.x + off.x, y: pose.y + off.y, yaw }, colours, 1 / scale);
   }
 }
 
@@ -352,13 +352,13 @@ export class SceneRenderer {
 function onFloor(
   ctx: CanvasRenderingContext2D,
   { size }: CacheInput,
-  camera: Camera,
+  viewport: Viewport,
   draw: () => void,
 ): void {
   ctx.save();
   ctx.translate(size.width / 2, size.height / 2);
-  ctx.scale(camera.scale, -camera.scale);
-  ctx.translate(-camera.x, -camera.y);
+  ctx.scale(viewport.scale, -viewport.scale);
+  ctx.translate(-viewport.x, -viewport.y);
   draw();
   ctx.restore();
 }

@@ -1,7 +1,7 @@
 import type { Robot } from "../api/model";
 import type { Pose } from "../run/reducer";
+import type { Colours } from "./colours";
 import { extentOf, hullPath, onHull } from "./hull";
-import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 
@@ -26,7 +26,7 @@ export function drawRobot(
   ctx: Ctx,
   robot: Robot,
   pose: Pose,
-  palette: Palette,
+  colours: Colours,
   pixels: number,
 ): void {
   ctx.save();
@@ -37,29 +37,29 @@ export function drawRobot(
     (MIN_PX * (window.devicePixelRatio || 1)) / (pixels * extentOf(robot).length),
   );
   ctx.scale(enlarged, enlarged);
-  drawShadow(ctx, robot, pose.yaw, palette, pixels);
-  drawWheels(ctx, robot, palette);
-  drawBody(ctx, robot, palette);
+  drawShadow(ctx, robot, pose.yaw, colours, pixels);
+  drawWheels(ctx, robot, colours);
+  drawBody(ctx, robot, colours);
   drawSonars(ctx, robot);
-  drawDeck(ctx, robot, palette);
+  drawDeck(ctx, robot, colours);
   ctx.restore();
 }
 
 /** The light does not turn with the robot, so the shadow always falls in the same direction. */
-function drawShadow(ctx: Ctx, robot: Robot, yaw: number, palette: Palette, pixels: number): void {
+function drawShadow(ctx: Ctx, robot: Robot, yaw: number, colours: Colours, pixels: number): void {
   ctx.save();
   ctx.rotate(-yaw);
   ctx.translate(0.07 * robot.radius_m, -0.16 * robot.radius_m);
   ctx.rotate(yaw);
-  ctx.shadowColor = palette.shadow;
+  ctx.shadowColor = colours.shadow;
   ctx.shadowBlur = Math.min(24, pixels * 0.08);
-  ctx.fillStyle = palette.shadow;
+  ctx.fillStyle = colours.shadow;
   ctx.fill(outlineOf(robot));
   ctx.restore();
 }
 
-function drawWheels(ctx: Ctx, { wheels }: Robot, palette: Palette): void {
-  ctx.fillStyle = palette.wheel;
+function drawWheels(ctx: Ctx, { wheels }: Robot, colours: Colours): void {
+  ctx.fillStyle = colours.wheel;
   for (const { x_m, y_m, radius_m, width_m } of wheels) {
     ctx.beginPath();
     ctx.roundRect(x_m - radius_m, y_m - width_m / 2, 2 * radius_m, width_m, 0.36 * width_m);
@@ -67,11 +67,11 @@ function drawWheels(ctx: Ctx, { wheels }: Robot, palette: Palette): void {
   }
 }
 
-function drawBody(ctx: Ctx, robot: Robot, palette: Palette): void {
+function drawBody(ctx: Ctx, robot: Robot, colours: Colours): void {
   const outline = outlineOf(robot);
-  ctx.fillStyle = palette.robot;
+  ctx.fillStyle = colours.robot;
   ctx.fill(outline);
-  ctx.strokeStyle = palette.deck;
+  ctx.strokeStyle = colours.deck;
   ctx.lineWidth = 0.05 * robot.radius_m;
   ctx.stroke(outline);
 }
@@ -88,17 +88,17 @@ function drawSonars(ctx: Ctx, robot: Robot): void {
 }
 
 /** The deck with an arrow ahead, in parts of the hull's length and width; the laser scanner stands on it. */
-function drawDeck(ctx: Ctx, robot: Robot, palette: Palette): void {
+function drawDeck(ctx: Ctx, robot: Robot, colours: Colours): void {
   const { back, length, width } = extentOf(robot);
   const x = (part: number) => back + part * length;
   ctx.beginPath();
   ctx.roundRect(x(0.15), -0.31 * width, 0.57 * length, 0.62 * width, 0.19 * width);
-  ctx.fillStyle = palette.deck;
+  ctx.fillStyle = colours.deck;
   ctx.fill();
   if (robot.laser) {
     ctx.beginPath();
     ctx.arc(robot.laser.x_m, robot.laser.y_m, 0.29 * width, 0, 2 * Math.PI);
-    ctx.strokeStyle = palette.mark;
+    ctx.strokeStyle = colours.mark;
     ctx.lineWidth = 0.03 * width;
     ctx.stroke();
   }
@@ -108,7 +108,7 @@ function drawDeck(ctx: Ctx, robot: Robot, palette: Palette): void {
   ctx.lineTo(x(0.42), 0);
   ctx.lineTo(x(0.35), -0.26 * width);
   ctx.closePath();
-  ctx.fillStyle = palette.mark;
+  ctx.fillStyle = colours.mark;
   ctx.fill();
 }
 
@@ -117,14 +117,14 @@ export function drawBelief(
   ctx: Ctx,
   robot: Robot,
   pose: Pose,
-  palette: Palette,
+  colours: Colours,
   pixel: number,
 ): void {
   ctx.save();
   ctx.translate(pose.x, pose.y);
   ctx.rotate(pose.yaw);
   ctx.setLineDash([4 * pixel, 3 * pixel]);
-  ctx.strokeStyle = palette.number;
+  ctx.strokeStyle = colours.number;
   ctx.lineWidth = 2 * pixel;
   ctx.stroke(outlineOf(robot));
   ctx.beginPath();
@@ -139,11 +139,11 @@ export function drawKnob(
   ctx: Ctx,
   robot: Robot,
   reach: number,
-  palette: Palette,
+  colours: Colours,
   pixel: number,
 ): void {
   ctx.save();
-  ctx.strokeStyle = palette.start;
+  ctx.strokeStyle = colours.start;
   ctx.lineWidth = 2 * pixel;
   ctx.beginPath();
   ctx.moveTo(extentOf(robot).front, 0);
@@ -151,7 +151,7 @@ export function drawKnob(
   ctx.stroke();
   ctx.beginPath();
   ctx.arc(reach, 0, 8 * pixel, 0, 2 * Math.PI);
-  ctx.fillStyle = palette.tile;
+  ctx.fillStyle = colours.tile;
   ctx.fill();
   ctx.lineWidth = 3 * pixel;
   ctx.stroke();
@@ -159,12 +159,12 @@ export function drawKnob(
 }
 
 /** Draws the start pose: a ring with room for the robot. */
-export function drawStart(ctx: Ctx, robot: Robot, palette: Palette, pixels: number): void {
+export function drawStart(ctx: Ctx, robot: Robot, colours: Colours, pixels: number): void {
   const line = Math.max(2, 0.025 * pixels) / pixels;
   const [base, tip] = ARROW_M.map((distance) => robot.radius_m + distance) as [number, number];
   ctx.save();
-  ctx.strokeStyle = palette.start;
-  ctx.fillStyle = palette.start;
+  ctx.strokeStyle = colours.start;
+  ctx.fillStyle = colours.start;
   ctx.lineWidth = line;
   ctx.beginPath();
   ctx.arc(0, 0, robot.radius_m + RING_M, 0, 2 * Math.PI);

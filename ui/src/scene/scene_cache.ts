@@ -2,12 +2,12 @@ import type { Robot, World } from "../api/model";
 import type { Output, Stroke } from "../run/output";
 import type { RunView } from "../run/reducer";
 import { lastPoint, type Point, type Trail } from "../run/trail";
-import type { Camera, Size } from "./camera";
+import type { Colours } from "./colours";
 import { drawMarks, drawStroke } from "./drawings";
 import { drawFloor } from "./floor";
 import { startOf } from "./frames";
-import type { Palette } from "./palette";
 import { drawStart } from "./robot";
+import type { Size, Viewport } from "./viewport";
 
 type Ctx = CanvasRenderingContext2D;
 
@@ -16,7 +16,7 @@ export interface CacheInput {
   readonly world: World | null;
   readonly robot: Robot | null;
   readonly view: RunView;
-  readonly palette: Palette;
+  readonly colours: Colours;
   readonly size: Size;
   readonly ratio: number;
 }
@@ -47,7 +47,7 @@ export class SceneCache {
   private readonly strokeCanvas = document.createElement("canvas");
   private readonly strokeCtx = this.strokeCanvas.getContext("2d");
   private input: CacheInput | null = null;
-  private camera: Camera = { x: 0, y: 0, scale: 1 };
+  private viewport: Viewport = { x: 0, y: 0, scale: 1 };
   private path: DrawnLength = { chunks: 0, length: 0 };
   private ideal: DrawnLength = { chunks: 0, length: 0 };
   private strokes = 0;
@@ -57,55 +57,59 @@ export class SceneCache {
   private drawnAt = 0;
 
   /** Draws the cached floor and paths; true while the image is scaled or shifted and needs a redraw. */
-  drawImage(target: Ctx, input: CacheInput, camera: Camera, now: number): boolean {
+  drawImage(target: Ctx, input: CacheInput, viewport: Viewport, now: number): boolean {
     const { canvas, ctx } = this;
     // a hidden pane has no size, and a canvas without size cannot be drawn
     if (!ctx || input.size.width === 0 || input.size.height === 0) return false;
     const same = this.isSame(input);
     const mayWait = same && this.cost > QUICK_MS && now - this.drawnAt < AGAIN_MS;
-    if (!same || (!this.covers(camera) && !mayWait)) this.redraw(ctx, input, camera, now);
+    if (!same || (!this.covers(viewport) && !mayWait)) this.redraw(ctx, input, viewport, now);
     else this.extend(ctx, input);
-    this.put(target, canvas, input, camera);
-    return !this.covers(camera);
+    this.put(target, canvas, input, viewport);
+    return !this.covers(viewport);
   }
 
   /** Draws marks and the pen's strokes over the paths. */
-  drawStrokeLayer(target: Ctx, input: CacheInput, camera: Camera): void {
+  drawStrokeLayer(target: Ctx, input: CacheInput, viewport: Viewport): void {
     const parts = this.strokes + this.pen.chunks + input.view.output.marks.length;
-    if (parts > 0) this.put(target, this.strokeCanvas, input, camera);
+    if (parts > 0) this.put(target, this.strokeCanvas, input, viewport);
   }
 
-  private put(target: Ctx, image: HTMLCanvasElement, input: CacheInput, camera: Camera): void {
-    const scale = camera.scale / this.camera.scale;
+  private put(target: Ctx, image: HTMLCanvasElement, input: CacheInput, viewport: Viewport): void {
+    const scale = viewport.scale / this.viewport.scale;
     const [width, height] = [input.size.width + 2 * MARGIN, input.size.height + 2 * MARGIN];
-    const left = (this.camera.x - camera.x) * camera.scale - (width * scale) / 2;
-    const top = -(this.camera.y - camera.y) * camera.scale - (height * scale) / 2;
+    const left = (this.viewport.x - viewport.x) * viewport.scale - (width * scale) / 2;
+    const top = -(this.viewport.y - viewport.y) * viewport.scale - (height * scale) / 2;
     const [middleX, middleY] = [input.size.width / 2, input.size.height / 2];
     target.drawImage(image, middleX + left, middleY + top, width * scale, height * scale);
   }
 
   /** Shifts the camera by less than a pixel so that pixels of the cache align with pixels of the screen. */
-  aligned(camera: Camera, ratio: number): Camera {
-    if (camera.scale !== this.camera.scale) return camera;
-    const pixels = camera.scale * ratio;
+  aligned(viewport: Viewport, ratio: number): Viewport {
+    if (viewport.scale !== this.viewport.scale) return viewport;
+    const pixels = viewport.scale * ratio;
     const whole = (value: number, from: number) =>
       from + Math.round((value - from) * pixels) / pixels;
-    return { ...camera, x: whole(camera.x, this.camera.x), y: whole(camera.y, this.camera.y) };
+    return {
+      ...viewport,
+      x: whole(viewport.x, this.viewport.x),
+      y: whole(viewport.y, this.viewport.y),
+    };
   }
 
-  private covers({ x, y, scale }: Camera): boolean {
-    const far = Math.max(Math.abs(x - this.camera.x), Math.abs(y - this.camera.y)) * scale;
-    return scale === this.camera.scale && far <= MARGIN;
+  private covers({ x, y, scale }: Viewport): boolean {
+    const far = Math.max(Math.abs(x - this.viewport.x), Math.abs(y - this.viewport.y)) * scale;
+    return scale === this.viewport.scale && far <= MARGIN;
   }
 
   /** Whether the cache is still valid: it holds the beginning of what the input shows. */
-  private isSame({ world, robot, view, palette, size, ratio }: CacheInput): boolean {
+  private isSame({ world, robot, view, colours, size, ratio }: CacheInput): boolean {
     const { input } = this;
     return (
       input !== null &&
       input.world === world &&
       input.robot === robot &&
-      input.palette === palette &&
+      input.colours === colours &&
       input.size === size &&
       input.ratio === ratio &&
       input.view.run === view.run &&
@@ -127,10 +131,10 @@ export class SceneCache {
     return isSame(pen) || strokes.slice(this.strokes).some(isSame);
   }
 
-  private redraw(ctx: Ctx, input: CacheInput, camera: Camera, now: number): void {
+  private redraw(ctx: Ctx, input: CacheInput, viewport: Viewport, now: number): void {
     const { canvas } = this;
-    const { size, ratio, palette, world, robot } = input;
-    this.camera = { ...camera };
+    const { size, ratio, colours, world, robot } = input;
+    this.viewport = { ...viewport };
     this.path = { chunks: 0, length: 0 };
     this.ideal = { chunks: 0, length: 0 };
     this.strokes = 0;
@@ -141,12 +145,12 @@ export class SceneCache {
     this.strokeCanvas.height = canvas.height;
     const before = performance.now();
     ctx.setTransform(1, 0, 0, 1, 0, 0);
-    ctx.fillStyle = palette.outside;
+    ctx.fillStyle = colours.outside;
     ctx.fillRect(0, 0, canvas.width, canvas.height);
-    this.place(ctx, input);
-    drawFloor(ctx, world, palette, camera.scale, false);
+    this.toWorldFrame(ctx, input);
+    drawFloor(ctx, world, colours, viewport.scale, false);
     this.toStart(ctx, input);
-    if (robot) drawStart(ctx, robot, palette, camera.scale);
+    if (robot) drawStart(ctx, robot, colours, viewport.scale);
     if (this.strokeCtx) this.drawMarks(this.strokeCtx, input);
     this.drawFull(ctx, input);
     this.cost = performance.now() - before;
@@ -155,9 +159,9 @@ export class SceneCache {
 
   /** Marks lie above the path, which often leads over them. */
   private drawMarks(ctx: Ctx, input: CacheInput): void {
-    this.place(ctx, input);
+    this.toWorldFrame(ctx, input);
     this.toStart(ctx, input);
-    drawMarks(ctx, input.view.output.marks, input.palette);
+    drawMarks(ctx, input.view.output.marks, input.colours);
   }
 
   private extend(ctx: Ctx, input: CacheInput): void {
@@ -169,41 +173,41 @@ export class SceneCache {
       (view.output.pen?.trail.chunks.length ?? 0) <= this.pen.chunks;
     this.input = input;
     if (isFull) return;
-    this.place(ctx, input);
+    this.toWorldFrame(ctx, input);
     this.toStart(ctx, input);
     this.drawFull(ctx, input);
   }
 
-  private place(ctx: Ctx, { size, ratio }: CacheInput): void {
-    const { camera } = this;
+  private toWorldFrame(ctx: Ctx, { size, ratio }: CacheInput): void {
+    const { viewport } = this;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.translate(size.width / 2 + MARGIN, size.height / 2 + MARGIN);
-    ctx.scale(camera.scale, -camera.scale);
-    ctx.translate(-camera.x, -camera.y);
+    ctx.scale(viewport.scale, -viewport.scale);
+    ctx.translate(-viewport.x, -viewport.y);
   }
 
   /** Draws into the cache what became complete since the last call. */
   private drawFull(ctx: Ctx, input: CacheInput): void {
-    const { view, palette } = input;
-    const pixel = 1 / this.camera.scale;
-    this.ideal = drawnTo(ctx, view.idealPath, this.ideal, idealPen(palette, pixel));
-    this.path = drawnTo(ctx, view.path, this.path, pathPen(palette, pixel));
+    const { view, colours } = input;
+    const pixel = 1 / this.viewport.scale;
+    this.ideal = drawnTo(ctx, view.idealPath, this.ideal, idealPen(colours, pixel));
+    this.path = drawnTo(ctx, view.path, this.path, pathPen(colours, pixel));
     if (this.strokeCtx) this.drawFullStrokes(this.strokeCtx, input, pixel);
     this.input = input;
   }
 
   private drawFullStrokes(ctx: Ctx, input: CacheInput, pixel: number): void {
-    const { view, palette } = input;
-    this.place(ctx, input);
+    const { view, colours } = input;
+    this.toWorldFrame(ctx, input);
     this.toStart(ctx, input);
     for (const stroke of view.output.strokes.slice(this.strokes)) {
-      drawStroke(ctx, stroke, null, palette, pixel);
+      drawStroke(ctx, stroke, null, colours, pixel);
       this.pen = { chunks: 0, length: 0 };
     }
     this.strokes = view.output.strokes.length;
     const { pen } = view.output;
     if (pen) {
-      drawStroke(ctx, restOf(pen, this.pen.chunks, false), null, palette, pixel);
+      drawStroke(ctx, restOf(pen, this.pen.chunks, false), null, colours, pixel);
       this.pen = { chunks: pen.trail.chunks.length, length: 0 };
     }
   }
@@ -215,17 +219,17 @@ export class SceneCache {
   }
 
   /** Draws the newest part of each path, which is not in the cache yet. The canvas is in the start frame. */
-  drawPaths(ctx: Ctx, { view, palette }: CacheInput, camera: Camera, end: Point | null): void {
-    const pixel = 1 / camera.scale;
-    drawRest(ctx, view.idealPath, this.ideal, idealPen(palette, pixel), null);
-    drawRest(ctx, view.path, this.path, pathPen(palette, pixel), end);
+  drawPaths(ctx: Ctx, { view, colours }: CacheInput, viewport: Viewport, end: Point | null): void {
+    const pixel = 1 / viewport.scale;
+    drawRest(ctx, view.idealPath, this.ideal, idealPen(colours, pixel), null);
+    drawRest(ctx, view.path, this.path, pathPen(colours, pixel), end);
   }
 
   /** Draws the part of the pen's unfinished stroke that is not in the cache yet. */
-  drawPen(ctx: Ctx, { view, palette }: CacheInput, camera: Camera, end: Point | null): void {
+  drawPen(ctx: Ctx, { view, colours }: CacheInput, viewport: Viewport, end: Point | null): void {
     const { pen } = view.output;
-    const pixel = 1 / camera.scale;
-    if (pen) drawStroke(ctx, restOf(pen, this.pen.chunks, true), end, palette, pixel);
+    const pixel = 1 / viewport.scale;
+    if (pen) drawStroke(ctx, restOf(pen, this.pen.chunks, true), end, colours, pixel);
   }
 }
 
@@ -245,15 +249,15 @@ interface Pen {
   readonly dash: readonly number[];
 }
 
-const pathPen = (palette: Palette, pixel: number): Pen => ({
-  colour: palette.path,
+const pathPen = (colours: Colours, pixel: number): Pen => ({
+  colour: colours.path,
   width: 6 * pixel,
   dash: [],
 });
 
 /** Drawn beneath the path, so that deviations of the robot can be seen. */
-const idealPen = (palette: Palette, pixel: number): Pen => ({
-  colour: palette.ideal,
+const idealPen = (colours: Colours, pixel: number): Pen => ({
+  colour: colours.ideal,
   width: 2 * pixel,
   dash: [5 * pixel, 6 * pixel],
 });
@@ -262,7 +266,7 @@ function drawnTo(ctx: Ctx, trail: Trail, before: DrawnLength, pen: Pen): DrawnLe
   const fresh = trail.chunks.slice(before.chunks);
   if (fresh.length === 0) return before;
   const joint = trail.chunks[before.chunks - 1]?.at(-1);
-  take(ctx, pen, before.length);
+  applyPen(ctx, pen, before.length);
   ctx.beginPath();
   if (joint) ctx.moveTo(...joint);
   let [length, last] = [before.length, joint];
@@ -276,7 +280,7 @@ function drawnTo(ctx: Ctx, trail: Trail, before: DrawnLength, pen: Pen): DrawnLe
 }
 
 function drawRest(ctx: Ctx, trail: Trail, before: DrawnLength, pen: Pen, end: Point | null): void {
-  take(ctx, pen, before.length);
+  applyPen(ctx, pen, before.length);
   ctx.beginPath();
   const joint = trail.chunks[before.chunks - 1]?.at(-1);
   if (joint) ctx.moveTo(...joint);
@@ -288,7 +292,7 @@ function drawRest(ctx: Ctx, trail: Trail, before: DrawnLength, pen: Pen, end: Po
   finish(ctx);
 }
 
-function take(ctx: Ctx, { colour, width, dash }: Pen, offset: number): void {
+function applyPen(ctx: Ctx, { colour, width, dash }: Pen, offset: number): void {
   ctx.lineCap = dash.length > 0 ? "butt" : "round";
   ctx.lineJoin = "round";
   ctx.strokeStyle = colour;

@@ -1,7 +1,7 @@
 import { NO_CLASS } from "../api/classes";
 import type { Classroom } from "../api/model";
 import { language, texts } from "../i18n";
-import { Choice } from "../kit/Choice";
+import { RadioGroup } from "../kit/RadioGroup";
 import { setClassroom } from "./classroom";
 import { withDistinctNames } from "./namesakes";
 
@@ -14,11 +14,11 @@ interface ClassChipsProps {
 
 /** Selects a class: one chip for each. */
 export function ClassChips({ classes, withNone, shown }: ClassChipsProps) {
-  const words = texts.value.classes;
-  const none = { id: NO_CLASS, name: words.noClass };
+  const labels = texts.value.classes;
+  const none = { id: NO_CLASS, name: labels.noClass };
   return (
-    <Choice
-      label={words.choose}
+    <RadioGroup
+      label={labels.choose}
       class="class-chips row wrap gap-2"
       optionClass="class-chips__one"
       testId="class-chip"

@@ -14,13 +14,13 @@ export function setClassroom(id: string): void {
 
 /** The class to show: the last chosen one, that of the last used group, or the first; NO_CLASS without classes. */
 export function shownClass(
-  wanted: string | null,
+  lastChosen: string | null,
   classes: readonly Classroom[],
   groups: readonly Group[],
 ): string {
   const withNone = classes.length === 0 || groups.some((one) => !one.classroom_id);
   const known = [...classes.map(({ id }) => id), ...(withNone ? [NO_CLASS] : [])];
-  if (wanted !== null && known.includes(wanted)) return wanted;
+  if (lastChosen !== null && known.includes(lastChosen)) return lastChosen;
   return groups.find((one) => one.classroom_id)?.classroom_id ?? classes[0]?.id ?? NO_CLASS;
 }
 

@@ -1,5 +1,5 @@
 import { signal } from "@preact/signals";
-import { KeptById } from "./settings";
+import { SettingById } from "./settings";
 
 /** The help is shown in the studio; the header opens and closes it. */
 export const helpIsOpen = signal(false);
@@ -8,5 +8,5 @@ export const helpIsOpen = signal(false);
 export const tourFor = signal<string | null>(null);
 
 /** The step of each group's guided first drive, for a page that is loaded again in the middle; then that it is over. */
-export const tourSteps = new KeptById("pinel_tours");
+export const tourSteps = new SettingById("pinel_tours");
 export const TOUR_OVER = "over";

@@ -1,15 +1,15 @@
 import { signal } from "@preact/signals";
 import { activitiesApi } from "../api/activities";
 import { classesApi } from "../api/classes";
-import { ServerGone } from "../api/errors";
+import { ServerUnreachable } from "../api/errors";
 import type { GoalPicture, Lesson } from "../api/model";
 import type { Level } from "../blocks/definition";
 import { levelOfClass } from "./level";
 import { group, report } from "./session";
-import { turnsOfClass } from "./turns";
+import { swapMinutesOfClass } from "./swap_timer";
 
 /** Title and activity of the lesson that is open for a class. */
-export interface LessonWords {
+export interface LessonHeader {
   title: string;
   activity: string;
   /** Name of the activity; null without one. */
@@ -18,28 +18,28 @@ export interface LessonWords {
   goal: GoalPicture | null;
 }
 
-export const lesson = signal<LessonWords | null>(null);
+export const lesson = signal<LessonHeader | null>(null);
 
 /** Loads the open lesson of the class of the group in the header. */
 export async function loadOpenLesson(): Promise<void> {
   const id = group.peek()?.classroom_id;
   try {
     const now = id ? await classesApi.currentLesson(id) : null;
-    const found = now ? await wordsOf(now.lesson) : null;
+    const found = now ? await lessonHeaderOf(now.lesson) : null;
     if (group.peek()?.classroom_id !== id) return;
     lesson.value = found;
     levelOfClass.value = (now?.preset.level ?? null) as Level | null;
-    turnsOfClass.value = now?.preset.swap_minutes ?? null;
+    swapMinutesOfClass.value = now?.preset.swap_minutes ?? null;
   } catch (error) {
     // other failures are not reported: the lesson is not worth an error line
-    if (error instanceof ServerGone) report(error);
+    if (error instanceof ServerUnreachable) report(error);
   }
 }
 
-async function wordsOf(now: Lesson | null): Promise<LessonWords | null> {
+async function lessonHeaderOf(now: Lesson | null): Promise<LessonHeader | null> {
   const mission = now?.activity ?? null;
   if (!now || !(now.title || mission)) return null;
-  const activity = mission ? await activitiesApi.one(mission).catch(unlessGone) : null;
+  const activity = mission ? await activitiesApi.one(mission).catch(nullUnlessUnreachable) : null;
   return {
     title: now.title || (activity?.title ?? ""),
     activity: now.title && now.title !== activity?.title ? (activity?.title ?? "") : "",
@@ -49,7 +49,7 @@ async function wordsOf(now: Lesson | null): Promise<LessonWords | null> {
 }
 
 /** An activity of a newer release is not shown. */
-function unlessGone(error: unknown): null {
-  if (error instanceof ServerGone) throw error;
+function nullUnlessUnreachable(error: unknown): null {
+  if (error instanceof ServerUnreachable) throw error;
   return null;
 }

@@ -2,7 +2,7 @@ import { computed, signal } from "@preact/signals";
 import type { Level } from "../blocks/definition";
 import { texts } from "../i18n";
 import { group } from "./session";
-import { KeptById } from "./settings";
+import { SettingById } from "./settings";
 
 /** Levels of the toolbox, from few blocks to all. */
 export const LEVELS = [1, 2, 3] as const satisfies readonly Level[];
@@ -11,8 +11,8 @@ const HIGHEST: Level = 3;
 /** What the toolbox shows: a level, or only what the open mission offers. */
 export type Shown = Level | "mission";
 
-const ofGroups = new KeptById("pinel_levels");
-const inMissions = new KeptById("pinel_mission_levels");
+const ofGroups = new SettingById("pinel_levels");
+const inMissions = new SettingById("pinel_mission_levels");
 
 /** The level of the blocks that the open program had when it was opened. */
 export const levelInUse = signal<Level>(1);
@@ -65,11 +65,11 @@ export const offered = computed(() =>
 /** Keeps what the group chose: for the open mission, else for all its other programs. */
 export function setLevel(chosen: Shown): void {
   const mission = missionLevel.peek();
-  if (mission) inMissions.keep(mission.program, chosen === "mission" ? null : String(chosen));
-  else if (chosen !== "mission") ofGroups.keep(group.peek()?.id ?? "", String(chosen));
+  if (mission) inMissions.set(mission.program, chosen === "mission" ? null : String(chosen));
+  else if (chosen !== "mission") ofGroups.set(group.peek()?.id ?? "", String(chosen));
 }
 
-function chosenIn(kept: KeptById, id = ""): Level | undefined {
-  const chosen = kept.of(id);
+function chosenIn(setting: SettingById, id = ""): Level | undefined {
+  const chosen = setting.of(id);
   return LEVELS.find((one) => String(one) === chosen);
 }

@@ -9,7 +9,7 @@ export function withDistinctNames(classes: readonly Classroom[], language: Langu
   );
   const clear = single(named.map(keyOf));
   return named.map((one) =>
-    clear.has(keyOf(one)) ? one : { ...one, name: `${one.name} (${place(one, named)})` },
+    clear.has(keyOf(one)) ? one : { ...one, name: `${one.name} (${ordinal(one, named)})` },
   );
 }
 
@@ -25,6 +25,6 @@ function origin({ computer, created_at }: Classroom, language: Language): string
   return computer ?? new Date(created_at).toLocaleDateString(language, day);
 }
 
-function place(one: Classroom, named: readonly Classroom[]): number {
+function ordinal(one: Classroom, named: readonly Classroom[]): number {
   return named.filter((other) => keyOf(other) === keyOf(one)).indexOf(one) + 1;
 }

@@ -1,6 +1,6 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
-import { ApiError, ServerGone } from "../api/errors";
+import { ApiError, ServerUnreachable } from "../api/errors";
 import type {
   CameraChangedEvent,
   CameraSightEvent,
@@ -22,7 +22,7 @@ import type {
 import { type Language, language, speak, texts } from "../i18n";
 import { isLanguage } from "../i18n/languages";
 import { reportTo } from "../kit/report";
-import { type Problem, wordsOf } from "../kit/requests/problem";
+import { type Problem, problemOf } from "../kit/requests/problem";
 import { serverStatus } from "./first_answers";
 import { navigationBlocked, ROUTES, route } from "./route";
 import { choose, setting } from "./settings";
@@ -37,7 +37,7 @@ export const notice = signal<Notice | null>(null);
 /** Grading of the last run by the activity of its lesson. */
 export const judged = signal<JudgedEvent | null>(null);
 /** How the live run stands with the checks of its activity. */
-export const checksStand = signal<ChecksStandEvent | null>(null);
+export const checkStatus = signal<ChecksStandEvent | null>(null);
 /** The last program saved, discarded or restored, in any window. */
 export const changed = signal<ProgramChangedEvent | null>(null);
 export const problem = signal<Problem | null>(null);
@@ -69,9 +69,9 @@ const GOOD_NEWS_MS = 8000;
 
 /** Shows an error in the line under the header; 401 and a lost server are shown elsewhere. */
 export function report(error: unknown): void {
-  if (error instanceof ServerGone) lost();
+  if (error instanceof ServerUnreachable) lost();
   else if (error instanceof ApiError && error.status === 401) connection.value = "locked";
-  else problem.value = wordsOf(error);
+  else problem.value = problemOf(error);
 }
 reportTo(report);
 
@@ -96,7 +96,7 @@ let notices = 0;
 
 /** Loads the server's status; polls while the server is gone or its engine is not ready. */
 export async function refreshStatus(): Promise<void> {
-  const told = notices;
+  const noticesBefore = notices;
   try {
     const answer = await serverStatus();
     const isFirst = ["opening", "failed"].includes(connection.value);
@@ -104,7 +104,7 @@ export async function refreshStatus(): Promise<void> {
     if (isFirst && !languageChosen && isLanguage(answer.language)) await speak(answer.language);
     status.value = answer;
     // what the stream told meanwhile is newer than the answer
-    if (told === notices) notice.value = answer.database.notice;
+    if (noticesBefore === notices) notice.value = answer.database.notice;
     connection.value = "open";
     if (answer.engine !== "ready") poll();
   } catch (error) {
@@ -133,14 +133,14 @@ async function speakChosen(): Promise<void> {
 }
 
 /** Receiver of the events of runs. */
-interface Follower {
+interface RunEventHandler {
   receive(event: RunEvent): void;
   /** The stream has begun or reconnected: requests the missed events of the run. */
   resync(run: string | null): Promise<void>;
 }
 
 /** Who follows the camera. */
-interface CameraFollower {
+interface CameraEventHandler {
   receive(
     event: CameraSightEvent | CameraChangedEvent | SignRecordingEvent | SignsChangedEvent,
   ): void;
@@ -149,13 +149,13 @@ interface CameraFollower {
 }
 
 /** Who follows the real robots that this page watches. */
-type RobotFollower = (event: RobotStateToldEvent) => void;
+type RobotEventHandler = (event: RobotStateToldEvent) => void;
 
 function onStream(
   event: StreamEvent,
-  runs: Follower,
-  camera: CameraFollower,
-  robots: RobotFollower,
+  runs: RunEventHandler,
+  camera: CameraEventHandler,
+  robots: RobotEventHandler,
 ): void {
   switch (event.type) {
     case "hello":
@@ -178,7 +178,7 @@ function onStream(
       if (GOOD_NEWS.has(event.code)) window.setTimeout(() => void refreshStatus(), GOOD_NEWS_MS);
       break;
     case "checks_stand":
-      checksStand.value = event;
+      checkStatus.value = event;
       break;
     case "judged":
       judged.value = event;
@@ -205,9 +205,9 @@ function title(): string {
 
 /** Opens the connection to the server, after the texts of the first language have loaded. */
 export async function open(
-  runs: Follower,
-  camera: CameraFollower,
-  robots: RobotFollower,
+  runs: RunEventHandler,
+  camera: CameraEventHandler,
+  robots: RobotEventHandler,
 ): Promise<void> {
   effect(() => {
     document.documentElement.lang = language.value;

@@ -61,12 +61,12 @@ function send(name: SettingName, value: string): Promise<void> {
   return sent;
 }
 
-const MAX_KEPT = 40;
+const MAX_ENTRIES = 40;
 
-type Entry = readonly [key: string, word: string];
+type Entry = readonly [key: string, value: string];
 
 /** A word that this PC keeps for each of its groups or programs, the newest first: "KEY_WORD_KEY_WORD". */
-export class KeptById {
+export class SettingById {
   private readonly entries: ReadonlySignal<readonly Entry[]>;
 
   constructor(private readonly name: TextSetting) {
@@ -79,10 +79,10 @@ export class KeptById {
   }
 
   /** Keeps a word; null forgets it. */
-  keep(id: string, word: string | null): void {
+  set(id: string, value: string | null): void {
     const others = this.entries.peek().filter(([key]) => key !== keyOf(id));
-    const mine: readonly Entry[] = word === null ? [] : [[keyOf(id), word]];
-    void choose(this.name, [...mine, ...others].slice(0, MAX_KEPT).flat().join("_"));
+    const mine: readonly Entry[] = value === null ? [] : [[keyOf(id), value]];
+    void choose(this.name, [...mine, ...others].slice(0, MAX_ENTRIES).flat().join("_"));
   }
 }
 

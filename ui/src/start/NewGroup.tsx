@@ -9,7 +9,7 @@ import { Form } from "../kit/Form";
 import { PictureButton } from "../kit/pictures/PictureButton";
 import { PictureChoice } from "../kit/pictures/PictureChoice";
 import { rarestPicture } from "../kit/pictures/pictures";
-import { useAct } from "../kit/requests/act";
+import { useAction } from "../kit/requests/action";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { enterGroup } from "../work/entering";
 
@@ -24,9 +24,9 @@ interface NewGroupProps {
 export function NewGroup({ classroomId, others, first = false }: NewGroupProps) {
   const { start } = texts.value;
   const input = useRef<HTMLInputElement>(null);
-  const taken = others.map((one) => one.picture);
-  const [picture, setPicture] = useState<string>(() => rarestPicture(taken));
-  const { busy, fault, act, refuse, clear } = useAct();
+  const usedPictures = others.map((one) => one.picture);
+  const [picture, setPicture] = useState<string>(() => rarestPicture(usedPictures));
+  const { busy, fault, act, refuse, clear } = useAction();
   const [entered, setEntered] = useState(false);
   const isBusy = busy || entered; // until the next screen is shown
 
@@ -41,15 +41,15 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
       input.current?.focus();
       return;
     }
-    const wanted = { name, picture, classroom_id: classroomId };
-    if (await act(async () => enterGroup(await classesApi.createGroup(wanted)))) setEntered(true);
+    const newGroup = { name, picture, classroom_id: classroomId };
+    if (await act(async () => enterGroup(await classesApi.createGroup(newGroup)))) setEntered(true);
     else input.current?.select();
   };
 
-  const choice = { chosen: picture, taken, onChoose: setPicture };
-  const look = first ? "new-group--first" : "card";
+  const choice = { chosen: picture, used: usedPictures, onChoose: setPicture };
+  const modifier = first ? "new-group--first" : "card";
   return (
-    <Form class={`new-group ${look} column center gap-3`} onSubmit={create}>
+    <Form class={`new-group ${modifier} column center gap-3`} onSubmit={create}>
       {!first && <Title />}
       <div class="row shrinks gap-2">
         {!first && <PictureButton {...choice} />}

@@ -15,7 +15,7 @@ import { hashOf } from "../shell/route";
 import { group, program, report } from "../shell/session";
 import { loadTeacherSession, teacherSession } from "../shell/teacher/teacher_session";
 import { OpenLessonFile } from "../work/OpenLessonFile";
-import { BringIn } from "../work/ProgramFile";
+import { ImportProgram } from "../work/ProgramFile";
 import { GroupCard } from "./GroupCard";
 import { NewGroup } from "./NewGroup";
 import { StartPicture } from "./StartPicture";
@@ -41,7 +41,7 @@ export function StartScreen() {
     loadTeacherSession().catch(report);
   }, []);
   return (
-    <Loaded of={found} as="screen" ways={<TeacherLink />}>
+    <Loaded of={found} as="screen" actions={<TeacherLink />}>
       {([groups, classes]) =>
         groups.length + classes.length === 0 ? (
           <FirstGroup onLesson={found.again} />
@@ -54,7 +54,7 @@ export function StartScreen() {
 }
 
 function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
-  const { start, classes: words } = texts.value;
+  const { start, classes: labels } = texts.value;
   const shown = shownClass(classroom.value, classes, groups);
   const here = groupsIn(shown, groups);
   const withNone = shown === NO_CLASS || groups.some((one) => !one.classroom_id);
@@ -62,11 +62,11 @@ function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
   return (
     <main class="screen start">
       <div class="start__head row top apart gap-4">
-        <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
+        <h1 class="start__title">{here.length ? start.title : labels.emptyTitle}</h1>
         <div class="start__teacher row top">
           <div class="row wrap end">
             <PracticeLink />
-            <BringIn />
+            <ImportProgram />
             <LessonFileLink onLesson={onLesson} />
           </div>
           <TeacherLink />
@@ -78,7 +78,7 @@ function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
       ) : (
         <div class="start__empty">
           <div>
-            <p class="start__hint">{words.emptyHint}</p>
+            <p class="start__hint">{labels.emptyHint}</p>
             <NewGroup key={shown} first classroomId={classroomId} others={[]} />
           </div>
           <StartPicture />
@@ -149,7 +149,7 @@ function FirstGroup({ onLesson }: LessonFileProps) {
         )}
         <div class="start__more-ways row wrap">
           <PracticeLink />
-          <BringIn />
+          <ImportProgram />
           <LessonFileLink onLesson={onLesson} />
         </div>
       </div>

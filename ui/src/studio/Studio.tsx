@@ -3,15 +3,15 @@ import { useInstance } from "../kit/instance";
 import * as robot from "../run/live";
 import { isLive } from "../run/reducer";
 import { TOUR_OVER, tourFor, tourSteps } from "../shell/help";
-import { later } from "../shell/later";
+import { lazy } from "../shell/lazy";
 import { group, program } from "../shell/session";
 import { BlocksPane } from "./blocks_pane/BlocksPane";
 import { FloorPane } from "./floor_pane/FloorPane";
 import type { OpenProgram } from "./program/open_program";
 import { StudioControl } from "./studio_control";
 
-const TourBalloon = later(async () => (await import("./tour/TourBalloon")).TourBalloon);
-const WorldEditor = later(async () => (await import("../world_editor/WorldEditor")).WorldEditor);
+const TourBalloon = lazy(async () => (await import("./tour/TourBalloon")).TourBalloon);
+const WorldEditor = lazy(async () => (await import("../world_editor/WorldEditor")).WorldEditor);
 
 /** The studio: blocks on the left, floor on the right. */
 export function Studio({ open }: { open: OpenProgram }) {
@@ -43,8 +43,8 @@ export function Studio({ open }: { open: OpenProgram }) {
 function useTour(open: OpenProgram): void {
   useEffect(() => {
     const { id, group_id } = open.program;
-    const kept = tourSteps.of(group_id);
-    const isDue = kept === null ? isNew(open) : kept !== TOUR_OVER;
+    const storedStep = tourSteps.of(group_id);
+    const isDue = storedStep === null ? isNew(open) : storedStep !== TOUR_OVER;
     if (isDue && !open.mission.peek()) tourFor.value = id;
     return () => {
       if (tourFor.peek() === id) tourFor.value = null;

@@ -14,7 +14,7 @@ import { programAndGroups } from "../shell/first_answers";
 import { LEVELS, levelInUse, type MissionLevel, missionLevel } from "../shell/level";
 import type { ParametersOf } from "../shell/route";
 import { group, problem, program, report } from "../shell/session";
-import { OpenSound } from "./OpenSound";
+import { OpenLastIntact } from "./OpenLastIntact";
 import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
 
@@ -24,20 +24,20 @@ export function StudioScreen({ program: programId }: ParametersOf<"studio">) {
 }
 
 function Opening({ programId }: { programId: string }) {
-  const sound = useSignal(false);
+  const lastIntact = useSignal(false);
   const opening = useLoaded(
-    [programId, sound.value],
-    (signal) => open(programId, sound.peek(), signal),
+    [programId, lastIntact.value],
+    (signal) => open(programId, lastIntact.peek(), signal),
     { onFailed: couldNotOpen, release: (left) => left.close() },
   );
-  const soundAt = opening.status === "failed" ? timeOfSound(opening.error) : null;
-  const openSound = () => {
+  const lastIntactAt = opening.status === "failed" ? timeOfLastIntact(opening.error) : null;
+  const openLastIntact = () => {
     problem.value = null; // said what to do, which is done now
-    sound.value = true;
+    lastIntact.value = true;
   };
-  const ways = soundAt && (
+  const actions = lastIntactAt && (
     <>
-      <OpenSound at={soundAt} onPress={openSound} />
+      <OpenLastIntact at={lastIntactAt} onPress={openLastIntact} />
       <ToStart />
     </>
   );
@@ -46,7 +46,7 @@ function Opening({ programId }: { programId: string }) {
       of={opening}
       as="screen"
       loading={texts.value.studio.opening}
-      {...(ways ? { ways } : {})}
+      {...(actions ? { actions } : {})}
     >
       {(made) => <Studio open={made} />}
     </Loaded>
@@ -54,13 +54,17 @@ function Opening({ programId }: { programId: string }) {
 }
 
 /** The time of the last version that can be opened, where the newest is damaged. */
-function timeOfSound(error: unknown): string | null {
+function timeOfLastIntact(error: unknown): string | null {
   const isDamaged = error instanceof ApiError && error.code === "version_damaged";
   return isDamaged && error.params.sound ? String(error.params.sound_time) : null;
 }
 
-async function open(programId: string, sound: boolean, signal: AbortSignal): Promise<OpenProgram> {
-  const [loaded, groups] = await programAndGroups(programId, sound);
+async function open(
+  programId: string,
+  lastIntact: boolean,
+  signal: AbortSignal,
+): Promise<OpenProgram> {
+  const [loaded, groups] = await programAndGroups(programId, lastIntact);
   signal.throwIfAborted();
   group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
   program.value = loaded;

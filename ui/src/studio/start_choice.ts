@@ -1,14 +1,14 @@
 import { batch, computed, type ReadonlySignal } from "@preact/signals";
 import type { Start, World } from "../api/model";
+import { inspectedTick } from "../run/inspected_tick";
 import * as robot from "../run/live";
-import { moment } from "../run/moment";
 import { chosenRobot } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import { startOf, toWorld } from "../scene/frames";
 import { onTurn, turned } from "../scene/tools/measure";
 import type { OpenProgram } from "./program/open_program";
 
-interface Place {
+interface WorldSource {
   readonly world: ReadonlySignal<World | null>;
 }
 
@@ -20,7 +20,7 @@ export class StartChoice {
   );
   /** The world with the effective start. */
   readonly world = computed<World | null>(() => {
-    const { value: world } = this.place.world;
+    const { value: world } = this.worldSource.world;
     const { value: run } = robot.liveRun;
     if (!world) return null;
     const shown = robot.live.value.run !== null;
@@ -36,14 +36,14 @@ export class StartChoice {
 
   constructor(
     private readonly open: OpenProgram,
-    private readonly place: Place,
+    private readonly worldSource: WorldSource,
   ) {}
 
   /** Current pose of the robot, as a start; null where it cannot be moved: in a run, in a mission, at a past moment. */
   readonly hereNow = computed<Start | null>(() => {
     const { value: view } = robot.live;
     const { value: world } = this.world;
-    if (isLive(view) || moment.value || !world || this.open.mission.value) return null;
+    if (isLive(view) || inspectedTick.value || !world || this.open.mission.value) return null;
     if (chosenRobot.value) return null; // the start of a real robot is a place in the room
     if (view.run === null) return world.start;
     const start = startOf(world);
@@ -57,17 +57,17 @@ export class StartChoice {
     if (isLive(robot.live.peek())) return;
     batch(() => {
       if (robot.live.peek().run !== null) robot.clear();
-      this.keep(start);
+      this.setStart(start);
     });
   }
 
   /** Resets the run; without a run, resets the start to the world's. */
   again(): void {
     if (robot.live.peek().run !== null) robot.clear();
-    else this.keep(null);
+    else this.setStart(null);
   }
 
-  private keep(start: Start | null): void {
+  private setStart(start: Start | null): void {
     this.open.changeSetup({ start });
   }
 }

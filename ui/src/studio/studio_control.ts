@@ -1,20 +1,20 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
-import type { Content, LiveCommand } from "../api/model";
+import type { EditorContent, LiveCommand } from "../api/model";
 import { versionsApi } from "../api/versions";
-import { commandCount, MOST_SHOWN, workspaceOf } from "../blocks/loader";
+import { commandCount, MAX_SHOWN_COMMANDS, workspaceOf } from "../blocks/loader";
 import { expectedSigns, hasCapture } from "../camera/expected";
-import { asKnown } from "../camera/signs";
+import { canonicalSign } from "../camera/signs";
 import type { Fault as BlockFault, Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { duration } from "../i18n/format";
-import { Refused, wordsOf } from "../kit/requests/problem";
+import { problemOf, Refused } from "../kit/requests/problem";
 import { failureOf } from "../run/failure";
 import type { StoredProgram } from "../run/idle_parts";
-import { verdictOf, withJudgement } from "../run/judgement";
+import { inspectedTick, shown } from "../run/inspected_tick";
+import { verdictOf, withVerdict } from "../run/judgement";
 import * as robot from "../run/live";
-import { moment, shown } from "../run/moment";
 import {
   chosenRobot,
   isChecked,
@@ -25,13 +25,13 @@ import {
 } from "../run/real/real_robot";
 import { robotSentence } from "../run/real/robot_sentence";
 import { isLive, runningBlock } from "../run/reducer";
-import { parameterIn, type Sentence, sentenceOf, type Voice } from "../run/sentence";
-import { valueWords } from "../run/values";
+import { parameterIn, type Sentence, type SentenceContext, sentenceOf } from "../run/sentence";
+import { valueText } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
 import { subscribeToRings } from "../scene/tools/sensor_rings";
 import { level } from "../shell/level";
 import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
-import { breakpoints, runSettings, tellRun } from "./debug/debugging";
+import { breakpoints, runSettings, syncRunSettings } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
 import type { OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
@@ -59,7 +59,7 @@ export class StudioControl {
   readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
   readonly worlds: WorldControl;
   readonly start: StartChoice;
-  readonly sentence = computed<Sentence>(() => this.say());
+  readonly sentence = computed<Sentence>(() => this.computeSentence());
   /** The innermost running block of this program, now or at the past moment that is shown. */
   readonly running = computed(() => (this.mine.value ? runningBlock(shown.value) : null));
   /** Whether the program has a block that beeps. */
@@ -68,12 +68,12 @@ export class StudioControl {
   );
   /** The signs that the program which runs compares the answer of a capture with. */
   readonly expectedSigns = computed(() =>
-    this.mine.value ? expectedSigns(this.documentThatRuns()).map(asKnown) : [],
+    this.mine.value ? expectedSigns(this.documentThatRuns()).map(canonicalSign) : [],
   );
   /** The program has a block that waits for a sign. */
   readonly captures = computed(() => hasCapture(this.open.content.value?.document ?? null));
   private readonly lacking = computed(robotSentence);
-  private readonly lit = computed(() => this.running.value?.block ?? null);
+  private readonly activeBlockId = computed(() => this.running.value?.block ?? null);
   private readonly failure = computed(() => {
     const { phase, ending } = robot.live.value;
     return phase === "failed" && this.mine.value ? ending : null;
@@ -94,7 +94,7 @@ export class StudioControl {
   readonly replaced = signal<Replaced | null>(null);
   /** The blocks have changed since the run began. */
   private readonly edited = signal(false);
-  private ran: Content | null = null;
+  private ran: EditorContent | null = null;
   /** The failed block that was brought into view. */
   private revealed: string | null = null;
   private pointing = 0;
@@ -129,7 +129,7 @@ export class StudioControl {
         world: start.world.value,
         here: start.hereNow.value,
         isAtStart: robot.live.value.phase === "idle" && start.hereNow.value !== null,
-        put: (wanted) => start.put(wanted),
+        put: (newStart) => start.put(newStart),
       };
     }),
     canReset: computed(() => this.start.canReset.value),
@@ -141,10 +141,10 @@ export class StudioControl {
   attach(editor: Editor): () => void {
     this.editor = editor;
     const stops = [
-      tellRun(this.open, report),
+      syncRunSettings(this.open, report),
       subscribeToRings(report),
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
-      effect(() => editor.highlight(this.lit.value)),
+      effect(() => editor.highlight(this.activeBlockId.value)),
       effect(() => {
         this.showFaults(editor);
         // after the faults: of what both say at once, the verdict is read
@@ -168,46 +168,46 @@ export class StudioControl {
     this.revealed = block;
   }
 
-  onEdit(content: Content): void {
+  onEdit(content: EditorContent): void {
     this.edited.value = true;
     this.open.edit(content);
   }
 
   /** Continues undo with versions stored before this session. */
   undoPast(): void {
-    const take = (workspace: object | null) => this.editor?.undoTo(workspace) ?? true;
-    this.storedUndo.back(take).catch((error) => this.tell(error));
+    const tryRestore = (workspace: object | null) => this.editor?.undoTo(workspace) ?? true;
+    this.storedUndo.back(tryRestore).catch((error) => this.reportError(error));
   }
 
   /** Restores a stored version as an undo step: redo reverts it. */
-  async backTo(id: string): Promise<void> {
+  async restoreVersion(id: string): Promise<void> {
     const version = await versionsApi.version(id);
     this.editor?.undoTo(version.workspace);
     this.open.setWorld(version.world);
     this.open.changeSetup(setupOf(version));
-    this.open.remember(id);
+    this.open.setStoredVersion(id);
   }
 
   /** Replaces the blocks by those of a document, and renames the program to its name. */
-  async place(document: object): Promise<void> {
+  async replaceBlocks(document: object): Promise<void> {
     const n = commandCount(document);
-    if (n > MOST_SHOWN) {
+    if (n > MAX_SHOWN_COMMANDS) {
       const { tooLong, tooLongRemedy } = texts.value.python;
-      throw new Refused(tooLong(n, MOST_SHOWN), tooLongRemedy);
+      throw new Refused(tooLong(n, MAX_SHOWN_COMMANDS), tooLongRemedy);
     }
     const { name } = document as { name?: string };
     if (name) await renameProgram(name);
-    this.exchange(workspaceOf(document), "placed");
+    this.swapBlocks(workspaceOf(document), "placed");
   }
 
   /** Exchanges the current blocks with the replaced ones. */
   swapBack(): void {
     const { value: replaced } = this.replaced;
     if (!replaced) return;
-    this.exchange(replaced.workspace, replaced.now === "placed" ? "broughtBack" : "placed");
+    this.swapBlocks(replaced.workspace, replaced.now === "placed" ? "broughtBack" : "placed");
   }
 
-  private exchange(workspace: object, now: Replaced["now"]): void {
+  private swapBlocks(workspace: object, now: Replaced["now"]): void {
     const { editor } = this;
     if (!editor) return;
     const before = editor.content().workspace;
@@ -218,12 +218,12 @@ export class StudioControl {
   }
 
   /** Value of an expression in the paused run, as text. */
-  peek(expression: unknown): Promise<string> | null {
+  evaluate(expression: unknown): Promise<string> | null {
     const { run, phase } = robot.live.peek();
     if (!run || phase !== "paused" || !this.mine.peek()) return null;
     return api.command(run, { do: "evaluate", expression }).then(
-      ({ value, problem }) => problem ?? valueWords(value, texts.value, language.value),
-      (error) => wordsOf(error).message,
+      ({ value, problem }) => problem ?? valueText(value, texts.value, language.value),
+      (error) => problemOf(error).message,
     );
   }
 
@@ -250,24 +250,24 @@ export class StudioControl {
       if (!version || version.faults.length > 0) return this.showFirst();
       this.ran = open.content.value;
       const start = this.start.start.value;
-      const wanted = {
+      const options = {
         ...runSettings(open, paused),
         ...(start ? { start } : {}),
         ...robotOfRun(),
       };
-      const begun = robot.start(version.id, this.worlds.name.value, wanted);
+      const started = robot.start(version.id, this.worlds.name.value, options);
       // the failure of the run before is gone by now; it must not come back for a moment
       this.edited.value = false;
-      await begun;
+      await started;
       robotHasRun();
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
-      else this.tell(error);
+      else this.reportError(error);
     }
   }
 
   /** Reports an error, except failed saves, which have a line of their own. */
-  private tell(error: unknown): void {
+  private reportError(error: unknown): void {
     if (error !== this.open.autosave.problem.peek()) report(error);
   }
 
@@ -282,7 +282,10 @@ export class StudioControl {
     this.editor?.highlight(block);
     this.editor?.reveal(block);
     clearTimeout(this.pointing);
-    this.pointing = window.setTimeout(() => this.editor?.highlight(this.lit.value), POINTING_MS);
+    this.pointing = window.setTimeout(
+      () => this.editor?.highlight(this.activeBlockId.value),
+      POINTING_MS,
+    );
   }
 
   goToAdvice(): void {
@@ -308,10 +311,10 @@ export class StudioControl {
     return this.edited.value ? [] : failureOf(this.failure.value, language.value);
   }
 
-  private say(): Sentence {
+  private computeSentence(): Sentence {
     const { status, run, robot: real } = texts.value;
     const view = robot.live.value;
-    const voice = {
+    const context = {
       texts: texts.value,
       language: language.value,
       parameterOf: (pointer: string, name: string) =>
@@ -319,7 +322,7 @@ export class StudioControl {
       program: this.programThatRuns(),
     };
     const calm = (text: string): Sentence => ({ text, more: "", tone: "calm" });
-    if (moment.value && this.mine.value) return pastSentence(voice) ?? calm(status.ready);
+    if (inspectedTick.value && this.mine.value) return pastSentence(context) ?? calm(status.ready);
     if (isLive(view) && view.run && !this.mine.value) {
       return { text: run.other, more: "", tone: "notice" };
     }
@@ -329,7 +332,7 @@ export class StudioControl {
     }
     if (this.asksBefore.value) return { text: real.before.first, more: "", tone: "notice" };
     if (isLive(view)) {
-      const now = sentenceOf(view, voice) ?? calm(status.ready);
+      const now = sentenceOf(view, context) ?? calm(status.ready);
       return this.edited.value ? { ...now, more: status.nextRun } : now;
     }
     if (this.open.autosave.state.value === "failed") {
@@ -347,16 +350,16 @@ export class StudioControl {
         ? { text: status.emptyRun, more: "", tone: "notice" }
         : calm(status.empty);
     }
-    const ended = this.mine.value ? sentenceOf(view, voice) : null;
-    const isMended = this.edited.value && ended !== null && ended.tone !== "done";
-    if (ended && !isMended)
-      return withWayBack(withJudgement(ended, view.run, judged.value, texts.value));
+    const ended = this.mine.value ? sentenceOf(view, context) : null;
+    const isOutdated = this.edited.value && ended !== null && ended.tone !== "done";
+    if (ended && !isOutdated)
+      return withReturnAdvice(withVerdict(ended, view.run, judged.value, texts.value));
     if (connection.value === "gone") return calm(texts.value.trouble.goneTitle);
     if (connection.value === "open" && engine.value !== "ready") {
       return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
     }
     const over = view.ending && !this.mine.value ? run.otherEnded : status.ready;
-    return lacking ?? withWayBack(calm(over));
+    return lacking ?? withReturnAdvice(calm(over));
   }
 
   /** The document of the live run; a run begun in another window brings its own. */
@@ -371,29 +374,29 @@ export class StudioControl {
 }
 
 /** A real robot stands where its run ended, and the next one begins at the start again. */
-function withWayBack(said: Sentence): Sentence {
+function withReturnAdvice(sentence: Sentence): Sentence {
   const isReal = (robot.liveRun.value?.link ?? SIMULATOR) !== SIMULATOR;
   const { reason } = robot.live.value.ending ?? {};
-  const hasMore = said.more && reason !== "stopped_by_person";
-  return isReal && !hasMore ? { ...said, more: texts.value.robot.backToStart } : said;
+  const hasMore = sentence.more && reason !== "stopped_by_person";
+  return isReal && !hasMore ? { ...sentence, more: texts.value.robot.backToStart } : sentence;
 }
 
 /** What the robot did at the past moment that is shown, with its time. */
-function pastSentence(voice: Voice): Sentence | null {
-  const { tick = 0, history } = moment.value ?? {};
-  const said = sentenceOf(shown.value, { ...voice, past: true });
-  if (!said || !history) return said;
-  const time = (ticks: number) => duration(ticks / 30, voice.language);
-  const at = voice.texts.replay.at(time(tick), time(history.lastTick));
-  return { ...said, more: [at, said.more].filter(Boolean).join(" · ") };
+function pastSentence(context: SentenceContext): Sentence | null {
+  const { tick = 0, history } = inspectedTick.value ?? {};
+  const sentence = sentenceOf(shown.value, { ...context, past: true });
+  if (!sentence || !history) return sentence;
+  const time = (ticks: number) => duration(ticks / 30, context.language);
+  const at = context.texts.replay.at(time(tick), time(history.lastTick));
+  return { ...sentence, more: [at, sentence.more].filter(Boolean).join(" · ") };
 }
 
 /** Closes the shown problem once the run is over, whoever ended it. */
 function forgetWhenOver(): void {
-  const { value: told } = problem;
+  const { value: shownProblem } = problem;
   const stop = effect(() => {
     if (isLive(robot.live.value)) return;
-    if (problem.peek() === told) problem.value = null;
+    if (problem.peek() === shownProblem) problem.value = null;
     queueMicrotask(() => stop());
   });
 }

@@ -84,7 +84,7 @@ export class WorldControl {
 
   bringBack(): void {
     const { value: world } = this.forgotten;
-    if (world) this.keep(world);
+    if (world) this.setOwnWorld(world);
   }
 
   /** A world of a newer release, or an own world that was deleted, is not. */
@@ -99,7 +99,7 @@ export class WorldControl {
   }
 
   private newStore(world: World, before: World | null = null): EditorStore {
-    const store = new EditorStore(world, (document) => this.keep(document), before);
+    const store = new EditorStore(world, (document) => this.setOwnWorld(document), before);
     store.faults.subscribe((faults) => {
       if (faults.length > 0) this.open.ownWorld.refuse(store.document.peek());
     });
@@ -107,7 +107,7 @@ export class WorldControl {
     return store;
   }
 
-  private keep(world: World): void {
+  private setOwnWorld(world: World): void {
     batch(() => {
       this.forgotten.value = null;
       this.open.setWorld(world);

@@ -4,7 +4,7 @@ import { STORE_LIMITS } from "../api/declared";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";
-import { useAct } from "../kit/requests/act";
+import { useAction } from "../kit/requests/action";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { asTeacher } from "../shell/teacher/teacher_session";
 
@@ -19,13 +19,13 @@ interface AddFormProps {
 /** A field for a name, and a button that adds one of that name. */
 export function AddForm({ label, placeholder, fieldId, buttonId, onAdd }: AddFormProps) {
   const [name, setName] = useState("");
-  const { busy, fault, act, refuse, clear } = useAct(asTeacher);
+  const { busy, fault, act, refuse, clear } = useAction(asTeacher);
   const { classes } = texts.value.teacher;
 
   const add = async () => {
-    const wanted = name.trim();
-    if (!wanted) refuse(classes.nameMissing);
-    else if (await act(() => onAdd(wanted))) setName("");
+    const trimmedName = name.trim();
+    if (!trimmedName) refuse(classes.nameMissing);
+    else if (await act(() => onAdd(trimmedName))) setName("");
   };
 
   return (

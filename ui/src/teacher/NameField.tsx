@@ -5,7 +5,7 @@ import { STORE_LIMITS } from "../api/declared";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";
-import { useAct } from "../kit/requests/act";
+import { useAction } from "../kit/requests/action";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { asTeacher } from "../shell/teacher/teacher_session";
 
@@ -23,16 +23,16 @@ interface NameFieldProps {
 export function NameField({ name, label, testId, onRename, children }: NameFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const input = useRef<HTMLInputElement>(null);
-  const { busy, fault, act, clear } = useAct(asTeacher);
+  const { busy, fault, act, clear } = useAction(asTeacher);
   const { save, cancel } = texts.value.teacher;
   useEffect(() => input.current?.select(), [draft === null]);
   const leave = () => {
     clear();
     setDraft(null);
   };
-  const keep = async (wanted: string) => {
-    if (!wanted || wanted === name) leave();
-    else if (await act(() => onRename(wanted))) setDraft(null);
+  const submit = async (newName: string) => {
+    if (!newName || newName === name) leave();
+    else if (await act(() => onRename(newName))) setDraft(null);
   };
   if (draft === null) {
     return (
@@ -50,7 +50,7 @@ export function NameField({ name, label, testId, onRename, children }: NameField
     );
   }
   return (
-    <Form class="name-field row wrap middle shrinks gap-1" onSubmit={() => keep(draft.trim())}>
+    <Form class="name-field row wrap middle shrinks gap-1" onSubmit={() => submit(draft.trim())}>
       <input
         ref={input}
         class="field name-field__input"

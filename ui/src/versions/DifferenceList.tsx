@@ -1,15 +1,15 @@
 import { ArrowLeft, ChevronDown, ChevronUp } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import type { Difference } from "../editor/reader/difference_sign";
+import type { Difference } from "../editor/reader/difference_badge";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { hashOf } from "../shell/route";
 import { setupOf } from "../studio/program/setup";
 import type { ComparedBlocks } from "./compared_blocks";
+import { DifferenceIcon } from "./DifferenceIcon";
 import type { Differing } from "./differences";
-import { Sign } from "./Sign";
-import { type SetupChange, setupChanges } from "./setup_words";
+import { type SetupChange, setupChanges } from "./setup_texts";
 
 interface DifferenceListProps {
   sides: ComparedBlocks;
@@ -18,7 +18,7 @@ interface DifferenceListProps {
 
 /** The differences, block by block, and the buttons that step through them. */
 export function DifferenceList({ sides, programId }: DifferenceListProps) {
-  const words = texts.value.keeping;
+  const labels = texts.value.keeping;
   const list = sides.list.value;
   const { before, after } = sides.compared;
   const changes = setupChanges(setupOf(before), setupOf(after), texts.value, language.value);
@@ -30,18 +30,18 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
   return (
     <section class="differences__list column shrinks-down">
       <div class="differences__head row middle rigid gap-2">
-        <LinkButton icon={ArrowLeft} label={words.backToHistory} href={history} />
-        <h2 data-testid="difference-count">{words.differences(list.length + changes.length)}</h2>
+        <LinkButton icon={ArrowLeft} label={labels.backToHistory} href={history} />
+        <h2 data-testid="difference-count">{labels.differences(list.length + changes.length)}</h2>
         <Button
           icon={ChevronUp}
-          label={words.previous}
+          label={labels.previous}
           disabled={list.length === 0}
           testId="difference-previous"
           onPress={() => sides.step(-1)}
         />
         <Button
           icon={ChevronDown}
-          label={words.next}
+          label={labels.next}
           disabled={list.length === 0}
           testId="difference-next"
           onPress={() => sides.step(1)}
@@ -50,12 +50,12 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
       <SetupDifferences changes={changes} />
       {list.length === 0 && sides.drawn.value > 0 && (
         <p class="differences__none">
-          <strong>{words.nothingDiffers}</strong> {words.nothingDiffersHow}
+          <strong>{labels.nothingDiffers}</strong> {labels.nothingDiffersHow}
         </p>
       )}
       <ol class="differences__lines grows shrinks-down" data-scrolls>
         {list.map((one, index) => (
-          <DifferenceLine
+          <DifferenceRow
             key={`${one.kinds[0]} ${one.block}`}
             one={one}
             text={sides.lines.value[index] ?? ""}
@@ -66,7 +66,7 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
           />
         ))}
       </ol>
-      {list.length > 1 && <p class="differences__keys">{words.keys}</p>}
+      {list.length > 1 && <p class="differences__keys">{labels.keys}</p>}
     </section>
   );
 }
@@ -87,14 +87,14 @@ function SetupDifferences({ changes }: { changes: readonly SetupChange[] }) {
   );
 }
 
-interface DifferenceLineProps {
+interface DifferenceRowProps {
   one: Differing;
   text: string;
   current: boolean;
   onChoose(): void;
 }
 
-function DifferenceLine({ one, text, current, onChoose }: DifferenceLineProps) {
+function DifferenceRow({ one, text, current, onChoose }: DifferenceRowProps) {
   const { kinds } = texts.value.keeping;
   const line = useRef<HTMLButtonElement>(null);
   useEffect(() => {
@@ -113,11 +113,11 @@ function DifferenceLine({ one, text, current, onChoose }: DifferenceLineProps) {
       >
         <span class="grid gap-1">
           {one.kinds.map((kind) => (
-            <Sign key={kind} kind={kind} />
+            <DifferenceIcon key={kind} kind={kind} />
           ))}
         </span>
         <span class="differences__words shrinks">
-          <strong>{kindsInWords(one, kinds)}</strong>
+          <strong>{kindsText(one, kinds)}</strong>
           <span>{text}</span>
         </span>
       </Button>
@@ -125,7 +125,7 @@ function DifferenceLine({ one, text, current, onChoose }: DifferenceLineProps) {
   );
 }
 
-function kindsInWords(one: Differing, words: Readonly<Record<Difference, string>>): string {
-  const [first = "", ...more] = one.kinds.map((kind) => words[kind]);
-  return [first, ...more.map((word) => word.toLowerCase())].join(", ");
+function kindsText(one: Differing, labels: Readonly<Record<Difference, string>>): string {
+  const [first = "", ...more] = one.kinds.map((kind) => labels[kind]);
+  return [first, ...more.map((label) => label.toLowerCase())].join(", ");
 }

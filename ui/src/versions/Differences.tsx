@@ -16,15 +16,15 @@ interface DifferencesProps {
 /** Two versions side by side, and the list of their differences. */
 export function Differences({ compared, programId }: DifferencesProps) {
   const sides = useInstance(() => new ComparedBlocks(compared));
-  const words = texts.value.keeping;
+  const labels = texts.value.keeping;
   useLayoutEffect(() => byKeys((by) => sides.step(by)), [sides]); // before painting, so that no key press is missed
   return (
     <main class="screen differences">
-      <h1 class="visually-hidden">{words.compareTitle}</h1>
+      <h1 class="visually-hidden">{labels.compareTitle}</h1>
       <section class="blocks">
         <SideChoice side="before" compared={compared} programId={programId} />
         <ReadBlocks
-          label={`${words.before}: ${words.version(compared.before.number)}`}
+          label={`${labels.before}: ${labels.version(compared.before.number)}`}
           onReader={(made) => {
             sides.before.value = made;
           }}
@@ -33,7 +33,7 @@ export function Differences({ compared, programId }: DifferencesProps) {
       <section class="blocks">
         <SideChoice side="after" compared={compared} programId={programId} />
         <ReadBlocks
-          label={`${words.after}: ${words.version(compared.after.number)}`}
+          label={`${labels.after}: ${labels.version(compared.after.number)}`}
           onReader={(made) => {
             sides.after.value = made;
           }}

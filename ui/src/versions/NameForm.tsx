@@ -6,38 +6,38 @@ import { Button } from "../kit/Button";
 
 interface NameFormProps {
   now: string;
-  onKeep(text: string): void;
+  onSave(text: string): void;
   onLeave(): void;
 }
 
 /** Form that names a version. */
-export function NameForm({ now, onKeep, onLeave }: NameFormProps) {
+export function NameForm({ now, onSave, onLeave }: NameFormProps) {
   const field = useRef<HTMLInputElement>(null);
-  const words = texts.value.keeping;
+  const labels = texts.value.keeping;
   useEffect(() => field.current?.select(), []);
   return (
     <form
       class="versions__naming"
       onSubmit={(event) => {
         event.preventDefault();
-        onKeep(field.current?.value ?? "");
+        onSave(field.current?.value ?? "");
       }}
       onKeyDown={({ key }) => key === "Escape" && onLeave()}
     >
       <input
         ref={field}
         class="field"
-        aria-label={words.nameLabel}
-        placeholder={words.namePlaceholder}
+        aria-label={labels.nameLabel}
+        placeholder={labels.namePlaceholder}
         maxLength={STORE_LIMITS.MAX_NAME}
         defaultValue={now}
         data-testid="version-name"
       />
       <Button icon={Check} kind="main" submit testId="version-keep-name">
-        {words.keepName}
+        {labels.keepName}
       </Button>
       <Button kind="plain" onPress={onLeave}>
-        {words.leaveName}
+        {labels.leaveName}
       </Button>
     </form>
   );

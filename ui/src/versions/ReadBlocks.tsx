@@ -1,5 +1,5 @@
 import { useEffect, useRef } from "preact/hooks";
-import { BlocksReader } from "../editor/reader/reader";
+import { BlocksViewer } from "../editor/reader/viewer";
 import { language } from "../i18n";
 import { theme } from "../shell/theme";
 
@@ -7,7 +7,7 @@ interface ReadBlocksProps {
   label: string;
   testId?: string;
   /** Called with the reader when it is ready, and with null when it is disposed. */
-  onReader(reader: BlocksReader | null): void;
+  onReader(reader: BlocksViewer | null): void;
   /** Called when the language of the blocks changed. */
   onLanguage?(): void;
 }
@@ -15,10 +15,10 @@ interface ReadBlocksProps {
 /** A read-only view of blocks. */
 export function ReadBlocks({ label, testId, onReader, onLanguage }: ReadBlocksProps) {
   const container = useRef<HTMLDivElement>(null);
-  const reader = useRef<BlocksReader | null>(null);
+  const reader = useRef<BlocksViewer | null>(null);
   useEffect(() => {
     if (!container.current) return;
-    const made = new BlocksReader({
+    const made = new BlocksViewer({
       container: container.current,
       language: language.peek(),
       theme: theme.peek(),

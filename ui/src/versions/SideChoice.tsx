@@ -5,7 +5,7 @@ import { Select } from "../kit/Select";
 import { go } from "../shell/route";
 import type { Compared } from "./differences";
 import { faceOf, sectionsOf } from "./line";
-import { sectionWords, versionLine } from "./words";
+import { sectionText, versionLine } from "./version_texts";
 
 interface SideChoiceProps {
   side: "before" | "after";
@@ -15,11 +15,11 @@ interface SideChoiceProps {
 
 /** Selects the version of one side: the last version of each step, and the selected one. */
 export function SideChoice({ side, compared, programId }: SideChoiceProps) {
-  const words = texts.value.keeping;
+  const labels = texts.value.keeping;
   const shown = compared[side];
   const sections = useComputed(() =>
     sectionsOf(compared.line).map((section) => ({
-      words: sectionWords(section, new Date(), language.value, texts.value),
+      label: sectionText(section, new Date(), language.value, texts.value),
       versions: section.items
         .flatMap((item) =>
           item.kind === "step" ? [item] : item.branches.flatMap(({ steps }) => steps),
@@ -31,16 +31,16 @@ export function SideChoice({ side, compared, programId }: SideChoiceProps) {
         }),
     })),
   );
-  const name = words[side];
+  const name = labels[side];
   return (
     <div class="differences__choice row middle rigid gap-3">
       <strong>{name}</strong>
       <Select
-        label={words.choose(name)}
+        label={labels.choose(name)}
         testId="difference-side"
         data-side={side}
         value={shown.id}
-        groups={sections.value.map(({ words: heading, versions }) => [
+        groups={sections.value.map(({ label: heading, versions }) => [
           heading,
           versions.map((version) => [
             version.id,

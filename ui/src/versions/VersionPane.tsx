@@ -4,8 +4,8 @@ import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
 import type { VersionOfProgram } from "../api/model";
 import { versionsApi } from "../api/versions";
-import type { Difference } from "../editor/reader/difference_sign";
-import type { BlocksReader } from "../editor/reader/reader";
+import type { Difference } from "../editor/reader/difference_badge";
+import type { BlocksViewer } from "../editor/reader/viewer";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
@@ -18,15 +18,15 @@ import { kindsOf } from "./differences";
 import type { VersionHistory } from "./history";
 import { NameForm } from "./NameForm";
 import { ReadBlocks } from "./ReadBlocks";
-import { factsOf, madeWords } from "./words";
+import { createdText, factsOf } from "./version_texts";
 
 /** The selected version: its description, actions and blocks. */
 export function VersionPane({ history }: { history: VersionHistory }) {
   const naming = useSignal(false);
-  const reader = useSignal<BlocksReader | null>(null);
+  const reader = useSignal<BlocksViewer | null>(null);
   const drawn = useRef<VersionOfProgram | null>(null);
   const renaming = useRef<HTMLButtonElement>(null);
-  const words = texts.value.keeping;
+  const labels = texts.value.keeping;
 
   const leaveNaming = () => {
     naming.value = false;
@@ -46,11 +46,11 @@ export function VersionPane({ history }: { history: VersionHistory }) {
   return (
     <section class="blocks">
       <div class="versions__bar">
-        <ChosenWords history={history} />
+        <ChosenVersion history={history} />
         {naming.value ? (
           <NameForm
             now={history.chosen.value?.label ?? ""}
-            onKeep={(text) => {
+            onSave={(text) => {
               leaveNaming();
               void settled(history.name(text));
             }}
@@ -68,7 +68,7 @@ export function VersionPane({ history }: { history: VersionHistory }) {
         )}
       </div>
       <ReadBlocks
-        label={words.readOnly}
+        label={labels.readOnly}
         testId="version-blocks"
         onReader={(made) => {
           drawn.current = null;
@@ -81,50 +81,50 @@ export function VersionPane({ history }: { history: VersionHistory }) {
 
 interface VersionActsProps {
   history: VersionHistory;
-  reader: ReadonlySignal<BlocksReader | null>;
+  reader: ReadonlySignal<BlocksViewer | null>;
   renaming: RefObject<HTMLButtonElement>;
   onName(): void;
 }
 
 /** Buttons to name the version, compare it, and continue from it. */
 function VersionActs({ history, reader, renaming, onName }: VersionActsProps) {
-  const words = texts.value.keeping;
+  const labels = texts.value.keeping;
   return (
     <div class="versions__acts">
       <Button icon={Flag} elementRef={renaming} testId="version-rename" onPress={onName}>
-        {history.chosen.value?.label ? words.rename : words.name}
+        {history.chosen.value?.label ? labels.rename : labels.name}
       </Button>
       <Button
         icon={Columns2}
-        tip={words.compareHelp}
+        tip={labels.compareHelp}
         testId="version-compare"
         disabled={history.line.value.length < 2}
         onPress={() => compare(history)}
       >
-        {words.compare}
+        {labels.compare}
       </Button>
       <Button
         icon={StepForward}
-        tip={words.goOnHelp}
+        tip={labels.goOnHelp}
         kind="main"
         testId="version-go-on"
         disabled={history.isNewest}
-        onPress={() => goOn(history, reader.peek())}
+        onPress={() => resumeFrom(history, reader.peek())}
       >
-        {words.goOn}
+        {labels.goOn}
       </Button>
     </div>
   );
 }
 
 /** Stores the selected version as the newest one and opens the studio with it. */
-async function goOn(history: VersionHistory, blocks: BlocksReader | null): Promise<void> {
+async function resumeFrom(history: VersionHistory, blocks: BlocksViewer | null): Promise<void> {
   const { value: version } = history.shown;
   const { value: now } = program;
   if (!version || !blocks || !now || version.id !== history.chosen.value?.id) return;
   const { workspace, world, setup } = version;
   const document = blocks.document(now.name);
-  await versionsApi.goOnFrom(now.id, version.id, { workspace, document, world, setup });
+  await versionsApi.saveAsNewest(now.id, version.id, { workspace, document, world, setup });
   const { value: from } = history.chosen;
   const instead = history.line.value.at(-1);
   if (from && instead) restoredFrom.value = { program: now.id, from, instead };
@@ -140,19 +140,19 @@ function compare(history: VersionHistory): void {
   go({ screen: "differences", program: now.id, before: before.id, after: after.id });
 }
 
-function ChosenWords({ history }: { history: VersionHistory }) {
-  const { keeping: words, header } = texts.value;
+function ChosenVersion({ history }: { history: VersionHistory }) {
+  const { keeping: labels, header } = texts.value;
   const { value: version } = history.chosen;
   if (!version) return null;
   const madeOf = history.madeOf.value;
   const facts = [
-    madeWords(version, language.value, texts.value),
+    createdText(version, language.value, texts.value),
     ...factsOf(version, texts.value),
-    ...(madeOf === null ? [] : [words.madeOf(madeOf)]),
+    ...(madeOf === null ? [] : [labels.madeOf(madeOf)]),
   ];
   const name = history.isNewest
-    ? `${words.version(version.number)}, ${words.newest}`
-    : words.version(version.number);
+    ? `${labels.version(version.number)}, ${labels.newest}`
+    : labels.version(version.number);
   return (
     <div
       class="versions__chosen row middle shrinks gap-3"
@@ -176,7 +176,7 @@ function ChosenWords({ history }: { history: VersionHistory }) {
 }
 
 async function draw(
-  blocks: BlocksReader,
+  blocks: BlocksViewer,
   history: VersionHistory,
   version: VersionOfProgram,
 ): Promise<void> {
@@ -193,7 +193,7 @@ async function draw(
     const difference = await versionsApi.difference(before.id, version.id);
     if (history.shown.peek()?.id !== version.id) return;
     const kinds = new Map<string, readonly Difference[]>(kindsOf(difference, "after"));
-    blocks.mark(kinds);
+    blocks.showDifferences(kinds);
     const [first] = kinds.keys();
     if (first) blocks.reveal(first);
   } catch (error) {

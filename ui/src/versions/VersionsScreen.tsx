@@ -11,9 +11,9 @@ import { hashOf, type ParametersOf } from "../shell/route";
 import { program, report } from "../shell/session";
 import { couldNotOpen } from "../studio/program/open_program";
 import { VersionHistory } from "./history";
-import { LineList } from "./LineList";
-import { LineSlider } from "./LineSlider";
+import { VersionList } from "./VersionList";
 import { VersionPane } from "./VersionPane";
+import { VersionSlider } from "./VersionSlider";
 
 /** All versions of a program, with stepping and a way to continue from any of them. */
 export function VersionsScreen({
@@ -43,13 +43,13 @@ async function load(programId: string, versionId: string | null): Promise<Versio
 }
 
 function Empty({ programId }: { programId: string }) {
-  const { keeping: words, header } = texts.value;
+  const { keeping: labels, header } = texts.value;
   return (
     <main class="screen waiting">
       <div class="versions__empty">
         <History class="icon" aria-hidden="true" />
-        <h1>{words.emptyTitle}</h1>
-        <p>{words.empty}</p>
+        <h1>{labels.emptyTitle}</h1>
+        <p>{labels.empty}</p>
         <LinkButton href={hashOf({ screen: "studio", program: programId })}>
           {header.backToProgram}
         </LinkButton>
@@ -71,8 +71,8 @@ function Versions({ history }: { history: VersionHistory }) {
     <main class="screen versions">
       <h1 class="visually-hidden">{texts.value.keeping.historyOf(program.value?.name ?? "")}</h1>
       <VersionPane history={history} />
-      <LineList history={history} />
-      <LineSlider history={history} />
+      <VersionList history={history} />
+      <VersionSlider history={history} />
     </main>
   );
 }

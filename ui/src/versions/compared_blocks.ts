@@ -1,8 +1,8 @@
 import { computed, effect, signal } from "@preact/signals";
-import type { BlocksReader } from "../editor/reader/reader";
+import type { BlocksViewer } from "../editor/reader/viewer";
 import { texts } from "../i18n";
 import { problem } from "../shell/session";
-import { differenceWords } from "./difference_words";
+import { differenceText } from "./difference_text";
 import {
   type Compared,
   type ComparedWorkspaces,
@@ -13,8 +13,8 @@ import {
 
 /** The drawn blocks of two versions, their differences, and the selected difference. */
 export class ComparedBlocks<Of extends ComparedWorkspaces = Compared> {
-  readonly before = signal<BlocksReader | null>(null);
-  readonly after = signal<BlocksReader | null>(null);
+  readonly before = signal<BlocksViewer | null>(null);
+  readonly after = signal<BlocksViewer | null>(null);
   /** Counts how often both sides were drawn. */
   readonly drawn = signal(0);
   /** Index in `list`. */
@@ -30,9 +30,9 @@ export class ComparedBlocks<Of extends ComparedWorkspaces = Compared> {
   /** Text of each difference, read from the blocks, which are redrawn when the language changes. */
   readonly lines = computed<string[]>(() => {
     const [first, second] = [this.before.value, this.after.value];
-    const words = texts.value;
+    const labels = texts.value;
     if (this.drawn.value === 0 || !first || !second) return [];
-    return this.list.value.map((one) => differenceWords(one, first, second, words));
+    return this.list.value.map((one) => differenceText(one, first, second, labels));
   });
   private readonly stopEffects = [effect(() => this.draw()), effect(() => this.point())];
 
@@ -64,8 +64,8 @@ export class ComparedBlocks<Of extends ComparedWorkspaces = Compared> {
     const scale = Math.min(before.fittingScale(), after.fittingScale());
     before.showFromTheStart(scale);
     after.showFromTheStart(scale);
-    before.mark(new Map(kindsOf(compared.difference, "before")));
-    after.mark(new Map(kindsOf(compared.difference, "after")));
+    before.showDifferences(new Map(kindsOf(compared.difference, "before")));
+    after.showDifferences(new Map(kindsOf(compared.difference, "after")));
     this.drawn.value = this.drawn.peek() + 1;
   }
 
@@ -83,13 +83,13 @@ export class ComparedBlocks<Of extends ComparedWorkspaces = Compared> {
 }
 
 /** Scrolls to where a block would be that only the other side has: to the nearest block above it that both have. */
-function showNear(side: BlocksReader, block: string, other: BlocksReader): void {
+function showNear(side: BlocksViewer, block: string, other: BlocksViewer): void {
   if (side.has(block)) return;
   const near = other.above(block).find((id) => side.has(id));
   if (near) side.reveal(near);
 }
 
-function fill(blocks: BlocksReader, workspace: object): void {
+function fill(blocks: BlocksViewer, workspace: object): void {
   try {
     blocks.load(workspace);
   } catch {

@@ -1,5 +1,5 @@
 import type { VersionDifference, VersionMark, VersionOfProgram } from "../api/model";
-import type { Difference } from "../editor/reader/difference_sign";
+import type { Difference } from "../editor/reader/difference_badge";
 
 type Change = VersionDifference["changed"][number]["what"][number];
 
@@ -27,7 +27,7 @@ export interface Differing {
 
 /** Each block that differs, once; the server lists a block that was changed and moved in both lists. */
 export function differing({ added, removed, changed, moved }: VersionDifference): Differing[] {
-  const apart = new Set(moved.map(({ block }) => block));
+  const movedBlocks = new Set(moved.map(({ block }) => block));
   const alsoChanged = new Set(changed.map(({ block }) => block));
   const only = (kind: Difference, blocks: readonly { block: string }[]) =>
     blocks.map(({ block }): Differing => ({ block, kinds: [kind], what: [] }));
@@ -37,7 +37,7 @@ export function differing({ added, removed, changed, moved }: VersionDifference)
     ...changed.map(
       ({ block, what }): Differing => ({
         block,
-        kinds: apart.has(block) ? ["changed", "moved"] : ["changed"],
+        kinds: movedBlocks.has(block) ? ["changed", "moved"] : ["changed"],
         what,
       }),
     ),
@@ -53,9 +53,9 @@ export function kindsOf(
   difference: VersionDifference,
   side: "before" | "after",
 ): [string, readonly Difference[]][] {
-  const elsewhere: Difference = side === "before" ? "added" : "removed";
+  const otherSideKind: Difference = side === "before" ? "added" : "removed";
   return differing(difference)
-    .filter(({ kinds }) => !kinds.includes(elsewhere))
+    .filter(({ kinds }) => !kinds.includes(otherSideKind))
     .map(({ block, kinds }) => [block, kinds]);
 }
 
@@ -65,8 +65,8 @@ export function hiddenChange(what: readonly Change[]): Change | null {
 }
 
 /** Text of a stored comment, which is a string or an object that contains one. */
-export function commentText(kept: unknown): string {
-  if (typeof kept === "string") return kept;
-  const { text } = (kept ?? {}) as { text?: unknown };
+export function commentText(stored: unknown): string {
+  if (typeof stored === "string") return stored;
+  const { text } = (stored ?? {}) as { text?: unknown };
   return typeof text === "string" ? text : "";
 }

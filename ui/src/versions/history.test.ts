@@ -71,9 +71,9 @@ test("a name is kept in the store and shown in the line", async () => {
 
 test("what cannot be fetched is told", async () => {
   vi.spyOn(versionsApi, "version").mockRejectedValue(new Error("gone"));
-  const told = vi.fn();
-  const history = new VersionHistory(line(), null, told);
+  const onError = vi.fn();
+  const history = new VersionHistory(line(), null, onError);
   await vi.runAllTimersAsync();
-  expect(told).toHaveBeenCalledOnce();
+  expect(onError).toHaveBeenCalledOnce();
   history.dispose();
 });

@@ -4,42 +4,44 @@ import { versionsApi } from "../api/versions";
 import { faceOf, type Section, type Step, sectionsOf } from "./line";
 
 /** Delay before a version is loaded, so that fast stepping loads only the last one; and the size of the cache. */
-const PATIENCE_MS = 40;
-const MOST_KEPT = 40;
+const LOAD_DELAY_MS = 40;
+const MAX_CACHED = 40;
 
 /** State of the versions page: the versions of a program and the selected one. */
 export class VersionHistory {
   readonly line = signal<VersionMark[]>([]);
-  readonly place = signal(0);
+  readonly position = signal(0);
   /** The displayed version; it can lag behind `place` while it loads. */
   readonly shown = signal<VersionOfProgram | null>(null);
   /** Steps that are expanded to single versions, by the id of their first version. */
   readonly unfolded = signal<ReadonlySet<string>>(new Set());
   readonly sections = computed<Section[]>(() => sectionsOf(this.line.value));
-  readonly chosen = computed<VersionMark | null>(() => this.line.value[this.place.value] ?? null);
+  readonly chosen = computed<VersionMark | null>(
+    () => this.line.value[this.position.value] ?? null,
+  );
   private readonly stored = new Map<string, Promise<VersionOfProgram>>();
   private readonly stop: () => void;
   private timer = 0;
 
   constructor(
     line: VersionMark[],
-    wanted: string | null,
+    versionId: string | null,
     private readonly onError: (error: unknown) => void,
   ) {
     this.line.value = line;
-    const place = line.findIndex(({ id }) => id === wanted);
-    this.place.value = place < 0 ? Math.max(0, line.length - 1) : place;
+    const place = line.findIndex(({ id }) => id === versionId);
+    this.position.value = place < 0 ? Math.max(0, line.length - 1) : place;
     this.stop = effect(() => this.fetch(this.chosen.value?.id));
   }
 
   get isNewest(): boolean {
-    return this.place.value === this.line.value.length - 1;
+    return this.position.value === this.line.value.length - 1;
   }
 
   /** Number of the parent version, where the parent is not the version directly before. */
   readonly madeOf = computed<number | null>(() => {
     const { value: version } = this.chosen;
-    const before = this.line.value[this.place.value - 1];
+    const before = this.line.value[this.position.value - 1];
     if (!version?.parent_id || version.parent_id === before?.id) return null;
     const parent = this.line.value.find(({ id }) => id === version.parent_id);
     return parent && parent.number < version.number - 1 ? parent.number : null;
@@ -59,11 +61,11 @@ export class VersionHistory {
   }
 
   go(place: number): void {
-    this.place.value = Math.max(0, Math.min(place, this.line.value.length - 1));
+    this.position.value = Math.max(0, Math.min(place, this.line.value.length - 1));
   }
 
   step(by: number): void {
-    this.go(this.place.peek() + by);
+    this.go(this.position.peek() + by);
   }
 
   choose(version: VersionMark): void {
@@ -125,14 +127,14 @@ export class VersionHistory {
         this.onError(error);
       }
     };
-    this.timer = window.setTimeout(() => void show(), this.shown.peek() ? PATIENCE_MS : 0);
+    this.timer = window.setTimeout(() => void show(), this.shown.peek() ? LOAD_DELAY_MS : 0);
   }
 
   private content(id: string): Promise<VersionOfProgram> {
     const known = this.stored.get(id) ?? versionsApi.version(id);
     this.stored.set(id, known);
     const [oldest] = this.stored.keys();
-    if (this.stored.size > MOST_KEPT && oldest) this.stored.delete(oldest);
+    if (this.stored.size > MAX_CACHED && oldest) this.stored.delete(oldest);
     return known;
   }
 }

@@ -140,8 +140,8 @@ function foldedInto(versions: readonly VersionMark[]): Step[] {
 }
 
 function isOneBurst(before: VersionMark, version: VersionMark): boolean {
-  const apart = Math.abs(Date.parse(version.created_at) - Date.parse(before.created_at));
-  return isPlain(before) && isPlain(version) && apart < PAUSE_MS;
+  const gapMs = Math.abs(Date.parse(version.created_at) - Date.parse(before.created_at));
+  return isPlain(before) && isPlain(version) && gapMs < PAUSE_MS;
 }
 
 function isPlain({ label, n_runs }: VersionMark): boolean {

@@ -4,13 +4,13 @@ import type { Program } from "../api/model";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { Button } from "../kit/Button";
-import type { ProgramShelf } from "./program_shelf";
+import type { ProgramCollection } from "./program_collection";
 
 /** The programs in the bin; renders nothing while it is empty. */
-export function Bin({ shelf }: { shelf: ProgramShelf }) {
+export function Bin({ collection }: { collection: ProgramCollection }) {
   const open = useSignal(false);
   const { keeping } = texts.value;
-  const { value: bin } = shelf.bin;
+  const { value: bin } = collection.bin;
   if (bin.length === 0) return null;
   return (
     <section>
@@ -30,7 +30,7 @@ export function Bin({ shelf }: { shelf: ProgramShelf }) {
           <p class="bin__hint">{keeping.binHint}</p>
           <ul class="bin__programs">
             {bin.map((program) => (
-              <Thrown key={program.id} program={program} shelf={shelf} />
+              <Thrown key={program.id} program={program} collection={collection} />
             ))}
           </ul>
         </>
@@ -39,7 +39,7 @@ export function Bin({ shelf }: { shelf: ProgramShelf }) {
   );
 }
 
-function Thrown({ program, shelf }: { program: Program; shelf: ProgramShelf }) {
+function Thrown({ program, collection }: { program: Program; collection: ProgramCollection }) {
   const { keeping, work } = texts.value;
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
   return (
@@ -54,7 +54,7 @@ function Thrown({ program, shelf }: { program: Program; shelf: ProgramShelf }) {
         icon={RotateCcw}
         label={`${keeping.takeBack}: ${program.name}`}
         testId="take-back"
-        onPress={() => shelf.takeBack(program)}
+        onPress={() => collection.restore(program)}
       >
         {keeping.takeBack}
       </Button>

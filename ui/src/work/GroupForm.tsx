@@ -9,25 +9,25 @@ import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";
 import { GroupPicture } from "../kit/pictures/GroupPicture";
 import { PictureChoice } from "../kit/pictures/PictureChoice";
-import { useAct } from "../kit/requests/act";
+import { useAction } from "../kit/requests/action";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { valueIn } from "../kit/requests/load_state";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { group as inHeader } from "../shell/session";
 
-type Look = Pick<Group, "name" | "color" | "picture">;
+type GroupAppearance = Pick<Group, "name" | "color" | "picture">;
 
 /** Form for a group's name, colour and picture. */
 export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
   const { classes, start } = texts.value;
-  const [look, setLook] = useState<Look>(group);
-  const { busy, fault, act, refuse, clear } = useAct();
-  const change = (changes: Partial<Look>) => {
+  const [appearance, setAppearance] = useState<GroupAppearance>(group);
+  const { busy, fault, act, refuse, clear } = useAction();
+  const change = (changes: Partial<GroupAppearance>) => {
     clear();
-    setLook({ ...look, ...changes });
+    setAppearance({ ...appearance, ...changes });
   };
   const save = async () => {
-    const { name, color, picture } = look;
+    const { name, color, picture } = appearance;
     if (!name.trim()) return refuse(start.nameMissing);
     const done = await act(async () => {
       const changes = { name, color, ...(picture && { picture }) };
@@ -38,15 +38,15 @@ export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
   return (
     <Form
       class="group-form card tinted column gap-4"
-      style={{ "--group": look.color }}
+      style={{ "--group": appearance.color }}
       onSubmit={save}
       onKeyDown={(event) => event.key === "Escape" && onDone()}
     >
       <div class="group-form__who row wrap middle gap-3">
         <span class="badge group-head__badge">
-          <GroupPicture name={look.picture} />
+          <GroupPicture name={appearance.picture} />
         </span>
-        <NameInput name={look.name} onName={(name) => change({ name })} />
+        <NameInput name={appearance.name} onName={(name) => change({ name })} />
         <Button submit kind="main" icon={Check} busy={busy} testId="group-save">
           {classes.save}
         </Button>
@@ -55,7 +55,7 @@ export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
         </Button>
       </div>
       <FaultLine fault={fault} />
-      <Looks group={group} look={look} onChange={change} />
+      <AppearanceFields group={group} appearance={appearance} onChange={change} />
     </Form>
   );
 }
@@ -75,25 +75,25 @@ function NameInput({ name, onName }: { name: string; onName(name: string): void 
   );
 }
 
-interface LooksProps {
+interface AppearanceFieldsProps {
   group: Group;
-  look: Look;
-  onChange(changes: Partial<Look>): void;
+  appearance: GroupAppearance;
+  onChange(changes: Partial<GroupAppearance>): void;
 }
 
-function Looks({ group, look, onChange }: LooksProps) {
+function AppearanceFields({ group, appearance, onChange }: AppearanceFieldsProps) {
   const groups = useLoaded(group.id, () => api.groups());
-  const taken = (valueIn(groups) ?? [])
+  const usedPictures = (valueIn(groups) ?? [])
     .filter((one) => one.id !== group.id && one.classroom_id === group.classroom_id)
     .map((one) => one.picture);
   return (
     <div class="group-form__looks">
       <PictureChoice
-        chosen={look.picture}
-        taken={taken}
+        chosen={appearance.picture}
+        used={usedPictures}
         onChoose={(picture) => onChange({ picture })}
       />
-      <ColorChoice chosen={look.color} onChoose={(color) => onChange({ color })} />
+      <ColorChoice chosen={appearance.color} onChoose={(color) => onChange({ color })} />
     </div>
   );
 }

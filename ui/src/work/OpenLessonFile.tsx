@@ -1,5 +1,5 @@
 import { BookOpen } from "lucide-preact";
-import { makingApi } from "../api/making";
+import { authoringApi } from "../api/authoring";
 import type { OpenedLesson } from "../api/model";
 import { texts } from "../i18n";
 import { FileButton } from "../kit/Field";
@@ -14,7 +14,7 @@ interface OpenLessonFileProps {
 export function OpenLessonFile({ onOpened }: OpenLessonFileProps) {
   const { classes } = texts.value;
   const open = async (file: File) => {
-    const opened = await asTeacher(() => makingApi.openLessonFile(file));
+    const opened = await asTeacher(() => authoringApi.openLessonFile(file));
     if (!opened) return;
     setClassroom(opened.classroom.id);
     await onOpened(opened);
@@ -33,7 +33,7 @@ export function OpenLessonFile({ onOpened }: OpenLessonFileProps) {
 }
 
 /** What has become of the file. */
-export function openedWords({ lesson, classroom, nothing_new }: OpenedLesson): string {
+export function openedText({ lesson, classroom, nothing_new }: OpenedLesson): string {
   const { classes } = texts.value;
   const opened = classes.lessonFileOpened(lesson.title, classroom.name);
   return nothing_new ? `${opened} ${classes.lessonFileKnown}` : opened;

@@ -6,7 +6,7 @@ import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { PathPicture } from "../scene/small/PathPicture";
 import { hashOf } from "../shell/route";
-import { TakeAlong } from "./ProgramFile";
+import { ExportProgram } from "./ProgramFile";
 
 interface ProgramCardProps {
   program: Program;
@@ -18,7 +18,7 @@ interface ProgramCardProps {
 export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
   const { work, keeping } = texts.value;
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
-  const about = (words: string) => `${words}: ${program.name}`;
+  const about = (label: string) => `${label}: ${program.name}`;
   return (
     <div class="program-card card column shrinks">
       <a
@@ -49,7 +49,7 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
         >
           {keeping.history}
         </LinkButton>
-        <TakeAlong program={program} />
+        <ExportProgram program={program} />
         <Button
           kind="plain"
           icon={Trash2}

@@ -13,9 +13,9 @@ import { problem } from "../shell/session";
 const SUFFIX = ".pinel";
 
 /** Exports a program as a file, for another PC. */
-export function TakeAlong({ program }: { program: Program }) {
+export function ExportProgram({ program }: { program: Program }) {
   const { programFile } = texts.value;
-  const take = async () => {
+  const exportFile = async () => {
     const { octets, leftOut } = await exchange.programFile(program.id);
     saveFile(`${fileName(program.name, "programa")}${SUFFIX}`, octets);
     problem.value = leftOut;
@@ -27,7 +27,7 @@ export function TakeAlong({ program }: { program: Program }) {
       label={`${programFile.takeAlong}: ${program.name}`}
       tip={programFile.takeAlongHint}
       testId="program-file"
-      onPress={take}
+      onPress={exportFile}
     >
       {programFile.take}
     </Button>
@@ -35,15 +35,21 @@ export function TakeAlong({ program }: { program: Program }) {
 }
 
 /** Imports a program with its group from a file, and opens it. */
-export function BringIn() {
+export function ImportProgram() {
   const { programFile } = texts.value;
-  const bring = async (file: File) => {
+  const importFile = async (file: File) => {
     const brought = await exchange.bringProgram(file);
     setClassroom(brought.classroom_id ?? NO_CLASS);
     go({ screen: "studio", program: brought.program_id });
   };
   return (
-    <FileButton kind="plain" icon={Upload} accept={SUFFIX} testId="bring-program" onFile={bring}>
+    <FileButton
+      kind="plain"
+      icon={Upload}
+      accept={SUFFIX}
+      testId="bring-program"
+      onFile={importFile}
+    >
       {programFile.bringIn}
     </FileButton>
   );

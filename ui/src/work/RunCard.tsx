@@ -14,7 +14,7 @@ const ICONS = {
 } as const;
 
 /** A live run opens in the studio, a finished one in the replay. */
-function placeOf(run: Run): string {
+function hrefOf(run: Run): string {
   if (run.state === "running" && run.program_id) {
     return hashOf({ screen: "studio", program: run.program_id });
   }
@@ -30,7 +30,7 @@ export function RunCard({ run }: { run: Run }) {
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ];
   return (
-    <a class="work-card card" href={placeOf(run)} data-testid="run-card" data-state={run.state}>
+    <a class="work-card card" href={hrefOf(run)} data-testid="run-card" data-state={run.state}>
       <span class="visually-hidden">{work.replay}: </span>
       <span class="work-card__picture">
         <PathPicture path={run.path} />

@@ -13,30 +13,30 @@ export function UnreadNotes({ groupId }: { groupId: string }) {
   const notes = useLoaded(groupId, () => versionsApi.unseenNotes(groupId));
   if (notes.status !== "ready" || notes.value.length === 0) return null;
   const { value: unseen } = notes;
-  const seen = async (note: Note) => {
-    await versionsApi.seeNote(note.id);
+  const acknowledge = async (note: Note) => {
+    await versionsApi.acknowledgeNote(note.id);
     notes.set(unseen.filter(({ id }) => id !== note.id));
   };
   return (
     <ul class="grid gap-3">
       {unseen.map((note) => (
         <li key={note.id}>
-          <Letter note={note} onSeen={() => seen(note)} />
+          <Letter note={note} onAcknowledge={() => acknowledge(note)} />
         </li>
       ))}
     </ul>
   );
 }
 
-function Letter({ note, onSeen }: { note: Note; onSeen(): Promise<void> }) {
-  const { keeping: words, work } = texts.value;
-  const about = words.noteAbout(note.program_name ?? work.noName);
+function Letter({ note, onAcknowledge }: { note: Note; onAcknowledge(): Promise<void> }) {
+  const { keeping: labels, work } = texts.value;
+  const about = labels.noteAbout(note.program_name ?? work.noName);
   const written = when(note.written_at, new Date(), language.value, texts.value);
   return (
     <article class="letter card" data-testid="note-card">
       <Mail class="icon letter__icon" aria-hidden="true" />
       <div class="letter__words">
-        <h2 class="letter__from">{words.noteFrom}</h2>
+        <h2 class="letter__from">{labels.noteFrom}</h2>
         <p class="letter__text">{note.text}</p>
         <p class="aside">
           {about} · {written}
@@ -48,10 +48,10 @@ function Letter({ note, onSeen }: { note: Note; onSeen(): Promise<void> }) {
           href={hashOf({ screen: "replay", run: note.run_id })}
           testId="note-run"
         >
-          {words.noteSeeRun}
+          {labels.noteSeeRun}
         </LinkButton>
-        <Button kind="main" icon={Check} testId="note-seen" onPress={onSeen}>
-          {words.noteSeen}
+        <Button kind="main" icon={Check} testId="note-seen" onPress={onAcknowledge}>
+          {labels.noteSeen}
         </Button>
       </div>
     </article>

@@ -5,7 +5,7 @@ import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
-import { WayBack } from "../kit/WayBack";
+import { UndoBanner } from "../kit/UndoBanner";
 import type { ParametersOf } from "../shell/route";
 import { group } from "../shell/session";
 import { couldNotOpen } from "../studio/program/open_program";
@@ -13,7 +13,7 @@ import { Bin } from "./Bin";
 import { startProgram } from "./entering";
 import { GroupHead } from "./GroupHead";
 import { ProgramCard } from "./ProgramCard";
-import { ProgramShelf } from "./program_shelf";
+import { ProgramCollection } from "./program_collection";
 import { RunCard } from "./RunCard";
 import { RunFilters } from "./RunFilters";
 import { RunList } from "./run_list";
@@ -21,11 +21,11 @@ import { UnreadNotes } from "./UnreadNotes";
 
 /** A group's programs and runs, loaded together. */
 class GroupWork {
-  readonly shelf: ProgramShelf;
+  readonly collection: ProgramCollection;
   readonly runs: RunList;
 
   constructor(readonly groupId: string) {
-    this.shelf = new ProgramShelf(groupId);
+    this.collection = new ProgramCollection(groupId);
     this.runs = new RunList(groupId);
   }
 
@@ -34,12 +34,12 @@ class GroupWork {
       group.value = (await api.groups()).find((one) => one.id === this.groupId) ?? null;
     }
     await this.runs.load();
-    await this.shelf.load();
+    await this.collection.load();
     return this;
   }
 
   get programs(): readonly Program[] {
-    return [...this.shelf.programs.value, ...this.shelf.bin.value];
+    return [...this.collection.programs.value, ...this.collection.bin.value];
   }
 }
 
@@ -55,7 +55,7 @@ export function WorkScreen({ group: groupId }: ParametersOf<"work">) {
           <UnreadNotes groupId={groupId} />
           <Programs work={made} />
           <Runs work={made} />
-          <Bin shelf={made.shelf} />
+          <Bin collection={made.collection} />
         </main>
       )}
     </Loaded>
@@ -63,14 +63,14 @@ export function WorkScreen({ group: groupId }: ParametersOf<"work">) {
 }
 
 function Programs({ work }: { work: GroupWork }) {
-  const words = texts.value.work;
-  const { shelf, runs } = work;
+  const labels = texts.value.work;
+  const { collection, runs } = work;
   const pictureOf = (id: string) =>
     runs.runs.value.find((run) => run.program_id === id && run.path.length > 1)?.path ?? [];
   return (
     <section>
-      <h2 class="work__title">{words.programs}</h2>
-      <WayBackFromBin shelf={shelf} />
+      <h2 class="work__title">{labels.programs}</h2>
+      <DiscardUndo collection={collection} />
       <ul class="work__cards">
         <li>
           <Button
@@ -80,15 +80,15 @@ function Programs({ work }: { work: GroupWork }) {
             testId="new-program"
             onPress={() => startProgram(work.groupId, work.programs)}
           >
-            {words.newProgram}
+            {labels.newProgram}
           </Button>
         </li>
-        {shelf.programs.value.map((one) => (
+        {collection.programs.value.map((one) => (
           <li key={one.id}>
             <ProgramCard
               program={one}
               path={pictureOf(one.id)}
-              onThrowAway={() => shelf.throwAway(one)}
+              onThrowAway={() => collection.throwAway(one)}
             />
           </li>
         ))}
@@ -98,17 +98,17 @@ function Programs({ work }: { work: GroupWork }) {
 }
 
 function Runs({ work }: { work: GroupWork }) {
-  const { work: words, keeping } = texts.value;
+  const { work: labels, keeping } = texts.value;
   const { runs: list } = work;
   const { value: shown } = list.shown;
   const isEmpty = list.runs.value.length === 0;
   return (
     <section>
-      <h2 class="work__title">{words.runs}</h2>
+      <h2 class="work__title">{labels.runs}</h2>
       {isEmpty ? (
         <div class="work__empty">
-          <strong>{words.emptyRunsTitle}</strong>
-          <p>{words.emptyRuns}</p>
+          <strong>{labels.emptyRunsTitle}</strong>
+          <p>{labels.emptyRuns}</p>
         </div>
       ) : (
         <RunFilters list={list} programs={work.programs} />
@@ -125,26 +125,26 @@ function Runs({ work }: { work: GroupWork }) {
       </ul>
       {list.next.value && (
         <Button class="work__older" onPress={() => list.older()}>
-          {words.older}
+          {labels.older}
         </Button>
       )}
     </section>
   );
 }
 
-function WayBackFromBin({ shelf }: { shelf: ProgramShelf }) {
-  const { value: thrown } = shelf.thrown;
+function DiscardUndo({ collection }: { collection: ProgramCollection }) {
+  const { value: thrown } = collection.thrown;
   if (!thrown) return null;
   const { keeping } = texts.value;
   return (
     <div class="work__thrown">
-      <WayBack
-        words={keeping.thrown(thrown.name)}
+      <UndoBanner
+        text={keeping.thrown(thrown.name)}
         action={keeping.undo}
         testId="throw-back"
-        onBack={() => shelf.takeBack(thrown)}
+        onBack={() => collection.restore(thrown)}
         onClose={() => {
-          shelf.thrown.value = null;
+          collection.thrown.value = null;
         }}
       />
     </div>

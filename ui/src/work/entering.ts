@@ -64,8 +64,8 @@ export function startProgram(groupId: string, others: readonly Program[]): Promi
 
 /** Creates a program with the first free numbered name: "Programa 1", "Programa 2". */
 function createProgram(groupId: string, others: readonly Program[]): Promise<Program> {
-  const taken = new Set(others.map((program) => program.name));
+  const usedNames = new Set(others.map((program) => program.name));
   let number = others.length + 1;
-  while (taken.has(texts.value.start.firstProgram(number))) number += 1;
+  while (usedNames.has(texts.value.start.firstProgram(number))) number += 1;
   return api.createProgram(groupId, texts.value.start.firstProgram(number));
 }

@@ -1,11 +1,11 @@
 import { BrickWall, Flag, MapPin, MousePointer2, Package, PaintBucket } from "lucide-preact";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { Choice } from "../kit/Choice";
+import { RadioGroup } from "../kit/RadioGroup";
 import { paintOf } from "../scene/paints";
+import { TOOLS } from "./drag_gestures";
 import type { EditorStore } from "./editor_store";
-import { TOOLS } from "./gestures";
-import { COLORS, colorWord } from "./words";
+import { COLORS, colorLabel } from "./labels";
 
 const ICONS = {
   select: MousePointer2,
@@ -43,23 +43,23 @@ export function Toolbox({ store }: { store: EditorStore }) {
           </Button>
         );
       })}
-      <NextThing store={store} />
+      <NextObject store={store} />
     </div>
   );
 }
 
-function NextThing({ store }: { store: EditorStore }) {
-  const words = texts.value.world;
+function NextObject({ store }: { store: EditorStore }) {
+  const labels = texts.value.world;
   if (store.tool.value === "paint") {
-    return <Swatches color={store.color.value} onColor={(color) => store.dip(color)} />;
+    return <Swatches color={store.color.value} onColor={(color) => store.setPaint(color)} />;
   }
   if (store.tool.value !== "box") return null;
   return (
-    <Choice
-      label={words.tools.box}
+    <RadioGroup
+      label={labels.tools.box}
       options={[
-        [false, words.fixed],
-        [true, words.movable],
+        [false, labels.fixed],
+        [true, labels.movable],
       ]}
       value={store.movable.value}
       onChange={(movable) => {
@@ -74,10 +74,10 @@ export function Swatches({ color, onColor }: { color: string; onColor(color: str
   return (
     <fieldset class="swatches" aria-label={texts.value.world.color}>
       {COLORS.map((one) => {
-        const word = colorWord(one, language.value);
+        const label = colorLabel(one, language.value);
         return (
           <Button
-            label={word}
+            label={label}
             kind="bare"
             class="swatch"
             key={one}

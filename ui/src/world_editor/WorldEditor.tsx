@@ -7,12 +7,12 @@ import { Button } from "../kit/Button";
 import { listen } from "../kit/listen";
 import { report } from "../shell/session";
 import { Board } from "./board/Board";
-import { keepChecked } from "./checks";
+import { checkOnChange } from "./checks";
 import type { EditorStore } from "./editor_store";
 import { exportWorld, isRefusal, type Refusal, worldIn } from "./files";
 import { pressedAnywhere } from "./keys";
-import { thingOf } from "./plan";
-import { StartPanel, ThingPanel } from "./ThingPanel";
+import { ObjectPanel, StartPanel } from "./ObjectPanel";
+import { objectOf } from "./plan";
 import { Toolbox } from "./Toolbox";
 import { WorldPanel } from "./WorldPanel";
 
@@ -37,13 +37,13 @@ export function WorldEditor({
   onStop,
   onDone,
 }: WorldEditorProps) {
-  const words = texts.value.world;
+  const labels = texts.value.world;
   const section = useRef<HTMLElement>(null);
   const refusal = useSignal<Refusal | null>(null);
-  useEffect(() => keepChecked(store, report), [store]);
+  useEffect(() => checkOnChange(store, report), [store]);
   useEffect(() => section.current?.focus(), []);
   useLayoutEffect(() => followKeys(store), [store]);
-  const take = (file: File) => {
+  const importFile = (file: File) => {
     refusal.value = null;
     worldIn(file).then((answer) => {
       if (isRefusal(answer)) refusal.value = answer;
@@ -54,14 +54,14 @@ export function WorldEditor({
     <section
       ref={section}
       class="world-editor column"
-      aria-label={words.title}
+      aria-label={labels.title}
       tabIndex={-1}
       data-testid="world-editor"
       onDragOver={(event) => event.preventDefault()}
       onDrop={(event) => {
         event.preventDefault();
         const [file] = event.dataTransfer?.files ?? [];
-        if (file) take(file);
+        if (file) importFile(file);
       }}
     >
       <Bar store={store} onStop={onStop} onDone={onDone} />
@@ -79,7 +79,7 @@ export function WorldEditor({
         <Board store={store}>
           <Hint store={store} />
         </Board>
-        <Side store={store} onForget={onForget} onFile={take} />
+        <Side store={store} onForget={onForget} onFile={importFile} />
       </div>
     </section>
   );
@@ -191,12 +191,12 @@ interface SideProps {
 function Side({ store, onForget, onFile }: SideProps) {
   const plan = store.shown.value;
   const selected = store.selected.value;
-  const thing = thingOf(plan, selected);
+  const object = objectOf(plan, selected);
   return (
     <div class="world-side card column shrinks-down">
-      {thing && <ThingPanel store={store} plan={plan} thing={thing} key={thing.id} />}
+      {object && <ObjectPanel store={store} plan={plan} object={object} key={object.id} />}
       {selected === "start" && <StartPanel store={store} plan={plan} />}
-      {!thing && selected !== "start" && (
+      {!object && selected !== "start" && (
         <WorldPanel
           store={store}
           plan={plan}

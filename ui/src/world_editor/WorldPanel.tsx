@@ -22,13 +22,13 @@ interface WorldPanelProps {
 
 /** Properties of the world: name, size of the floor, template, files. */
 export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPanelProps) {
-  const words = texts.value.world;
+  const labels = texts.value.world;
   const side = (key: "width" | "depth", label: string) => (
     <NumberField
       label={label}
       value={plan[key]}
-      least={WORLD_LIMITS.MIN_FLOOR_M}
-      most={WORLD_LIMITS.MAX_FLOOR_M}
+      min={WORLD_LIMITS.MIN_FLOOR_M}
+      max={WORLD_LIMITS.MAX_FLOOR_M}
       step={GRID}
       testId={`world-floor-${key}`}
       onNumber={(value) => store.resize({ width: plan.width, depth: plan.depth, [key]: value })}
@@ -41,7 +41,7 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
       data-kind="world"
     >
       <label class="world-panel__text">
-        {words.name}
+        {labels.name}
         <input
           class="field"
           value={worldTitle(store.world.value, language.value)}
@@ -50,10 +50,10 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
           onInput={({ currentTarget: { value } }) => store.rename(value)}
         />
       </label>
-      <h3>{words.floorSize}</h3>
+      <h3>{labels.floorSize}</h3>
       <div class="numbers">
-        {side("width", words.width)}
-        {side("depth", words.depth)}
+        {side("width", labels.width)}
+        {side("depth", labels.depth)}
       </div>
       <BeginFrom store={store} />
       <div class="world-panel__acts row wrap gap-2">
@@ -63,14 +63,14 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
           testId="world-file"
           onFile={onFile}
         >
-          {words.fromFile}
+          {labels.fromFile}
         </FileButton>
         <Button icon={Download} testId="world-export" onPress={onExport}>
-          {words.toFile}
+          {labels.toFile}
         </Button>
         {onForget && (
           <Button icon={Trash2} testId="world-forget" onPress={onForget}>
-            {words.forget}
+            {labels.forget}
           </Button>
         )}
       </div>
@@ -79,15 +79,15 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
 }
 
 function BeginFrom({ store }: { store: EditorStore }) {
-  const words = texts.value.world;
+  const labels = texts.value.world;
   return (
     <label class="world-panel__text">
-      {words.beginFrom}
+      {labels.beginFrom}
       <Select
         testId="world-begin"
         value=""
         options={[
-          ["", words.choose],
+          ["", labels.choose],
           ...worlds.value.map((one) => [one.name, worldTitle(one, language.value)] as const),
         ]}
         onChange={(name) => {

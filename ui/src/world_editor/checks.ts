@@ -6,7 +6,7 @@ import type { EditorStore } from "./editor_store";
 const QUIET_MS = 150;
 
 /** Has the server check the document after each change and stores the faults. Returns the unsubscribe function. */
-export function keepChecked(store: EditorStore, onTrouble: (error: unknown) => void): () => void {
+export function checkOnChange(store: EditorStore, onTrouble: (error: unknown) => void): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const ask = async () => {
     const document = store.document.peek();

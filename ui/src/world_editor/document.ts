@@ -1,6 +1,6 @@
 import type { World } from "../api/model";
 import { type Area, areaOf } from "../scene/areas";
-import { type Kind, newId, ofKind, type Plan, type Thing } from "./plan";
+import { type Kind, newId, ofKind, type Plan, type WorldObject } from "./plan";
 
 /** Lists of the document and the kind of thing in each, in drawing order. */
 export const LISTS = { walls: "wall", boxes: "box", zones: "zone", floor: "paint" } as const;
@@ -17,7 +17,7 @@ export function planOf(world: World): Plan {
     width: world.size_m[0],
     depth: world.size_m[1],
     start: { x: start.x_m, y: start.y_m, heading: start.heading_deg },
-    things: [
+    objects: [
       ...world.walls.map((wall) => ({
         id: newId(),
         kind: "wall" as const,
@@ -41,7 +41,7 @@ export function planOf(world: World): Plan {
   };
 }
 
-function boxOf(box: World["boxes"][number]): Thing {
+function boxOf(box: World["boxes"][number]): WorldObject {
   return {
     id: newId(),
     kind: "box",
@@ -74,20 +74,20 @@ export function documentOf(plan: Plan): World {
   return document as unknown as World;
 }
 
-function entryOf(thing: Thing): object {
-  switch (thing.kind) {
+function entryOf(item: WorldObject): object {
+  switch (item.kind) {
     case "wall":
-      return { from: [thing.from.x, thing.from.y], to: [thing.to.x, thing.to.y] };
+      return { from: [item.from.x, item.from.y], to: [item.to.x, item.to.y] };
     case "box":
       return {
-        ...shapeOf(thing),
-        ...(thing.movable && { movable: true }),
-        ...(thing.mass !== null && { mass_kg: thing.mass }),
+        ...shapeOf(item),
+        ...(item.movable && { movable: true }),
+        ...(item.mass !== null && { mass_kg: item.mass }),
       };
     case "zone":
-      return { name: thing.name, ...shapeOf(thing) };
+      return { name: item.name, ...shapeOf(item) };
     case "paint":
-      return { color: thing.color, ...shapeOf(thing) };
+      return { color: item.color, ...shapeOf(item) };
   }
 }
 

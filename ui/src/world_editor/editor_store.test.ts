@@ -6,12 +6,12 @@ import { EditorStore } from "./editor_store";
 
 const EMPTY = emptyRoom as unknown as World;
 
-let kept: World[];
+let saved: World[];
 let store: EditorStore;
 
 beforeEach(() => {
-  kept = [];
-  store = new EditorStore(EMPTY, (world) => kept.push(world));
+  saved = [];
+  store = new EditorStore(EMPTY, (world) => saved.push(world));
 });
 
 function drag(from: [number, number], to: [number, number], target = {}, free = false): void {
@@ -20,12 +20,12 @@ function drag(from: [number, number], to: [number, number], target = {}, free = 
   store.grip(target, a);
   store.drag({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, free);
   store.drag(b, free);
-  store.letGo(b, true);
+  store.endDrag(b, true);
 }
 
 function tap(x: number, y: number, id?: string): void {
   store.grip(id ? { id } : {}, { x, y });
-  store.letGo({ x, y }, false);
+  store.endDrag({ x, y }, false);
 }
 
 const drawn = () => store.document.value;
@@ -36,15 +36,15 @@ describe("a hand", () => {
     store.choose("wall");
     drag([1.02, -0.98], [1.03, 1.01]);
     expect(drawn().walls.at(-1)).toEqual({ from: [1, -1], to: [1, 1] });
-    expect(kept).toHaveLength(1);
-    expect(kept[0]).toBe(drawn());
+    expect(saved).toHaveLength(1);
+    expect(saved[0]).toBe(drawn());
   });
 
   test("that trembles draws no wall", () => {
     store.choose("wall");
     drag([1, 1], [1.02, 1]);
     tap(2, 2);
-    expect(kept).toEqual([]);
+    expect(saved).toEqual([]);
   });
 
   test("draws boxes and places from corner to corner", () => {
@@ -92,8 +92,8 @@ describe("a hand", () => {
     store.grip({}, { x: 0, y: 0 });
     store.drag({ x: 2, y: 0 }, false);
     store.cancel();
-    expect(store.shown.value.things).toHaveLength(4);
-    expect(kept).toEqual([]);
+    expect(store.shown.value.objects).toHaveLength(4);
+    expect(saved).toEqual([]);
   });
 });
 
@@ -134,13 +134,13 @@ describe("the way back", () => {
     store.choose("box");
     tap(0, 0);
     store.undo();
-    expect(kept.at(-1)).toEqual(drawn());
+    expect(saved.at(-1)).toEqual(drawn());
   });
 
   test("brings back the world whose place another has taken", () => {
     const other = new EditorStore(
       EMPTY,
-      (world) => kept.push(world),
+      (world) => saved.push(world),
       obstacles as unknown as World,
     );
     other.undo();
@@ -171,7 +171,7 @@ test("the copy of a thing lies beside it and is held", () => {
 test("a colour dips what is held and what is drawn next", () => {
   store.choose("paint");
   tap(0, 0);
-  store.dip("green");
+  store.setPaint("green");
   tap(2, 2);
   expect(drawn().floor.map(({ color }) => color)).toEqual(["green", "green"]);
 });

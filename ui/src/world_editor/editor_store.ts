@@ -3,27 +3,27 @@ import type { Fault, World } from "../api/model";
 import type { XY } from "../scene/frames";
 import { aboutOf, documentOf, planOf } from "./document";
 import {
+  type DragGesture,
   doubled,
   drawing,
   freeName,
-  type Gesture,
   moving,
+  type NextObjectOptions,
   nudged,
   pulling,
   type Tool,
   tapped,
-  type Wishes,
-} from "./gestures";
+} from "./drag_gestures";
 import { History } from "./history";
 import {
   isOuter,
+  objectOf,
   type Plan,
   resized,
   type Start,
-  type Thing,
-  thingOf,
-  withoutThing,
-  withThing,
+  type WorldObject,
+  withObject,
+  withoutObject,
 } from "./plan";
 
 /** State of the world editor: the plan, the selection, and the history for undo. */
@@ -45,7 +45,7 @@ export class EditorStore {
   readonly canUndo = computed(() => this.changes.value >= 0 && this.history.canUndo);
   readonly canRedo = computed(() => this.changes.value >= 0 && this.history.canRedo);
   private readonly history = new History<Plan>();
-  private gesture: Gesture | null = null;
+  private gesture: DragGesture | null = null;
 
   /** `before` is the world that this one replaces; the first undo restores it. */
   constructor(
@@ -54,13 +54,13 @@ export class EditorStore {
     before: World | null = null,
   ) {
     this.plan.value = planOf(world);
-    if (before) this.history.keep(planOf(before));
+    if (before) this.history.push(planOf(before));
   }
 
   /** Whether the world has only a floor and outer walls. */
   get isBare(): boolean {
     const plan = this.shown.value;
-    return plan.things.every((thing) => isOuter(plan, thing));
+    return plan.objects.every((object) => isOuter(plan, object));
   }
 
   /** The subject of a fault: a thing's id, "start", or null for the world. */
@@ -84,7 +84,7 @@ export class EditorStore {
   /** Commits a changed plan; see History for `stroke`. */
   change(plan: Plan, stroke: string | null = null): void {
     if (plan === this.plan.value) return;
-    this.history.keep(this.plan.value, stroke);
+    this.history.push(this.plan.value, stroke);
     this.put(plan);
   }
 
@@ -97,7 +97,7 @@ export class EditorStore {
     });
   }
 
-  begin(gesture: Gesture): void {
+  begin(gesture: DragGesture): void {
     this.gesture = gesture;
   }
 
@@ -108,7 +108,7 @@ export class EditorStore {
     if (target.handle && this.selected.value) {
       this.begin(pulling(plan, this.selected.value, target.handle));
     } else if (tool !== "select") {
-      this.begin(drawing(plan, tool, at, this.wishes()));
+      this.begin(drawing(plan, tool, at, this.nextObjectOptions()));
     } else {
       this.select(target.id ?? null);
       if (target.id) this.begin(moving(plan, target.id, at));
@@ -124,7 +124,7 @@ export class EditorStore {
   }
 
   /** Ends a gesture; without movement it counts as a tap. */
-  letGo(at: XY, hasMoved: boolean): void {
+  endDrag(at: XY, hasMoved: boolean): void {
     const { value: draft } = this.draft;
     const tool = this.tool.value;
     this.cancel();
@@ -139,16 +139,16 @@ export class EditorStore {
 
   /** Places a thing of the current tool in its default size. */
   putDown(at: XY): void {
-    this.settle(tapped(this.plan.value, this.tool.value, at, this.wishes()));
+    this.settle(tapped(this.plan.value, this.tool.value, at, this.nextObjectOptions()));
   }
 
   /** Commits a plan and selects the new thing in it. */
   private settle(plan: Plan): void {
     batch(() => {
       const before = this.plan.value;
-      const last = plan.things.at(-1);
+      const last = plan.objects.at(-1);
       this.change(plan);
-      if (last && plan.things.length > before.things.length) this.selected.value = last.id;
+      if (last && plan.objects.length > before.objects.length) this.selected.value = last.id;
     });
   }
 
@@ -159,17 +159,17 @@ export class EditorStore {
 
   remove(): void {
     const { value: id } = this.selected;
-    if (!thingOf(this.plan.value, id) || !id) return;
+    if (!objectOf(this.plan.value, id) || !id) return;
     batch(() => {
-      this.change(withoutThing(this.plan.value, id));
+      this.change(withoutObject(this.plan.value, id));
       this.selected.value = null;
     });
   }
 
   double(): void {
-    const thing = thingOf(this.plan.value, this.selected.value);
-    if (!thing) return;
-    const [plan, id] = doubled(this.plan.value, thing);
+    const object = objectOf(this.plan.value, this.selected.value);
+    if (!object) return;
+    const [plan, id] = doubled(this.plan.value, object);
     batch(() => {
       this.change(plan);
       this.selected.value = id;
@@ -179,27 +179,27 @@ export class EditorStore {
   /** Moves a thing above, or below, all others of its kind. */
   layer(top: boolean): void {
     const plan = this.plan.value;
-    const thing = thingOf(plan, this.selected.value);
-    if (!thing) return;
-    const { things } = withoutThing(plan, thing.id);
-    this.change({ ...plan, things: top ? [...things, thing] : [thing, ...things] });
+    const object = objectOf(plan, this.selected.value);
+    if (!object) return;
+    const { objects } = withoutObject(plan, object.id);
+    this.change({ ...plan, objects: top ? [...objects, object] : [object, ...objects] });
   }
 
   /** Sets the colour of the next things and of the selected painted area. */
-  dip(color: string): void {
-    const thing = thingOf(this.plan.value, this.selected.value);
+  setPaint(color: string): void {
+    const object = objectOf(this.plan.value, this.selected.value);
     batch(() => {
       this.color.value = color;
-      if (thing?.kind === "paint") this.change(withThing(this.plan.value, { ...thing, color }));
+      if (object?.kind === "paint") this.change(withObject(this.plan.value, { ...object, color }));
     });
   }
 
   /** Replaces a thing by a copy with other properties. */
-  alter(thing: Thing, stroke: string | null = null): void {
-    this.change(withThing(this.plan.value, thing), stroke);
+  alter(object: WorldObject, stroke: string | null = null): void {
+    this.change(withObject(this.plan.value, object), stroke);
   }
 
-  place(start: Start, stroke: string | null = null): void {
+  setStart(start: Start, stroke: string | null = null): void {
     this.change({ ...this.plan.value, start }, stroke);
   }
 
@@ -207,8 +207,8 @@ export class EditorStore {
     this.change(resized(this.plan.value, width, depth), "floor");
   }
 
-  rename(words: string): void {
-    this.change({ ...this.plan.value, title: words }, "title");
+  rename(newTitle: string): void {
+    this.change({ ...this.plan.value, title: newTitle }, "title");
   }
 
   undo(): void {
@@ -229,12 +229,12 @@ export class EditorStore {
       this.plan.value = plan;
       this.changes.value++;
       const { value: id } = this.selected;
-      if (id !== "start" && !thingOf(plan, id)) this.selected.value = null;
+      if (id !== "start" && !objectOf(plan, id)) this.selected.value = null;
     });
     this.onChange(this.document.value);
   }
 
-  private wishes(): Wishes {
+  private nextObjectOptions(): NextObjectOptions {
     return {
       color: this.color.value,
       movable: this.movable.value,
@@ -249,5 +249,5 @@ const EMPTY: Plan = {
   width: 8,
   depth: 8,
   start: { x: 0, y: 0, heading: 0 },
-  things: [],
+  objects: [],
 };

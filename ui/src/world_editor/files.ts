@@ -32,20 +32,20 @@ function parsed(text: string): unknown {
 /** Whether the document has all fields that drawing needs, with the right types. */
 function canBeDrawn(world: unknown): boolean {
   try {
-    const { width, depth, start, things } = planOf(world as World);
-    return [width, depth, start, ...things].every(isSound);
+    const { width, depth, start, objects } = planOf(world as World);
+    return [width, depth, start, ...objects].every(isWellFormed);
   } catch {
     return false;
   }
 }
 
 /** Checks recursively that no part is missing or a list, and that numbers are finite where numbers belong. */
-function isSound(value: unknown): boolean {
+function isWellFormed(value: unknown): boolean {
   if (typeof value === "number") return Number.isFinite(value);
   if (typeof value === "string" || typeof value === "boolean" || value === null) return true;
   if (typeof value !== "object" || Array.isArray(value)) return false;
   return Object.entries(value).every(([key, part]) =>
-    TEXTS.has(key) ? typeof part === "string" : typeof part !== "string" && isSound(part),
+    TEXTS.has(key) ? typeof part === "string" : typeof part !== "string" && isWellFormed(part),
   );
 }
 

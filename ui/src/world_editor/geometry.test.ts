@@ -24,13 +24,13 @@ const box = (over: Partial<Box> = {}): Box => ({
   ...over,
 });
 
-const plan = (...things: Plan["things"]): Plan => ({
+const plan = (...objects: Plan["objects"]): Plan => ({
   name: "own",
   title: "",
   width: 8,
   depth: 6,
   start: { x: 0, y: 0, heading: 0 },
-  things,
+  objects,
 });
 
 describe("a number on the grid", () => {
@@ -137,6 +137,6 @@ test("what has no room on the floor is put in its middle", () => {
 test("the walls around a floor go with its size, those within stay", () => {
   const around = wall([-4, -3], [4, -3], "around");
   const within = wall([0, -3], [0, 1], "within");
-  const { things } = resized(plan(around, within), 10, 4);
-  expect(things).toEqual([{ ...around, from: { x: -5, y: -2 }, to: { x: 5, y: -2 } }, within]);
+  const { objects } = resized(plan(around, within), 10, 4);
+  expect(objects).toEqual([{ ...around, from: { x: -5, y: -2 }, to: { x: 5, y: -2 } }, within]);
 });

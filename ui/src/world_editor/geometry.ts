@@ -1,6 +1,13 @@
 import { CORNERS, cornersOf } from "../scene/areas";
 import type { XY } from "../scene/frames";
-import { type AreaThing, isArea, type Plan, type Start, type Thing, type Wall } from "./plan";
+import {
+  type AreaObject,
+  isArea,
+  type Plan,
+  type Start,
+  type Wall,
+  type WorldObject,
+} from "./plan";
 
 /** Grid of gestures, and the finer one with Shift and for typed numbers. Metres. */
 export const GRID = 0.1;
@@ -10,7 +17,7 @@ const TURN_STEP = 15;
 const END_M = 0.16;
 /** A wall snaps to straight when it is off by less than this. */
 const STRAIGHT_DEG = 5;
-export const LEAST_M = 0.1;
+export const MIN_SIZE_M = 0.1;
 /** Radius of the largest robot, and its distance from a wall around it. */
 const ROBOT_M = 0.3;
 
@@ -26,8 +33,8 @@ export const snapPoint = ({ x, y }: XY, step: number): XY => ({
 
 export function insideRoom(plan: Plan, { x, y }: XY, margin = 0): XY {
   const hold = (value: number, size: number) => {
-    const most = Math.max(0, size / 2 - margin);
-    return Math.min(most, Math.max(-most, value));
+    const limit = Math.max(0, size / 2 - margin);
+    return Math.min(limit, Math.max(-limit, value));
   };
   return { x: hold(x, plan.width), y: hold(y, plan.depth) };
 }
@@ -43,12 +50,12 @@ export function snapEnd(plan: Plan, point: XY, own: string, other: XY | null, fr
 
 function nearestEnd(plan: Plan, point: XY, own: string): XY | null {
   let best: XY | null = null;
-  let least = END_M;
-  for (const thing of plan.things) {
-    if (thing.kind !== "wall" || thing.id === own) continue;
-    for (const end of [thing.from, thing.to]) {
+  let minDistance = END_M;
+  for (const object of plan.objects) {
+    if (object.kind !== "wall" || object.id === own) continue;
+    for (const end of [object.from, object.to]) {
       const away = Math.hypot(end.x - point.x, end.y - point.y);
-      if (away < least) [best, least] = [end, away];
+      if (away < minDistance) [best, minDistance] = [end, away];
     }
   }
   return best;
@@ -77,10 +84,10 @@ export function between(one: XY, other: XY, free: boolean) {
 export const lengthOf = ({ from, to }: Wall) => Math.hypot(to.x - from.x, to.y - from.y);
 
 /** The outermost points of a thing. */
-export function pointsOf(thing: Thing): XY[] {
-  if (!isArea(thing)) return [thing.from, thing.to];
-  if (thing.radius === null) return cornersOf(thing);
-  const { x, y, radius } = thing;
+export function pointsOf(object: WorldObject): XY[] {
+  if (!isArea(object)) return [object.from, object.to];
+  if (object.radius === null) return cornersOf(object);
+  const { x, y, radius } = object;
   return [
     { x: x - radius, y: y + radius },
     { x: x + radius, y: y - radius },
@@ -88,8 +95,8 @@ export function pointsOf(thing: Thing): XY[] {
 }
 
 /** Shifts a thing by metres, up to the edge of the floor. */
-export function shifted<T extends Thing>(plan: Plan, thing: T, dx: number, dy: number): T {
-  const points = pointsOf(thing);
+export function shifted<T extends WorldObject>(plan: Plan, object: T, dx: number, dy: number): T {
+  const points = pointsOf(object);
   const across = heldShift(
     points.map(({ x }) => x),
     dx,
@@ -101,14 +108,14 @@ export function shifted<T extends Thing>(plan: Plan, thing: T, dx: number, dy: n
     plan.depth / 2,
   );
   const move = ({ x, y }: XY): XY => ({ x: clean(x + across), y: clean(y + up) });
-  if (isArea(thing)) return { ...thing, ...move(thing) };
-  return { ...thing, from: move(thing.from), to: move(thing.to) };
+  if (isArea(object)) return { ...object, ...move(object) };
+  return { ...object, from: move(object.from), to: move(object.to) };
 }
 
 function heldShift(values: readonly number[], shift: number, edge: number): number {
-  const [least, most] = [Math.min(...values), Math.max(...values)];
-  if (most - least > 2 * edge) return -(least + most) / 2;
-  return Math.max(-edge - least, Math.min(edge - most, shift));
+  const [min, max] = [Math.min(...values), Math.max(...values)];
+  if (max - min > 2 * edge) return -(min + max) / 2;
+  return Math.max(-edge - min, Math.min(edge - max, shift));
 }
 
 /** Rotates a vector of the world into the frame of a thing with a `heading` in degrees. */
@@ -123,22 +130,22 @@ export function turnedBy({ x, y }: XY, heading: number): XY {
 }
 
 /** Moves one corner to a point; the opposite corner stays. */
-export function corneredTo(area: AreaThing, corner: number, point: XY, free: boolean): AreaThing {
+export function corneredTo(area: AreaObject, corner: number, point: XY, free: boolean): AreaObject {
   const step = free ? FINE : GRID;
   const still = cornersOf(area)[(corner + 2) % 4] ?? area;
   const reach = turnedBack({ x: point.x - still.x, y: point.y - still.y }, area.heading);
   const [right, up] = CORNERS[corner] ?? [1, 1];
-  const width = Math.max(LEAST_M, snap(reach.x * right, step));
-  const depth = Math.max(LEAST_M, snap(reach.y * up, step));
+  const width = Math.max(MIN_SIZE_M, snap(reach.x * right, step));
+  const depth = Math.max(MIN_SIZE_M, snap(reach.y * up, step));
   const half = turnedBy({ x: (right * width) / 2, y: (up * depth) / 2 }, area.heading);
   return { ...area, width, depth, x: clean(still.x + half.x), y: clean(still.y + half.y) };
 }
 
 /** Sets the radius of a disc so that it reaches a point. */
-export function reachingTo(area: AreaThing, point: XY, free: boolean): AreaThing {
+export function reachingTo(area: AreaObject, point: XY, free: boolean): AreaObject {
   if (area.kind === "box") return area;
   const away = Math.hypot(point.x - area.x, point.y - area.y);
-  const radius = Math.max(LEAST_M, snap(away, free ? FINE : GRID));
+  const radius = Math.max(MIN_SIZE_M, snap(away, free ? FINE : GRID));
   return { ...area, radius, width: 2 * radius, depth: 2 * radius };
 }
 

@@ -5,9 +5,9 @@ export class History<T> {
   private stroke: string | null = null;
 
   /** Pushes the state before a change. Consecutive changes with one `stroke`, as of a held key, are one undo step. */
-  keep(before: T, stroke: string | null = null): void {
+  push(before: T, stroke: string | null = null): void {
     if (stroke === null || stroke !== this.stroke) this.past.push(before);
-    if (this.past.length > MOST) this.past.shift();
+    if (this.past.length > MAX_STEPS) this.past.shift();
     this.stroke = stroke;
     this.future = [];
   }
@@ -41,4 +41,4 @@ export class History<T> {
   }
 }
 
-const MOST = 200;
+const MAX_STEPS = 200;

@@ -3,8 +3,8 @@ import type { Area } from "../scene/areas";
 import type { XY } from "../scene/frames";
 
 /** A thing on the floor. `id` is valid while the editor is open; a document identifies things by index. */
-export type Thing = Wall | Box | Zone | Paint;
-export type Kind = Thing["kind"];
+export type WorldObject = Wall | Box | Zone | Paint;
+export type Kind = WorldObject["kind"];
 
 interface One<K extends string> {
   readonly id: string;
@@ -30,7 +30,7 @@ export interface Paint extends One<"paint">, Area {
   readonly color: string;
 }
 
-export type AreaThing = Box | Zone | Paint;
+export type AreaObject = Box | Zone | Paint;
 
 export interface Start extends XY {
   readonly heading: number;
@@ -43,42 +43,42 @@ export interface Plan {
   readonly width: number;
   readonly depth: number;
   readonly start: Start;
-  readonly things: readonly Thing[];
+  readonly objects: readonly WorldObject[];
 }
 
 let counted = 0;
 export const newId = () => `thing-${++counted}`;
 
 /** The thing with an id; null where there is none. */
-export const thingOf = (plan: Plan, id: string | null): Thing | null =>
-  plan.things.find((thing) => thing.id === id) ?? null;
+export const objectOf = (plan: Plan, id: string | null): WorldObject | null =>
+  plan.objects.find((object) => object.id === id) ?? null;
 
-export const isArea = (thing: Thing): thing is AreaThing => thing.kind !== "wall";
+export const isArea = (one: WorldObject): one is AreaObject => one.kind !== "wall";
 
-export const ofKind = (plan: Plan, kind: Kind): readonly Thing[] =>
-  plan.things.filter((thing) => thing.kind === kind);
+export const ofKind = (plan: Plan, kind: Kind): readonly WorldObject[] =>
+  plan.objects.filter((object) => object.kind === kind);
 
-export function withThing(plan: Plan, changed: Thing): Plan {
-  const things = plan.things.map((thing) => (thing.id === changed.id ? changed : thing));
-  return { ...plan, things };
+export function withObject(plan: Plan, changed: WorldObject): Plan {
+  const objects = plan.objects.map((object) => (object.id === changed.id ? changed : object));
+  return { ...plan, objects };
 }
 
-export const plusThing = (plan: Plan, thing: Thing): Plan => ({
+export const plusObject = (plan: Plan, object: WorldObject): Plan => ({
   ...plan,
-  things: [...plan.things, thing],
+  objects: [...plan.objects, object],
 });
 
-export const withoutThing = (plan: Plan, id: string): Plan => ({
+export const withoutObject = (plan: Plan, id: string): Plan => ({
   ...plan,
-  things: plan.things.filter((thing) => thing.id !== id),
+  objects: plan.objects.filter((object) => object.id !== id),
 });
 
 const EDGE_M = 0.01;
 
 /** Whether a thing is an outer wall: it follows the floor's size and cannot be dragged. */
-export function isOuter(plan: Plan, thing: Thing): boolean {
-  if (thing.kind !== "wall") return false;
-  const { from, to } = thing;
+export function isOuter(plan: Plan, object: WorldObject): boolean {
+  if (object.kind !== "wall") return false;
+  const { from, to } = object;
   const along = (a: number, b: number, reach: number) => Math.abs(Math.abs(a - b) - reach) < EDGE_M;
   const on = (a: number, b: number, edge: number) =>
     Math.abs(a - b) < EDGE_M && Math.abs(Math.abs(a) - edge / 2) < EDGE_M;
@@ -94,10 +94,10 @@ export function resized(plan: Plan, width: number, depth: number): Plan {
     x: (Math.sign(x) * width) / 2,
     y: (Math.sign(y) * depth) / 2,
   });
-  const things = plan.things.map((thing) =>
-    thing.kind === "wall" && isOuter(plan, thing)
-      ? { ...thing, from: stretch(thing.from), to: stretch(thing.to) }
-      : thing,
+  const objects = plan.objects.map((object) =>
+    object.kind === "wall" && isOuter(plan, object)
+      ? { ...object, from: stretch(object.from), to: stretch(object.to) }
+      : object,
   );
-  return { ...plan, width, depth, things };
+  return { ...plan, width, depth, objects };
 }

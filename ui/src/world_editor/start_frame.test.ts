@@ -3,7 +3,7 @@ import type { Plan } from "./plan";
 import { fromStart, onFloor, reach } from "./start_frame";
 
 const plan = (x: number, y: number, heading: number): Plan => ({
-  ...{ name: "own", title: null as never, width: 8, depth: 6, things: [] },
+  ...{ name: "own", title: null as never, width: 8, depth: 6, objects: [] },
   start: { x, y, heading },
 });
 
@@ -24,8 +24,8 @@ describe("a place has the numbers that the blocks use for it", () => {
   });
 
   test("as far as the floor goes", () => {
-    expect(reach(plan(0, 0, 0), "x", 0.1)).toEqual({ least: -4, most: 4, step: 0.1 });
-    expect(reach(plan(-3, -2, 0), "x", 0.1)).toEqual({ least: -1, most: 7, step: 0.1 });
-    expect(reach(plan(-3, -2, 90), "x", 0.1)).toEqual({ least: -1, most: 5, step: 0.1 });
+    expect(reach(plan(0, 0, 0), "x", 0.1)).toEqual({ min: -4, max: 4, step: 0.1 });
+    expect(reach(plan(-3, -2, 0), "x", 0.1)).toEqual({ min: -1, max: 7, step: 0.1 });
+    expect(reach(plan(-3, -2, 90), "x", 0.1)).toEqual({ min: -1, max: 5, step: 0.1 });
   });
 });

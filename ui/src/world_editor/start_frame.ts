@@ -4,8 +4,8 @@ import type { Plan, Start } from "./plan";
 
 /** What a number field of the editor may hold. */
 export interface Range {
-  least: number;
-  most: number;
+  min: number;
+  max: number;
   step: number;
 }
 
@@ -31,5 +31,5 @@ export function reach({ start, width, depth }: Plan, axis: "x" | "y", step: numb
   const corners = [-1, 1].flatMap((right) =>
     [-1, 1].map((up) => fromStart(start, { x: (right * width) / 2, y: (up * depth) / 2 })[axis]),
   );
-  return { least: Math.min(...corners), most: Math.max(...corners), step };
+  return { min: Math.min(...corners), max: Math.max(...corners), step };
 }

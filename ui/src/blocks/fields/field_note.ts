@@ -12,20 +12,20 @@ interface Note {
 let shown: Note | null = null;
 
 /** Says something at a field, also to a screen reader, until the next edit or for some seconds. */
-export function showFieldNote(field: Blockly.Field, words: string): void {
+export function showFieldNote(field: Blockly.Field, text: string): void {
   const workspace = field.getSourceBlock()?.workspace;
   if (!(workspace instanceof Blockly.WorkspaceSvg)) return;
   shown?.hide();
   shown = newNote(field, workspace);
-  shown.element.textContent = words;
+  shown.element.textContent = text;
   place(shown);
-  Blockly.utils.aria.announceDynamicAriaState(words);
+  Blockly.utils.aria.announceDynamicAriaState(text);
 }
 
 /** The same, after what is said at this field already. */
-export function addToFieldNote(field: Blockly.Field, words: string): void {
+export function addToFieldNote(field: Blockly.Field, text: string): void {
   const before = shown?.field === field ? `${shown.element.textContent} ` : "";
-  if (!before.includes(words)) showFieldNote(field, before + words);
+  if (!before.includes(text)) showFieldNote(field, before + text);
 }
 
 function newNote(field: Blockly.Field, workspace: Blockly.WorkspaceSvg): Note {

@@ -1,11 +1,11 @@
 import * as Blockly from "blockly/core";
 import type { Limits } from "../definition";
 import { argumentsOf, definitionOf } from "../definitions";
-import { word } from "../words";
+import { blockText } from "../texts";
 import { showFieldNote } from "./field_note";
 
 /** Of a refused text as many letters are repeated. */
-const MOST_TYPED = 16;
+const MAX_TYPED = 16;
 
 /**
  * A number as pupils write it: "0,5" where the language writes decimals with a comma. Blockly's own field drops the
@@ -28,7 +28,7 @@ export class MeasureField extends Blockly.FieldNumber {
     const { min, max, precision } = this.loading ? {} : this.limits();
     this.min_ = min ?? -Number.MAX_VALUE;
     this.max_ = max ?? Number.MAX_VALUE;
-    this.setPrecisionQuietly(precision ?? 0);
+    this.setPrecisionOnly(precision ?? 0);
     return super.doClassValidation_(parseMeasure(newValue));
   }
 
@@ -55,7 +55,7 @@ export class MeasureField extends Blockly.FieldNumber {
     super.onFinishEditing_(value);
     const typed = this.refused;
     this.refused = null;
-    if (typed !== null) this.tell(typed);
+    if (typed !== null) this.showComplaint(typed);
   }
 
   static override fromJson(options: Blockly.FieldNumberFromJsonConfig): MeasureField {
@@ -72,7 +72,7 @@ export class MeasureField extends Blockly.FieldNumber {
   }
 
   /** As `setPrecision`, which would look at the value again. */
-  private setPrecisionQuietly(precision: number): void {
+  private setPrecisionOnly(precision: number): void {
     this.precision_ = precision;
     const decimals = String(precision).split(".")[1]?.length ?? 0;
     Object.assign(this, { decimalPlaces: precision ? decimals : null });
@@ -84,23 +84,23 @@ export class MeasureField extends Blockly.FieldNumber {
     return value >= min && value <= max;
   }
 
-  private tell(typed: string): void {
+  private showComplaint(typed: string): void {
     showFieldNote(this, this.complaint(typed));
   }
 
   private complaint(typed: string): string {
-    const kept = this.getText();
+    const current = this.getText();
     const { min, max } = this.limits();
     const text = shortened(typed.trim());
-    if (text === "") return word("NUMBER_MISSING", kept);
-    if (Number.isNaN(Number(parseMeasure(typed)))) return word("NOT_A_NUMBER", text, kept);
-    if (max === undefined) return word("AT_LEAST", text, formatMeasure(min), kept);
-    return word("OUT_OF_RANGE", text, formatMeasure(min), formatMeasure(max), kept);
+    if (text === "") return blockText("NUMBER_MISSING", current);
+    if (Number.isNaN(Number(parseMeasure(typed)))) return blockText("NOT_A_NUMBER", text, current);
+    if (max === undefined) return blockText("AT_LEAST", text, formatMeasure(min), current);
+    return blockText("OUT_OF_RANGE", text, formatMeasure(min), formatMeasure(max), current);
   }
 }
 
 const shortened = (text: string) =>
-  text.length > MOST_TYPED ? `${text.slice(0, MOST_TYPED)}…` : text;
+  text.length > MAX_TYPED ? `${text.slice(0, MAX_TYPED)}…` : text;
 
 function parseMeasure(value: unknown): string {
   return String(value ?? "")
@@ -109,5 +109,5 @@ function parseMeasure(value: unknown): string {
 }
 
 function formatMeasure(value: unknown): string {
-  return String(value ?? "").replace(".", word("DECIMAL_SEPARATOR") || ".");
+  return String(value ?? "").replace(".", blockText("DECIMAL_SEPARATOR") || ".");
 }

@@ -1,6 +1,6 @@
 import * as Blockly from "blockly/core";
 import { isName, namesFor, renameVariable, type VariableField } from "../names";
-import { word } from "../words";
+import { blockText } from "../texts";
 
 const NEW = "\u0000new";
 const RENAME = "\u0000rename";
@@ -24,15 +24,15 @@ export class NameField extends Blockly.FieldDropdown implements VariableField {
 
   /** In words, so that the menu of a field that is not open costs nothing. */
   override getOptions(): Blockly.MenuOption[] {
-    const current = this.getValue() ?? word("VARIABLE_NAME");
+    const current = this.getValue() ?? blockText("VARIABLE_NAME");
     if (!this.listing) return [[current, current]];
     const block = this.getSourceBlock();
     const names = new Set([current, ...(block ? namesFor(block) : [])]);
     return [
       ...[...names].map((name): Blockly.MenuOption => [name, name]),
       "separator",
-      [word("NEW_NAME"), NEW],
-      [word("RENAME", current), RENAME],
+      [blockText("NEW_NAME"), NEW],
+      [blockText("RENAME", current), RENAME],
     ];
   }
 
@@ -48,24 +48,24 @@ export class NameField extends Blockly.FieldDropdown implements VariableField {
 
   protected override onItemSelected_(menu: Blockly.Menu, item: Blockly.MenuItem): void {
     const value = item.getValue();
-    if (value === NEW) this.ask(word("ASK_NEW_NAME"), "", (name) => this.setValue(name));
+    if (value === NEW) this.ask(blockText("ASK_NEW_NAME"), "", (name) => this.setValue(name));
     else if (value === RENAME) this.askForRename();
     else super.onItemSelected_(menu, item);
   }
 
   private askForRename(): void {
     const from = this.name_();
-    this.ask(word("ASK_RENAME", from), from, (to) => {
+    this.ask(blockText("ASK_RENAME", from), from, (to) => {
       const block = this.getSourceBlock();
       if (block) renameVariable(block, from, to);
     });
   }
 
-  private ask(question: string, suggestion: string, take: (name: string) => void): void {
+  private ask(question: string, suggestion: string, apply: (name: string) => void): void {
     Blockly.dialog.prompt(question, suggestion, (answer) => {
       const name = answer?.trim();
       if (!name) return;
-      if (isName(name)) inOneStep(() => take(name));
+      if (isName(name)) inOneStep(() => apply(name));
       else this.refuse();
     });
   }
@@ -73,7 +73,7 @@ export class NameField extends Blockly.FieldDropdown implements VariableField {
   private refuse(): void {
     const workspace = this.getSourceBlock()?.workspace;
     if (!(workspace instanceof Blockly.WorkspaceSvg)) return;
-    const message = word("NAME_REFUSED", this.name_());
+    const message = blockText("NAME_REFUSED", this.name_());
     Blockly.Toast.show(workspace, { id: "pinel-name", message });
   }
 }

@@ -4,7 +4,7 @@ import { registerBlocks } from "..";
 import { generateDocument } from "../generator";
 import { setKnownSigns } from "../known_signs";
 import { workspaceOf } from "../loader";
-import { setBlockLanguage } from "../words";
+import { setBlockLanguage } from "../texts";
 import { SignField } from "./sign_field";
 
 beforeAll(registerBlocks);
@@ -24,8 +24,8 @@ function offered(field: SignField): string[] {
   Object.assign(field, { listing: false });
   return options.map((option) => {
     if (option === "separator") return "-";
-    const [words] = option;
-    return words instanceof HTMLElement ? (words.textContent ?? "") : String(words);
+    const [label] = option;
+    return label instanceof HTMLElement ? (label.textContent ?? "") : String(label);
   });
 }
 

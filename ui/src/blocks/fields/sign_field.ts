@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 import { LETTERS } from "../../api/declared";
 import { knownSigns } from "../known_signs";
-import { word } from "../words";
+import { blockText } from "../texts";
 import { inOneStep } from "./name_field";
 import { steerByKeys } from "./sign_menu_keys";
 
@@ -26,7 +26,7 @@ export class SignField extends Blockly.FieldDropdown {
   /** In words, so that the menu of a field that is not open costs nothing. */
   override getOptions(): Blockly.MenuOption[] {
     const current = this.getValue() ?? FIRST;
-    if (!this.listing) return [[current || word("NO_SIGN"), current]];
+    if (!this.listing) return [[current || blockText("NO_SIGN"), current]];
     const named = knownSigns()?.named ?? [];
     const isListed = current === "" || [...LETTERS, ...named].includes(current);
     const names = [...named, ...(isListed ? [] : [current])];
@@ -37,8 +37,8 @@ export class SignField extends Blockly.FieldDropdown {
       ...LETTERS.map(option),
       "separator",
       ...(others.length > 0 ? ([...others, "separator"] as const) : []),
-      [wide(word("NO_SIGN")), ""],
-      [wide(word("OTHER_SIGN")), OTHER],
+      [wide(blockText("NO_SIGN")), ""],
+      [wide(blockText("OTHER_SIGN")), OTHER],
     ];
   }
 
@@ -66,7 +66,7 @@ export class SignField extends Blockly.FieldDropdown {
   }
 
   private ask(): void {
-    Blockly.dialog.prompt(word("ASK_SIGN"), this.getValue() ?? "", (answer) => {
+    Blockly.dialog.prompt(blockText("ASK_SIGN"), this.getValue() ?? "", (answer) => {
       const name = answer?.trim().slice(0, MAX_LENGTH);
       if (name) inOneStep(() => this.setValue(name.length === 1 ? name.toUpperCase() : name));
     });
@@ -87,10 +87,10 @@ function isShort(name: string): boolean {
 }
 
 /** A word, which takes the room of several letters. */
-function wide(words: string): HTMLElement {
+function wide(text: string): HTMLElement {
   const element = document.createElement("span");
   element.className = "pinelSignName";
-  element.textContent = words;
-  element.title = words;
+  element.textContent = text;
+  element.title = text;
   return element;
 }

@@ -20,8 +20,8 @@ export function steerByKeys(content: HTMLElement, menu: Menu): () => void {
   const find = (key: string, now: number) => {
     typed = now - typedAt < TYPING_MS ? typed + key : key;
     typedAt = now;
-    const wanted = typed.toLowerCase();
-    return itemsIn(content).find((item) => nameOf(item).toLowerCase().startsWith(wanted));
+    const prefix = typed.toLowerCase();
+    return itemsIn(content).find((item) => nameOf(item).toLowerCase().startsWith(prefix));
   };
   const onKey = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -85,12 +85,12 @@ function beside(items: readonly HTMLElement[], key: string): HTMLElement | undef
 function nearest(
   items: readonly HTMLElement[],
   middle: number,
-  way: 1 | -1,
+  direction: 1 | -1,
 ): HTMLElement | undefined {
   const places = items.map((item) => ({ item, box: item.getBoundingClientRect() }));
-  const row = Math.min(...places.map(({ box }) => way * box.top));
+  const row = Math.min(...places.map(({ box }) => direction * box.top));
   const away = ({ box }: { box: DOMRect }) => Math.abs(box.left + box.width / 2 - middle);
   return places
-    .filter(({ box }) => way * box.top < row + 1)
+    .filter(({ box }) => direction * box.top < row + 1)
     .sort((one, other) => away(one) - away(other))[0]?.item;
 }

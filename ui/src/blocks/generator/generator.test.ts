@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
 import { registerBlocks } from "..";
-import { setBlockLanguage } from "../words";
+import { setBlockLanguage } from "../texts";
 import { type Command, generateDocument } from ".";
 
 beforeAll(() => {

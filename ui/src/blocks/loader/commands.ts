@@ -22,7 +22,7 @@ export function commentIcon(comment: unknown): Pick<BlockState, "icons"> {
 }
 
 function commandBlock(command: Command, ids: Ids): BlockState {
-  const head = { ...ids.take(command.block), ...commentIcon(command.comment) };
+  const head = { ...ids.claim(command.block), ...commentIcon(command.comment) };
   const special = SPECIAL[command.action];
   if (special) return { ...head, ...special(command, ids) };
   const row = rowFor(command);

@@ -5,7 +5,7 @@ import * as Blockly from "blockly/core";
 import { beforeAll, expect, test } from "vitest";
 import { registerBlocks } from "..";
 import { generateDocument } from "../generator";
-import { setBlockLanguage } from "../words";
+import { setBlockLanguage } from "../texts";
 import { commandCount, workspaceOf } from ".";
 import { RandomPrograms } from "./testing/random_programs";
 

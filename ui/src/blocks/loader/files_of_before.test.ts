@@ -3,7 +3,7 @@ import * as Blockly from "blockly/core";
 import { beforeAll, expect, test } from "vitest";
 import { registerBlocks } from "..";
 import { generateDocument } from "../generator";
-import { setBlockLanguage } from "../words";
+import { setBlockLanguage } from "../texts";
 
 interface Saved {
   workspace: { blocks: object };

@@ -7,7 +7,7 @@ import { type BlockState, Ids } from "./state";
  * What can be shown as blocks: Blockly calls itself for each block under another, and with more of them the browser's
  * stack is not enough, after half a minute of nothing happening.
  */
-export const MOST_SHOWN = 1500;
+export const MAX_SHOWN_COMMANDS = 1500;
 
 /** How many commands a document has, wherever they stand. */
 export function commandCount(value: unknown): number {
@@ -40,7 +40,7 @@ export function workspaceOf(document: object): object {
 export function shownWorkspace(saved: object): object {
   const { document } = saved as { document?: object };
   if (!document) return saved;
-  return commandCount(document) > MOST_SHOWN ? {} : workspaceOf(document);
+  return commandCount(document) > MAX_SHOWN_COMMANDS ? {} : workspaceOf(document);
 }
 
 function definitionBlocks(
@@ -54,7 +54,7 @@ function definitionBlocks(
     const next = stackOf(commands, ids);
     const state: BlockState = {
       type: "function_def",
-      ...ids.take(block),
+      ...ids.claim(block),
       x: MARGIN,
       y,
       ...(parameters.length > 0 && { extraState: { parameters } }),

@@ -4,8 +4,8 @@ import type { Branch, Command } from "../generator/document";
 export const MARGIN = 32;
 const ROW = 54;
 const NESTED_VALUE = 10;
-const EMPTY_MOUTH = 28;
-const END_OF_MOUTH = 36;
+const EMPTY_STATEMENT_INPUT = 28;
+const STATEMENT_INPUT_END = 36;
 const GAP = 72;
 
 /** Where the next stack begins below one that begins there: a document knows nothing of fonts, so about. */
@@ -22,7 +22,8 @@ function commandHeight(command: Command): number {
   const bodies = bodiesOf(command);
   const rows = Math.max(bodies.length, 1) * (ROW + NESTED_VALUE * depthOf(values));
   return bodies.reduce(
-    (height, body) => height + Math.max(heightOf(body), EMPTY_MOUTH) + END_OF_MOUTH,
+    (height, body) =>
+      height + Math.max(heightOf(body), EMPTY_STATEMENT_INPUT) + STATEMENT_INPUT_END,
     rows,
   );
 }

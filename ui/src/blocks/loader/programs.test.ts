@@ -6,7 +6,7 @@ import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
 import { registerBlocks } from "..";
 import { generateDocument } from "../generator";
-import { setBlockLanguage } from "../words";
+import { setBlockLanguage } from "../texts";
 import { workspaceOf } from ".";
 
 const FOLDER = `${process.cwd()}/../tests/programs/blocks/`; // vitest runs in ui/
@@ -26,7 +26,7 @@ beforeAll(() => {
 });
 
 /** What the page keeps of a workspace: its blocks, each with an id, and what the robot gets. */
-function kept(workspace: object, name: string): { workspace: object; document: object } {
+function stored(workspace: object, name: string): { workspace: object; document: object } {
   const trial = new Blockly.Workspace();
   Blockly.serialization.workspaces.load(workspace, trial);
   const content = {
@@ -43,9 +43,9 @@ describe.each(PROGRAMS)("%s", (path, program) => {
   test("is kept as blocks that make the document kept beside them", () => {
     const name = program.name ?? "";
     if (process.env.UPDATE_PROGRAMS && !OF_THE_ORIGINAL.test(path)) {
-      writeFileSync(file, `${JSON.stringify(kept(workspaceOf(program), name), null, 1)}\n`);
+      writeFileSync(file, `${JSON.stringify(stored(workspaceOf(program), name), null, 1)}\n`);
     }
     const { workspace, document } = JSON.parse(readFileSync(file, "utf-8"));
-    expect(kept(workspace, name).document).toEqual(document);
+    expect(stored(workspace, name).document).toEqual(document);
   });
 });

@@ -4,7 +4,7 @@ import { registerBlocks } from "..";
 import { ALL_DEFINITIONS } from "../definitions";
 import { generateDocument } from "../generator";
 import type { ProgramDocument } from "../generator/document";
-import { setBlockLanguage } from "../words";
+import { setBlockLanguage } from "../texts";
 import { workspaceOf } from ".";
 import { RandomPrograms } from "./testing/random_programs";
 
@@ -57,8 +57,8 @@ test("there are programs to try", () => expect(PROGRAMS.length).toBeGreaterThan(
 
 test.each(
   PROGRAMS,
-)("the program %s is the same after a journey through blocks, ids included", (_path, kept) => {
-  const { document } = JSON.parse(kept);
+)("the program %s is the same after a journey through blocks, ids included", (_path, stored) => {
+  const { document } = JSON.parse(stored);
   expect(throughBlocks(document)).toEqual(document);
 });
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { MOST_SHOWN, shownWorkspace, workspaceOf } from ".";
+import { MAX_SHOWN_COMMANDS, shownWorkspace, workspaceOf } from ".";
 
 test("a workspace with blocks is shown as it was saved", () => {
   const saved = { blocks: { languageVersion: 0, blocks: [{ type: "stop", id: "a" }] } };
@@ -18,7 +18,7 @@ describe("commands that came over HTTP", () => {
   });
 
   test("are not shown if no browser could show them", () => {
-    const commands = Array(MOST_SHOWN + 1).fill({ action: "stop" });
+    const commands = Array(MAX_SHOWN_COMMANDS + 1).fill({ action: "stop" });
     expect(shownWorkspace({ document: { pinel_ir: 1, commands } })).toEqual({});
   });
 });

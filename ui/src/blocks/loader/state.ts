@@ -12,7 +12,7 @@ export class Ids {
   private count = 0;
 
   /** The name that a document gives a block, unless another has it. */
-  take(id: unknown): { id?: string } {
+  claim(id: unknown): { id?: string } {
     if (typeof id !== "string" || id === "" || this.used.has(id)) return {};
     this.used.add(id);
     return { id };

@@ -62,7 +62,7 @@ function listBlock(values: readonly Literal[]): BlockState {
   if (values.length > MAX_SHOWN) return { type: "list_data", extraState: { values: [...values] } };
   const inputs: Record<string, Connection> = {};
   values.forEach((value, index) => {
-    const shadow: Shadow = typeof value === "string" ? { words: "WORD" } : { number: 0 };
+    const shadow: Shadow = typeof value === "string" ? { textKey: "WORD" } : { number: 0 };
     inputs[itemInput(index)] = valueInput(value, shadow);
   });
   return { type: "list_of", extraState: { n: values.length }, inputs };

@@ -2,7 +2,7 @@ import type * as Blockly from "blockly/core";
 import { buttonField } from "../fields/button_field";
 import { IconField } from "../fields/icon_field";
 import { rowSpacer } from "../icons";
-import { word } from "../words";
+import { blockText } from "../texts";
 import { changeShape } from "./change_shape";
 
 /** How many "else if" and whether an "else" hang on an `if`. */
@@ -49,8 +49,8 @@ const mixin = {
     changeShape(this, () => {
       for (const name of ["CONDITION", "THEN"]) {
         this.getInputTargetBlock(name + index)?.unplug();
-        for (let later = index + 1; later <= this.elifCount; later++) {
-          moveChild(this, name + later, name + (later - 1));
+        for (let next = index + 1; next <= this.elifCount; next++) {
+          moveChild(this, name + next, name + (next - 1));
         }
       }
       this.shape(this.elifCount - 1, this.hasElse);
@@ -70,13 +70,13 @@ const mixin = {
 
 function addElif(block: IfBlock, index: number): void {
   const before = block.hasElse ? "ELSE_LABEL" : null;
-  const words = buttonField("minus", word("MINUS_BRANCH"), () => block.minusElif(index));
+  const button = buttonField("minus", blockText("MINUS_BRANCH"), () => block.minusElif(index));
   block
     .appendValueInput(`CONDITION${index}`)
     .setCheck("Boolean")
     .appendField(spacer())
-    .appendField(word("ELSE_IF"));
-  block.appendDummyInput(`LABEL${index}`).appendField(word("THEN")).appendField(words);
+    .appendField(blockText("ELSE_IF"));
+  block.appendDummyInput(`LABEL${index}`).appendField(blockText("THEN")).appendField(button);
   block.appendStatementInput(`THEN${index}`);
   for (const name of ["CONDITION", "LABEL", "THEN"]) block.moveInputBefore(name + index, before);
 }
@@ -89,8 +89,8 @@ function addElse(block: IfBlock): void {
   block
     .appendDummyInput("ELSE_LABEL")
     .appendField(spacer())
-    .appendField(word("ELSE"))
-    .appendField(buttonField("minus", word("MINUS_BRANCH"), () => block.minusElse()));
+    .appendField(blockText("ELSE"))
+    .appendField(buttonField("minus", blockText("MINUS_BRANCH"), () => block.minusElse()));
   block.appendStatementInput("ELSE");
 }
 
@@ -110,7 +110,7 @@ function helper(this: Blockly.Block): void {
   const block = this as IfBlock;
   block
     .appendDummyInput("PLUS")
-    .appendField(buttonField("plus", word("PLUS_BRANCH"), () => block.plus()));
+    .appendField(buttonField("plus", blockText("PLUS_BRANCH"), () => block.plus()));
   block.moveInputBefore("PLUS", "THEN");
 }
 

@@ -34,7 +34,7 @@ const mixin = {
   },
 
   shape(this: CallBlock, name: string, parameters: readonly string[], filled: boolean): void {
-    const children = keptChildren(this, parameters);
+    const children = detachChildren(this, parameters);
     for (let index = this.names.length; index-- > 0; ) this.removeInput(`ARG${index}`);
     this.called = name;
     this.names = [...parameters];
@@ -51,20 +51,20 @@ interface Child {
 }
 
 /** What stands in the inputs, by the place it will have. */
-function keptChildren(block: CallBlock, parameters: readonly string[]): Map<number, Child> {
+function detachChildren(block: CallBlock, parameters: readonly string[]): Map<number, Child> {
   const sameNames = block.names.every((name) => parameters.includes(name));
   const renamed = parameters.length === block.names.length && !sameNames;
-  const kept = new Map<number, Child>();
+  const children = new Map<number, Child>();
   block.names.forEach((name, place) => {
     const connection = block.getInput(`ARG${place}`)?.connection;
     const index = renamed ? place : parameters.indexOf(name);
     if (!connection || index < 0) return;
     const target = connection.targetBlock();
     const real = target && !target.isShadow() ? target : null;
-    kept.set(index, { block: real, shadow: connection.getShadowState(true) });
+    children.set(index, { block: real, shadow: connection.getShadowState(true) });
     real?.unplug();
   });
-  return kept;
+  return children;
 }
 
 function addArgument(

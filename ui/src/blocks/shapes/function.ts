@@ -1,8 +1,8 @@
 import type * as Blockly from "blockly/core";
 import { buttonField } from "../fields/button_field";
-import { OwnNameField } from "../fields/own_name_field";
+import { DefinitionNameField } from "../fields/definition_name_field";
 import { definitionsIn, freeName, functionName } from "../names";
-import { word } from "../words";
+import { blockText } from "../texts";
 import { changeShape } from "./change_shape";
 
 export interface FunctionState {
@@ -38,7 +38,7 @@ const mixin = {
 
   plus(this: FunctionBlock): void {
     const names = this.parameters();
-    const name = freeName(word("PARAMETER_NAME"), new Set(names));
+    const name = freeName(blockText("PARAMETER_NAME"), new Set(names));
     changeShape(this, () => this.shape([...names, name]));
   },
 
@@ -49,17 +49,19 @@ const mixin = {
   shape(this: FunctionBlock, names: readonly string[]): void {
     if (this.getInput("PARAMETERS")) this.removeInput("PARAMETERS");
     const input = this.appendDummyInput("PARAMETERS");
-    if (names.length > 0) input.appendField(word("WITH"));
+    if (names.length > 0) input.appendField(blockText("WITH"));
     names.forEach((name, index) => {
       input.appendField(parameterField(this, index, name), `PARAM${index}`);
-      input.appendField(buttonField("minus", word("MINUS_PARAMETER"), () => this.minus(index)));
+      input.appendField(
+        buttonField("minus", blockText("MINUS_PARAMETER"), () => this.minus(index)),
+      );
     });
-    input.appendField(buttonField("plus", word("PLUS_PARAMETER"), () => this.plus()));
+    input.appendField(buttonField("plus", blockText("PLUS_PARAMETER"), () => this.plus()));
   },
 };
 
 /** The names of parameters are kept with the shape of the block, not with its fields. */
-class ParameterField extends OwnNameField {
+class ParameterField extends DefinitionNameField {
   override isSerializable(): boolean {
     return false;
   }
@@ -67,7 +69,7 @@ class ParameterField extends OwnNameField {
 
 function parameterField(block: FunctionBlock, index: number, name: string): Blockly.Field {
   const field = new ParameterField("");
-  field.isTaken = (other) =>
+  field.isInUse = (other) =>
     block.parameters().some((parameter, place) => place !== index && parameter === other);
   field.load(name);
   return field as unknown as Blockly.Field;
@@ -76,8 +78,8 @@ function parameterField(block: FunctionBlock, index: number, name: string): Bloc
 function helper(this: Blockly.Block): void {
   const block = this as FunctionBlock;
   const name = block.getField("NAME");
-  if (name instanceof OwnNameField) {
-    name.isTaken = (other) =>
+  if (name instanceof DefinitionNameField) {
+    name.isInUse = (other) =>
       definitionsIn(block.workspace).some(
         (definition) => definition !== block && functionName(definition) === other,
       );

@@ -6,10 +6,10 @@ import { callOf, followDefinition } from "./call";
  * Calls follow their definition, and a copy of a definition gets a name of its own; in the same step of undo as what
  * made it necessary.
  */
-export function keepCallsInStep(workspace: Blockly.Workspace): void {
+export function syncCalls(workspace: Blockly.Workspace): void {
   workspace.addChangeListener((event) => {
     if (!event.recordUndo || event.isUiEvent) return;
-    if (isCreate(event)) inGroup(event, () => nameApart(workspace, event.ids ?? []));
+    if (isCreate(event)) inGroup(event, () => renameDuplicates(workspace, event.ids ?? []));
     if (isChange(event)) inGroup(event, () => follow(workspace, event));
   });
 }
@@ -39,7 +39,7 @@ function updateCalls(
   }
 }
 
-function nameApart(workspace: Blockly.Workspace, ids: readonly string[]): void {
+function renameDuplicates(workspace: Blockly.Workspace, ids: readonly string[]): void {
   for (const definition of definitionsIn(workspace)) {
     if (!ids.includes(definition.id)) continue;
     const others = definitionsIn(workspace).filter((other) => other !== definition);

@@ -2,9 +2,9 @@ import * as Blockly from "blockly/core";
 import { beforeAll, beforeEach, describe, expect, test } from "vitest";
 import { registerBlocks } from "..";
 import { functionName, namesFor, parametersOf, renameVariable, variableNames } from "../names";
-import { setBlockLanguage } from "../words";
+import { setBlockLanguage } from "../texts";
 import { callOf } from "./call";
-import { keepCallsInStep } from "./function_sync";
+import { syncCalls } from "./function_sync";
 
 type State = Blockly.serialization.blocks.State;
 interface Shaped extends Blockly.Block {
@@ -20,7 +20,7 @@ beforeEach(() => setBlockLanguage("pt-BR"));
 let workspace: Blockly.Workspace;
 beforeEach(() => {
   workspace = new Blockly.Workspace();
-  keepCallsInStep(workspace);
+  syncCalls(workspace);
 });
 
 function add(state: State): Shaped {
@@ -45,7 +45,7 @@ describe("an if", () => {
   const branch = (text: string): NonNullable<State["inputs"]>[string] => ({
     block: { type: "say", inputs: { TEXT: { shadow: { type: "text", fields: { TEXT: text } } } } },
   });
-  const said = (block: Blockly.Block, input: string) =>
+  const textIn = (block: Blockly.Block, input: string) =>
     block.getInputTargetBlock(input)?.getInputTargetBlock("TEXT")?.getFieldValue("TEXT");
 
   test("gets an else first, then one else if after the other", () => {
@@ -72,15 +72,15 @@ describe("an if", () => {
     await fromHere();
     block.minusElif(1);
     expect(block.saveExtraState?.()).toEqual({ elif: 1, else: true });
-    expect([said(block, "THEN1"), said(block, "ELSE")]).toEqual(["dois", "fim"]);
+    expect([textIn(block, "THEN1"), textIn(block, "ELSE")]).toEqual(["dois", "fim"]);
 
     await settled();
     workspace.undo(false);
     expect(block.saveExtraState?.()).toEqual({ elif: 2, else: true });
-    expect([said(block, "THEN1"), said(block, "THEN2")]).toEqual(["um", "dois"]);
+    expect([textIn(block, "THEN1"), textIn(block, "THEN2")]).toEqual(["um", "dois"]);
 
     workspace.undo(true);
-    expect(said(block, "THEN1")).toBe("dois");
+    expect(textIn(block, "THEN1")).toBe("dois");
   });
 
   test("can do without its else", () => {
@@ -97,14 +97,14 @@ describe("a block that takes more and more", () => {
     ["join", 1],
     ["min_max", 1],
     ["logic_operation", 2],
-  ])("%s keeps %i places at least", (type, least) => {
+  ])("%s keeps %i places at least", (type, min) => {
     const block = add({ type });
     for (let times = 0; times < 5; times++) {
       if (block.getInput("BUTTONS")?.fieldRow.length === 2) block.minus();
     }
-    expect(inputs(block).filter((name) => name !== "BUTTONS")).toHaveLength(least);
+    expect(inputs(block).filter((name) => name !== "BUTTONS")).toHaveLength(min);
     block.plus();
-    expect(inputs(block).filter((name) => name !== "BUTTONS")).toHaveLength(least + 1);
+    expect(inputs(block).filter((name) => name !== "BUTTONS")).toHaveLength(min + 1);
   });
 
   test("says its operator between all of its values", () => {

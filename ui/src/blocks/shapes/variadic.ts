@@ -2,7 +2,7 @@ import * as Blockly from "blockly/core";
 import type { Variadic } from "../definition";
 import { definitionOf } from "../definitions";
 import { buttonField } from "../fields/button_field";
-import { word } from "../words";
+import { blockText } from "../texts";
 import { changeShape } from "./change_shape";
 import { shadowState } from "./shadows";
 
@@ -77,9 +77,9 @@ function between(block: Blockly.Block): boolean {
 function addButtons(block: VariadicBlock): void {
   const input = block.appendDummyInput("BUTTONS");
   if (block.itemCount > optionsOf(block).min) {
-    input.appendField(buttonField("minus", word("MINUS"), () => block.minus()));
+    input.appendField(buttonField("minus", blockText("MINUS"), () => block.minus()));
   }
-  input.appendField(buttonField("plus", word("PLUS"), () => block.plus()));
+  input.appendField(buttonField("plus", blockText("PLUS"), () => block.plus()));
 }
 
 function helper(this: Blockly.Block): void {
@@ -90,7 +90,8 @@ function helper(this: Blockly.Block): void {
   const operator = block.getField("OPERATOR");
   operator?.setValidator((value: string) => {
     for (const field of block.getFields()) {
-      if (field.name?.startsWith("BETWEEN")) field.setValue(word(value === "and" ? "AND" : "OR"));
+      if (field.name?.startsWith("BETWEEN"))
+        field.setValue(blockText(value === "and" ? "AND" : "OR"));
     }
     return undefined;
   });

@@ -34,8 +34,8 @@ export function numberInput(name: string, key: string, start: number, limits: Li
 }
 
 /** A hole for any value, with a text in it to begin with: the key of its words. */
-export function wordsInput(name: string, key: string, words: string) {
-  return { type: "input_value", name, key, shadow: { words } } as const;
+export function textInput(name: string, key: string, textKey: string) {
+  return { type: "input_value", name, key, shadow: { textKey } } as const;
 }
 
 export function conditionInput(name: string, key: string) {

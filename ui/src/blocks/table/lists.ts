@@ -1,7 +1,7 @@
 import type { BlockDefinition } from "../definition";
 import { anything, nameField, numberInput, POSITION } from "./arguments";
 
-const valueSought = { type: "input_value", name: "VALUE", shadow: { words: "WORD" } } as const;
+const valueSought = { type: "input_value", name: "VALUE", shadow: { textKey: "WORD" } } as const;
 
 export const lists = [
   {

@@ -2,7 +2,7 @@ import type { BlockDefinition } from "../definition";
 import { ANGLE, choice, DISTANCE, numberInput, PLACE, SPEED, sides } from "./arguments";
 
 const statement = { style: "motion", previousStatement: null, nextStatement: null } as const;
-const ways = choice("AVOID", "avoid", [
+const routes = choice("AVOID", "avoid", [
   ["%{BKY_PINEL_STRAIGHT}", "FALSE"],
   ["%{BKY_PINEL_AROUND}", "TRUE"],
 ]);
@@ -60,7 +60,7 @@ export const motion = [
     level: 2,
     makes: { action: "go_to" },
     icon: "mapPin",
-    args0: [numberInput("X", "x", 1, PLACE), numberInput("Y", "y", 0, PLACE), ways],
+    args0: [numberInput("X", "x", 1, PLACE), numberInput("Y", "y", 0, PLACE), routes],
   },
   {
     ...statement,
@@ -74,9 +74,9 @@ export const motion = [
         name: "PLACE",
         key: "place",
         check: "String",
-        shadow: { words: "PLACE_NAME" },
+        shadow: { textKey: "PLACE_NAME" },
       },
-      ways,
+      routes,
     ],
   },
   {

@@ -1,5 +1,5 @@
 import type { BlockDefinition } from "../definition";
-import { choice, colourOptions, nameField, wordsInput } from "./arguments";
+import { choice, colourOptions, nameField, textInput } from "./arguments";
 
 const statement = { style: "show", previousStatement: null, nextStatement: null } as const;
 
@@ -10,7 +10,7 @@ export const show = [
     level: 1,
     makes: { action: "say" },
     icon: "message",
-    args0: [wordsInput("TEXT", "text", "HELLO")],
+    args0: [textInput("TEXT", "text", "HELLO")],
   },
   {
     ...statement,
@@ -62,7 +62,7 @@ export const show = [
         name: "SYMBOL",
         key: "symbol",
         check: "String",
-        shadow: { words: "SYMBOL" },
+        shadow: { textKey: "SYMBOL" },
       },
     ],
   },
@@ -78,7 +78,7 @@ export const show = [
         name: "QUESTION",
         key: "question",
         check: "String",
-        shadow: { words: "QUESTION" },
+        shadow: { textKey: "QUESTION" },
       },
       nameField("VARIABLE", "variable"),
     ],

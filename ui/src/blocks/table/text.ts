@@ -17,7 +17,7 @@ export const text = [
     makes: { op: ["join"] },
     args0: [],
     output: "String",
-    variadic: { check: null, min: 1, start: 2, shadow: { words: "WORD" } },
+    variadic: { check: null, min: 1, start: 2, shadow: { textKey: "WORD" } },
     mutator: "pinel_variadic",
   },
 ] as const satisfies readonly BlockDefinition[];

@@ -3,7 +3,7 @@ import { beforeAll, beforeEach, describe, expect, test } from "vitest";
 import type { Language } from "../../i18n";
 import { registerBlocks } from "..";
 import type { Level } from "../definition";
-import { setBlockLanguage } from "../words";
+import { setBlockLanguage } from "../texts";
 import { searchBlocks } from "./search";
 
 beforeAll(registerBlocks);

@@ -2,9 +2,9 @@ import * as Blockly from "blockly/core";
 import type { BlockArgument, Level } from "../definition";
 import { argumentsOf, type Row } from "../definitions";
 import { definitionsIn, functionName, givesValue } from "../names";
-import type { TextKey } from "../words";
-import { word, wordsToFind } from "../words";
-import { block, callBlock, type Offered, offeredRows } from "./toolbox";
+import type { TextKey } from "../texts";
+import { blockText, searchTerms } from "../texts";
+import { block, callBlock, type OfferedActions, offeredRows } from "./toolbox";
 
 type ToolboxBlock = Blockly.utils.toolbox.BlockInfo;
 
@@ -17,37 +17,37 @@ export function searchBlocks(
   query: string,
   level: Level,
   workspace: Blockly.Workspace,
-  offered: Offered = null,
+  offered: OfferedActions = null,
 ): ToolboxBlock[] {
-  const wanted = wordsOf(query);
-  if (wanted.length === 0) return [];
+  const terms = tokenize(query);
+  if (terms.length === 0) return [];
   const found = offeredRows(level, offered)
     .filter(({ type }) => type !== "call" && type !== "call_value")
-    .map((row) => ({ row, rank: rank(row, wanted) }))
+    .map((row) => ({ row, rank: rank(row, terms) }))
     .filter(({ rank }) => rank > 0)
     .sort((one, other) => other.rank - one.rank);
-  return [...found.map(({ row }) => block(row.type)), ...calls(wanted, workspace)];
+  return [...found.map(({ row }) => block(row.type)), ...calls(terms, workspace)];
 }
 
-function calls(wanted: readonly string[], workspace: Blockly.Workspace): ToolboxBlock[] {
+function calls(terms: readonly string[], workspace: Blockly.Workspace): ToolboxBlock[] {
   return definitionsIn(workspace)
-    .filter((definition) => saysAll(functionName(definition), wanted))
+    .filter((definition) => matchesAll(functionName(definition), terms))
     .flatMap((definition) => [
       callBlock("call", definition),
       ...(givesValue(definition) ? [callBlock("call_value", definition)] : []),
     ]);
 }
 
-function rank(row: Row, wanted: readonly string[]): number {
+function rank(row: Row, terms: readonly string[]): number {
   const key = row.type.toUpperCase();
-  const label = [word(key as TextKey), ...choicesOf(row)].join(" ").replace(/%\d/g, " ");
-  const onBlock = `${label} ${wordsToFind(row.type)}`;
-  const said = new Set(wordsOf(onBlock));
-  if (wanted.every((one) => said.has(one))) return 3;
-  if (saysAll(onBlock, wanted)) return 2;
-  const category = word(`CATEGORY_${row.style.toUpperCase()}` as TextKey);
-  const help = word(`${key}_TIP` as TextKey);
-  return saysAll(`${onBlock} ${category} ${help}`, wanted) ? 1 : 0;
+  const label = [blockText(key as TextKey), ...choicesOf(row)].join(" ").replace(/%\d/g, " ");
+  const onBlock = `${label} ${searchTerms(row.type)}`;
+  const tokens = new Set(tokenize(onBlock));
+  if (terms.every((one) => tokens.has(one))) return 3;
+  if (matchesAll(onBlock, terms)) return 2;
+  const category = blockText(`CATEGORY_${row.style.toUpperCase()}` as TextKey);
+  const help = blockText(`${key}_TIP` as TextKey);
+  return matchesAll(`${onBlock} ${category} ${help}`, terms) ? 1 : 0;
 }
 
 /** The words a dropdown of the block offers. */
@@ -60,13 +60,13 @@ function choicesOf(row: Row): string[] {
 }
 
 /** Whether a text has all of the words, or beginnings of them. */
-export function saysAll(text: string, wanted: readonly string[]): boolean {
-  const said = wordsOf(text);
-  return wanted.every((one) => said.some((other) => other.startsWith(one)));
+export function matchesAll(text: string, terms: readonly string[]): boolean {
+  const tokens = tokenize(text);
+  return terms.every((one) => tokens.some((other) => other.startsWith(one)));
 }
 
 /** The words of a text, without accents and capitals. */
-export function wordsOf(text: string): string[] {
+export function tokenize(text: string): string[] {
   return folded(text)
     .split(/[^\p{L}\p{N}+−×÷=≠<>≤≥^]+/u)
     .filter(Boolean);

@@ -19,8 +19,8 @@ import {
 } from "../names";
 import { shadowState } from "../shapes/shadows";
 import { itemInput } from "../shapes/variadic";
-import type { TextKey } from "../words";
-import { reference, word } from "../words";
+import type { TextKey } from "../texts";
+import { blockText, reference } from "../texts";
 
 type ToolboxBlock = Blockly.utils.toolbox.BlockInfo;
 type Inputs = NonNullable<ToolboxBlock["inputs"]>;
@@ -29,7 +29,7 @@ type ToolboxCategory = Exclude<Category, "start">;
 export const EVERYTHING: Level = 3;
 
 /** The actions that an activity offers; null for all blocks of the level. */
-export type Offered = readonly string[] | null;
+export type OfferedActions = readonly string[] | null;
 
 /** The commands with a condition, for which alone the values of the first level are. */
 const WITH_CONDITION = ["conditional_execution", "while", "until", "wait_until"];
@@ -48,7 +48,7 @@ export const SEARCH_KIND = "pinel_search";
 /** What is offered: the search, and every category that has blocks of the level, or of those that an activity offers. */
 export function toolbox(
   level: Level = EVERYTHING,
-  offered: Offered = null,
+  offered: OfferedActions = null,
 ): Blockly.utils.toolbox.ToolboxInfo {
   const categories = TOOLBOX_CATEGORIES.filter((name) => rowsOf(name, level, offered).length > 0);
   const search = {
@@ -73,7 +73,7 @@ export function flyoutBlocks(
   name: ToolboxCategory,
   level: Level,
   workspace: Blockly.Workspace,
-  offered: Offered = null,
+  offered: OfferedActions = null,
 ): ToolboxBlock[] {
   const rows = rowsOf(name, level, offered);
   if (name === "variables") return variableBlocks(rows, workspace);
@@ -86,7 +86,7 @@ export function flyoutBlocks(
 }
 
 /** A block as its category offers it in a program, to be put into a workspace. */
-export function paletteBlock(
+export function flyoutBlock(
   type: BlockType,
   level: Level,
   workspace: Blockly.Workspace,
@@ -97,7 +97,7 @@ export function paletteBlock(
 }
 
 /** Every block that is offered, for the search. */
-export function offeredRows(level: Level, offered: Offered = null): Row[] {
+export function offeredRows(level: Level, offered: OfferedActions = null): Row[] {
   return TOOLBOX_CATEGORIES.flatMap((name) => rowsOf(name, level, offered));
 }
 
@@ -110,18 +110,18 @@ export function block(type: BlockType): ToolboxBlock {
   return { kind: "block", type, inputs, fields: FIELDS[type]?.() ?? {}, gap: GAP };
 }
 
-function rowsOf(name: ToolboxCategory, level: Level, offered: Offered): Row[] {
+function rowsOf(name: ToolboxCategory, level: Level, offered: OfferedActions): Row[] {
   return (DEFINITIONS[name] as readonly Row[]).filter(
     (row) => row.hidden === undefined && (offered ? isIn(offered, row, level) : row.level <= level),
   );
 }
 
 /** An activity lists commands, of whatever level; values belong to them as far as the level goes. */
-function isIn(offered: readonly string[], { makes, level: least }: Row, level: Level): boolean {
+function isIn(offered: readonly string[], { makes, level: minLevel }: Row, level: Level): boolean {
   if (makes && "action" in makes) return offered.includes(makes.action);
   if (makes && "function" in makes) return offered.includes("call");
-  const hasUse = least > 1 || offered.some((action) => WITH_CONDITION.includes(action));
-  return least <= level && hasUse;
+  const hasUse = minLevel > 1 || offered.some((action) => WITH_CONDITION.includes(action));
+  return minLevel <= level && hasUse;
 }
 
 function category(
@@ -146,7 +146,10 @@ function flyoutKey(name: ToolboxCategory, level: Level): string {
 }
 
 /** Fills categories when they are opened: what is in some depends on the program, and on what is offered then. */
-export function registerFlyouts(workspace: Blockly.WorkspaceSvg, offered: () => Offered): void {
+export function registerFlyouts(
+  workspace: Blockly.WorkspaceSvg,
+  offered: () => OfferedActions,
+): void {
   for (const level of [1, 2, 3] as const) {
     for (const name of TOOLBOX_CATEGORIES) {
       workspace.registerToolboxCategoryCallback(flyoutKey(name, level), () =>
@@ -176,7 +179,7 @@ const sides = () => ({
 const bumper = { block: { type: "bumper" } };
 
 const listShadow = () => ({
-  shadow: { type: "variable", fields: { NAME: word("LIST_NAME") } },
+  shadow: { type: "variable", fields: { NAME: blockText("LIST_NAME") } },
 });
 
 const FILLED: Partial<Record<BlockType, () => Inputs>> = {
@@ -193,9 +196,9 @@ const FILLED: Partial<Record<BlockType, () => Inputs>> = {
 };
 
 const FIELDS: Partial<Record<BlockType, () => Record<string, string>>> = {
-  append: () => ({ LIST: word("LIST_NAME") }),
-  replace_item: () => ({ LIST: word("LIST_NAME") }),
-  text: () => ({ TEXT: word("WORD") }),
+  append: () => ({ LIST: blockText("LIST_NAME") }),
+  replace_item: () => ({ LIST: blockText("LIST_NAME") }),
+  text: () => ({ TEXT: blockText("WORD") }),
 };
 
 function numberComparison(): ToolboxBlock {
@@ -212,7 +215,7 @@ function numberComparison(): ToolboxBlock {
 /** The commands with a name that is in use, then one block for each name. */
 function variableBlocks(rows: readonly Row[], workspace: Blockly.Workspace): ToolboxBlock[] {
   const used = variableNames(workspace);
-  const names = used.length > 0 ? used : [word("VARIABLE_NAME")];
+  const names = used.length > 0 ? used : [blockText("VARIABLE_NAME")];
   const named = (type: BlockType, NAME: string | undefined): ToolboxBlock => ({
     ...block(type),
     fields: { NAME },
@@ -225,11 +228,11 @@ function variableBlocks(rows: readonly Row[], workspace: Blockly.Workspace): Too
 /** A definition with a name that is free, what ends a function, and calls of each that is defined. */
 function functionBlocks(rows: readonly Row[], workspace: Blockly.Workspace): ToolboxBlock[] {
   const definitions = definitionsIn(workspace);
-  const taken = new Set(definitions.map(functionName));
+  const used = new Set(definitions.map(functionName));
   return rows.flatMap(({ type }) => {
     if (type === "call" || type === "call_value") return calls(type, definitions);
     if (type !== "function_def") return [block(type)];
-    return [{ ...block(type), fields: { NAME: freeName(word("FUNCTION_NAME"), taken) } }];
+    return [{ ...block(type), fields: { NAME: freeName(blockText("FUNCTION_NAME"), used) } }];
   });
 }
 

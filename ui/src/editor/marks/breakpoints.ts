@@ -1,8 +1,8 @@
 import * as Blockly from "blockly/core";
-import { word } from "../../blocks/words";
+import { blockText } from "../../blocks/texts";
 
 const MENU = "pinel_breakpoint";
-const MARK = "pinelBreakpoint";
+const DOT_CLASS = "pinelBreakpoint";
 const RADIUS = 7;
 /** Offset on the left edge of the block's first row, where there is no text and no icon. */
 const LEFT = -2;
@@ -58,11 +58,11 @@ export class Breakpoints {
 
   private draw(block: Blockly.BlockSvg): void {
     const root = block.getSvgRoot();
-    root.querySelector(`:scope > .${MARK}`)?.remove();
+    root.querySelector(`:scope > .${DOT_CLASS}`)?.remove();
     if (!this.has(block)) return;
     Blockly.utils.dom.createSvgElement(
       Blockly.utils.Svg.CIRCLE,
-      { class: MARK, r: RADIUS, cx: LEFT, cy: MIDDLE },
+      { class: DOT_CLASS, r: RADIUS, cx: LEFT, cy: MIDDLE },
       root,
     );
   }
@@ -83,8 +83,8 @@ function registerMenu(): void {
     weight: 7,
     displayText: ({ block }) =>
       block && Breakpoints.at(block)?.has(block)
-        ? word("BREAKPOINT_REMOVE")
-        : word("BREAKPOINT_ADD"),
+        ? blockText("BREAKPOINT_REMOVE")
+        : blockText("BREAKPOINT_ADD"),
     preconditionFn: ({ block }) => (canHold(block) && Breakpoints.at(block) ? "enabled" : "hidden"),
     callback: ({ block }) => {
       if (block) Breakpoints.at(block)?.toggle(block);

@@ -3,7 +3,7 @@ import { afterEach, beforeAll, describe, expect, test } from "vitest";
 import { registerBlocks } from "../../blocks";
 import { setKnownPlaces } from "../../blocks/known_places";
 import { workspaceOf } from "../../blocks/loader";
-import { setBlockLanguage } from "../../blocks/words";
+import { setBlockLanguage } from "../../blocks/texts";
 import { impossibleIn } from "./impossible";
 
 beforeAll(() => {
@@ -19,16 +19,16 @@ const until = (block: string, condition: object) => ({
   ...{ action: "until", block, condition, commands: [] },
 });
 
-function told(...commands: object[]): Record<string, string[]> {
+function textsFor(...commands: object[]): Record<string, string[]> {
   const workspace = new Blockly.Workspace();
   const document = { pinel_ir: 1, name: "p", functions: [], commands };
   Blockly.serialization.workspaces.load(workspaceOf(document), workspace);
-  return Object.fromEntries([...impossibleIn(workspace)].map(([id, words]) => [id, [...words]]));
+  return Object.fromEntries([...impossibleIn(workspace)].map(([id, texts]) => [id, [...texts]]));
 }
 
 describe("a colour of the floor", () => {
   test("in words is none: the notice names the block that is meant", () => {
-    expect(told(until("a", is(FLOOR, "Vermelho")))).toEqual({
+    expect(textsFor(until("a", is(FLOOR, "Vermelho")))).toEqual({
       a: [
         "A cor do chão nunca é igual ao texto “Vermelho”.",
         "Troquem o texto pelo bloco de cor “vermelho”, que está em Sensores.",
@@ -37,20 +37,20 @@ describe("a colour of the floor", () => {
   });
 
   test("that does not exist is told with those that do", () => {
-    const { a } = told(until("a", { op: "not", args: [is("rosa", FLOOR, "!=")] }));
+    const { a } = textsFor(until("a", { op: "not", args: [is("rosa", FLOOR, "!=")] }));
     expect(a?.[1]).toMatch(/: .*vermelho.*branco/);
   });
 
   test("as the colour block or as the document writes it is no notice", () => {
-    expect(told(until("a", is(FLOOR, "red")))).toEqual({});
-    expect(told(until("a", is({ var: "cor" }, "vermelho")))).toEqual({});
+    expect(textsFor(until("a", is(FLOOR, "red")))).toEqual({});
+    expect(textsFor(until("a", is({ var: "cor" }, "vermelho")))).toEqual({});
   });
 });
 
 describe("a place", () => {
   test("that the world does not have is told with those that it has", () => {
     setKnownPlaces(["A", "B"]);
-    expect(told(until("a", is(CELL, "a")), until("b", is(CELL, "B")))).toEqual({
+    expect(textsFor(until("a", is(CELL, "a")), until("b", is(CELL, "B")))).toEqual({
       a: [
         "Este mundo não tem um lugar com o nome “a”.",
         "Os lugares dele são: A, B. Maiúsculas e minúsculas contam.",
@@ -60,12 +60,12 @@ describe("a place", () => {
 
   test("is told of in a world without places, and outside of places the name is empty", () => {
     setKnownPlaces([]);
-    expect(told(until("a", is(CELL, "A"))).a?.[1]).toMatch("não tem lugares");
-    expect(told(until("a", is(CELL, "")))).toEqual({});
+    expect(textsFor(until("a", is(CELL, "A"))).a?.[1]).toMatch("não tem lugares");
+    expect(textsFor(until("a", is(CELL, "")))).toEqual({});
   });
 
   test("is not told of while the world is not known", () => {
-    expect(told(until("a", is(CELL, "Z")))).toEqual({});
+    expect(textsFor(until("a", is(CELL, "Z")))).toEqual({});
   });
 });
 
@@ -74,15 +74,15 @@ describe("a place to drive to", () => {
 
   test("that the world does not have is told with those that it has, in any case", () => {
     setKnownPlaces(["A", "B"]);
-    expect(told(go("a", "H"), go("b", "b"), go("c", { var: "letra" }), go("d", ""))).toEqual({
+    expect(textsFor(go("a", "H"), go("b", "b"), go("c", { var: "letra" }), go("d", ""))).toEqual({
       a: ["Este mundo não tem um lugar com o nome “H”.", "Os lugares dele são: A, B."],
     });
   });
 
   test("is told of in a world without places, and not while the world is not known", () => {
     setKnownPlaces([]);
-    expect(told(go("a", "A")).a?.[1]).toMatch("não tem lugares");
+    expect(textsFor(go("a", "A")).a?.[1]).toMatch("não tem lugares");
     setKnownPlaces(null);
-    expect(told(go("a", "A"))).toEqual({});
+    expect(textsFor(go("a", "A"))).toEqual({});
   });
 });

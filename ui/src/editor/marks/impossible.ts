@@ -1,7 +1,7 @@
 import type * as Blockly from "blockly/core";
 import { knownPlaces } from "../../blocks/known_places";
 import { COLOURS } from "../../blocks/table/arguments";
-import { type TextKey, word } from "../../blocks/words";
+import { blockText, type TextKey } from "../../blocks/texts";
 import { commandOf, comparedWith } from "./compared";
 
 /** Texts on blocks of values; a letter is one, too. */
@@ -14,55 +14,55 @@ const TEXTS = ["text", "text_letter"];
 export function impossibleIn(workspace: Blockly.Workspace): Map<string, Set<string>> {
   const found = new Map<string, Set<string>>();
   for (const block of workspace.getAllBlocks(false)) {
-    const words = TEXTS.includes(block.type) ? wordsOf(block) : [];
-    const command = words.length > 0 ? commandOf(block) : null;
+    const texts = TEXTS.includes(block.type) ? textsOf(block) : [];
+    const command = texts.length > 0 ? commandOf(block) : null;
     if (!command) continue;
-    const told = found.get(command.id) ?? new Set();
-    found.set(command.id, new Set([...told, ...words]));
+    const previous = found.get(command.id) ?? new Set();
+    found.set(command.id, new Set([...previous, ...texts]));
   }
   return found;
 }
 
-function wordsOf(block: Blockly.Block): string[] {
+function textsOf(block: Blockly.Block): string[] {
   const text = String(block.getFieldValue("TEXT"));
   switch (comparedWith(block)?.type) {
     case "floor":
-      return wordsOfColour(text);
+      return colourTexts(text);
     case "cell":
-      return wordsOfPlace(text);
+      return placeTexts(text);
     default:
-      return block.getParent()?.type === "go_to_place" ? wordsOfGoal(text) : [];
+      return block.getParent()?.type === "go_to_place" ? goalTexts(text) : [];
   }
 }
 
-function wordsOfColour(text: string): string[] {
+function colourTexts(text: string): string[] {
   if (COLOURS.some((colour) => colour === text)) return [];
-  const shown = COLOURS.map((colour) => word(`COLOUR_${colour.toUpperCase()}` as TextKey));
+  const shown = COLOURS.map((colour) => blockText(`COLOUR_${colour.toUpperCase()}` as TextKey));
   const meant = shown.find((name) => name.toLowerCase() === text.trim().toLowerCase());
   return [
-    word("COLOUR_NEVER", text),
-    meant ? word("COLOUR_BLOCK", meant) : word("COLOUR_BLOCKS", shown.join(", ")),
+    blockText("COLOUR_NEVER", text),
+    meant ? blockText("COLOUR_BLOCK", meant) : blockText("COLOUR_BLOCKS", shown.join(", ")),
   ];
 }
 
 /** Outside of all places the name is "". */
-function wordsOfPlace(text: string): string[] {
+function placeTexts(text: string): string[] {
   const places = knownPlaces();
   if (places === null || text === "" || places.includes(text)) return [];
   return [
-    word("PLACE_NEVER", text),
-    places.length > 0 ? word("PLACE_NAMES", places.join(", ")) : word("PLACE_NONE"),
+    blockText("PLACE_NEVER", text),
+    places.length > 0 ? blockText("PLACE_NAMES", places.join(", ")) : blockText("PLACE_NONE"),
   ];
 }
 
 /** A place to drive to is found in any case. */
-function wordsOfGoal(text: string): string[] {
+function goalTexts(text: string): string[] {
   const places = knownPlaces();
-  const wanted = text.trim().toLowerCase();
-  if (places === null || wanted === "") return [];
-  if (places.some((place) => place.toLowerCase() === wanted)) return [];
+  const goal = text.trim().toLowerCase();
+  if (places === null || goal === "") return [];
+  if (places.some((place) => place.toLowerCase() === goal)) return [];
   return [
-    word("PLACE_NEVER", text),
-    places.length > 0 ? word("PLACES_ARE", places.join(", ")) : word("PLACE_NONE"),
+    blockText("PLACE_NEVER", text),
+    places.length > 0 ? blockText("PLACES_ARE", places.join(", ")) : blockText("PLACE_NONE"),
   ];
 }

@@ -1,5 +1,5 @@
 import * as Blockly from "blockly/core";
-import { word } from "../../blocks/words";
+import { blockText } from "../../blocks/texts";
 
 const WIDTH = 316;
 const HEIGHT = 48;
@@ -26,7 +26,7 @@ export class StartHint {
       { class: "pinelStartHintText", x: WIDTH / 2, y: HEIGHT / 2 },
       this.group,
     );
-    text.textContent = word("HINT_EMPTY");
+    text.textContent = blockText("HINT_EMPTY");
     start.getSvgRoot().append(this.group);
   }
 

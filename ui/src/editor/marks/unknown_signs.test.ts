@@ -3,7 +3,7 @@ import { afterEach, beforeAll, describe, expect, test } from "vitest";
 import { registerBlocks } from "../../blocks";
 import { setKnownSigns } from "../../blocks/known_signs";
 import { workspaceOf } from "../../blocks/loader";
-import { setBlockLanguage } from "../../blocks/words";
+import { setBlockLanguage } from "../../blocks/texts";
 import { unknownIn } from "./unknown_signs";
 
 beforeAll(() => {

@@ -1,6 +1,6 @@
 import type * as Blockly from "blockly/core";
 import { isKnownSign, knownSigns } from "../../blocks/known_signs";
-import { word } from "../../blocks/words";
+import { blockText } from "../../blocks/texts";
 import { commandOf, comparedWith } from "./compared";
 
 /** The signs that the camera does not know, of each command that names one: no fault, a person can answer them. */
@@ -16,9 +16,9 @@ export function unknownIn(workspace: Blockly.Workspace): Map<string, Set<string>
 }
 
 /** What a command is told of its unknown signs, line by line. */
-export function wordsOfSigns(names: ReadonlySet<string>): string[] {
-  const remedy = word(knownSigns()?.hasClass ? "SIGN_TO_TEACH" : "SIGN_BY_HAND");
-  return [...[...names].map((name) => word("SIGN_UNKNOWN", name)), remedy];
+export function unknownSignTexts(names: ReadonlySet<string>): string[] {
+  const remedy = blockText(knownSigns()?.hasClass ? "SIGN_TO_TEACH" : "SIGN_BY_HAND");
+  return [...[...names].map((name) => blockText("SIGN_UNKNOWN", name)), remedy];
 }
 
 /** The sign that a block names, where it is compared with a gesture or stands for one. */

@@ -3,7 +3,7 @@ import type { Expression } from "../../blocks/generator/document";
 import { VALUES } from "../../blocks/generator/values";
 
 /** Evaluates an expression and formats its value; null where no evaluation is possible. */
-export type Peek = (expression: Expression) => Promise<string> | null;
+export type EvaluateExpression = (expression: Expression) => Promise<string> | null;
 
 const REST_MS = 250;
 const GAP = 8;
@@ -16,7 +16,7 @@ export class ValueBubble {
 
   constructor(
     private readonly workspace: Blockly.WorkspaceSvg,
-    private readonly peek: Peek,
+    private readonly evaluate: EvaluateExpression,
   ) {
     this.bubble.className = "pinelValue";
     this.bubble.setAttribute("role", "status");
@@ -54,9 +54,9 @@ export class ValueBubble {
   }
 
   private async ask(block: Blockly.BlockSvg): Promise<void> {
-    const words = await this.peek(VALUES[block.type as keyof typeof VALUES](block));
-    if (words === null || this.block !== block || block.disposed) return;
-    this.bubble.textContent = words;
+    const text = await this.evaluate(VALUES[block.type as keyof typeof VALUES](block));
+    if (text === null || this.block !== block || block.disposed) return;
+    this.bubble.textContent = text;
     this.bubble.hidden = false;
     const of = block.getSvgRoot().getBoundingClientRect();
     const around = this.workspace.getInjectionDiv().getBoundingClientRect();

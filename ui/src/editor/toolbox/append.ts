@@ -1,5 +1,5 @@
 import * as Blockly from "blockly/core";
-import { word } from "../../blocks/words";
+import { blockText } from "../../blocks/texts";
 import { bringIntoView } from "../marks/highlight";
 import { ROOTS } from "../start_block";
 
@@ -9,7 +9,7 @@ const { ConnectionType } = Blockly;
 const GAP = 72;
 
 /** Puts a copy of a block of the palette into the program. */
-export function appendFromPalette(source: Blockly.BlockSvg): void {
+export function appendFromFlyout(source: Blockly.BlockSvg): void {
   const workspace = source.workspace.targetWorkspace;
   const state = Blockly.serialization.blocks.save(source, { saveIds: false });
   if (workspace && state) appendBlock(state, workspace);
@@ -31,9 +31,9 @@ export function appendBlock(
   try {
     const below = workspace.getBlocksBoundingBox();
     const { blocks } = Blockly.serialization;
-    const apart = { ...state, x: below.left, y: below.bottom + GAP };
-    const block = blocks.append(apart, workspace, { recordUndo: true }) as Blockly.BlockSvg;
-    const place = placeFor(block, workspace, selected);
+    const placed = { ...state, x: below.left, y: below.bottom + GAP };
+    const block = blocks.append(placed, workspace, { recordUndo: true }) as Blockly.BlockSvg;
+    const place = connectionFor(block, workspace, selected);
     if (place) connect(place, block);
     finish(block, workspace);
   } finally {
@@ -56,7 +56,7 @@ function finish(block: Blockly.BlockSvg, workspace: Blockly.WorkspaceSvg): void 
   void Blockly.renderManagement
     .finishQueuedRenders()
     .then(() => bringIntoView(workspace, block.id));
-  Blockly.utils.aria.announceDynamicAriaState(whereWords(block));
+  Blockly.utils.aria.announceDynamicAriaState(appendedText(block));
 }
 
 /** The block of the program that was last selected, while the palette has the focus too. */
@@ -66,7 +66,7 @@ function selectedBlock(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg | null
   return block?.isShadow() ? block.getParent() : block;
 }
 
-function placeFor(
+function connectionFor(
   block: Blockly.BlockSvg,
   workspace: Blockly.WorkspaceSvg,
   selected: Blockly.BlockSvg | null,
@@ -102,30 +102,30 @@ function commandOf(block: Blockly.BlockSvg): Blockly.BlockSvg {
 }
 
 function insideOf(block: Blockly.Block): Blockly.Connection | null {
-  const mouth = mouthOf(block);
-  return mouth ? endOfMouth(mouth) : endAfter(block);
+  const input = statementInputOf(block);
+  return input ? endOfStatementInput(input) : endAfter(block);
 }
 
 /** The first empty place for commands of a loop or a branch, else the last one. */
-function mouthOf(block: Blockly.Block): Blockly.Connection | null {
-  const mouths = block.inputList.flatMap(({ connection }) =>
+function statementInputOf(block: Blockly.Block): Blockly.Connection | null {
+  const inputs = block.inputList.flatMap(({ connection }) =>
     connection?.type === ConnectionType.NEXT_STATEMENT ? [connection] : [],
   );
-  return mouths.find((mouth) => !mouth.targetBlock()) ?? mouths.at(-1) ?? null;
+  return inputs.find((input) => !input.targetBlock()) ?? inputs.at(-1) ?? null;
 }
 
-function endOfMouth(mouth: Blockly.Connection): Blockly.Connection | null {
-  const first = mouth.targetBlock();
-  return first ? endAfter(first) : mouth;
+function endOfStatementInput(input: Blockly.Connection): Blockly.Connection | null {
+  const first = input.targetBlock();
+  return first ? endAfter(first) : input;
 }
 
 /** Below the last block: inside of an endless loop, and above what ends a loop or a function. */
 function endAfter(block: Blockly.Block): Blockly.Connection | null {
   const next = block.getNextBlock();
   if (next) return endAfter(next);
-  const mouth = mouthOf(block);
+  const input = statementInputOf(block);
   if (block.nextConnection) return block.nextConnection;
-  return mouth ? endOfMouth(mouth) : (block.previousConnection?.targetConnection ?? null);
+  return input ? endOfStatementInput(input) : (block.previousConnection?.targetConnection ?? null);
 }
 
 function connect(place: Blockly.Connection, block: Blockly.BlockSvg): void {
@@ -133,12 +133,12 @@ function connect(place: Blockly.Connection, block: Blockly.BlockSvg): void {
   if (end) place.connect(end);
 }
 
-function whereWords(block: Blockly.BlockSvg): string {
-  const words = block.toString();
+function appendedText(block: Blockly.BlockSvg): string {
+  const text = block.toString();
   const around = block.getSurroundParent();
-  if (around) return word("APPENDED_INSIDE", words, nameOf(around));
-  if (ROOTS.includes(block.getRootBlock().type)) return word("APPENDED", words);
-  return word("APPENDED_LOOSE", words);
+  if (around) return blockText("APPENDED_INSIDE", text, nameOf(around));
+  if (ROOTS.includes(block.getRootBlock().type)) return blockText("APPENDED", text);
+  return blockText("APPENDED_LOOSE", text);
 }
 
 /** A block in words, without what is inside of it. */
@@ -166,7 +166,7 @@ interface FlyoutClick {
  * Makes a click on a block of the palette, anywhere on it, and Enter append it. Blockly would drop a copy over the
  * blocks at the same place of the screen, and let the keyboard carry it.
  */
-export function patchPaletteClicks(): void {
+export function patchFlyoutClicks(): void {
   if (patched) return;
   patched = true;
   Blockly.Field.prototype.isClickableInFlyout = () => false;
@@ -174,12 +174,12 @@ export function patchPaletteClicks(): void {
   const { doBlockClick } = gesture;
   gesture.doBlockClick = function (this: FlyoutClick) {
     if (!this.flyout || !this.targetBlock) doBlockClick.call(this);
-    else appendFromPalette(this.targetBlock);
+    else appendFromFlyout(this.targetBlock);
   };
   const block = Blockly.BlockSvg.prototype;
   const { performAction } = block;
   block.performAction = function (this: Blockly.BlockSvg, event?: KeyboardEvent) {
-    if (this.isInFlyout) appendFromPalette(this);
+    if (this.isInFlyout) appendFromFlyout(this);
     else performAction.call(this, event);
   };
 }

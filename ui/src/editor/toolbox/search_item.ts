@@ -1,15 +1,15 @@
 import * as Blockly from "blockly/core";
 import type { Level } from "../../blocks/definition";
 import { iconShape } from "../../blocks/icons";
+import { blockText } from "../../blocks/texts";
 import { searchBlocks } from "../../blocks/toolbox/search";
-import { EVERYTHING, type Offered, SEARCH_KIND } from "../../blocks/toolbox/toolbox";
-import { word } from "../../blocks/words";
+import { EVERYTHING, type OfferedActions, SEARCH_KIND } from "../../blocks/toolbox/toolbox";
 import { svgIcon } from "../svg_icon";
 
 /** What is searched: the blocks of a level, or those that an activity offers. */
 interface Shown {
   level: Level;
-  offered: Offered;
+  offered: OfferedActions;
 }
 
 /** Search field at the top of the toolbox; its results are shown like the blocks of a category. */
@@ -82,16 +82,16 @@ class SearchItem extends Blockly.ToolboxCategory {
     const query = this.field.value.trim();
     const { level, offered } = this.toolboxItemDef_ as unknown as Shown;
     const found = query ? searchBlocks(query, level, this.workspace_, offered) : [];
-    const note = query ? this.nothingFound(query) : word("SEARCH_HINT");
+    const note = query ? this.nothingFound(query) : blockText("SEARCH_HINT");
     this.flyoutItems_ = found.length > 0 ? found : [label(note)];
     if (!query) return;
-    const said = found.length > 0 ? word("SEARCH_FOUND", String(found.length)) : note;
-    Blockly.utils.aria.announceDynamicAriaState(said);
+    const announcement = found.length > 0 ? blockText("SEARCH_FOUND", String(found.length)) : note;
+    Blockly.utils.aria.announceDynamicAriaState(announcement);
   }
 
   private nothingFound(query: string): string {
-    const elsewhere = searchBlocks(query, EVERYTHING, this.workspace_);
-    return word(elsewhere.length > 0 ? "SEARCH_HIGHER" : "SEARCH_NOTHING");
+    const atAnyLevel = searchBlocks(query, EVERYTHING, this.workspace_);
+    return blockText(atAnyLevel.length > 0 ? "SEARCH_HIGHER" : "SEARCH_NOTHING");
   }
 }
 

@@ -24,11 +24,11 @@ import { reviewOrigin } from "../../shell/teacher/review_origin";
 import { nextTheme, setTheme, theme } from "../../shell/theme";
 import { opened } from "../../studio/program/open_program";
 import { LessonChip } from "./LessonChip";
-import { Mark } from "./Mark";
+import { Logo } from "./Logo";
+import { useOverflow } from "./overflow";
 import { ProgramName } from "./ProgramName";
 import { RealRobot } from "./RealRobot";
-import { useRoom } from "./room";
-import { SavedMark } from "./SavedMark";
+import { SaveStatus } from "./SaveStatus";
 import { TeacherChip } from "./TeacherChip";
 
 const THEME_ICONS = { light: Sun, dark: Moon, contrast: Contrast } as const;
@@ -37,7 +37,7 @@ const THEME_ICONS = { light: Sun, dark: Moon, contrast: Contrast } as const;
 export function Header() {
   const inside = ROUTES[route.value.screen].ofGroup;
   const header = useRef<HTMLElement>(null);
-  useRoom(header);
+  useOverflow(header);
   return (
     <header class="header row middle rigid gap-2" ref={header}>
       <a
@@ -46,12 +46,12 @@ export function Header() {
         data-testid="home"
         title={texts.value.header.home}
       >
-        <Mark />
+        <Logo />
         <span class="header__brand">PINEL</span>
       </a>
       {inside && <GroupChip />}
       {inside && <ProgramName />}
-      {route.value.screen === "studio" && <SavedMark />}
+      {route.value.screen === "studio" && <SaveStatus />}
       {route.value.screen === "studio" && <LessonChip />}
       <span class="grows" />
       <RealRobot />
@@ -94,16 +94,16 @@ function WorkButton() {
   const { header } = texts.value;
   const now = route.value;
   if (reviewOrigin.value) {
-    const word = reviewOrigin.value.screen === "lesson" ? header.backToLesson : header.backToRuns;
+    const label = reviewOrigin.value.screen === "lesson" ? header.backToLesson : header.backToRuns;
     return (
       <LinkButton
         href={hashOf(reviewOrigin.value)}
         icon={ArrowLeft}
-        label={word}
-        tip={word}
+        label={label}
+        tip={label}
         testId="back-to-review"
       >
-        <span class="header__word">{word}</span>
+        <span class="header__word">{label}</span>
       </LinkButton>
     );
   }

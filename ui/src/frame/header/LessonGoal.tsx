@@ -4,9 +4,9 @@ import type { GoalPicture as Goal } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
-import { later } from "../../shell/later";
+import { lazy } from "../../shell/lazy";
 
-const GoalPicture = later(async () => (await import("../../scene/small/GoalPicture")).GoalPicture);
+const GoalPicture = lazy(async () => (await import("../../scene/small/GoalPicture")).GoalPicture);
 
 interface LessonGoalProps {
   activity: string;

@@ -3,7 +3,7 @@ import { useEffect } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
-import { robotWords } from "../../run/real/RobotName";
+import { robotLabel } from "../../run/real/RobotName";
 import { RobotState } from "../../run/real/RobotState";
 import { EMERGENCY_KEY, emergencyStop, movingLink } from "../../run/real/real_robot";
 import { useWatchedRobot } from "../../run/real/robot_state";
@@ -24,7 +24,7 @@ export function RealRobot() {
   return (
     <section
       class="real-robot row middle rigid shrinks gap-2"
-      aria-label={`${robot.real}: ${robotWords(link)}`}
+      aria-label={`${robot.real}: ${robotLabel(link)}`}
       data-testid="real-robot"
     >
       <span class="real-robot__words column">

@@ -9,7 +9,7 @@ import { isPicture, type PictureName } from "./pictures";
 
 interface PictureButtonProps {
   chosen: string;
-  taken: readonly string[];
+  used: readonly string[];
   onChoose(name: PictureName): void;
 }
 
@@ -22,7 +22,7 @@ export function PictureButton(props: PictureButtonProps) {
     setOpen(false);
     if (withFocus) place.current?.querySelector("button")?.focus();
   };
-  const byHand = useOpenPlace(place, open, close);
+  const byHand = usePopup(place, open, close);
   const choose = (name: PictureName) => {
     props.onChoose(name);
     if (byHand.current) close(true);
@@ -55,7 +55,7 @@ export function PictureButton(props: PictureButtonProps) {
  * Closes a popup on a press outside, on loss of focus, on Enter and on Escape. The returned function tells whether the
  * pointer was used last: a press chooses and closes, arrow keys only move.
  */
-function useOpenPlace(
+function usePopup(
   place: RefObject<HTMLElement>,
   open: boolean,
   close: (withFocus: boolean) => void,

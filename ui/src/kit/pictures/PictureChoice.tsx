@@ -6,25 +6,25 @@ import { PICTURE_NAMES, type PictureName } from "./pictures";
 interface PictureChoiceProps {
   chosen: string;
   /** Pictures of other groups of the class: dimmed, but available. */
-  taken: readonly string[];
+  used: readonly string[];
   onChoose(name: PictureName): void;
 }
 
 /** Radio group of all pictures. */
-export function PictureChoice({ chosen, taken, onChoose }: PictureChoiceProps) {
+export function PictureChoice({ chosen, used, onChoose }: PictureChoiceProps) {
   const { classes } = texts.value;
   const name = useId();
   return (
     <fieldset class="pictures">
       <legend class="visually-hidden">{classes.picture}</legend>
       {PICTURE_NAMES.map((one) => {
-        const isTaken = taken.includes(one);
-        const words = isTaken ? classes.taken(classes.pictures[one]) : classes.pictures[one];
+        const isUsed = used.includes(one);
+        const label = isUsed ? classes.taken(classes.pictures[one]) : classes.pictures[one];
         return (
           <label
             key={one}
-            class={`pictures__one ${isTaken ? "pictures__one--taken" : ""}`}
-            title={words}
+            class={`pictures__one ${isUsed ? "pictures__one--taken" : ""}`}
+            title={label}
             data-testid="picture"
             data-name={one}
           >
@@ -32,7 +32,7 @@ export function PictureChoice({ chosen, taken, onChoose }: PictureChoiceProps) {
               type="radio"
               class="visually-hidden"
               name={name}
-              aria-label={words}
+              aria-label={label}
               checked={one === chosen}
               onClick={() => onChoose(one)}
             />

@@ -62,7 +62,7 @@ export function isPicture(name: string): name is PictureName {
 }
 
 /** The least used picture, the first of several. */
-export function rarestPicture(taken: readonly string[]): PictureName {
-  const uses = (name: string) => taken.filter((one) => one === name).length;
+export function rarestPicture(used: readonly string[]): PictureName {
+  const uses = (name: string) => used.filter((one) => one === name).length;
   return PICTURE_NAMES.reduce((best, name) => (uses(name) < uses(best) ? name : best));
 }

@@ -8,7 +8,7 @@ import { type LoadedOptions, useLoaded } from "./useLoaded";
 
 interface Request {
   signal: AbortSignal;
-  answer(names: readonly string[]): Promise<void>;
+  respond(names: readonly string[]): Promise<void>;
   fail(error?: Error): Promise<void>;
 }
 
@@ -30,7 +30,7 @@ const ask: Ask<readonly string[]> = (signal) => {
     });
   requests.push({
     signal,
-    answer: (names) => drawn(() => answer(names)),
+    respond: (names) => drawn(() => answer(names)),
     fail: (error = FULL) => drawn(() => fail(error)),
   });
   return asked;
@@ -79,13 +79,13 @@ describe("what is loaded", () => {
     expect(screen().textContent).toBe("Abrindo");
     expect(screen().ariaBusy).toBe("true");
     await passesAxe(container);
-    await request(0).answer(["A", "B"]);
+    await request(0).respond(["A", "B"]);
     expect(screen().textContent).toBe("A B");
   });
 
   test("with nothing in it says so", async () => {
     const { getByText } = render(<List />);
-    await request(0).answer([]);
+    await request(0).respond([]);
     expect(getByText("Nada ainda")).toBeTruthy();
   });
 
@@ -98,7 +98,7 @@ describe("what is loaded", () => {
     await passesAxe(container);
     fireEvent.click(getByTestId("try-again"));
     await waitFor(() => expect(getByTestId("try-again").ariaBusy).toBe("true"));
-    await request(1).answer(["A"]);
+    await request(1).respond(["A"]);
     expect(screen().textContent).toBe("A");
   });
 
@@ -112,7 +112,7 @@ describe("what is loaded", () => {
 
   test("stays while it is asked for again, and when that fails", async () => {
     render(<List />);
-    await request(0).answer(["A"]);
+    await request(0).respond(["A"]);
     press("De novo");
     await waitFor(() => expect(screen().ariaBusy).toBe("true"));
     expect(screen().textContent).toBe("A");
@@ -126,17 +126,17 @@ describe("what is loaded", () => {
     const { rerender } = render(<List />);
     rerender(<List about="b" />);
     expect(request(0).signal.aborted).toBe(true);
-    await request(1).answer(["B"]);
-    await request(0).answer(["A"]);
+    await request(1).respond(["B"]);
+    await request(0).respond(["A"]);
     expect(screen().textContent).toBe("B");
   });
 
   test("can be set, and an answer on its way no longer counts", async () => {
     render(<List />);
-    await request(0).answer(["A"]);
+    await request(0).respond(["A"]);
     press("De novo");
     press("Pôr");
-    await request(1).answer(["B"]);
+    await request(1).respond(["B"]);
     expect(screen().textContent).toBe("C");
     expect(screen().ariaBusy).toBe("false");
   });
@@ -146,7 +146,7 @@ describe("what is loaded", () => {
     const { unmount } = render(<List options={{ release }} />);
     unmount();
     expect(request(0).signal.aborted).toBe(true);
-    await request(0).answer(["A"]);
+    await request(0).respond(["A"]);
     expect(release).toHaveBeenCalledWith(["A"]);
   });
 
@@ -160,9 +160,9 @@ describe("what is loaded", () => {
   test("is freed when another takes its place, and when one leaves", async () => {
     const release = vi.fn();
     const { unmount } = render(<List options={{ release }} />);
-    await request(0).answer(["A"]);
+    await request(0).respond(["A"]);
     press("De novo");
-    await request(1).answer(["B"]);
+    await request(1).respond(["B"]);
     expect(release.mock.calls).toEqual([[["A"]]]);
     unmount();
     expect(release.mock.calls).toEqual([[["A"]], [["B"]]]);
@@ -180,7 +180,7 @@ describe("what is loaded", () => {
     const options = { quietMs: 60_000 };
     const { rerender, unmount } = render(<List options={options} />);
     expect(requests).toHaveLength(1);
-    await request(0).answer(["A"]);
+    await request(0).respond(["A"]);
     vi.useFakeTimers();
     rerender(<List about="b" options={options} />);
     vi.advanceTimersByTime(59_000);
@@ -198,14 +198,14 @@ describe("what is loaded", () => {
     render(<List options={{ whenBack }} />);
     fireEvent.focus(window);
     expect(whenBack).not.toHaveBeenCalled();
-    await request(0).answer(["A"]);
+    await request(0).respond(["A"]);
     fireEvent.focus(window);
     await waitFor(() => expect(screen().textContent).toBe("B"));
   });
 
   test("stays as it is when coming back brings no news", async () => {
     render(<List options={{ whenBack: async () => UNCHANGED }} />);
-    await request(0).answer(["A"]);
+    await request(0).respond(["A"]);
     fireEvent.focus(window);
     await waitFor(() => expect(screen().ariaBusy).toBe("false"));
     expect(screen().textContent).toBe("A");

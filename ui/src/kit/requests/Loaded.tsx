@@ -12,14 +12,14 @@ interface LoadedProps<T> {
   /** Shown for an empty list. */
   empty?: ComponentChildren;
   /** Actions beside "try again"; on a screen by default the link to the start. */
-  ways?: ComponentChildren;
+  actions?: ComponentChildren;
   children(value: T, loaded: Ready<T>): ComponentChildren;
 }
 
 /** Draws a loaded value, or its loading or failed state. */
-export function Loaded<T>({ of, as = "part", loading, empty, ways, children }: LoadedProps<T>) {
+export function Loaded<T>({ of, as = "part", loading, empty, actions, children }: LoadedProps<T>) {
   if (of.status === "failed") {
-    return <NotLoaded as={as} busy={of.busy} again={of.again} ways={ways} />;
+    return <NotLoaded as={as} busy={of.busy} again={of.again} actions={actions} />;
   }
   if (of.status === "ready") {
     const isEmpty = Array.isArray(of.value) && of.value.length === 0 && empty !== undefined;

@@ -10,7 +10,7 @@ interface NotLoadedProps {
   busy?: boolean;
   again(): Promise<void>;
   /** Actions beside "try again"; on a screen by default the link to the start. */
-  ways?: ComponentChildren;
+  actions?: ComponentChildren;
 }
 
 /** Placeholder for a value that failed to load; the line under the header shows the error. */
@@ -18,7 +18,7 @@ export function NotLoaded({
   as,
   busy,
   again,
-  ways = as === "screen" && <ToStart />,
+  actions = as === "screen" && <ToStart />,
 }: NotLoadedProps) {
   const { trouble } = texts.value;
   const Place = as === "screen" ? "main" : "div";
@@ -29,7 +29,7 @@ export function NotLoaded({
         <Button icon={RotateCw} busy={busy} testId="try-again" onPress={again}>
           {trouble.tryAgain}
         </Button>
-        {ways}
+        {actions}
       </div>
     </Place>
   );

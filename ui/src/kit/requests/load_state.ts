@@ -71,7 +71,7 @@ export class Load<T> {
   private begin(): AbortController {
     this.running?.abort();
     this.running = new AbortController();
-    this.mark(true);
+    this.setBusy(true);
     return this.running;
   }
 
@@ -92,10 +92,10 @@ export class Load<T> {
   }
 
   private end(mine: AbortController): void {
-    if (!mine.signal.aborted) this.mark(false);
+    if (!mine.signal.aborted) this.setBusy(false);
   }
 
-  private mark(busy: boolean): void {
+  private setBusy(busy: boolean): void {
     const state = this.state.peek();
     if (state.status !== "loading") this.state.value = { ...state, busy };
   }

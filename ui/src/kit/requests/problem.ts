@@ -1,4 +1,4 @@
-import { ApiError, ServerGone } from "../../api/errors";
+import { ApiError, ServerUnreachable } from "../../api/errors";
 import { texts } from "../../i18n";
 
 /** Text of a failure: message and remedy. */
@@ -18,12 +18,13 @@ export class Refused extends Error {
 }
 
 /** The text of any error. */
-export function wordsOf(error: unknown): Problem {
+export function problemOf(error: unknown): Problem {
   if (error instanceof Refused) return { message: error.message, remedy: error.remedy };
   if (error instanceof ApiError && error.message) {
     return { message: error.message, remedy: error.remedy };
   }
   const { trouble } = texts.value;
-  if (error instanceof ServerGone) return { message: trouble.goneTitle, remedy: trouble.gone };
+  if (error instanceof ServerUnreachable)
+    return { message: trouble.goneTitle, remedy: trouble.gone };
   return { message: trouble.failedTitle, remedy: "" };
 }

@@ -36,8 +36,8 @@ export function behavesAsControl(draw: (props: ControlProps) => ComponentChild):
   test("a screen's class stands beside the kit's", () => {
     const plain = render(draw({ testId: "plain" })).getByTestId("plain");
     const own = render(draw({ testId: "own", class: "start__more" })).getByTestId("own");
-    const looks = (element: Element) => element.closest("[class]")?.className.split(" ");
-    expect(looks(own)).toEqual([...(looks(plain) ?? []), "start__more"]);
+    const classesOf = (element: Element) => element.closest("[class]")?.className.split(" ");
+    expect(classesOf(own)).toEqual([...(classesOf(plain) ?? []), "start__more"]);
   });
 
   test("Tab reaches it", () => {

@@ -2,14 +2,14 @@ import { type Signal, useComputed, useSignal } from "@preact/signals";
 import { ArrowLeft } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { texts } from "../../i18n";
-import { Choice } from "../../kit/Choice";
 import { LinkButton } from "../../kit/LinkButton";
+import { RadioGroup } from "../../kit/RadioGroup";
 import type { Companion } from "../../scene/companion";
 import { Scene } from "../../scene/Scene";
 import { hashOf } from "../../shell/route";
 import { robotOf } from "../../shell/session";
 import { reviewOrigin } from "../../shell/teacher/review_origin";
-import { Transport } from "../Transport";
+import { PlaybackControls } from "../PlaybackControls";
 import { ComparedRun } from "./ComparedRun";
 import type { LoadedPair } from "./load_pair";
 import { PairDifferences } from "./PairDifferences";
@@ -29,7 +29,7 @@ export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
       {isTogether && <OneFloor pair={pair} />}
       {pair.sides.map((side, index) => (
         <ComparedRun
-          key={side.recording.run.id + index}
+          key={side.recordedRun.run.id + index}
           side={side}
           number={index + 1}
           groups={groups}
@@ -37,9 +37,9 @@ export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
           together={isTogether}
         />
       ))}
-      <Transport
+      <PlaybackControls
         playback={pair.playback}
-        tracks={pair.sides.map(({ recording }) => recording.stretches)}
+        tracks={pair.sides.map(({ recordedRun }) => recordedRun.stretches)}
       />
     </main>
   );
@@ -52,29 +52,29 @@ interface HeadProps {
 }
 
 function Head({ pair, view, children }: HeadProps) {
-  const { compare: say } = texts.value.review;
+  const { compare: labels } = texts.value.review;
   const from = reviewOrigin.value ?? { screen: "runs" };
-  const back = from.screen === "runs" ? say.back : texts.value.header.backToLesson;
-  const [first, second] = pair.sides.map(({ recording }) => recording.run.world_document?.name);
+  const back = from.screen === "runs" ? labels.back : texts.value.header.backToLesson;
+  const [first, second] = pair.sides.map(({ recordedRun }) => recordedRun.run.world_document?.name);
   return (
     <div class="review-head compare__head row middle gap-4">
       <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
-      <h1>{say.title}</h1>
+      <h1>{labels.title}</h1>
       {children}
       {/* on one floor the second path may cross walls that its own world did not have */}
       {view.value === "together" && first !== second && (
-        <p class="compare__elsewhere">{say.otherWorld}</p>
+        <p class="compare__elsewhere">{labels.otherWorld}</p>
       )}
-      <Choice<View>
+      <RadioGroup<View>
         class="switch row middle shrinks"
-        label={say.view}
+        label={labels.view}
         legendClass="switch__word"
         optionClass=""
         testId="compare-view"
         value={view.value}
         options={[
-          ["apart", say.apart],
-          ["together", say.together],
+          ["apart", labels.apart],
+          ["together", labels.together],
         ]}
         onChange={(chosen) => {
           view.value = chosen;
@@ -87,16 +87,16 @@ function Head({ pair, view, children }: HeadProps) {
 function OneFloor({ pair: { sides } }: { pair: Pair }) {
   const [first, second] = sides;
   const companion = useComputed<Companion>(() => ({
-    world: second.recording.run.world_document,
-    robot: robotOf(second.recording.run.model),
+    world: second.recordedRun.run.world_document,
+    robot: robotOf(second.recordedRun.run.model),
     view: second.view.value,
     pose: second.pose,
   }));
   return (
     <div class="compare__floor shrinks shrinks-down">
       <Scene
-        world={first.recording.run.world_document}
-        robot={robotOf(first.recording.run.model)}
+        world={first.recordedRun.run.world_document}
+        robot={robotOf(first.recordedRun.run.model)}
         view={first.view}
         poseAt={first.pose}
         playing={first.playing}

@@ -8,8 +8,8 @@ import { RobotName } from "../../run/real/RobotName";
 import { Scene } from "../../scene/Scene";
 import { robotOf } from "../../shell/session";
 import { outcomeOf } from "../../teacher/review/model";
-import { OutcomeSign } from "../../teacher/review/OutcomeSign";
-import { ReplayWords } from "../ReplayParts";
+import { OutcomeIcon } from "../../teacher/review/OutcomeIcon";
+import { ReplaySentence } from "../ReplayParts";
 import type { PairBlocks } from "./load_pair";
 import type { Side } from "./pair";
 import { SideBlocks } from "./SideBlocks";
@@ -25,7 +25,7 @@ interface ComparedRunProps {
 /** One of two runs: group, floor, blocks and robot pose. */
 export function ComparedRun({ side, number, groups, together, blocks }: ComparedRunProps) {
   const { compare } = texts.value.review;
-  const { run } = side.recording;
+  const { run } = side.recordedRun;
   const group = groups.find(({ id }) => id === run.group_id);
   const title = [group?.name, run.program_name].filter(Boolean).join(" · ");
   return (
@@ -49,7 +49,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
           />
         </div>
       )}
-      <ReplayWords run={run} view={side.view} />
+      <ReplaySentence run={run} view={side.view} />
       <div class="compare__blocks row shrinks-down">
         <SideBlocks
           key={String(together)}
@@ -68,14 +68,14 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
 
 /** Which hints of its activity were open when the program ran. */
 function HintsOpened({ side }: Pick<RunHeadProps, "side">) {
-  const setup = side.recording.run.version?.setup;
+  const setup = side.recordedRun.run.version?.setup;
   if (!setup?.activity) return null;
-  const words = texts.value.review.detail.hintsRead(setup.n_hints);
+  const label = texts.value.review.detail.hintsRead(setup.n_hints);
   return (
-    <span class="compare__hints row middle" title={words} data-testid="compare-hints">
+    <span class="compare__hints row middle" title={label} data-testid="compare-hints">
       <Lightbulb class="icon" aria-hidden="true" />
       <span aria-hidden="true">{setup.n_hints}</span>
-      <span class="visually-hidden">{words}</span>
+      <span class="visually-hidden">{label}</span>
     </span>
   );
 }
@@ -90,7 +90,7 @@ interface RunHeadProps {
 
 function RunHead({ side, group, number, swatch }: RunHeadProps) {
   const { outcomes, runs } = texts.value.review;
-  const { run } = side.recording;
+  const { run } = side.recordedRun;
   const outcome = outcomeOf(run);
   const took = run.duration_s === null ? "" : ` · ${duration(run.duration_s, language.value)}`;
   return (
@@ -104,7 +104,7 @@ function RunHead({ side, group, number, swatch }: RunHeadProps) {
       </span>
       <RobotName link={run.link} />
       <span class="compare__outcome">
-        <OutcomeSign outcome={outcome} />
+        <OutcomeIcon outcome={outcome} />
         {outcomes[outcome]}
         {took}
         <HintsOpened side={side} />

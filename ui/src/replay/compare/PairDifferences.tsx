@@ -2,7 +2,7 @@ import { useSignalEffect } from "@preact/signals";
 import { ChevronDown, ChevronUp } from "lucide-preact";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { Sign } from "../../versions/Sign";
+import { DifferenceIcon } from "../../versions/DifferenceIcon";
 import type { PairBlocks } from "./load_pair";
 
 interface PairDifferencesProps {
@@ -45,20 +45,20 @@ function Difference({ blocks }: { blocks: PairBlocks }) {
   const { keeping, review } = texts.value;
   const place = blocks.chosen.value ?? 0;
   const { kinds = [] } = blocks.list.value[place] ?? {};
-  const words = blocks.lines.value[place] ?? "";
+  const text = blocks.lines.value[place] ?? "";
   return (
     <p
       class="compare__difference"
       aria-live="polite"
-      title={words}
+      title={text}
       data-testid="difference"
       data-kind={kinds[0]}
     >
       {kinds.map((kind) => (
-        <Sign key={kind} kind={kind} />
+        <DifferenceIcon key={kind} kind={kind} />
       ))}
       <span class="compare__words" data-shortened>
-        <strong>{kinds.map((kind) => keeping.kinds[kind]).join(", ")}</strong> {words}
+        <strong>{kinds.map((kind) => keeping.kinds[kind]).join(", ")}</strong> {text}
       </span>
       <span class="compare__place">
         {review.compare.place(place + 1, blocks.list.value.length)}

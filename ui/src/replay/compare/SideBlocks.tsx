@@ -1,8 +1,8 @@
 import { effect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import type { BlocksReader } from "../../editor/reader/reader";
+import type { BlocksViewer } from "../../editor/reader/viewer";
 import { texts } from "../../i18n";
-import { litBlock } from "../../run/reducer";
+import { activeBlockId } from "../../run/reducer";
 import { report } from "../../shell/session";
 import { ReadBlocks } from "../../versions/ReadBlocks";
 import type { PairBlocks } from "./load_pair";
@@ -20,15 +20,15 @@ interface SideBlocksProps {
 export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
   const place = useRef<HTMLDivElement>(null);
   const stop = useRef(() => {});
-  const { version } = side.recording.run;
+  const { version } = side.recordedRun.run;
   if (!version) return <p class="compare__none">{texts.value.replay.noVersion}</p>;
   const drawnTogether = blocks && (number === 1 ? blocks.before : blocks.after);
-  const fill = (reader: BlocksReader | null) => {
+  const fill = (viewer: BlocksViewer | null) => {
     stop.current();
     stop.current = () => {};
-    if (drawnTogether) drawnTogether.value = reader;
-    else if (!reader || !drawn(reader, version.workspace)) return;
-    if (!reader) return;
+    if (drawnTogether) drawnTogether.value = viewer;
+    else if (!viewer || !drawn(viewer, version.workspace)) return;
+    if (!viewer) return;
     // the two block areas need distinct accessible names
     place.current
       ?.querySelector(".blocklyWorkspace")
@@ -37,8 +37,8 @@ export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
       blocks?.drawn.value;
       const { value: view } = side.view;
       // before the clock runs, the difference that is shown stays in view
-      if (view.tick > 0) reader.point(litBlock(view));
-      reader.fail(view.phase === "failed" ? (view.ending?.block ?? null) : null);
+      if (view.tick > 0) viewer.point(activeBlockId(view));
+      viewer.fail(view.phase === "failed" ? (view.ending?.block ?? null) : null);
     });
   };
   return (
@@ -48,9 +48,9 @@ export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
   );
 }
 
-function drawn(reader: BlocksReader, workspace: object): boolean {
+function drawn(viewer: BlocksViewer, workspace: object): boolean {
   try {
-    reader.load(workspace);
+    viewer.load(workspace);
     return true;
   } catch (error) {
     report(error);

@@ -4,7 +4,7 @@ import { versionsApi } from "../../api/versions";
 import { report } from "../../shell/session";
 import { ComparedBlocks } from "../../versions/compared_blocks";
 import type { ComparedWorkspaces } from "../../versions/differences";
-import { loadRecording } from "../recording";
+import { loadRecordedRun } from "../recorded_run";
 import { Pair } from "./pair";
 
 export type PairBlocks = ComparedBlocks<ComparedWorkspaces>;
@@ -23,8 +23,8 @@ const NOTHING_DIFFERS: VersionDifference = { added: [], removed: [], changed: []
 
 export async function loadPair(first: string, second: string): Promise<LoadedPair> {
   const [one, other, groups] = await Promise.all([
-    loadRecording(first),
-    loadRecording(second),
+    loadRecordedRun(first),
+    loadRecordedRun(second),
     api.groups(),
   ]);
   const isOneProgram = one.run.program_id !== null && one.run.program_id === other.run.program_id;

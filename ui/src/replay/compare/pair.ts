@@ -1,11 +1,11 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Playback } from "../../run/playback";
 import type { Pose, RunView } from "../../run/reducer";
-import type { Recording } from "../recording";
+import type { RecordedRun } from "../recorded_run";
 
 /** One of two runs at the time of the shared clock. */
 export interface Side {
-  readonly recording: Recording;
+  readonly recordedRun: RecordedRun;
   readonly view: ReadonlySignal<RunView>;
   readonly playing: ReadonlySignal<boolean>;
   /** Interpolated pose of its robot. */
@@ -18,21 +18,21 @@ export class Pair {
   /** The shared clock: that of the longer run. */
   readonly playback: Playback;
 
-  constructor(first: Recording, second: Recording) {
+  constructor(first: RecordedRun, second: RecordedRun) {
     const longer = second.playback.end > first.playback.end ? second : first;
     this.playback = longer.playback;
     this.sides = [this.sideOf(first), this.sideOf(second)];
   }
 
-  private sideOf(recording: Recording): Side {
+  private sideOf(recordedRun: RecordedRun): Side {
     const { playback: clock } = this;
-    const { playback } = recording;
+    const { playback } = recordedRun;
     const { playing } = clock;
-    if (playback === clock) return { recording, playing, view: clock.view, pose: clock.pose };
+    if (playback === clock) return { recordedRun, playing, view: clock.view, pose: clock.pose };
     const { history } = playback;
     const tick = computed(() => Math.min(Math.floor(clock.tick.value), playback.end));
     return {
-      recording,
+      recordedRun,
       playing,
       view: computed(() => history.at(tick.value)),
       pose: () => history.poseAt(clock.tick.peek()),

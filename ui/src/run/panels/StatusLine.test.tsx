@@ -8,7 +8,7 @@ test.each([
   ["Em pausa.", "Apertem Continuar.", "Em pausa. Apertem Continuar."],
   ["Programa terminou", "volta 2", "Programa terminou. volta 2"],
   ["Tudo pronto. Apertem Rodar.", "", "Tudo pronto. Apertem Rodar."],
-])("%s and %s are read aloud as sentences", async (text, more, said) => {
+])("%s and %s are read aloud as sentences", async (text, more, announcement) => {
   const { getByRole } = render(<StatusLine sentence={{ text, more, tone: "calm" }} />);
-  await waitFor(() => expect(getByRole("status").textContent).toBe(said));
+  await waitFor(() => expect(getByRole("status").textContent).toBe(announcement));
 });

@@ -45,10 +45,10 @@ const spoken = ({ text, more }: Sentence) =>
   [/[.!?…]$/.test(text) ? text : `${text}.`, more].join(" ").trim();
 
 function Spoken({ text }: { text: string }) {
-  const [said, setSaid] = useState("");
+  const [announced, setAnnounced] = useState("");
   const kind = text.replace(/[\d,.\u2212]+/g, "");
   useEffect(() => {
-    const timer = setTimeout(() => setSaid(text), SETTLE_MS);
+    const timer = setTimeout(() => setAnnounced(text), SETTLE_MS);
     return () => clearTimeout(timer);
   }, [kind]);
   return (
@@ -58,7 +58,7 @@ function Spoken({ text }: { text: string }) {
       aria-live="polite"
       aria-label={texts.value.status.label}
     >
-      {said}
+      {announced}
     </p>
   );
 }

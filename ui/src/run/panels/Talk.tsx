@@ -3,7 +3,7 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { language, texts } from "../../i18n";
 import { numberWords, seconds } from "../../i18n/format";
 import type { Line } from "../output";
-import { saidWords } from "../values";
+import { localizeNumbers } from "../values";
 
 const ICONS = {
   said: MessageCircle,
@@ -58,14 +58,14 @@ function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
     <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid="talk-line">
       <Icon class="icon" aria-hidden="true" />
       {kind !== "beeped" && <span class="visually-hidden">{texts.value.show[kind]}</span>}
-      <span class="talk__text grows shrinks">{wordsOf(kind, text)}</span>
+      <span class="talk__text grows shrinks">{lineText(kind, text)}</span>
       <time class="aside rigid">{seconds(tick / 30, language.value)}</time>
     </li>
   );
 }
 
-function wordsOf(kind: Line["kind"], text: Line["text"]): string {
+function lineText(kind: Line["kind"], text: Line["text"]): string {
   if (kind === "beeped") return texts.value.show.beeps(Number(text));
   if (typeof text === "number") return numberWords(text, language.value);
-  return kind === "answered" ? text : saidWords(text, language.value);
+  return kind === "answered" ? text : localizeNumbers(text, language.value);
 }

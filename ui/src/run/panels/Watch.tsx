@@ -1,5 +1,5 @@
 import { language, texts } from "../../i18n";
-import { valueWords } from "../values";
+import { valueText } from "../values";
 
 /** The current values of the program's variables. */
 export function Watch({ rows }: { rows: readonly (readonly [string, unknown])[] }) {
@@ -19,7 +19,7 @@ export function Watch({ rows }: { rows: readonly (readonly [string, unknown])[] 
         </thead>
         <tbody>
           {rows.map(([name, value]) => (
-            <Row key={name} name={name} words={valueWords(value, texts.value, language.value)} />
+            <Row key={name} name={name} text={valueText(value, texts.value, language.value)} />
           ))}
         </tbody>
       </table>
@@ -27,14 +27,14 @@ export function Watch({ rows }: { rows: readonly (readonly [string, unknown])[] 
   );
 }
 
-function Row({ name, words }: { name: string; words: string }) {
+function Row({ name, text }: { name: string; text: string }) {
   return (
     <tr>
       <th scope="row" title={name}>
         {name}
       </th>
-      <td title={words} data-testid="watch-value" data-name={name}>
-        {words}
+      <td title={text} data-testid="watch-value" data-name={name}>
+        {text}
       </td>
     </tr>
   );

@@ -13,11 +13,11 @@ export function RobotName({ link }: RobotNameProps) {
   return (
     <span class="robot-name" data-testid="robot-name" data-link={link}>
       <Bot class="icon" aria-hidden="true" />
-      {robotWords(link)}
+      {robotLabel(link)}
     </span>
   );
 }
 
 /** The name of a real robot's kind; that of a newer release is its link. */
-export const robotWords = (link: string): string =>
+export const robotLabel = (link: string): string =>
   linkWords(link, language.value)?.message ?? link;

@@ -1,5 +1,5 @@
 import { robotStates } from "./robot_state";
-import { stateWords } from "./state_words";
+import { stateText } from "./state_text";
 
 interface RobotStateProps {
   link: string;
@@ -9,7 +9,7 @@ interface RobotStateProps {
 /** How a watched robot is. A screen reader hears of changes, not of each second. */
 export function RobotState({ link, testId }: RobotStateProps) {
   const state = robotStates.value[link];
-  const { short, spoken, tip } = stateWords(state);
+  const { short, spoken, tip } = stateText(state);
   return (
     <span title={tip} data-testid={testId} data-state={state?.state}>
       <span aria-hidden="true">{short}</span>

@@ -1,6 +1,6 @@
 import { computed, signal } from "@preact/signals";
 import { robotsApi } from "../../api/robots";
-import { type Problem, wordsOf } from "../../kit/requests/problem";
+import { type Problem, problemOf } from "../../kit/requests/problem";
 import { robotStates } from "./robot_state";
 
 export type Direction = "ahead" | "back" | "left" | "right";
@@ -13,7 +13,7 @@ interface Held {
 /** The server's robot stands a fifth of a second after the last of these. */
 const REPEAT_MS = 100;
 
-const WAYS: Readonly<Record<Direction, readonly [drive: number, turn: number]>> = {
+const JOG_FACTORS: Readonly<Record<Direction, readonly [drive: number, turn: number]>> = {
   ahead: [1, 0],
   back: [-1, 0],
   left: [0, 1],
@@ -65,10 +65,10 @@ function ask(): void {
   if (!now || isAsking) return;
   isAsking = true;
   robotsApi
-    .jog(now.link, ...WAYS[now.direction])
+    .jog(now.link, ...JOG_FACTORS[now.direction])
     .catch((error) => {
       release();
-      jogFault.value = wordsOf(error);
+      jogFault.value = problemOf(error);
     })
     .finally(() => {
       isAsking = false;

@@ -1,14 +1,14 @@
 import type { Sentence } from "../sentence";
 import { movingLink } from "./real_robot";
 import { robotStates } from "./robot_state";
-import { stateWords } from "./state_words";
+import { stateText } from "./state_text";
 
 /** What keeps the chosen robot from driving, and what to do; null while it is connected, or none is chosen. */
 export function robotSentence(): Sentence | null {
   const { value: link } = movingLink;
   const state = link === null ? undefined : robotStates.value[link];
   if (!state || (state.state === "connected" && !state.holder)) return null;
-  const { spoken, tip } = stateWords(state);
+  const { spoken, tip } = stateText(state);
   const isTrouble = state.code !== null || state.holder !== null || state.state === "silent";
   return { text: spoken, more: tip, tone: isTrouble ? "notice" : "calm" };
 }

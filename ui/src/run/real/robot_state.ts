@@ -23,7 +23,7 @@ export function useWatchedRobot(link: string | null): void {
     if (!link) return;
     ask(true);
     return () => {
-      const { [link]: _gone, ...others } = robotStates.value;
+      const { [link]: _removed, ...others } = robotStates.value;
       robotStates.value = others;
     };
   }, [link]);
@@ -31,6 +31,6 @@ export function useWatchedRobot(link: string | null): void {
 }
 
 /** Its place in the room; null while nobody knows. */
-export function placeOf({ x_m, y_m, heading_deg }: RobotState) {
+export function poseInRoom({ x_m, y_m, heading_deg }: RobotState) {
   return x_m === null || y_m === null || heading_deg === null ? null : { x_m, y_m, heading_deg };
 }

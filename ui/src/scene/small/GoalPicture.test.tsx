@@ -2,8 +2,8 @@ import { cleanup, render } from "@testing-library/preact";
 import { afterEach, expect, test } from "vitest";
 import type { GoalPicture as Goal, World } from "../../api/model";
 import { passesAxe } from "../../kit/testing/control";
-import { frameOfGoal, HEIGHT, WIDTH } from "./frame";
 import { GoalPicture } from "./GoalPicture";
+import { HEIGHT, viewportOfGoal, WIDTH } from "./goal_viewport";
 
 const WORLD: World = {
   pinel_world: 1,
@@ -40,7 +40,7 @@ const drawn = (one: Goal, name: string) =>
 afterEach(cleanup);
 
 test("all of the goal lies in the picture, upright and in proportion", () => {
-  const { place, scale } = frameOfGoal(
+  const { toPixels, scale } = viewportOfGoal(
     goal({
       lines: [
         line([
@@ -51,7 +51,7 @@ test("all of the goal lies in the picture, upright and in proportion", () => {
       ],
     }),
   );
-  const [{ x: x0, y: y0 }, { x: x1, y: y1 }] = [place({ x: 0, y: 0 }), place({ x: 3, y: 2 })];
+  const [{ x: x0, y: y0 }, { x: x1, y: y1 }] = [toPixels({ x: 0, y: 0 }), toPixels({ x: 3, y: 2 })];
   expect(x1 - x0).toBeCloseTo(3 * scale, 0);
   expect(y0 - y1).toBeCloseTo(2 * scale, 0);
   for (const x of [x0, x1]) expect(x > 0 && x < WIDTH).toBe(true);
@@ -189,6 +189,6 @@ test("it is read aloud with its label, and passed over without one", async () =>
   expect(container.querySelector("svg")?.getAttribute("aria-label")).toBe("Um quadrado");
   await passesAxe(container);
   cleanup();
-  const silent = render(<GoalPicture goal={goal({})} />).container.querySelector("svg");
-  expect(silent?.getAttribute("aria-hidden")).toBe("true");
+  const unlabelled = render(<GoalPicture goal={goal({})} />).container.querySelector("svg");
+  expect(unlabelled?.getAttribute("aria-hidden")).toBe("true");
 });

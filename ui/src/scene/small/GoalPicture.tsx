@@ -2,8 +2,15 @@ import type { GoalPicture as Goal, GoalLine } from "../../api/model";
 import { robotOf } from "../../shell/session";
 import type { XY } from "../frames";
 import { extentOf } from "../hull";
-import { type Frame, frameOfGoal, HEIGHT, middleOf, pointsOf, WIDTH } from "./frame";
-import { GroundPicture, NamesPicture, ThingsPicture } from "./GroundPicture";
+import { GroundPicture, NamesPicture, ObjectsPicture } from "./GroundPicture";
+import {
+  type GoalViewport,
+  HEIGHT,
+  middleOf,
+  pointsOf,
+  viewportOfGoal,
+  WIDTH,
+} from "./goal_viewport";
 import { ROBOT_ICON, WaitingRobot } from "./PathPicture";
 import { Line } from "./parts";
 
@@ -15,7 +22,7 @@ interface GoalPictureProps {
 
 /** The goal of an activity: its floor, the robot at the start, where it has to get, and what it drives or draws. */
 export function GoalPicture({ goal, label }: GoalPictureProps) {
-  const frame = frameOfGoal(goal);
+  const viewport = viewportOfGoal(goal);
   return (
     <svg
       class="goal"
@@ -24,15 +31,15 @@ export function GoalPicture({ goal, label }: GoalPictureProps) {
       aria-label={label}
       aria-hidden={label ? undefined : "true"}
     >
-      <GroundPicture goal={goal} frame={frame} />
+      <GroundPicture goal={goal} viewport={viewport} />
       {goal.lines.map((line, index) => (
-        <Line key={index} frame={frame} points={line.points} color={line.color} />
+        <Line key={index} viewport={viewport} points={line.points} color={line.color} />
       ))}
-      <ThingsPicture goal={goal} frame={frame} />
-      <StartedRobot goal={goal} frame={frame} />
-      <NamesPicture goal={goal} frame={frame} />
+      <ObjectsPicture goal={goal} viewport={viewport} />
+      <StartedRobot goal={goal} viewport={viewport} />
+      <NamesPicture goal={goal} viewport={viewport} />
       {goal.lines.map((line, index) => (
-        <Marks key={index} line={line} frame={frame} />
+        <Marks key={index} line={line} viewport={viewport} />
       ))}
     </svg>
   );
@@ -40,18 +47,18 @@ export function GoalPicture({ goal, label }: GoalPictureProps) {
 
 interface PartProps {
   goal: Goal;
-  frame: Frame;
+  viewport: GoalViewport;
 }
 
 /** The icon of a robot is not drawn smaller than can be recognised. */
-const SMALLEST_ROBOT = 0.55;
+const MIN_ROBOT_SCALE = 0.55;
 
-function StartedRobot({ goal: { world }, frame }: PartProps) {
+function StartedRobot({ goal: { world }, viewport }: PartProps) {
   const { x_m, y_m, heading_deg } = world.start;
   const robot = robotOf(null);
   const length = robot ? extentOf(robot).length : 0;
-  const size = Math.max(SMALLEST_ROBOT, (length * frame.scale) / ROBOT_ICON);
-  const { x, y } = frame.place({ x: x_m, y: y_m });
+  const size = Math.max(MIN_ROBOT_SCALE, (length * viewport.scale) / ROBOT_ICON);
+  const { x, y } = viewport.toPixels({ x: x_m, y: y_m });
   return (
     <g transform={`translate(${x} ${y}) rotate(${-heading_deg}) scale(${size})`}>
       <WaitingRobot at={[0, 0]} />
@@ -61,12 +68,12 @@ function StartedRobot({ goal: { world }, frame }: PartProps) {
 
 interface LineProps {
   line: GoalLine;
-  frame: Frame;
+  viewport: GoalViewport;
 }
 
 /** What explains a line, above everything else. */
-function Marks({ line: { points, color, sign }, frame }: LineProps) {
-  const places = pointsOf(points).map(frame.place);
+function Marks({ line: { points, color, sign }, viewport }: LineProps) {
+  const places = pointsOf(points).map(viewport.toPixels);
   return (
     <>
       {color === null && <Arrows places={places} />}
@@ -76,7 +83,7 @@ function Marks({ line: { points, color, sign }, frame }: LineProps) {
 }
 
 /** Shorter stretches have no room for an arrow head, and ends nearer to the start need none. */
-const SHORTEST_PX = 22;
+const MIN_STRETCH_PX = 22;
 
 /** Which way to drive: an arrow head on the first stretch, and one at the end unless that is the start. */
 function Arrows({ places }: { places: readonly XY[] }) {
@@ -86,10 +93,10 @@ function Arrows({ places }: { places: readonly XY[] }) {
   const middle = { x: (first.x + second.x) / 2, y: (first.y + second.y) / 2 };
   return (
     <>
-      {places.length > 2 && distance(first, second) > SHORTEST_PX && (
+      {places.length > 2 && distance(first, second) > MIN_STRETCH_PX && (
         <ArrowHead at={middle} from={first} />
       )}
-      {distance(first, last) > SHORTEST_PX && <ArrowHead at={last} from={before} />}
+      {distance(first, last) > MIN_STRETCH_PX && <ArrowHead at={last} from={before} />}
     </>
   );
 }

@@ -1,24 +1,24 @@
 import type { GoalPicture, World } from "../../api/model";
 import { areaOf, lineThrough, outlineOf } from "../areas";
 import { paintOf } from "../paints";
-import { type Frame, pointsOf } from "./frame";
+import { type GoalViewport, pointsOf } from "./goal_viewport";
 import { Grid } from "./parts";
 
 interface GroundProps {
   goal: GoalPicture;
-  frame: Frame;
+  viewport: GoalViewport;
 }
 
 /** The floor of a goal: metre grid, colours and zones. */
-export function GroundPicture({ goal: { world, zones }, frame }: GroundProps) {
+export function GroundPicture({ goal: { world, zones }, viewport }: GroundProps) {
   return (
     <>
-      <Tiles frame={frame} />
+      <Tiles frame={viewport} />
       {world.floor.map((paint, index) => (
         <Shape
           key={index}
           area={paint}
-          frame={frame}
+          viewport={viewport}
           class="goal__paint"
           fill={paintOf(paint.color)}
         />
@@ -27,7 +27,7 @@ export function GroundPicture({ goal: { world, zones }, frame }: GroundProps) {
         <Shape
           key={zone.name}
           area={zone}
-          frame={frame}
+          viewport={viewport}
           class={zones.includes(zone.name) ? "goal__zone goal__zone--wanted" : "goal__zone"}
         />
       ))}
@@ -36,23 +36,25 @@ export function GroundPicture({ goal: { world, zones }, frame }: GroundProps) {
 }
 
 /** What stands on the floor: boxes, where they are to be pushed, and walls. */
-export function ThingsPicture({ goal: { world, boxes }, frame }: GroundProps) {
+export function ObjectsPicture({ goal: { world, boxes }, viewport }: GroundProps) {
   return (
     <>
       {world.boxes.map((box, index) => (
-        <Shape key={index} area={box} frame={frame} class="goal__box" />
+        <Shape key={index} area={box} viewport={viewport} class="goal__box" />
       ))}
       {Object.entries(boxes).map(([index, [x, y, yaw]]) => {
         const box = world.boxes[Number(index)];
         if (!box) return null;
         const there = { ...box, center: [x, y], heading_deg: (yaw * 180) / Math.PI } as typeof box;
-        return <Shape key={index} area={there} frame={frame} class="goal__box goal__box--wanted" />;
+        return (
+          <Shape key={index} area={there} viewport={viewport} class="goal__box goal__box--wanted" />
+        );
       })}
       <path
         class="goal__walls"
-        stroke-width={Math.max(2, 0.09 * frame.scale)}
+        stroke-width={Math.max(2, 0.09 * viewport.scale)}
         d={world.walls
-          .map(({ from, to }) => lineThrough(pointsOf([from, to]).map(frame.place)))
+          .map(({ from, to }) => lineThrough(pointsOf([from, to]).map(viewport.toPixels)))
           .join("")}
       />
     </>
@@ -60,20 +62,20 @@ export function ThingsPicture({ goal: { world, boxes }, frame }: GroundProps) {
 }
 
 /** Longer names do not fit into a zone of this picture. */
-const LONGEST_NAME = 2;
+const MAX_NAME_LENGTH = 2;
 const NAME_M = 0.34;
 const NAME_PLACE = 0.3;
 
 /** Names of zones, and a flag on what is to be reached where no line leads there. */
-export function NamesPicture({ goal: { world, zones, lines }, frame }: GroundProps) {
+export function NamesPicture({ goal: { world, zones, lines }, viewport }: GroundProps) {
   return (
     <>
       {world.zones.map(({ name, center, size }) => {
-        const { x, y } = frame.place(areaOf({ center }));
-        if (name.length <= LONGEST_NAME) {
+        const { x, y } = viewport.toPixels(areaOf({ center }));
+        if (name.length <= MAX_NAME_LENGTH) {
           // in a corner of its zone: lines lead to the middle
-          const [dx = 0, dy = 0] = (size ?? []).map((side) => NAME_PLACE * side * frame.scale);
-          const font = Math.min(18, NAME_M * frame.scale);
+          const [dx = 0, dy = 0] = (size ?? []).map((side) => NAME_PLACE * side * viewport.scale);
+          const font = Math.min(18, NAME_M * viewport.scale);
           return (
             <text key={name} class="goal__name" x={x - dx} y={y - dy} font-size={font}>
               {name}
@@ -91,26 +93,26 @@ export function NamesPicture({ goal: { world, zones, lines }, frame }: GroundPro
   );
 }
 
-function Tiles({ frame }: { frame: Frame }) {
-  const { left, right, bottom, top } = frame.box;
-  const { x, y } = frame.place({ x: left, y: top });
-  const { x: x2, y: y2 } = frame.place({ x: right, y: bottom });
+function Tiles({ frame: viewport }: { frame: GoalViewport }) {
+  const { left, right, bottom, top } = viewport.box;
+  const { x, y } = viewport.toPixels({ x: left, y: top });
+  const { x: x2, y: y2 } = viewport.toPixels({ x: right, y: bottom });
   return (
     <>
       <rect class="goal__floor" x={x} y={y} width={x2 - x} height={y2 - y} />
-      <Grid frame={frame} />
+      <Grid viewport={viewport} />
     </>
   );
 }
 
 interface ShapeProps {
   area: World["floor"][number] | World["zones"][number] | World["boxes"][number];
-  frame: Frame;
+  viewport: GoalViewport;
   class: string;
   fill?: string;
 }
 
 /** A disc or a rectangle on the floor. */
-function Shape({ area, frame: { place, scale }, ...look }: ShapeProps) {
-  return <path {...look} d={outlineOf(areaOf(area), place, scale)} />;
+function Shape({ area, viewport: { toPixels, scale }, ...attributes }: ShapeProps) {
+  return <path {...attributes} d={outlineOf(areaOf(area), toPixels, scale)} />;
 }

@@ -1,6 +1,6 @@
 import { robotOf } from "../../shell/session";
 import { extentOf, hullPath } from "../hull";
-import { frameOfPath, HEIGHT, pointsOf, WIDTH } from "./frame";
+import { HEIGHT, pointsOf, viewportOfPath, WIDTH } from "./goal_viewport";
 import { Grid, Line, StartMark } from "./parts";
 
 type Points = readonly (readonly number[])[];
@@ -10,9 +10,9 @@ const DENSE = 12;
 
 /** Small picture of a run's path, with a grid that shows its size. */
 export function PathPicture({ path }: { path: Points }) {
-  const frame = frameOfPath(pointsOf(path));
-  const start = frame.place({ x: 0, y: 0 });
-  const last = pointsOf(path.slice(-1)).map(frame.place)[0];
+  const viewport = viewportOfPath(pointsOf(path));
+  const start = viewport.toPixels({ x: 0, y: 0 });
+  const last = pointsOf(path.slice(-1)).map(viewport.toPixels)[0];
   return (
     <svg
       class="path-picture"
@@ -20,10 +20,10 @@ export function PathPicture({ path }: { path: Points }) {
       preserveAspectRatio="xMidYMid slice"
       aria-hidden="true"
     >
-      <Grid frame={frame} every={frame.scale < DENSE ? 5 : 1} />
+      <Grid viewport={viewport} every={viewport.scale < DENSE ? 5 : 1} />
       {last && path.length > 1 ? (
         <>
-          <Line frame={frame} points={path} edged={false} />
+          <Line viewport={viewport} points={path} edged={false} />
           <StartMark at={start} />
           <circle class="path-picture__robot" cx={last.x} cy={last.y} r="8" />
         </>

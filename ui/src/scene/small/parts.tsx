@@ -1,21 +1,24 @@
 import type { XY } from "../frames";
 import { paintOf } from "../paints";
-import { type Frame, pointsOf } from "./frame";
+import { type GoalViewport, pointsOf } from "./goal_viewport";
 
 interface GridProps {
-  frame: Frame;
+  viewport: GoalViewport;
   /** Distance of the lines, metres. */
   every?: number;
 }
 
 /** The lines of the metre grid that are seen. */
-export function Grid({ frame: { box, place }, every = 1 }: GridProps) {
-  const [from, to] = [place({ x: box.left, y: box.top }), place({ x: box.right, y: box.bottom })];
+export function Grid({ viewport: { box, toPixels }, every = 1 }: GridProps) {
+  const [from, to] = [
+    toPixels({ x: box.left, y: box.top }),
+    toPixels({ x: box.right, y: box.bottom }),
+  ];
   const across = stepsIn(box.left, box.right, every).map(
-    (x) => `M${place({ x, y: 0 }).x} ${from.y}V${to.y}`,
+    (x) => `M${toPixels({ x, y: 0 }).x} ${from.y}V${to.y}`,
   );
   const up = stepsIn(box.bottom, box.top, every).map(
-    (y) => `M${from.x} ${place({ x: 0, y }).y}H${to.x}`,
+    (y) => `M${from.x} ${toPixels({ x: 0, y }).y}H${to.x}`,
   );
   return <path class="goal__grid" d={[...across, ...up].join("")} />;
 }
@@ -27,7 +30,7 @@ function stepsIn(from: number, to: number, every: number): number[] {
 }
 
 interface LineProps {
-  frame: Frame;
+  viewport: GoalViewport;
   points: readonly (readonly number[])[];
   /** That of a pen; without it the line is where the robot drives. */
   color?: string | null;
@@ -36,9 +39,9 @@ interface LineProps {
 }
 
 /** What was or is to be driven or drawn. */
-export function Line({ frame, points, color = null, edged = true }: LineProps) {
+export function Line({ viewport, points, color = null, edged = true }: LineProps) {
   const line = pointsOf(points)
-    .map(frame.place)
+    .map(viewport.toPixels)
     .map(({ x, y }) => `${x},${y}`)
     .join(" ");
   return (

@@ -34,7 +34,7 @@ interface ToolbarProps {
 
 /** The floor's main buttons, and a menu with the other tools. */
 export function Toolbar({ scene, tools, again, sensors, onPicture }: ToolbarProps) {
-  const words = texts.value.scene;
+  const labels = texts.value.scene;
   const open = useSignal(false);
   const act = (what: (now: SceneRenderer) => void) => () => {
     const now = scene();
@@ -44,12 +44,12 @@ export function Toolbar({ scene, tools, again, sensors, onPicture }: ToolbarProp
     <div class="scene__tools row top gap-2">
       {open.value && <More tools={tools} scene={scene} sensors={sensors} onPicture={onPicture} />}
       <div class="scene__buttons">
-        <Tool label={words.zoomIn} Icon={Plus} onClick={act((now) => now.zoom(ZOOM_STEP))} />
-        <Tool label={words.zoomOut} Icon={Minus} onClick={act((now) => now.zoom(1 / ZOOM_STEP))} />
-        <Tool label={words.fit} Icon={Scan} onClick={act((now) => now.frame())} />
+        <Tool label={labels.zoomIn} Icon={Plus} onClick={act((now) => now.zoom(ZOOM_STEP))} />
+        <Tool label={labels.zoomOut} Icon={Minus} onClick={act((now) => now.zoom(1 / ZOOM_STEP))} />
+        <Tool label={labels.fit} Icon={Scan} onClick={act((now) => now.frame())} />
         {again && (
           <Tool
-            label={words.again}
+            label={labels.again}
             Icon={RotateCcw}
             testId="start-again"
             disabled={!again.able}
@@ -57,7 +57,7 @@ export function Toolbar({ scene, tools, again, sensors, onPicture }: ToolbarProp
           />
         )}
         <Tool
-          label={open.value ? words.lessTools : words.moreTools}
+          label={open.value ? labels.lessTools : labels.moreTools}
           Icon={open.value ? ChevronsLeft : Wrench}
           testId="scene-tools"
           expanded={open.value}
@@ -73,7 +73,7 @@ export function Toolbar({ scene, tools, again, sensors, onPicture }: ToolbarProp
 type MoreProps = Pick<ToolbarProps, "scene" | "tools" | "sensors" | "onPicture">;
 
 function More({ scene, tools, sensors, onPicture }: MoreProps) {
-  const words = texts.value.scene;
+  const labels = texts.value.scene;
   const ring = (name: Ring, label: string, Icon: typeof Plus) => (
     <Tool
       label={label}
@@ -85,33 +85,33 @@ function More({ scene, tools, sensors, onPicture }: MoreProps) {
     />
   );
   return (
-    <div class="scene__buttons scene__buttons--more" role="toolbar" aria-label={words.moreTools}>
+    <div class="scene__buttons scene__buttons--more" role="toolbar" aria-label={labels.moreTools}>
       <Tool
-        label={words.ruler}
+        label={labels.ruler}
         Icon={Ruler}
         testId="measure-tool"
         name="ruler"
         pressed={tools.tool.value === "ruler"}
-        onClick={() => tools.take("ruler")}
+        onClick={() => tools.toggle("ruler")}
       />
       <Tool
-        label={words.protractor}
+        label={labels.protractor}
         Icon={Triangle}
         testId="measure-tool"
         name="protractor"
         pressed={tools.tool.value === "protractor"}
-        onClick={() => tools.take("protractor")}
+        onClick={() => tools.toggle("protractor")}
       />
-      {sensors && sensors.sonars.length > 0 && ring("sonar", words.sonar, Radio)}
-      {sensors?.laser && ring("lidar", words.lidar, Radar)}
+      {sensors && sensors.sonars.length > 0 && ring("sonar", labels.sonar, Radio)}
+      {sensors?.laser && ring("lidar", labels.lidar, Radar)}
       <Tool
-        label={words.follow}
+        label={labels.follow}
         Icon={LocateFixed}
         testId="follow"
         pressed={tools.follow.value}
         onClick={() => scene()?.follow(!tools.follow.peek())}
       />
-      <Tool label={words.picture} Icon={Camera} testId="scene-picture" onClick={onPicture} />
+      <Tool label={labels.picture} Icon={Camera} testId="scene-picture" onClick={onPicture} />
     </div>
   );
 }

@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
 import { textsOf } from "../../i18n";
-import { toFloor, toScreen } from "../camera";
-import { Pushed } from "../pushed";
+import { BoxInterpolator } from "../box_interpolator";
+import { toFloor, toScreen } from "../viewport";
 import { measured, snapped, turnBetween, turned } from "./measure";
-import { measureWords } from "./measure_view";
+import { measureText } from "./measure_view";
 import { facing, handleOf, movedTo, nudged } from "./start_pose";
 import { SceneTools } from "./tools";
 
@@ -30,27 +30,27 @@ describe("the protractor", () => {
   });
 
   test("says the side in words", () => {
-    const words = (degrees: number) =>
-      measureWords({ kind: "angle", degrees }, textsOf("pt-BR"), "pt-BR");
-    expect(words(90)).toBe("90° à esquerda");
-    expect(words(-44.6)).toBe("45° à direita");
-    expect(words(0.2)).toBe("0°");
+    const angleText = (degrees: number) =>
+      measureText({ kind: "angle", degrees }, textsOf("pt-BR"), "pt-BR");
+    expect(angleText(90)).toBe("90° à esquerda");
+    expect(angleText(-44.6)).toBe("45° à direita");
+    expect(angleText(0.2)).toBe("0°");
   });
 });
 
 describe("tools in the hand", () => {
   test("are put away by taking them again", () => {
     const tools = new SceneTools();
-    tools.take("ruler");
+    tools.toggle("ruler");
     tools.set(at(0, 0));
-    tools.take("ruler");
+    tools.toggle("ruler");
     expect(tools.tool.value).toBeNull();
     expect(tools.points.value).toEqual([]);
   });
 
   test("show what would be measured before the last point is set, and begin anew after it", () => {
     const tools = new SceneTools();
-    tools.take("ruler");
+    tools.toggle("ruler");
     tools.set(at(0, 0));
     tools.draft.value = at(2, 0);
     expect(tools.result.value).toEqual({ kind: "distance", metres: 2 });
@@ -90,22 +90,22 @@ describe("the start", () => {
 });
 
 test("the floor under a place of the canvas is the one that is drawn there", () => {
-  const [camera, size] = [
+  const [viewport, size] = [
     { x: 1, y: -2, scale: 80 },
     { width: 500, height: 300 },
   ];
-  const place = toScreen(camera, size, at(2.5, -1));
-  const back = toFloor(camera, size, place);
+  const place = toScreen(viewport, size, at(2.5, -1));
+  const back = toFloor(viewport, size, place);
   expect([back.x, back.y]).toEqual([expect.closeTo(2.5), expect.closeTo(-1)]);
 });
 
 test("a pushed box glides to where it is, and is back at once when nothing is told of it", () => {
-  const pushed = new Pushed();
-  pushed.approach({ 0: [0, 0, 0] }, 16, false);
-  expect(pushed.approach({ 0: [1, 0, 0] }, 60, false)).toBe(true);
-  expect(pushed.places[0]?.[0]).toBeCloseTo(0.632, 2);
-  expect(pushed.approach({ 0: [1, 0, 0] }, 16, true)).toBe(false);
-  expect(pushed.places[0]).toEqual([1, 0, 0]);
-  pushed.approach({}, 16, false);
-  expect(pushed.places).toEqual({});
+  const interpolator = new BoxInterpolator();
+  interpolator.approach({ 0: [0, 0, 0] }, 16, false);
+  expect(interpolator.approach({ 0: [1, 0, 0] }, 60, false)).toBe(true);
+  expect(interpolator.poses[0]?.[0]).toBeCloseTo(0.632, 2);
+  expect(interpolator.approach({ 0: [1, 0, 0] }, 16, true)).toBe(false);
+  expect(interpolator.poses[0]).toEqual([1, 0, 0]);
+  interpolator.approach({}, 16, false);
+  expect(interpolator.poses).toEqual({});
 });

@@ -29,10 +29,10 @@ export function turnBetween(corner: XY, from: XY, to: XY): number {
 
 /** The nearest snap point within `reach`, else the point itself. */
 export function snapped(point: XY, places: readonly XY[], reach: number): XY {
-  let [best, least] = [point, reach];
+  let [best, minDistance] = [point, reach];
   for (const place of places) {
     const far = distance(place, point);
-    if (far < least) [best, least] = [place, far];
+    if (far < minDistance) [best, minDistance] = [place, far];
   }
   return best;
 }

@@ -3,7 +3,7 @@ import { listen } from "../../kit/listen";
 import type { XY } from "../frames";
 import type { SceneRenderer } from "../renderer";
 import { POINTS_OF, snapped } from "./measure";
-import { facing, handleOf, isStartKey, movedTo, nudged, wayOf } from "./start_pose";
+import { directionOf, facing, handleOf, isStartKey, movedTo, nudged } from "./start_pose";
 import type { SceneTools } from "./tools";
 
 /** A robot that can be dragged. */
@@ -22,7 +22,7 @@ interface Floor {
   readonly tools: SceneTools;
   grip(): Grip | null;
   /** Points that measurements snap to, world frame. */
-  places(): XY[];
+  snapPoints(): XY[];
 }
 
 /** Touch radius in pixels, and the largest movement that still counts as a click. */
@@ -38,7 +38,7 @@ export function listenToPointer(floor: Floor): () => void {
   let mode: Mode | null = null;
   let last: XY = { x: 0, y: 0 };
   let far = 0;
-  let began: Start | null = null;
+  let dragStart: Start | null = null;
   /** The current press set the first point. */
   let fresh = false;
 
@@ -47,7 +47,7 @@ export function listenToPointer(floor: Floor): () => void {
     return scene.floorAt({ x: event.clientX - box.left, y: event.clientY - box.top });
   };
   const snap = (event: PointerEvent) =>
-    snapped(placeOf(event), floor.places(), REACH_PX * 0.75 * scene.pixel);
+    snapped(placeOf(event), floor.snapPoints(), REACH_PX * 0.75 * scene.pixel);
 
   const down = (event: PointerEvent) => {
     if (event.button !== 0) return;
@@ -57,7 +57,7 @@ export function listenToPointer(floor: Floor): () => void {
     mode = tools.tool.peek() ? "measure" : holdAt(placeOf(event), floor);
     if (mode === "measure") fresh = beginMeasure(tools, snap(event));
     if (mode !== "move" && mode !== "turn") return;
-    began = floor.grip()?.here ?? null;
+    dragStart = floor.grip()?.here ?? null;
     scene.hold(true);
   };
   const move = (event: PointerEvent) => {
@@ -68,14 +68,16 @@ export function listenToPointer(floor: Floor): () => void {
     else if (mode === "pan") {
       scene.pan(dx, dy);
       last = { x: event.clientX, y: event.clientY };
-    } else if (far >= CLICK_PX) take(event, mode);
+    } else if (far >= CLICK_PX) drag(event, mode);
   };
-  const take = (event: PointerEvent, how: "move" | "turn") => {
+  const drag = (event: PointerEvent, how: "move" | "turn") => {
     const grip = floor.grip();
-    if (!grip || !began) return;
+    if (!grip || !dragStart) return;
     const place = placeOf(event);
     const free = event.shiftKey;
-    grip.put(how === "turn" ? facing(began, place, free) : movedTo(began, place, grip.world, free));
+    grip.put(
+      how === "turn" ? facing(dragStart, place, free) : movedTo(dragStart, place, grip.world, free),
+    );
   };
   const hover = (event: PointerEvent) => {
     const { value: tool } = tools.tool;
@@ -143,10 +145,10 @@ function measureKey(event: KeyboardEvent, { scene, tools }: Floor): boolean {
     tools.set(now);
     return true;
   }
-  const way = wayOf(event.key);
-  if (!way) return false;
+  const direction = directionOf(event.key);
+  if (!direction) return false;
   const step = event.shiftKey ? 0.01 : 0.1;
-  tools.draft.value = { x: now.x + way[0] * step, y: now.y + way[1] * step };
+  tools.draft.value = { x: now.x + direction[0] * step, y: now.y + direction[1] * step };
   return true;
 }
 

@@ -28,9 +28,9 @@ export function facing(start: Start, place: XY, free: boolean): Start {
 /** Moves or turns a start by one key press: metres, or degrees to the left. */
 export function nudged(start: Start, key: string, world: World | null, fine: boolean): Start {
   const step = fine ? 0.01 : 0.1;
-  const way = KEYS[key];
-  if (way) {
-    const place = { x: start.x_m + way[0] * step, y: start.y_m + way[1] * step };
+  const direction = KEYS[key];
+  if (direction) {
+    const place = { x: start.x_m + direction[0] * step, y: start.y_m + direction[1] * step };
     return movedTo(start, place, world, fine);
   }
   const turn = { ",": 1, ".": -1, "<": 1, ">": -1 }[key] ?? 0;
@@ -47,7 +47,7 @@ const KEYS: Readonly<Record<string, readonly [number, number]>> = {
 export const isStartKey = (key: string) => key in KEYS || [",", ".", "<", ">"].includes(key);
 
 /** Direction of an arrow key. */
-export const wayOf = (key: string) => KEYS[key];
+export const directionOf = (key: string) => KEYS[key];
 
 const round = (value: number, digits: number) => {
   const rounded = Math.round(value * 10 ** digits) / 10 ** digits;

@@ -26,7 +26,7 @@ export class SceneTools {
   });
 
   /** Activates a tool; the active one is deactivated. */
-  take(tool: MeasureTool | null): void {
+  toggle(tool: MeasureTool | null): void {
     this.tool.value = this.tool.peek() === tool ? null : tool;
     this.points.value = [];
     this.draft.value = null;

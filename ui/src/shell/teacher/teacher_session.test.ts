@@ -35,8 +35,8 @@ describe("what only the teacher may do", () => {
   });
 
   test("says what else went wrong", async () => {
-    const taken = new ApiError(409, { code: "group_exists" });
-    await expect(asTeacher(() => Promise.reject(taken))).rejects.toBe(taken);
+    const conflict = new ApiError(409, { code: "group_exists" });
+    await expect(asTeacher(() => Promise.reject(conflict))).rejects.toBe(conflict);
     expect(teacherSession.value).toEqual(OPEN);
   });
 });

@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { texts } from "../../i18n";
-import { WayBack } from "../../kit/WayBack";
+import { UndoBanner } from "../../kit/UndoBanner";
 import { restoredFrom } from "../program/restored_from";
 import type { StudioControl } from "../studio_control";
 
@@ -12,16 +12,16 @@ export function BackFromOld({ control }: { control: StudioControl }) {
   useEffect(() => forget, []);
   const { value: step } = restoredFrom;
   if (step?.program !== control.open.id) return null;
-  const words = texts.value.keeping;
+  const labels = texts.value.keeping;
   const { from, instead } = step;
   const back = async () => {
     forget();
-    await control.backTo(instead.id);
+    await control.restoreVersion(instead.id);
   };
   return (
-    <WayBack
-      words={words.wentOn(from.number, instead.number)}
-      action={words.backTo(instead.number)}
+    <UndoBanner
+      text={labels.wentOn(from.number, instead.number)}
+      action={labels.backTo(instead.number)}
       testId="version-return"
       onBack={back}
       onClose={forget}

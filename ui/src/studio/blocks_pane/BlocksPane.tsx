@@ -14,8 +14,8 @@ import { createEditor, type Editor } from "../../editor";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Select } from "../../kit/Select";
-import { WayBack } from "../../kit/WayBack";
-import { later } from "../../shell/later";
+import { UndoBanner } from "../../kit/UndoBanner";
+import { lazy } from "../../shell/lazy";
 import {
   LEVELS,
   level,
@@ -31,14 +31,14 @@ import { theme } from "../../shell/theme";
 import { breakpoints } from "../debug/debugging";
 import type { StudioControl } from "../studio_control";
 import { BackFromOld } from "./BackFromOld";
-import { Elsewhere } from "./Elsewhere";
 import { FaultList } from "./FaultList";
 import { InBin } from "./InBin";
 import { LessonMission } from "./LessonMission";
 import { OtherWindow } from "./OtherWindow";
-import { Turns } from "./Turns";
+import { ParallelBranchNotice } from "./ParallelBranchNotice";
+import { SwapReminder } from "./SwapReminder";
 
-const MissionCard = later(async () => (await import("../mission/MissionCard")).MissionCard);
+const MissionCard = lazy(async () => (await import("../mission/MissionCard")).MissionCard);
 
 export function BlocksPane({ control }: { control: StudioControl }) {
   const { studio } = texts.value;
@@ -48,11 +48,11 @@ export function BlocksPane({ control }: { control: StudioControl }) {
       {control.open.setup.value.activity && <MissionCard control={control} />}
       <LessonMission open={control.open} />
       <InBin open={control.open} />
-      <Elsewhere program={control.open.program} />
+      <ParallelBranchNotice program={control.open.program} />
       <OtherWindow open={control.open} />
       <BackFromOld control={control} />
       <Swap control={control} />
-      <Turns group={control.open.program.group_id} />
+      <SwapReminder group={control.open.program.group_id} />
       <Workspace control={control} />
       <FaultList faults={control.open.faults.value} onGo={(fault) => control.goTo(fault)} />
     </section>
@@ -106,17 +106,17 @@ function HistoryButton({ control: { open } }: { control: StudioControl }) {
 }
 
 function LevelChoice() {
-  const words = texts.value.level;
+  const labels = texts.value.level;
   return (
     <Select
       class="blocks__level"
       icon={Layers}
-      label={words.label}
-      tip={words.label}
+      label={labels.label}
+      tip={labels.label}
       testId="level"
       value={shown.value}
       options={[
-        ...(missionLevel.value?.blocks ? ([["mission", words.mission]] as const) : []),
+        ...(missionLevel.value?.blocks ? ([["mission", labels.mission]] as const) : []),
         ...LEVELS.map((one) => [one, levelNames()[one]] as const),
       ]}
       onChange={setLevel}
@@ -131,8 +131,8 @@ function Swap({ control }: { control: StudioControl }) {
   const { python } = texts.value;
   const placed = replaced.now === "placed";
   return (
-    <WayBack
-      words={placed ? python.placed : python.broughtBack}
+    <UndoBanner
+      text={placed ? python.placed : python.broughtBack}
       action={placed ? python.bringBack : python.placeAgain}
       testId="swap-back"
       onBack={() => control.swapBack()}
@@ -160,7 +160,7 @@ function Workspace({ control }: { control: StudioControl }) {
       programName: () => program.value?.name ?? control.open.program.name,
       onChange: (content) => control.onEdit(content),
       onNothingToUndo: () => control.undoPast(),
-      peek: (expression) => control.peek(expression),
+      evaluate: (expression) => control.evaluate(expression),
       onBreakpoints: (ids) => {
         breakpoints.value = ids;
       },

@@ -1,24 +1,24 @@
 import { useSignal } from "@preact/signals";
 import { versionsApi } from "../../api/versions";
 import { texts } from "../../i18n";
-import { WayBack } from "../../kit/WayBack";
+import { UndoBanner } from "../../kit/UndoBanner";
 import type { OpenProgram } from "../program/open_program";
 
 /** Reports that the open program was moved to the bin, in any window, and offers undo. */
 export function InBin({ open }: { open: OpenProgram }) {
   const closed = useSignal(false);
   if (closed.value || !open.inBin.value || open.deleted.value) return null;
-  const words = texts.value.keeping;
-  const takeBack = async () => {
-    await versionsApi.takeBack(open.id);
+  const labels = texts.value.keeping;
+  const restore = async () => {
+    await versionsApi.restore(open.id);
     open.inBin.value = false;
   };
   return (
-    <WayBack
-      words={words.inBin}
-      action={words.takeBack}
+    <UndoBanner
+      text={labels.inBin}
+      action={labels.takeBack}
       testId="take-back"
-      onBack={takeBack}
+      onBack={restore}
       onClose={() => {
         closed.value = true;
       }}

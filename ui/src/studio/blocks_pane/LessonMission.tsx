@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { Target } from "lucide-preact";
 import { texts } from "../../i18n";
-import { WayBack } from "../../kit/WayBack";
+import { UndoBanner } from "../../kit/UndoBanner";
 import { beginActivity } from "../../shell/begin_activity";
 import { lesson } from "../../shell/lesson";
 import type { OpenProgram } from "../program/open_program";
@@ -14,8 +14,8 @@ export function LessonMission({ open }: { open: OpenProgram }) {
   if (!mission || mission === open.setup.value.activity || mission === closedFor.value) return null;
   const { activity } = texts.value;
   return (
-    <WayBack
-      words={activity.ofLesson(now.activity || now.title)}
+    <UndoBanner
+      text={activity.ofLesson(now.activity || now.title)}
       action={activity.openOfLesson}
       Icon={Target}
       testId="lesson-mission"

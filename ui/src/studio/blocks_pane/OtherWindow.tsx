@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { FileClock, History } from "lucide-preact";
 import { texts } from "../../i18n";
-import { WayBack } from "../../kit/WayBack";
+import { UndoBanner } from "../../kit/UndoBanner";
 import { go } from "../../shell/route";
 import { type OpenProgram, openNewest } from "../program/open_program";
 
@@ -11,12 +11,12 @@ export function OtherWindow({ open }: { open: OpenProgram }) {
   const { other, isOvertaken } = open.windows;
   const { value: version } = other;
   if (closed.value || version === null || open.deleted.value) return null;
-  const words = texts.value.keeping;
+  const labels = texts.value.keeping;
   const toNewest = isOvertaken.value;
   return (
-    <WayBack
-      words={words.otherWindow}
-      action={toNewest ? words.openNewest : words.seeOther}
+    <UndoBanner
+      text={labels.otherWindow}
+      action={toNewest ? labels.openNewest : labels.seeOther}
       Icon={toNewest ? FileClock : History}
       testId="other-window"
       onBack={() =>

@@ -8,7 +8,7 @@ import { LIFELIKE } from "../program/setup";
 export const breakpoints = signal<readonly string[]>([]);
 
 /** The settings that a new run of a program begins with. */
-export function runSettings({ setup }: OpenProgram, paused: boolean): robot.Debugging {
+export function runSettings({ setup }: OpenProgram, paused: boolean): robot.RunOptions {
   const { model, preset, feedback, speed } = setup.peek();
   // on the first level the choice is hidden, so an earlier choice must not apply
   const chosen = level.peek() > 1 ? { model, preset, feedback } : LIFELIKE.ideal;
@@ -16,7 +16,7 @@ export function runSettings({ setup }: OpenProgram, paused: boolean): robot.Debu
 }
 
 /** Sends changes of these settings to the live run; returns the unsubscribe function. */
-export function tellRun(open: OpenProgram, report: (error: unknown) => void): () => void {
+export function syncRunSettings(open: OpenProgram, report: (error: unknown) => void): () => void {
   let first = true;
   const speed = computed(() => open.setup.value.speed);
   const stops = [

@@ -1,13 +1,13 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../../api/client";
-import { sensorWords } from "../../blocks/sensor_words";
+import { sensorText } from "../../blocks/sensor_text";
 import * as robot from "../../run/live";
 
 /** A sensor reading of the program document. */
 type Sensor = { readonly sensor: string };
 type Row = readonly [name: string, value: unknown];
 
-const MOST = 8;
+const MAX_SENSORS = 8;
 
 /** Measurements of the program's sensors while the run is paused. */
 export const sensorValues = signal<readonly Row[]>([]);
@@ -33,7 +33,7 @@ export function watchSensors(documentThatRuns: () => unknown): () => void {
 async function measured(run: string, sensors: readonly Sensor[]): Promise<readonly Row[]> {
   const answers = sensors.map(async (sensor) => {
     const { value, problem } = await api.command(run, { do: "evaluate", expression: sensor });
-    return [sensorWords(sensor), problem ?? value] as const;
+    return [sensorText(sensor), problem ?? value] as const;
   });
   return Promise.all(answers).catch(() => []);
 }
@@ -42,7 +42,7 @@ async function measured(run: string, sensors: readonly Sensor[]): Promise<readon
 export function sensorsIn(document: unknown): readonly Sensor[] {
   const found = new Map<string, Sensor>();
   const waiting: unknown[] = [document];
-  while (waiting.length > 0 && found.size < MOST) {
+  while (waiting.length > 0 && found.size < MAX_SENSORS) {
     const value = waiting.shift();
     if (typeof value !== "object" || value === null) continue;
     if ("sensor" in value && isPlain(value)) found.set(JSON.stringify(value), value as Sensor);

@@ -1,10 +1,10 @@
 import { ArrowLeftRight } from "lucide-preact";
 import { CameraPicture } from "../../camera/CameraPicture";
+import { CurrentSign } from "../../camera/CurrentSign";
 import { drawnHand } from "../../camera/drawn_hand";
-import { NowSeen } from "../../camera/NowSeen";
-import { type Reading, readingOf } from "../../camera/reading";
 import { hasDrawing, SignDrawing } from "../../camera/SignDrawing";
 import { hasPicture, sight } from "../../camera/sight";
+import { type SignState, signStateOf } from "../../camera/sign_state";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 
@@ -16,7 +16,7 @@ interface CaptureCameraProps {
 
 /** What the camera sees while the program waits for a sign, and the signs that the program knows what to do with. */
 export function CaptureCamera({ expected, onAnswer }: CaptureCameraProps) {
-  const reading = readingOf(sight.value);
+  const signState = signStateOf(sight.value);
   return (
     <div class="capture__camera">
       <div class="capture__picture">
@@ -26,8 +26,10 @@ export function CaptureCamera({ expected, onAnswer }: CaptureCameraProps) {
         class="capture__seen column shrinks gap-1"
         hidden={!hasPicture.value && expected.length === 0}
       >
-        <NowSeen progress={sight.value?.progress ?? 0} />
-        {expected.length > 0 && <Expected signs={expected} reading={reading} onAnswer={onAnswer} />}
+        <CurrentSign progress={sight.value?.progress ?? 0} />
+        {expected.length > 0 && (
+          <Expected signs={expected} signState={signState} onAnswer={onAnswer} />
+        )}
       </div>
     </div>
   );
@@ -35,14 +37,14 @@ export function CaptureCamera({ expected, onAnswer }: CaptureCameraProps) {
 
 interface ExpectedProps {
   signs: readonly string[];
-  reading: Reading;
+  signState: SignState;
   onAnswer(result: string): void;
 }
 
 /** Each is a way to answer too; the last button turns the drawings to the other hand. */
-function Expected({ signs, reading, onAnswer }: ExpectedProps) {
+function Expected({ signs, signState, onAnswer }: ExpectedProps) {
   const { camera, capture } = texts.value;
-  const seen = reading.kind === "sure" ? reading.best : null;
+  const detected = signState.kind === "sure" ? signState.best : null;
   const hand = drawnHand.value;
   return (
     <div class="expected">
@@ -57,7 +59,7 @@ function Expected({ signs, reading, onAnswer }: ExpectedProps) {
                 tip={capture.answer(sign)}
                 testId="expected-sign"
                 data-sign={sign}
-                data-seen={String(sign === seen)}
+                data-seen={String(sign === detected)}
                 onPress={() => onAnswer(sign)}
               >
                 {hasDrawing(sign) && <SignDrawing sign={sign} hand={hand} />}

@@ -1,10 +1,10 @@
 import { act, cleanup, fireEvent, render, waitFor } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { changed, hand, seen } from "../../camera/testing/seen";
+import { changed, hand, sightOf } from "../../camera/testing/camera_events";
 import { speak } from "../../i18n";
 import { passesAxe } from "../../kit/testing/control";
 
-const cameraApi = { status: vi.fn(), choose: vi.fn(), wake: vi.fn() };
+const cameraApi = { status: vi.fn(), choose: vi.fn(), warmUp: vi.fn() };
 vi.mock("../../api/camera", () => ({ cameraApi, previewAddress: () => "" }));
 
 const signsApi = { use: vi.fn() };
@@ -19,7 +19,7 @@ const capture = { block: "b", timeoutS: 10, leftS: 7.2 };
 const onAnswer = vi.fn();
 
 /** A class that taught these signs. */
-const knows = (...names: string[]) => {
+const teachSigns = (...names: string[]) => {
   const taught = names.map((name) => ({
     name,
     is_letter: false,
@@ -39,7 +39,7 @@ beforeEach(async () => {
   vi.clearAllMocks();
   cameraApi.status.mockResolvedValue({ state: "on", source: "0", problem: null });
   cameraApi.choose.mockResolvedValue({ state: "opening", source: "1", problem: null });
-  await knows();
+  await teachSigns();
   receive(changed("on"));
 });
 afterEach(cleanup);
@@ -71,7 +71,7 @@ describe("a program that waits for a sign", () => {
     const { container, findAllByTestId } = draw();
     const signs = await findAllByTestId("expected-sign");
     expect(signs.map((one) => one.dataset.sign)).toEqual(["B", "L"]);
-    act(() => receive(seen(hand({ best: "L" }))));
+    act(() => receive(sightOf(hand({ best: "L" }))));
     expect(signs.map((one) => one.dataset.seen)).toEqual(["false", "true"]);
     await passesAxe(container);
   });
@@ -99,7 +99,7 @@ describe("a program that waits for a sign", () => {
   });
 
   test("can be answered with a sign that the class taught, and with one that only the program knows", async () => {
-    await knows("vai", "7");
+    await teachSigns("vai", "7");
     const { container, getAllByTestId } = draw(["B", "pare"]);
     const kinds = getAllByTestId("capture-kind");
     expect(kinds[0]?.getAttribute("aria-selected")).toBe("true");
@@ -113,7 +113,7 @@ describe("a program that waits for a sign", () => {
   });
 
   test("begins with the signs of the class where the program expects no letter", async () => {
-    await knows("vai");
+    await teachSigns("vai");
     const { getAllByTestId, findAllByTestId } = draw(["vai"]);
     expect(getAllByTestId("capture-letter").map((one) => one.dataset.letter)).toEqual(["vai", ""]);
     const [expected] = await findAllByTestId("expected-sign");
@@ -123,7 +123,7 @@ describe("a program that waits for a sign", () => {
   });
 
   test("has a drawing for what the class taught, and its name where there is none", async () => {
-    await knows("vai");
+    await teachSigns("vai");
     const { findAllByTestId } = draw(["vai", "bom dia"]);
     const [taught, unknown] = await findAllByTestId("expected-sign");
     expect(taught?.querySelector("svg path")).toBeTruthy();
@@ -136,7 +136,7 @@ describe("a program that waits for a sign", () => {
   });
 
   test("finds one of many signs by its name, and answers it with Enter", async () => {
-    await knows(...Array.from({ length: 58 }, (_, n) => `sinal ${n}`), "coração", "cor");
+    await teachSigns(...Array.from({ length: 58 }, (_, n) => `sinal ${n}`), "coração", "cor");
     const { getAllByTestId, getByTestId } = draw(["cor"]);
     const field = getByTestId("capture-find");
     fireEvent.keyDown(field, { key: "Enter" });
@@ -156,7 +156,7 @@ describe("a program that waits for a sign", () => {
     };
     const right = await path();
     act(() => {
-      for (let n = 0; n < 4; n++) receive(seen(hand({ handedness: "left" })));
+      for (let n = 0; n < 4; n++) receive(sightOf(hand({ handedness: "left" })));
     });
     expect(await path()).not.toBe(right);
     fireEvent.click(await findByTestId("drawn-hand"));

@@ -1,20 +1,20 @@
 import { Hand } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
-import { hasPicture, wake } from "../../camera/sight";
+import { hasPicture, warmUp } from "../../camera/sight";
 import { listenForSigns } from "../../camera/signs";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import type { Capture } from "../../run/reducer";
-import { fetchPart, later } from "../../shell/later";
+import { fetchPart, lazy } from "../../shell/lazy";
 import { SignAnswers } from "./SignAnswers";
 
 const load = async () => (await import("./CaptureCamera")).CaptureCamera;
-const CaptureCamera = later(load);
-const CameraChoice = later(async () => (await import("../../camera/CameraChoice")).CameraChoice);
+const CaptureCamera = lazy(load);
+const CameraChoice = lazy(async () => (await import("../../camera/CameraChoice")).CameraChoice);
 
 /** The program that is open will ask for a sign: camera and panel are ready by then. What fails now says so then. */
 export function prepareCapture(): void {
-  wake();
+  warmUp();
   fetchPart(load).catch(() => {});
 }
 
@@ -27,12 +27,12 @@ interface CapturePanelProps {
 
 /** The program waits for a sign: the camera sees it, or the group says which one it was. */
 export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps) {
-  const words = texts.value.capture;
+  const labels = texts.value.capture;
   useLayoutEffect(() => listenForSigns(onAnswer));
   return (
     <section
       class={`capture column shrinks-down ${hasPicture.value ? "capture--camera" : ""}`}
-      aria-label={words.title}
+      aria-label={labels.title}
       data-testid="capture"
     >
       <Head capture={capture} />
@@ -43,16 +43,16 @@ export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps)
 }
 
 function Head({ capture: { leftS, timeoutS } }: { capture: Capture }) {
-  const words = texts.value.capture;
+  const labels = texts.value.capture;
   const shown = decimal(Math.ceil(leftS), 0, language.value);
   return (
     <>
       <div class="capture__head row middle gap-3">
         <Hand class="icon capture__hand" aria-hidden="true" />
-        <h2 class="capture__title">{hasPicture.value ? words.show : words.title}</h2>
+        <h2 class="capture__title">{hasPicture.value ? labels.show : labels.title}</h2>
         <CameraChoice />
-        <span class="capture__left" role="timer" aria-label={words.leftHelp(shown)}>
-          {words.left(shown)}
+        <span class="capture__left" role="timer" aria-label={labels.leftHelp(shown)}>
+          {labels.left(shown)}
         </span>
       </div>
       <div class="capture__bar" aria-hidden="true">

@@ -2,15 +2,15 @@ import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { ChartLine, FileCode } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { texts } from "../../i18n";
-import { FootButton } from "../../kit/FootButton";
-import { WayBack } from "../../kit/WayBack";
+import { PanelToggle } from "../../kit/PanelToggle";
+import { UndoBanner } from "../../kit/UndoBanner";
+import { shown } from "../../run/inspected_tick";
 import * as robot from "../../run/live";
-import { shown } from "../../run/moment";
 import { Readout } from "../../run/panels/Readout";
 import { StatusLine } from "../../run/panels/StatusLine";
 import { isLive } from "../../run/reducer";
 import { helpIsOpen } from "../../shell/help";
-import { later } from "../../shell/later";
+import { lazy } from "../../shell/lazy";
 import { BeforeRun } from "../real_robot/BeforeRun";
 import { Controls } from "../run_bar/Controls";
 import type { StudioControl } from "../studio_control";
@@ -18,8 +18,8 @@ import { DRAWER, type DrawerState } from "../text/drawer";
 import { prepareCapture } from "./CapturePanel";
 import { Stage } from "./Stage";
 
-const PastRun = later(async () => (await import("./PastRun")).PastRun);
-const HelpPanel = later(async () => (await import("../help/HelpPanel")).HelpPanel);
+const PastRun = lazy(async () => (await import("./PastRun")).PastRun);
+const HelpPanel = lazy(async () => (await import("../help/HelpPanel")).HelpPanel);
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
@@ -40,8 +40,8 @@ export function FloorPane({ control }: { control: StudioControl }) {
   const { python, plots } = texts.value;
   // unsaved Python text must not be discarded
   const busy = open && editing;
-  const show = (wanted: DrawerState["what"]) => {
-    drawer.value = { ...drawer.value, what: wanted, open: !open || what !== wanted };
+  const show = (requested: DrawerState["what"]) => {
+    drawer.value = { ...drawer.value, what: requested, open: !open || what !== requested };
   };
   return (
     <section class="floor column shrinks shrinks-down gap-2" aria-label={texts.value.studio.floor}>
@@ -54,19 +54,19 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <RunTime control={control} />
       <div class="floor__foot card">
         <Readout view={shown} />
-        <FootButton
+        <PanelToggle
           testId="plots-toggle"
           icon={ChartLine}
-          word={plots.open}
+          text={plots.open}
           label={plots.label}
           open={open && what === "plots"}
           disabled={busy}
           onPress={() => show("plots")}
         />
-        <FootButton
+        <PanelToggle
           testId="ir-toggle"
           icon={FileCode}
-          word={python.short}
+          text={python.short}
           label={python.open}
           open={open && what === "text"}
           disabled={busy}
@@ -93,8 +93,8 @@ function Forgotten({ control: { worlds } }: { control: StudioControl }) {
   const { world } = texts.value;
   if (!worlds.forgotten.value) return null;
   return (
-    <WayBack
-      words={world.forgotten}
+    <UndoBanner
+      text={world.forgotten}
       action={world.bringBack}
       testId="world-bring-back"
       onBack={() => worlds.bringBack()}

@@ -4,14 +4,14 @@ import { language, texts } from "../../i18n";
 import { duration } from "../../i18n/format";
 import { LinkButton } from "../../kit/LinkButton";
 import { listen } from "../../kit/listen";
+import { inspectedTick, inspectTick } from "../../run/inspected_tick";
 import { live } from "../../run/live";
 import { record } from "../../run/live_record";
-import { moment, showMoment } from "../../run/moment";
 import { TimeStrip } from "../../run/panels/TimeStrip";
 import { stepFrom } from "../../run/playback";
 import { hashOf } from "../../shell/route";
 
-const WAYS: Readonly<Record<string, -1 | 1>> = { ArrowLeft: -1, ArrowRight: 1 };
+const DIRECTIONS: Readonly<Record<string, -1 | 1>> = { ArrowLeft: -1, ArrowRight: 1 };
 
 /** The time of the run that is over: shows its moments on the floor and in the blocks, until the group does something else. */
 export function PastRun() {
@@ -41,12 +41,12 @@ export function PastRun() {
 function Strip() {
   record.revision.value; // the last samples may come after the end
   const { lastTick: end, stretches } = record;
-  const tick = moment.value?.tick ?? end;
+  const tick = inspectedTick.value?.tick ?? end;
   const time = (ticks: number) => duration(ticks / 30, language.value);
   const step = (key: string) => {
-    const way = WAYS[key];
-    if (way) showMoment(stepFrom(stretches, tick, way, end));
-    return way !== undefined;
+    const direction = DIRECTIONS[key];
+    if (direction) inspectTick(stepFrom(stretches, tick, direction, end));
+    return direction !== undefined;
   };
   return (
     <div class="grows shrinks" title={texts.value.run.timeHelp}>
@@ -56,7 +56,7 @@ function Strip() {
         end={end}
         time={texts.value.replay.at(time(tick), time(end))}
         testId="past-run-slider"
-        onTick={showMoment}
+        onTick={inspectTick}
         onKey={step}
       />
     </div>
@@ -66,19 +66,19 @@ function Strip() {
 /** A press or the focus outside of the floor's side, Escape, or another screen ends the moment. */
 function returnsToEnd(): () => void {
   const leave = ({ target }: Event) => {
-    if (target instanceof Element && !target.closest(".floor")) showMoment(null);
+    if (target instanceof Element && !target.closest(".floor")) inspectTick(null);
   };
   const stop = listen(
     window,
     {
       pointerdown: leave,
       focusin: leave,
-      keydown: ({ key }) => key === "Escape" && showMoment(null),
+      keydown: ({ key }) => key === "Escape" && inspectTick(null),
     },
     { capture: true },
   );
   return () => {
     stop();
-    showMoment(null);
+    inspectTick(null);
   };
 }

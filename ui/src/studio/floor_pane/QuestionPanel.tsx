@@ -4,10 +4,10 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
 import type { Question } from "../../run/output";
-import { saidWords } from "../../run/values";
+import { localizeNumbers } from "../../run/values";
 
 /** Maximum length of an answer, as in the server. */
-const LONGEST = 1000;
+const MAX_LENGTH = 1000;
 
 interface QuestionPanelProps {
   question: Question;
@@ -16,8 +16,8 @@ interface QuestionPanelProps {
 
 /** Asks the question of the program. */
 export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
-  const words = texts.value.question;
-  const asked = saidWords(question.text, language.value);
+  const labels = texts.value.question;
+  const asked = localizeNumbers(question.text, language.value);
   const [value, setValue] = useState("");
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => focusUnlessBusy(field.current), [question]);
@@ -25,13 +25,13 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
   return (
     <Form
       class="question"
-      aria-label={words.title}
+      aria-label={labels.title}
       testId="question"
       onSubmit={() => !isBlank && onAnswer(value)}
     >
       <CircleQuestionMark class="icon question__icon" aria-hidden="true" />
       <div>
-        <h2 class="question__title">{words.title}</h2>
+        <h2 class="question__title">{labels.title}</h2>
         <p class="question__text" data-testid="question-text">
           {asked}
         </p>
@@ -41,11 +41,11 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           class="field"
           ref={field}
           value={value}
-          maxLength={LONGEST}
+          maxLength={MAX_LENGTH}
           autoComplete="off"
           spellcheck={false}
           aria-label={asked}
-          placeholder={words.answer}
+          placeholder={labels.answer}
           data-testid="answer"
           onInput={(event) => setValue(event.currentTarget.value)}
         />
@@ -57,10 +57,10 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           testId="send-answer"
           disabled={isBlank}
         >
-          {words.send}
+          {labels.send}
         </Button>
       </div>
-      <p class="question__hint aside">{words.keptIn(question.variable)}</p>
+      <p class="question__hint aside">{labels.keptIn(question.variable)}</p>
     </Form>
   );
 }

@@ -6,7 +6,7 @@ import { rove } from "../../kit/roving";
 import { Tabs } from "../../kit/Tabs";
 
 /** With more signs than these one looks for them by name. */
-const MOST_AT_A_GLANCE = 12;
+const MAX_WITHOUT_SEARCH = 12;
 
 interface SignAnswersProps {
   /** The signs that the program compares the answer with. */
@@ -16,24 +16,24 @@ interface SignAnswersProps {
 
 /** A button for every answer: letters, signs that the class taught, signs that only the program knows, none. */
 export function SignAnswers({ expected, onAnswer }: SignAnswersProps) {
-  const words = texts.value.capture;
+  const labels = texts.value.capture;
   const others = [...new Set([...signNames.value, ...expected])].filter(
     (name) => !LETTERS.includes(name),
   );
   const first = expected.length > 0 && expected.every((name) => others.includes(name));
   const shown = useSignal<"letters" | "signs">(first ? "signs" : "letters");
   const kinds = [
-    ["letters", words.letters],
-    ["signs", words.signs(others.length)],
+    ["letters", labels.letters],
+    ["signs", labels.signs(others.length)],
   ] as const;
   const hasSigns = others.length > 0;
   return (
     <>
       <div class="capture__by-hand aside">
-        <p>{words.byHand}</p>
+        <p>{labels.byHand}</p>
         {hasSigns && (
           <Tabs
-            label={words.kinds}
+            label={labels.kinds}
             value={shown.value}
             options={kinds}
             testId="capture-kind"
@@ -64,12 +64,12 @@ interface SignsProps {
 
 /** One stop of the Tab key; arrow keys go from sign to sign. Enter answers the first that was found. */
 function Signs({ names, onAnswer }: SignsProps) {
-  const words = texts.value.capture;
-  const wanted = useSignal("");
-  const found = names.filter((name) => folded(name).includes(folded(wanted.value)));
-  const isLong = names.length > MOST_AT_A_GLANCE;
+  const labels = texts.value.capture;
+  const query = useSignal("");
+  const found = names.filter((name) => folded(name).includes(folded(query.value)));
+  const isLong = names.length > MAX_WITHOUT_SEARCH;
   const answerFirst = (event: KeyboardEvent) => {
-    if (event.key === "Enter" && wanted.value.trim() && found[0]) onAnswer(found[0]);
+    if (event.key === "Enter" && query.value.trim() && found[0]) onAnswer(found[0]);
   };
   return (
     <>
@@ -78,25 +78,25 @@ function Signs({ names, onAnswer }: SignsProps) {
           <input
             type="search"
             class="field"
-            aria-label={words.find}
-            placeholder={words.find}
+            aria-label={labels.find}
+            placeholder={labels.find}
             autocomplete="off"
             spellcheck={false}
             data-testid="capture-find"
             onInput={(event) => {
-              wanted.value = event.currentTarget.value;
+              query.value = event.currentTarget.value;
             }}
             onKeyDown={answerFirst}
           />
           <None onAnswer={onAnswer} />
         </div>
       )}
-      <fieldset class="capture__signs" aria-label={words.signs(found.length)} onKeyDown={rove}>
+      <fieldset class="capture__signs" aria-label={labels.signs(found.length)} onKeyDown={rove}>
         {found.map((name, at) => (
           <Answer key={name} result={name} tabIndex={at === 0 ? 0 : -1} onAnswer={onAnswer} />
         ))}
         {!isLong && <None onAnswer={onAnswer} />}
-        {found.length === 0 && <p class="capture__nothing">{words.nothing}</p>}
+        {found.length === 0 && <p class="capture__nothing">{labels.nothing}</p>}
       </fieldset>
     </>
   );
@@ -129,16 +129,16 @@ function Answer({ result, tabIndex, onAnswer }: AnswerProps) {
 }
 
 function None({ onAnswer }: Pick<AnswerProps, "onAnswer">) {
-  const words = texts.value.capture;
+  const labels = texts.value.capture;
   return (
     <Button
       class="capture__letter capture__none"
-      label={words.noneHelp}
+      label={labels.noneHelp}
       testId="capture-letter"
       data-letter=""
       onPress={() => onAnswer("")}
     >
-      {words.none}
+      {labels.none}
     </Button>
   );
 }

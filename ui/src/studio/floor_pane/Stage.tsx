@@ -4,17 +4,17 @@ import { worldTitle } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { liveSource } from "../../plots/live_source";
+import { isNow, shown, shownPose } from "../../run/inspected_tick";
 import * as robot from "../../run/live";
-import { isNow, shown, shownPose } from "../../run/moment";
 import type { Question } from "../../run/output";
 import { MuteButton } from "../../run/panels/MuteButton";
 import { Shown } from "../../run/panels/Shown";
 import { chosenRobot, movingLink } from "../../run/real/real_robot";
 import { robotStates } from "../../run/real/robot_state";
-import { stateWords } from "../../run/real/state_words";
+import { stateText } from "../../run/real/state_text";
 import { isLive } from "../../run/reducer";
 import { Scene } from "../../scene/Scene";
-import { later } from "../../shell/later";
+import { lazy } from "../../shell/lazy";
 import { worlds } from "../../shell/session";
 import { sensorValues } from "../debug/sensor_values";
 import { RobotChoice } from "../real_robot/RobotChoice";
@@ -24,8 +24,8 @@ import { CapturePanel } from "./CapturePanel";
 import { QuestionPanel } from "./QuestionPanel";
 import { WorldChoice } from "./WorldChoice";
 
-const TextDrawer = later(async () => (await import("../text/TextDrawer")).TextDrawer);
-const PlotsPanel = later(async () => (await import("../../plots/PlotsPanel")).PlotsPanel);
+const TextDrawer = lazy(async () => (await import("../text/TextDrawer")).TextDrawer);
+const PlotsPanel = lazy(async () => (await import("../../plots/PlotsPanel")).PlotsPanel);
 
 interface StageProps {
   control: StudioControl;
@@ -72,8 +72,8 @@ export function Stage({ control, drawer }: StageProps) {
             <PlotsPanel
               source={liveSource}
               tall={tall}
-              onTall={(wanted) => {
-                drawer.value = { ...drawer.value, tall: wanted };
+              onTall={(isTall) => {
+                drawer.value = { ...drawer.value, tall: isTall };
               }}
             />
           ) : (
@@ -84,7 +84,7 @@ export function Stage({ control, drawer }: StageProps) {
               onState={(state) => {
                 drawer.value = state;
               }}
-              onPlace={(document) => control.place(document)}
+              onPlace={(document) => control.replaceBlocks(document)}
             />
           )}
         </div>
@@ -96,7 +96,7 @@ export function Stage({ control, drawer }: StageProps) {
 function Corner({ control }: { control: StudioControl }) {
   const busy = useComputed(() => isLive(robot.live.value));
   const own = control.open.ownWorld.now.value;
-  const words = texts.value.world;
+  const labels = texts.value.world;
   const { mission } = control.worlds;
   if (chosenRobot.value) return <RoomCorner control={control} />;
   if (mission.value) return <MissionCorner control={control} />;
@@ -107,18 +107,18 @@ function Corner({ control }: { control: StudioControl }) {
         worlds={worlds.value}
         world={control.worlds.name.value}
         busy={busy.value}
-        own={own && (worldTitle(own, language.value) || words.own)}
+        own={own && (worldTitle(own, language.value) || labels.own)}
         onWorld={(name) => control.worlds.choose(name)}
       />
       <Button
         class="floor__change"
         icon={Pencil}
-        tip={words.changeHelp}
+        tip={labels.changeHelp}
         testId="world-change"
         disabled={busy.value || !control.world.value}
         onPress={() => control.worlds.edit()}
       >
-        {words.change}
+        {labels.change}
       </Button>
       <MuteButton view={robot.live} expected={control.beeps.value} />
     </div>
@@ -130,22 +130,22 @@ function RoomCorner({ control }: { control: StudioControl }) {
   return (
     <div class="floor__corner">
       <RobotChoice />
-      <RoomWords />
+      <RoomStatus />
       <MuteButton view={robot.live} expected={control.beeps.value} />
     </div>
   );
 }
 
 /** The room, and how a robot is that was heard: the header has room for that in wide windows only. */
-function RoomWords() {
+function RoomStatus() {
   const { value: link } = movingLink;
   const state = link ? robotStates.value[link] : undefined;
-  const isHeard = state?.state === "connected" || state?.state === "silent";
-  const { short, tip } = stateWords(state);
+  const isDetected = state?.state === "connected" || state?.state === "silent";
+  const { short, tip } = stateText(state);
   return (
-    <p class="floor__locked floor__room row middle gap-2" title={isHeard ? tip : undefined}>
+    <p class="floor__locked floor__room row middle gap-2" title={isDetected ? tip : undefined}>
       {texts.value.robot.room}
-      {isHeard && <span class="floor__robot-state">{short}</span>}
+      {isDetected && <span class="floor__robot-state">{short}</span>}
     </p>
   );
 }

@@ -1,11 +1,11 @@
 import { Plus } from "lucide-preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { TextKey } from "../../blocks/words";
+import type { TextKey } from "../../blocks/texts";
 import type { BlockDrawing } from "../../editor/block_drawings";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { FilmPicture } from "./FilmPicture";
-import { filmOf } from "./film";
+import { AnimationPicture } from "./AnimationPicture";
+import { animationOf } from "./animation";
 import { useHelpContent } from "./help_content";
 
 interface BlockListProps {
@@ -26,10 +26,10 @@ export function BlockList({ drawings }: BlockListProps) {
 }
 
 function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
-  const { type, words } = drawing;
+  const { type, text: label } = drawing;
   const { drawings, put } = useHelpContent();
   const { help, blocks } = texts.value;
-  const film = filmOf(type);
+  const animation = animationOf(type);
   const picture = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => picture.current?.replaceChildren(drawing.svg.cloneNode(true)), [drawing]);
   return (
@@ -38,12 +38,12 @@ function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
         <div
           ref={picture}
           role="img"
-          aria-label={words}
-          class={`help__picture shrinks ${drawings.look}`}
+          aria-label={label}
+          class={`help__picture shrinks ${drawings.stageClasses}`}
         />
         <Button
           icon={Plus}
-          label={`${help.tryIt}: ${words}`}
+          label={`${help.tryIt}: ${label}`}
           tip={help.tryItHelp}
           testId="help-try"
           onPress={({ currentTarget }) => {
@@ -55,7 +55,7 @@ function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
         </Button>
       </div>
       <div class="help__about-block row middle gap-3">
-        {film && <FilmPicture film={film} words={words} />}
+        {animation && <AnimationPicture animation={animation} label={label} />}
         <p>{blocks[`${type.toUpperCase()}_TIP` as TextKey]}</p>
       </div>
     </>

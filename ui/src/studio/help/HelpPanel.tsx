@@ -13,9 +13,9 @@ import { level, offered } from "../../shell/level";
 import { theme } from "../../shell/theme";
 import type { StudioControl } from "../studio_control";
 import { BlockList } from "./BlockList";
-import { Found } from "./Found";
 import { type HelpContent, HelpContext } from "./help_content";
 import { KeyList } from "./KeyList";
+import { SearchResults } from "./SearchResults";
 import { TaskList } from "./TaskList";
 import { TourButton } from "./TourButton";
 import { TASK_NAMES } from "./tasks";
@@ -39,7 +39,7 @@ export function HelpPanel({ control }: { control: StudioControl }) {
         <Head query={query} />
         {query.value.trim() ? (
           <div class="help__body">
-            <Found query={query.value} />
+            <SearchResults query={query.value} />
           </div>
         ) : (
           <>
@@ -139,8 +139,8 @@ function TabRow({ tab }: { tab: Signal<Tab> }) {
       testId="help-tab"
       value={tab.value}
       options={TABS.map((name) => [name, help.tabs[name], { "data-tab": name }])}
-      onChange={(wanted) => {
-        tab.value = wanted;
+      onChange={(selected) => {
+        tab.value = selected;
       }}
     />
   );

@@ -1,16 +1,16 @@
-import { saysAll, wordsOf } from "../../blocks/toolbox/search";
+import { matchesAll, tokenize } from "../../blocks/toolbox/search";
 import { texts } from "../../i18n";
 import { keyGroups } from "./keys";
 
 /** The keys, or those whose words the query finds. */
 export function KeyList({ query }: { query: string }) {
-  const wanted = wordsOf(query);
-  const says = (words: string) => saysAll(words, wanted);
+  const queryTerms = tokenize(query);
+  const matches = (text: string) => matchesAll(text, queryTerms);
   const groups = keyGroups(texts.value)
     .map(({ title, rows, more = [] }) => ({
       title,
-      rows: rows.filter(({ keys, words }) => says(`${keys.join(" ")} ${words}`)),
-      more: more.filter(says),
+      rows: rows.filter(({ keys, description }) => matches(`${keys.join(" ")} ${description}`)),
+      more: more.filter(matches),
     }))
     .filter(({ rows, more }) => rows.length + more.length > 0);
   return (
@@ -19,14 +19,14 @@ export function KeyList({ query }: { query: string }) {
         <section key={title} class="help__keys">
           <h2>{title}</h2>
           <dl>
-            {rows.map(({ keys, words }) => (
-              <div key={words}>
+            {rows.map(({ keys, description }) => (
+              <div key={description}>
                 <dt>
                   {keys.map((key) => (
                     <kbd key={key}>{key}</kbd>
                   ))}
                 </dt>
-                <dd>{words}</dd>
+                <dd>{description}</dd>
               </div>
             ))}
           </dl>

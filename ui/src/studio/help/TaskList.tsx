@@ -18,14 +18,14 @@ export function TaskList({ names }: { names: readonly TaskName[] }) {
 function Task({ name }: { name: TaskName }) {
   const { drawings, examples } = useHelpContent();
   const { help } = texts.value;
-  const wanted: { blocks: readonly string[]; examples: readonly string[] } = TASKS[name];
-  const offered = drawings.all.filter(({ type }) => wanted.blocks.includes(type));
+  const contents: { blocks: readonly string[]; examples: readonly string[] } = TASKS[name];
+  const offered = drawings.all.filter(({ type }) => contents.blocks.includes(type));
   return (
     <section class="help__task" data-testid="help-task" data-task={name}>
       <h2>{help.tasks[name]}</h2>
       <BlockList drawings={offered} />
-      {offered.length < wanted.blocks.length && <p class="help__more">{help.moreInLevel}</p>}
-      <ExampleList examples={examples.filter((one) => wanted.examples.includes(one.name))} />
+      {offered.length < contents.blocks.length && <p class="help__more">{help.moreInLevel}</p>}
+      <ExampleList examples={examples.filter((one) => contents.examples.includes(one.name))} />
     </section>
   );
 }

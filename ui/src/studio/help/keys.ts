@@ -5,7 +5,7 @@ import { ACTIONS } from "../run_bar/actions";
 export interface KeyRow {
   /** Alternatives, each of keys pressed together. */
   readonly keys: readonly string[];
-  readonly words: string;
+  readonly description: string;
 }
 
 export interface KeyGroup {
@@ -24,17 +24,17 @@ export function keyGroups(texts: Texts): KeyGroup[] {
     {
       title: keys.blocks,
       rows: [
-        { keys: ["T"], words: keys.palette },
-        { keys: ["W"], words: keys.program },
-        { keys: ["↑", "↓", "←", "→"], words: keys.arrows },
-        { keys: ["Enter"], words: keys.enter },
-        { keys: ["M"], words: keys.move },
-        { keys: ["Delete"], words: keys.remove },
-        { keys: ["Ctrl+C", "Ctrl+V"], words: keys.copy },
-        { keys: ["Ctrl+Z"], words: studio.undo },
-        { keys: ["Ctrl+Shift+Z"], words: studio.redo },
-        { keys: ["Esc"], words: keys.escape },
-        { keys: ["Tab"], words: keys.tab },
+        { keys: ["T"], description: keys.palette },
+        { keys: ["W"], description: keys.program },
+        { keys: ["↑", "↓", "←", "→"], description: keys.arrows },
+        { keys: ["Enter"], description: keys.enter },
+        { keys: ["M"], description: keys.move },
+        { keys: ["Delete"], description: keys.remove },
+        { keys: ["Ctrl+C", "Ctrl+V"], description: keys.copy },
+        { keys: ["Ctrl+Z"], description: studio.undo },
+        { keys: ["Ctrl+Shift+Z"], description: studio.redo },
+        { keys: ["Esc"], description: keys.escape },
+        { keys: ["Tab"], description: keys.tab },
       ],
     },
     { title: studio.floor, rows: [], more: [scene.startKeys, scene.measureKeys] },
@@ -43,7 +43,7 @@ export function keyGroups(texts: Texts): KeyGroup[] {
 
 const emergencyRow = ({ robot }: Texts): KeyRow => ({
   keys: [EMERGENCY_KEY],
-  words: robot.emergencyHelp,
+  description: robot.emergencyHelp,
 });
 
 /** Actions that share a key share its row: one of them is possible at a time. */
@@ -51,8 +51,11 @@ function runRows(texts: Texts): KeyRow[] {
   const state = { phase: "idle", unable: false, inFunction: false, stepwise: true } as const;
   const rows = new Map<string, string[]>();
   for (const { shortcut, label, help } of ACTIONS) {
-    const words = help?.(texts) ?? label(texts, state);
-    rows.set(shortcut, [...(rows.get(shortcut) ?? []), words]);
+    const text = help?.(texts) ?? label(texts, state);
+    rows.set(shortcut, [...(rows.get(shortcut) ?? []), text]);
   }
-  return [...rows].map(([key, words]) => ({ keys: [key], words: words.join(", ") }));
+  return [...rows].map(([key, descriptions]) => ({
+    keys: [key],
+    description: descriptions.join(", "),
+  }));
 }

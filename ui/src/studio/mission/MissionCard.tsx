@@ -7,7 +7,7 @@ import { Button } from "../../kit/Button";
 import { checksOf, verdictOf } from "../../run/judgement";
 import * as robot from "../../run/live";
 import { GoalPicture } from "../../scene/small/GoalPicture";
-import { checksStand, judged, report } from "../../shell/session";
+import { checkStatus, judged, report } from "../../shell/session";
 import type { StudioControl } from "../studio_control";
 import { CasesTried } from "./CasesTried";
 import { CheckList } from "./CheckList";
@@ -26,7 +26,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
   if (!mission) return setup.activity ? <UnknownMission /> : null;
   const run = control.mine.value ? robot.live.value.run : null;
   const verdict = verdictOf(run, judged.value);
-  const checks = checksOf(mission, verdict?.not_judged ? null : run, checksStand.value);
+  const checks = checksOf(mission, verdict?.not_judged ? null : run, checkStatus.value);
   const done = verdict?.passed === true;
   return (
     <section

@@ -1,16 +1,16 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { ApiError } from "../../api/errors";
-import type { Content, OnDisk } from "../../api/model";
+import type { EditorContent, SavedState } from "../../api/model";
 import { Autosave } from "./autosave";
 
-const content = (n: number): Content => ({ workspace: { n }, document: null });
-const version = (n: number): OnDisk => ({ id: `v${n}`, faults: [] });
+const content = (n: number): EditorContent => ({ workspace: { n }, document: null });
+const version = (n: number): SavedState => ({ id: `v${n}`, faults: [] });
 
 /** A server that can be told to fail, and that remembers what it was sent. */
 function server() {
-  const sent: { content: Content; last: boolean }[] = [];
+  const sent: { content: EditorContent; last: boolean }[] = [];
   const state = { failing: false, slow: 0 };
-  const save = async (what: Content, last: boolean) => {
+  const save = async (what: EditorContent, last: boolean) => {
     sent.push({ content: what, last });
     if (state.slow > 0) await new Promise((resolve) => setTimeout(resolve, state.slow));
     if (state.failing) throw new Error("no disk");
@@ -112,17 +112,17 @@ describe("a failure", () => {
 
 describe("a program that was deleted", () => {
   test("is not tried again, whatever is edited or asked for", async () => {
-    const gone = new ApiError(404, { code: "program_not_found", message: "Gone." });
+    const notFound = new ApiError(404, { code: "program_not_found", message: "Gone." });
     let tried = 0;
     const autosave = new Autosave(async () => {
       tried += 1;
-      throw gone;
+      throw notFound;
     });
     autosave.edit(content(1));
     await vi.advanceTimersByTimeAsync(20_000);
     expect(autosave.state.value).toBe("deleted");
     autosave.edit(content(2));
-    await expect(autosave.flush()).rejects.toBe(gone);
+    await expect(autosave.flush()).rejects.toBe(notFound);
     autosave.flushLast();
     await vi.advanceTimersByTimeAsync(20_000);
     expect(tried).toBe(1);

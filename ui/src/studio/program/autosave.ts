@@ -1,15 +1,15 @@
 import { signal } from "@preact/signals";
 import { ApiError } from "../../api/errors";
-import type { Content, OnDisk } from "../../api/model";
+import type { EditorContent, SavedState } from "../../api/model";
 
 /** `deleted`: the program no longer exists, so retrying is useless. */
 export type SaveState = "saved" | "saving" | "failed" | "deleted";
 
-type Save = (content: Content, last: boolean) => Promise<OnDisk>;
+type Save = (content: EditorContent, last: boolean) => Promise<SavedState>;
 
 /** Debounce after the last edit and its upper bound, so that continuous edits are on disk within a second. */
 const QUIET_MS = 300;
-const AT_MOST_MS = 600;
+const MAX_DELAY_MS = 600;
 const RETRY_MS = [1000, 2000, 5000];
 const DELETED = ["program_not_found", "group_not_found"];
 
@@ -18,9 +18,9 @@ export class Autosave {
   readonly state = signal<SaveState>("saved");
   readonly problem = signal<unknown>(null);
   /** The newest version on disk. */
-  readonly version = signal<OnDisk | null>(null);
+  readonly version = signal<SavedState | null>(null);
 
-  private pending: Content | null = null;
+  private pending: EditorContent | null = null;
   private pendingSince = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private running: Promise<void> | null = null;
@@ -28,24 +28,24 @@ export class Autosave {
 
   constructor(
     private readonly save: Save,
-    version: OnDisk | null = null,
+    version: SavedState | null = null,
   ) {
     this.version.value = version;
   }
 
-  edit(content: Content): void {
+  edit(content: EditorContent): void {
     const now = Date.now();
     if (!this.pending) this.pendingSince = now;
     this.pending = content;
     if (this.isDeleted) return;
     this.failures = 0;
     this.state.value = "saving";
-    const left = this.pendingSince + AT_MOST_MS - now;
+    const left = this.pendingSince + MAX_DELAY_MS - now;
     this.schedule(Math.max(0, Math.min(QUIET_MS, left)));
   }
 
   /** Saves now. Resolves when all edits are on disk, rejects on failure. */
-  async flush(): Promise<OnDisk | null> {
+  async flush(): Promise<SavedState | null> {
     clearTimeout(this.timer);
     if (this.isDeleted) throw this.problem.value;
     while (this.running || this.pending) await this.push();

@@ -1,10 +1,10 @@
 import { computed, effect, type Signal, signal } from "@preact/signals";
 import { activitiesApi } from "../../api/activities";
 import { api } from "../../api/client";
-import { ApiError, ServerGone } from "../../api/errors";
+import { ApiError, ServerUnreachable } from "../../api/errors";
 import type {
   Activity,
-  Content,
+  EditorContent,
   Fault,
   ProgramWithVersion,
   SavedVersion,
@@ -22,7 +22,7 @@ import { Windows } from "./windows";
 /** The open program, shared by header, editor and run bar. */
 export class OpenProgram {
   readonly autosave: Autosave;
-  readonly content = signal<Content | null>(null);
+  readonly content = signal<EditorContent | null>(null);
   readonly faults = signal<Fault[]>([]);
   readonly ownWorld: OwnWorld;
   /** What it is to solve; null without an activity, or for one of a newer release. */
@@ -46,7 +46,7 @@ export class OpenProgram {
       (content, last) =>
         this.ownWorld.saveWith(
           content.world ?? null,
-          (world) => this.keep({ ...content, world }, last),
+          (world) => this.saveVersion({ ...content, world }, last),
           last,
         ),
       version,
@@ -65,18 +65,18 @@ export class OpenProgram {
   }
 
   /** Sets the content of the stored version, as the editor shows it, before any edit. */
-  begin(content: Content): void {
+  begin(content: EditorContent): void {
     this.content.value = content;
-    if (this.program.version) this.remember(this.program.version.id);
+    if (this.program.version) this.setStoredVersion(this.program.version.id);
   }
 
   /** Records that the current content is that version: the next edit has it as its parent. */
-  remember(version: string): void {
+  setStoredVersion(version: string): void {
     const { value: content } = this.content;
-    if (content) this.lineage.keep(this.whole(content), version);
+    if (content) this.lineage.add(this.whole(content), version);
   }
 
-  edit(content: Content): void {
+  edit(content: EditorContent): void {
     this.content.value = content;
     this.save();
   }
@@ -120,15 +120,15 @@ export class OpenProgram {
     if (!isGroupHere) group.value = null;
   }
 
-  private async keep(content: Content, last: boolean): Promise<SavedVersion> {
+  private async saveVersion(content: EditorContent, last: boolean): Promise<SavedVersion> {
     // a closing page may send before the response to its last save: without a parent the server takes the newest version
     const parent = this.windows.isSending ? undefined : this.lineage.of(content);
-    const kept = await this.windows.keep(() =>
+    const saved = await this.windows.trackSave(() =>
       api.saveVersion(this.id, parent ? { ...content, parent_id: parent } : content, last),
     );
-    this.lineage.keep(content, kept.id);
-    this.inBin.value = kept.deleted_at !== null;
-    return kept;
+    this.lineage.add(content, saved.id);
+    this.inBin.value = saved.deleted_at !== null;
+    return saved;
   }
 
   /** Follows changes of the program in other windows. */
@@ -137,7 +137,7 @@ export class OpenProgram {
     return changed.subscribe((event) => {
       if (event === last || event?.program !== this.id) return;
       this.inBin.value = event.deleted_at !== null;
-      if (event.version) this.windows.hear(event.version);
+      if (event.version) this.windows.receive(event.version);
     });
   }
 
@@ -147,7 +147,7 @@ export class OpenProgram {
   }
 
   /** The editor's content with what else belongs to the program. */
-  private whole(content: Content): Content {
+  private whole(content: EditorContent): EditorContent {
     return { ...content, world: this.ownWorld.now.peek(), setup: this.setup.peek() };
   }
 }
@@ -182,7 +182,7 @@ export const programOnScreen = computed(() => {
 /** Handles a program that failed to open: the header must not name another one. */
 export function couldNotOpen(error: unknown): void {
   // after a lost server the unsaved content of the open program is sent when the page closes
-  if (!(error instanceof ServerGone)) opened.value = null;
+  if (!(error instanceof ServerUnreachable)) opened.value = null;
   group.value = null;
   program.value = null;
   report(error);

@@ -1,15 +1,15 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import { ApiError } from "../../api/errors";
-import type { Fault, OnDisk, World } from "../../api/model";
+import type { Fault, SavedState, World } from "../../api/model";
 import { OwnWorld } from "./own_world";
 
-const SOUND = { name: "sound" } as World;
+const VALID = { name: "sound" } as World;
 const FAULTY = { name: "faulty" } as World;
 
 /** A server that takes no world called faulty, and remembers which ones it was sent. */
 function server() {
   const sent: (World | null)[] = [];
-  const save = async (world: World | null): Promise<OnDisk> => {
+  const save = async (world: World | null): Promise<SavedState> => {
     sent.push(world);
     if (world?.name === "faulty") throw new ApiError(422, { code: "invalid_world" });
     return { id: `v${sent.length}`, faults: [] };
@@ -26,33 +26,33 @@ describe("a world with faults", () => {
   test("does not keep the blocks from being saved, with the last world that was taken", async () => {
     const { sent, save } = server();
     const own = new OwnWorld("p", null, nothing);
-    own.now.value = SOUND;
-    await own.saveWith(SOUND, save);
+    own.now.value = VALID;
+    await own.saveWith(VALID, save);
     own.now.value = FAULTY;
     await own.saveWith(FAULTY, save);
-    expect(sent).toEqual([SOUND, FAULTY, SOUND]);
+    expect(sent).toEqual([VALID, FAULTY, VALID]);
     expect(own.isRefused.value).toBe(true);
   });
 
   test("is not sent again, nor at all where its faults are known", async () => {
     const { sent, save } = server();
-    const own = new OwnWorld("p", SOUND, nothing);
+    const own = new OwnWorld("p", VALID, nothing);
     own.now.value = FAULTY;
     own.refuse(FAULTY);
     await own.saveWith(FAULTY, save);
-    expect(sent).toEqual([SOUND]);
+    expect(sent).toEqual([VALID]);
   });
 
   test("is not sent where the check finds them, but by the last save, which cannot wait", async () => {
     const { sent, save } = server();
     const fault = { pointer: "", message: "", remedy: "" } as Fault;
     const check = vi.fn(async (world: World) => (world === FAULTY ? [fault] : []));
-    const own = new OwnWorld("p", SOUND, check);
+    const own = new OwnWorld("p", VALID, check);
     own.now.value = FAULTY;
     await own.saveWith(FAULTY, save);
     await own.saveWith(FAULTY, save);
-    await own.saveWith(SOUND, save);
-    expect(sent).toEqual([SOUND, SOUND, SOUND]);
+    await own.saveWith(VALID, save);
+    expect(sent).toEqual([VALID, VALID, VALID]);
     expect(own.isRefused.value).toBe(true);
     expect(check).toHaveBeenCalledTimes(1);
     await own.saveWith({ ...FAULTY }, save, true);
@@ -67,19 +67,19 @@ describe("a world with faults", () => {
 
   test("is there after a reload, and saved once it is mended", async () => {
     const { sent, save } = server();
-    const own = new OwnWorld("p", SOUND, nothing);
+    const own = new OwnWorld("p", VALID, nothing);
     own.now.value = FAULTY;
     own.refuse(FAULTY);
     own.close();
-    const later = new OwnWorld("p", SOUND, nothing);
-    expect(later.now.value).toEqual(FAULTY);
-    expect(later.isRefused.value).toBe(true);
-    const mended = { name: "mended" } as World;
-    later.now.value = mended;
-    expect(later.isRefused.value).toBe(false);
-    await later.saveWith(mended, save);
-    expect(sent).toEqual([mended]);
-    expect(new OwnWorld("p", mended, nothing).now.value).toBe(mended);
+    const reopened = new OwnWorld("p", VALID, nothing);
+    expect(reopened.now.value).toEqual(FAULTY);
+    expect(reopened.isRefused.value).toBe(true);
+    const repaired = { name: "mended" } as World;
+    reopened.now.value = repaired;
+    expect(reopened.isRefused.value).toBe(false);
+    await reopened.saveWith(repaired, save);
+    expect(sent).toEqual([repaired]);
+    expect(new OwnWorld("p", repaired, nothing).now.value).toBe(repaired);
   });
 
   test("is nothing to other programs", () => {
@@ -93,6 +93,6 @@ describe("a world with faults", () => {
 test("any other trouble is told", async () => {
   const own = new OwnWorld("p", null, nothing);
   const save = () => Promise.reject(new ApiError(413, { code: "body_too_large" }));
-  await expect(own.saveWith(SOUND, save)).rejects.toThrow();
+  await expect(own.saveWith(VALID, save)).rejects.toThrow();
   expect(own.isRefused.value).toBe(false);
 });

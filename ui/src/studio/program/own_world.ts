@@ -1,6 +1,6 @@
 import { computed, effect, signal } from "@preact/signals";
 import { ApiError } from "../../api/errors";
-import type { Fault, OnDisk, World } from "../../api/model";
+import type { Fault, SavedState, World } from "../../api/model";
 
 /** Returns all faults of a world. */
 type Check = (world: World) => Promise<readonly Fault[]>;
@@ -21,14 +21,14 @@ export class OwnWorld {
 
   constructor(
     program: string,
-    private taken: World | null,
+    private accepted: World | null,
     private readonly check: Check,
   ) {
     const key = `pinel_world_${program}`;
     const draft = draftAt(key);
     this.refused.value = draft;
-    this.now.value = draft ?? taken;
-    this.close = effect(() => keepDraft(key, this.isRefused.value ? this.now.value : null));
+    this.now.value = draft ?? accepted;
+    this.close = effect(() => storeDraft(key, this.isRefused.value ? this.now.value : null));
   }
 
   /** Marks a world that the server has rejected: it is not sent again. */
@@ -39,19 +39,19 @@ export class OwnWorld {
   /** Saves with a world, or with the last accepted one if it has faults; with `last` without checking it first. */
   async saveWith(
     world: World | null,
-    save: (world: World | null) => Promise<OnDisk>,
+    save: (world: World | null) => Promise<SavedState>,
     last = false,
-  ): Promise<OnDisk> {
-    if (world && world !== this.taken && !last) await this.ask(world);
-    if (world && world === this.refused.peek()) return save(this.taken);
+  ): Promise<SavedState> {
+    if (world && world !== this.accepted && !last) await this.ask(world);
+    if (world && world === this.refused.peek()) return save(this.accepted);
     try {
       const version = await save(world);
-      this.taken = world;
+      this.accepted = world;
       return version;
     } catch (error) {
       if (!world || !(error instanceof ApiError) || error.code !== "invalid_world") throw error;
       this.refused.value = world;
-      return save(this.taken);
+      return save(this.accepted);
     }
   }
 
@@ -63,7 +63,7 @@ export class OwnWorld {
   }
 }
 
-function keepDraft(key: string, world: World | null): void {
+function storeDraft(key: string, world: World | null): void {
   if (world) sessionStorage.setItem(key, JSON.stringify(world));
   else sessionStorage.removeItem(key);
 }

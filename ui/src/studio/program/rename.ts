@@ -3,9 +3,9 @@ import { STORE_LIMITS } from "../../api/declared";
 import { program, report } from "../../shell/session";
 
 /** Renames the program in the header; ignores an empty or equal name. */
-export async function renameProgram(wanted: string): Promise<void> {
+export async function renameProgram(requested: string): Promise<void> {
   const { value: now } = program;
-  const name = wanted.trim().slice(0, STORE_LIMITS.MAX_NAME).trim();
+  const name = requested.trim().slice(0, STORE_LIMITS.MAX_NAME).trim();
   if (!now || !name || name === now.name) return;
   program.value = { ...now, name };
   try {

@@ -1,5 +1,5 @@
 import { DEFAULT_ROBOT, DEFAULT_WORLD } from "../../api/declared";
-import { type Lifelike, OWN_WORLD, type Setup, type Version } from "../../api/model";
+import { OWN_WORLD, type RealismOptions, type Setup, type Version } from "../../api/model";
 
 /** Speed factors of the simulated robot. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
@@ -9,7 +9,7 @@ export const LIFELIKE = {
   ideal: { preset: "ideal", feedback: "pose" },
   camera: { preset: "realistic", feedback: "pose" },
   wheels: { preset: "realistic", feedback: "odometry" },
-} as const satisfies Record<string, Lifelike>;
+} as const satisfies Record<string, RealismOptions>;
 
 export type LifelikeName = keyof typeof LIFELIKE;
 

@@ -20,19 +20,19 @@ function program(versions: { id: string; parent: string | null; n: number }[]) {
   vi.spyOn(versionsApi, "before").mockImplementation(
     async (_, id) => versions[versions.findIndex((one) => one.id === id) - 1]?.id ?? null,
   );
-  const remembered: string[] = [];
+  const storedVersions: string[] = [];
   const open = {
     id: "program",
     autosave: { flush: async () => ({ id: versions.at(-1)?.id }) },
-    remember: (id: string) => remembered.push(id),
+    setStoredVersion: (id: string) => storedVersions.push(id),
   } as unknown as OpenProgram;
-  return { undo: new StoredUndo(open), remembered };
+  return { undo: new StoredUndo(open), remembered: storedVersions };
 }
 
 afterEach(() => vi.restoreAllMocks());
 
 test("undo goes on with the version that the newest was made of", async () => {
-  const { undo, remembered } = program([
+  const { undo, remembered: storedVersions } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: "a", n: 2 },
     { id: "c", parent: "a", n: 3 },
@@ -40,25 +40,25 @@ test("undo goes on with the version that the newest was made of", async () => {
   const offered: unknown[] = [];
   await undo.back((workspace) => offered.push(workspace) > 0);
   expect(offered).toEqual([{ n: 1 }]);
-  expect(remembered).toEqual(["a"]);
+  expect(storedVersions).toEqual(["a"]);
 });
 
 test("what looks the same is passed over, and before the first there was nothing", async () => {
-  const { undo, remembered } = program([
+  const { undo, remembered: storedVersions } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: "a", n: 1 },
   ]);
   const offered: unknown[] = [];
   await undo.back((workspace) => offered.push(workspace) > 1);
   expect(offered).toEqual([{ n: 1 }, null]);
-  expect(remembered).toEqual([]);
+  expect(storedVersions).toEqual([]);
 });
 
 test("a version that does not tell its parent is followed by the one before in the line", async () => {
-  const { undo, remembered } = program([
+  const { undo, remembered: storedVersions } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: null, n: 2 },
   ]);
   await undo.back(() => true);
-  expect(remembered).toEqual(["a"]);
+  expect(storedVersions).toEqual(["a"]);
 });

@@ -13,7 +13,7 @@ export class StoredUndo {
    * Offers the ancestors of the shown version to `take`, newest first, until it returns true. It returns false for a
    * version that looks the same, such as a saved undo. Before the first version the workspace is null.
    */
-  async back(take: (workspace: object | null) => boolean): Promise<void> {
+  async back(tryRestore: (workspace: object | null) => boolean): Promise<void> {
     if (this.walking || this.atBeginning) return;
     this.walking = true;
     try {
@@ -22,10 +22,10 @@ export class StoredUndo {
       while (version) {
         const id = await this.behind(version);
         version = id === null ? null : await versionsApi.version(id);
-        if (version && take(version.workspace)) return this.open.remember(version.id);
+        if (version && tryRestore(version.workspace)) return this.open.setStoredVersion(version.id);
       }
       this.atBeginning = true;
-      take(null);
+      tryRestore(null);
     } finally {
       this.walking = false;
     }

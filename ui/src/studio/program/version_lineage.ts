@@ -1,5 +1,5 @@
 /** Limit of remembered contents, which are large. */
-const MOST = 64;
+const MAX_CONTENTS = 64;
 
 interface StoredContent {
   workspace: object;
@@ -16,12 +16,12 @@ export class VersionLineage {
   private readonly ids = new Map<string, string>();
   private last: string | undefined;
 
-  keep(content: StoredContent, id: string): void {
+  add(content: StoredContent, id: string): void {
     this.last = id;
     const key = keyOf(content);
     if (this.ids.has(key)) return;
     this.ids.set(key, id);
-    if (this.ids.size > MOST) {
+    if (this.ids.size > MAX_CONTENTS) {
       const [oldest] = this.ids.keys();
       if (oldest !== undefined) this.ids.delete(oldest);
     }

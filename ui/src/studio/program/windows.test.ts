@@ -9,36 +9,36 @@ const saved = (id: string, before: string | null): SavedVersion => ({
   faults: [],
   deleted_at: null,
 });
-const keep = (windows: Windows, id: string, before: string | null) =>
-  windows.keep(() => Promise.resolve(saved(id, before)));
+const track = (windows: Windows, id: string, before: string | null) =>
+  windows.trackSave(() => Promise.resolve(saved(id, before)));
 
 test("who works alone hears of nothing", async () => {
   const windows = new Windows(null);
-  await keep(windows, "v1", null);
-  windows.hear("v1");
-  await keep(windows, "v2", "v1");
-  await keep(windows, "v2", "v1");
+  await track(windows, "v1", null);
+  windows.receive("v1");
+  await track(windows, "v2", "v1");
+  await track(windows, "v2", "v1");
   expect(windows.other.value).toBeNull();
 });
 
 test("what another window made last is known as soon as it is heard of", () => {
   const windows = new Windows("v1");
-  windows.hear("v2");
-  windows.hear("v3");
+  windows.receive("v2");
+  windows.receive("v3");
   expect([windows.other.value, windows.isOvertaken.value]).toEqual(["v3", true]);
 });
 
 test("an answer tells of the other window where nothing was heard", async () => {
   const windows = new Windows("v1");
-  await keep(windows, "v3", "v2");
+  await track(windows, "v3", "v2");
   expect([windows.other.value, windows.isOvertaken.value]).toEqual(["v2", false]);
 });
 
 test("a version of one's own that is heard of before its answer is here is one's own", async () => {
   const windows = new Windows("v1");
-  await windows.keep(async () => {
-    windows.hear("v2");
-    windows.hear("v3");
+  await windows.trackSave(async () => {
+    windows.receive("v2");
+    windows.receive("v3");
     expect(windows.isSending).toBe(true);
     return saved("v2", "v1");
   });
@@ -47,14 +47,14 @@ test("a version of one's own that is heard of before its answer is here is one's
 
 test("what is older than the opened version is in it already", () => {
   const windows = new Windows("v3");
-  windows.hear("v2");
+  windows.receive("v2");
   expect(windows.other.value).toBeNull();
 });
 
 test("a save that failed tells of nothing, and holds back nothing", async () => {
   const windows = new Windows("v1");
-  const failing = windows.keep(async () => {
-    windows.hear("v2");
+  const failing = windows.trackSave(async () => {
+    windows.receive("v2");
     throw new Error("disk full");
   });
   await expect(failing).rejects.toThrow();

@@ -8,7 +8,7 @@ export class Windows {
   private readonly own = new Set<string>();
   private readonly newest = signal("");
   private sending = 0;
-  private heard: string[] = [];
+  private pendingVersions: string[] = [];
 
   /** `opened`: the newest version when the program was opened here. */
   constructor(private readonly opened: string | null) {
@@ -24,22 +24,23 @@ export class Windows {
   }
 
   /** Handles the event of a saved version; the event of an own version may precede the response of its save. */
-  hear(version: string): void {
-    if (this.isSending) this.heard.push(version);
+  receive(version: string): void {
+    if (this.isSending) this.pendingVersions.push(version);
     else this.judge(version);
   }
 
-  async keep(save: () => Promise<SavedVersion>): Promise<SavedVersion> {
+  async trackSave(save: () => Promise<SavedVersion>): Promise<SavedVersion> {
     this.sending += 1;
     try {
-      const kept = await save();
-      const isNew = !this.own.has(kept.id);
-      this.isOwn(kept.id);
-      if (isNew && kept.before) this.judge(kept.before);
-      return kept;
+      const saved = await save();
+      const isNew = !this.own.has(saved.id);
+      this.isOwn(saved.id);
+      if (isNew && saved.before) this.judge(saved.before);
+      return saved;
     } finally {
       this.sending -= 1;
-      if (!this.isSending) for (const version of this.heard.splice(0)) this.judge(version);
+      if (!this.isSending)
+        for (const version of this.pendingVersions.splice(0)) this.judge(version);
     }
   }
 

@@ -29,7 +29,7 @@ interface CheckListProps {
 function CheckList({ control, paused }: CheckListProps) {
   const done = useSignal<readonly number[]>([]);
   const { before } = texts.value.robot;
-  const points = [...before.points, speedWords()];
+  const points = [...before.points, speedText()];
   const list = useFocusInside();
   const go = () => {
     isChecked.value = true;
@@ -49,8 +49,8 @@ function CheckList({ control, paused }: CheckListProps) {
         {before.title}
       </h2>
       <div ref={list}>
-        {points.map((words, index) => (
-          <Point key={words} words={words} index={index} done={done} />
+        {points.map((text, index) => (
+          <Point key={text} text={text} index={index} done={done} />
         ))}
       </div>
       <div class="before-run__buttons row wrap gap-2">
@@ -72,13 +72,13 @@ function CheckList({ control, paused }: CheckListProps) {
 }
 
 interface PointProps {
-  words: string;
+  text: string;
   index: number;
   /** The points that were checked off; another language changes nothing about them. */
   done: Signal<readonly number[]>;
 }
 
-function Point({ words, index, done }: PointProps) {
+function Point({ text, index, done }: PointProps) {
   return (
     <label class="before-run__point row middle gap-3">
       <input
@@ -90,12 +90,12 @@ function Point({ words, index, done }: PointProps) {
           done.value = checked ? [...others, index] : others;
         }}
       />
-      {words}
+      {text}
     </label>
   );
 }
 
-function speedWords(): string {
+function speedText(): string {
   const { max_v_mps = 0, slow_v_mps = 0 } = chosenRobot.value ?? {};
   const speed = (value: number) => decimal(value, 2, language.value);
   return texts.value.robot.before.speed(speed(max_v_mps), speed(slow_v_mps));

@@ -13,20 +13,20 @@ interface ActionButtonProps extends ActionsProps, Pick<ButtonProps, "kind" | "fi
 }
 
 /** The button of one action. */
-export function ActionButton({ action, control, state, ...look }: ActionButtonProps) {
-  const words = texts.value;
+export function ActionButton({ action, control, state, ...appearance }: ActionButtonProps) {
+  const labels = texts.value;
   return (
     <Button
-      {...look}
+      {...appearance}
       icon={action.icon(state)}
-      tip={`${action.help?.(words) ?? action.label(words, state)} (${action.shortcut})`}
+      tip={`${action.help?.(labels) ?? action.label(labels, state)} (${action.shortcut})`}
       testId={action.testId}
       data-does={action.name}
       aria-keyshortcuts={action.shortcut}
       disabled={!action.isReady(state)}
       onPress={() => action.perform(control, state)}
     >
-      {action.label(words, state)}
+      {action.label(labels, state)}
     </Button>
   );
 }

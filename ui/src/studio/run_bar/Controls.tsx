@@ -24,11 +24,11 @@ export function Controls({ control }: { control: StudioControl }) {
 
 function stateOf(control: StudioControl): RunState {
   const { phase, run, output } = robot.live.value;
-  const elsewhere = isLive(robot.live.value) && !control.mine.value;
+  const isOther = isLive(robot.live.value) && !control.mine.value;
   const ready = engine.value === "ready" && connection.value === "open";
   return {
-    phase: elsewhere && run ? "idle" : phase,
-    unable: (elsewhere && phase !== "starting") || !ready,
+    phase: isOther && run ? "idle" : phase,
+    unable: (isOther && phase !== "starting") || !ready,
     inFunction: output.calls.length > 0,
     stepwise: level.value > 1,
   };

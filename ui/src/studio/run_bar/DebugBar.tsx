@@ -4,7 +4,7 @@ import { decimal } from "../../i18n/format";
 import { Select } from "../../kit/Select";
 import { clear } from "../../run/live";
 import { movingLink } from "../../run/real/real_robot";
-import { isUnderWay } from "../../run/reducer";
+import { isLivePhase } from "../../run/reducer";
 import { robotModels, robotOf } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 import { LIFELIKE, type LifelikeName, lifelikeOf, SPEEDS } from "../program/setup";
@@ -22,7 +22,7 @@ export function DebugBar(props: ActionsProps) {
       ))}
       {!movingLink.value && (
         <>
-          {!isUnderWay(props.state.phase) && !open.mission.value && (
+          {!isLivePhase(props.state.phase) && !open.mission.value && (
             <>
               <ModelChoice open={open} />
               <LifelikeChoice open={open} />

@@ -42,10 +42,10 @@ describe("the actions of a run", () => {
   });
 
   test("have words in every language", () => {
-    for (const words of LANGUAGES.map(textsOf)) {
+    for (const texts of LANGUAGES.map(textsOf)) {
       for (const action of ACTIONS) {
-        expect(action.label(words, state("paused"))).not.toBe("");
-        expect(action.help?.(words)).not.toBe("");
+        expect(action.label(texts, state("paused"))).not.toBe("");
+        expect(action.help?.(texts)).not.toBe("");
       }
     }
   });

@@ -30,8 +30,8 @@ export interface RunAction {
   readonly shortcut: string;
   readonly testId: string;
   icon(state: RunState): LucideIcon;
-  label(words: Texts, state: RunState): string;
-  help?(words: Texts): string;
+  label(texts: Texts, state: RunState): string;
+  help?(texts: Texts): string;
   isShown(state: RunState): boolean;
   isReady(state: RunState): boolean;
   perform(control: StudioControl, state: RunState): void;

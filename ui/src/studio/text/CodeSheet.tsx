@@ -5,7 +5,7 @@ import { PYTHON_TOKENS, tokens } from "./tokens";
 interface CodeSheetProps {
   text: string;
   /** The running line, from 1; scrolled into view. */
-  lit?: number | null;
+  activeLine?: number | null;
   /** Lines with faults. */
   faulty?: ReadonlySet<number>;
   label: string;
@@ -18,11 +18,18 @@ interface CodeSheetProps {
 const AROUND = 2;
 
 /** Python text with line numbers. */
-export function CodeSheet({ text, lit = null, faulty, label, testId, children }: CodeSheetProps) {
+export function CodeSheet({
+  text,
+  activeLine = null,
+  faulty,
+  label,
+  testId,
+  children,
+}: CodeSheetProps) {
   const sheet = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    if (sheet.current && lit !== null) showLine(sheet.current, lit);
-  }, [lit, text]);
+    if (sheet.current && activeLine !== null) showLine(sheet.current, activeLine);
+  }, [activeLine, text]);
   const count = text.split("\n").length;
   return (
     <section
@@ -33,10 +40,10 @@ export function CodeSheet({ text, lit = null, faulty, label, testId, children }:
       // scrollable, so it must be focusable
       tabIndex={children ? -1 : 0}
       data-testid={testId}
-      data-lit={lit ?? ""}
+      data-lit={activeLine ?? ""}
     >
       <div class="code__page">
-        {lit !== null && <span class="code__lit" style={{ "--line": lit - 1 }} />}
+        {activeLine !== null && <span class="code__lit" style={{ "--line": activeLine - 1 }} />}
         {[...(faulty ?? [])].map((line) => (
           <span key={line} class="code__faulty" style={{ "--line": line - 1 }} />
         ))}

@@ -10,7 +10,7 @@ import { valueIn } from "../../kit/requests/load_state";
 import { useLoaded } from "../../kit/requests/useLoaded";
 import { CodeSheet, showLine } from "./CodeSheet";
 import { listenToTyping } from "./keys";
-import { PythonFaults, placeOf } from "./PythonFaults";
+import { PythonFaults, positionOf } from "./PythonFaults";
 import { offsetOf } from "./typing";
 
 interface PythonEditorProps {
@@ -51,7 +51,7 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
     return field.current ? listenToTyping(field.current, () => void settled(place())) : undefined;
   }, [document]);
   const jump = (fault: Fault) => {
-    const { line, column } = placeOf(fault);
+    const { line, column } = positionOf(fault);
     const at = offsetOf(text, line, column);
     field.current?.focus();
     field.current?.setSelectionRange(at, at);
@@ -63,7 +63,7 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
       <CodeSheet
         text={text}
         label={python.text}
-        faulty={new Set(faults.map((fault) => placeOf(fault).line))}
+        faulty={new Set(faults.map((fault) => positionOf(fault).line))}
       >
         <TextField elementRef={field} text={text} onText={setText} />
       </CodeSheet>
@@ -108,7 +108,7 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
   const { python } = texts.value;
   const state = !check ? "checking" : check.faults.length > 0 ? "faulty" : "fine";
   const name = state === "fine" && !isChanged ? "unchanged" : state;
-  const words = name === "faulty" ? python.faults(check?.faults.length ?? 0) : python[name];
+  const label = name === "faulty" ? python.faults(check?.faults.length ?? 0) : python[name];
   return (
     <div class="text__states">
       <p
@@ -118,7 +118,7 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
         data-state={name}
       >
         {name === "fine" && <CircleCheck class="icon" aria-hidden="true" />}
-        {words}
+        {label}
       </p>
       {/* hidden with faults, which need the room */}
       <p id="python-keys" class={name === "unchanged" ? "aside" : "visually-hidden"}>

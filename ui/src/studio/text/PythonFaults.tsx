@@ -2,13 +2,13 @@ import type { Fault } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 
-interface Place {
+interface TextPosition {
   readonly line: number;
   readonly column: number;
 }
 
 /** Line and column of a fault, from 1. */
-export function placeOf({ params }: Fault): Place {
+export function positionOf({ params }: Fault): TextPosition {
   const { line, column } = params as Partial<Record<"line" | "column", unknown>>;
   return {
     line: typeof line === "number" ? line : 1,
@@ -27,7 +27,7 @@ export function PythonFaults({ faults, onGo }: PythonFaultsProps) {
   return (
     <ul class="text__faults" aria-label={python.faults(faults.length)} data-scrolls>
       {faults.map((fault) => {
-        const { line, column } = placeOf(fault);
+        const { line, column } = positionOf(fault);
         return (
           <li key={`${line}/${column}/${fault.code}`}>
             <Button

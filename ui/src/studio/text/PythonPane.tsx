@@ -6,7 +6,7 @@ import { Button } from "../../kit/Button";
 import { Loaded } from "../../kit/requests/Loaded";
 import { valueIn } from "../../kit/requests/load_state";
 import { useLoaded } from "../../kit/requests/useLoaded";
-import type { LitBlock } from "../../run/reducer";
+import type { ActiveBlock } from "../../run/reducer";
 import { CodeSheet } from "./CodeSheet";
 import { CopyButton } from "./IrPanel";
 import { PythonEditor } from "./PythonEditor";
@@ -14,7 +14,7 @@ import { PythonEditor } from "./PythonEditor";
 interface PythonPaneProps {
   document: object | null;
   /** The running command of the shown program. */
-  running: LitBlock | null;
+  running: ActiveBlock | null;
   editing: boolean;
   onEditing(editing: boolean): void;
   /** Replaces the blocks by those of a text without faults. */
@@ -69,7 +69,7 @@ export function PythonPane(props: PythonPaneProps) {
 interface WrittenProps {
   document: object | null;
   written: WrittenPython | null;
-  running: LitBlock | null;
+  running: ActiveBlock | null;
 }
 
 function Written({ document, written, running }: WrittenProps) {
@@ -85,7 +85,7 @@ function Written({ document, written, running }: WrittenProps) {
   return (
     <CodeSheet
       text={written.text.trimEnd()}
-      lit={running && lineOf(written.lines, running)}
+      activeLine={running && lineOf(written.lines, running)}
       label={python.text}
       testId="python-text"
     />
@@ -102,7 +102,7 @@ function insteadOfText(document: object | null, written: WrittenPython | null): 
 }
 
 /** The line of the running command. Pointers change with edits, ids of blocks do not. */
-function lineOf(lines: WrittenPython["lines"], { block, pointer }: LitBlock): number | null {
+function lineOf(lines: WrittenPython["lines"], { block, pointer }: ActiveBlock): number | null {
   const ofBlock = lines.filter((line) => line.block === block);
   return (ofBlock.find((line) => line.pointer === pointer) ?? ofBlock[0])?.line ?? null;
 }

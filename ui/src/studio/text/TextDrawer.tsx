@@ -2,7 +2,7 @@ import { Maximize2, Minimize2 } from "lucide-preact";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Tabs } from "../../kit/Tabs";
-import type { LitBlock } from "../../run/reducer";
+import type { ActiveBlock } from "../../run/reducer";
 import { type DrawerState, TABS } from "./drawer";
 import { IrPanel } from "./IrPanel";
 import { PythonPane } from "./PythonPane";
@@ -10,7 +10,7 @@ import { PythonPane } from "./PythonPane";
 interface TextDrawerProps {
   state: DrawerState;
   document: object | null;
-  running: LitBlock | null;
+  running: ActiveBlock | null;
   onState(state: DrawerState): void;
   onPlace(document: object): Promise<void>;
 }
@@ -38,15 +38,15 @@ export function TextDrawer({ state, document, running, onState, onPlace }: TextD
 function Head({ state, onState }: Pick<TextDrawerProps, "state" | "onState">) {
   const { python, ir } = texts.value;
   const { tab, tall } = state;
-  const words = { python: python.tab, ir: ir.tab };
+  const labels = { python: python.tab, ir: ir.tab };
   return (
     <div class="text__head row middle apart rigid gap-2">
       <Tabs
         label={python.tabs}
         testId="text-tab"
         value={tab}
-        options={TABS.map((name) => [name, words[name], { "data-tab": name }])}
-        onChange={(wanted) => onState({ ...state, tab: wanted })}
+        options={TABS.map((name) => [name, labels[name], { "data-tab": name }])}
+        onChange={(selected) => onState({ ...state, tab: selected })}
       />
       <Button
         kind="plain"

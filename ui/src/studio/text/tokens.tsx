@@ -3,14 +3,14 @@ import type { ComponentChildren } from "preact";
 type Part = string | preact.JSX.Element;
 
 /** Longer texts are not coloured: thousands of elements are slow to draw and to update. */
-const LONGEST = 60_000;
+const MAX_COLOURED_LENGTH = 60_000;
 
 /**
  * Splits a text into tokens at the matches of `pattern`, whose named groups are token types. The text is never parsed as
  * markup.
  */
 export function tokens(text: string, pattern: RegExp): ComponentChildren {
-  if (text.length > LONGEST) return text;
+  if (text.length > MAX_COLOURED_LENGTH) return text;
   const parts: Part[] = [];
   let end = 0;
   for (const match of text.matchAll(pattern)) {

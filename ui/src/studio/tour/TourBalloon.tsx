@@ -1,6 +1,6 @@
 import { Check, Hand } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import type { TextKey } from "../../blocks/words";
+import type { TextKey } from "../../blocks/texts";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { useInstance } from "../../kit/instance";
@@ -21,7 +21,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
   const { step } = progress.value;
   const { rings, corner, drag } = useTargets(step, control, balloon);
   useFocus(balloon, step);
-  const words = texts.value.help.tour;
+  const labels = texts.value.help.tour;
   return (
     <>
       {rings.map(({ x, y, width, height }, index) => (
@@ -47,7 +47,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
       <section
         ref={balloon}
         class="tour card grid gap-2"
-        aria-label={words.title}
+        aria-label={labels.title}
         tabIndex={-1}
         data-testid="tour"
         data-step={step}
@@ -56,7 +56,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
       >
         <Ticks step={step} />
         <p class="tour__words" role="status">
-          {wordsOf(progress.value)}
+          {stepText(progress.value)}
         </p>
         <Buttons tour={tour} step={step} control={control} />
       </section>
@@ -73,7 +73,7 @@ function useFocus(balloon: { readonly current: HTMLElement | null }, step: Step)
   }, [step]);
 }
 
-function wordsOf({ step, isOther }: Progress): string {
+function stepText({ step, isOther }: Progress): string {
   const { tour } = texts.value.help;
   const { run } = texts.value.run;
   switch (step) {
@@ -114,7 +114,7 @@ function Ticks({ step }: { step: Step }) {
 }
 
 function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: StudioControl }) {
-  const words = texts.value.help.tour;
+  const labels = texts.value.help.tour;
   const group = control.open.program.group_id;
   if (step === "end") {
     return (
@@ -124,10 +124,10 @@ function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: Stu
           testId="tour-mission"
           onPress={() => beginActivity(group, FIRST_MISSION)}
         >
-          {words.mission}
+          {labels.mission}
         </Button>
         <Button testId="tour-free" onPress={() => tour.end()}>
-          {words.free}
+          {labels.free}
         </Button>
       </div>
     );
@@ -136,16 +136,16 @@ function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: Stu
     <div class="row wrap gap-2">
       {step === "hello" && (
         <Button kind="main" testId="tour-go" onPress={() => tour.next()}>
-          {words.go}
+          {labels.go}
         </Button>
       )}
       {tour.canShow.value && step !== "watch" && step !== "hello" && (
         <Button testId="tour-show" onPress={() => tour.show()}>
-          {words.show}
+          {labels.show}
         </Button>
       )}
       <Button testId="tour-skip" onPress={() => tour.end()}>
-        {words.skip}
+        {labels.skip}
       </Button>
     </div>
   );

@@ -17,7 +17,7 @@ export const ringOf = ({ x, y, width, height }: Box): Box => ({
   height: height + 2 * RING,
 });
 
-interface Wanted {
+interface BalloonPlacement {
   size: Pick<Box, "width" | "height">;
   /** What the balloon is to stand beside. */
   beside: Box;
@@ -30,10 +30,13 @@ interface Wanted {
  * Corner of a balloon beside a part of the page: below, left, right or above, the first place that lies in the window
  * and covers nothing that is needed; where there is none, the lower edge of the window.
  */
-export function placeBeside({ size, beside, free, window }: Wanted): { x: number; y: number } {
-  const most = { x: window.width - size.width - GAP, y: window.height - size.height - GAP };
-  const x = clamped(beside.x, GAP, most.x);
-  const y = clamped(beside.y + beside.height / 2 - size.height / 2, GAP, most.y);
+export function placeBeside({ size, beside, free, window }: BalloonPlacement): {
+  x: number;
+  y: number;
+} {
+  const max = { x: window.width - size.width - GAP, y: window.height - size.height - GAP };
+  const x = clamped(beside.x, GAP, max.x);
+  const y = clamped(beside.y + beside.height / 2 - size.height / 2, GAP, max.y);
   const places = [
     { x, y: beside.y + beside.height + GAP },
     { x: beside.x - size.width - GAP, y },
@@ -43,10 +46,10 @@ export function placeBeside({ size, beside, free, window }: Wanted): { x: number
   const fits = (one: { x: number; y: number }) =>
     one.x >= 0 &&
     one.y >= 0 &&
-    one.x <= most.x + GAP &&
-    one.y <= most.y + GAP &&
+    one.x <= max.x + GAP &&
+    one.y <= max.y + GAP &&
     !free.some((box) => shared({ ...one, ...size }, box));
-  return places.find(fits) ?? { x, y: most.y };
+  return places.find(fits) ?? { x, y: max.y };
 }
 
 /** What two boxes have in common. */
@@ -57,5 +60,4 @@ export function shared(one: Box, other: Box): Box | null {
   return width > 0 && height > 0 ? { x, y, width, height } : null;
 }
 
-const clamped = (value: number, least: number, most: number) =>
-  Math.max(least, Math.min(value, most));
+const clamped = (value: number, min: number, max: number) => Math.max(min, Math.min(value, max));

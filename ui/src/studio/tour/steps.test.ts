@@ -1,11 +1,11 @@
 import { describe, expect, test } from "vitest";
-import { advanced, after, beginning, type Progress, type Seen, STEPS } from "./steps";
+import { advanced, after, beginning, type Progress, STEPS, type StudioState } from "./steps";
 
-const NOTHING: Seen = { actions: [], run: null, isRunning: false };
-const seen = (more: Partial<Seen>): Seen => ({ ...NOTHING, ...more });
+const NOTHING: StudioState = { actions: [], run: null, isRunning: false };
+const stateWith = (more: Partial<StudioState>): StudioState => ({ ...NOTHING, ...more });
 
 /** The steps that the pupils come to, one after each state of the studio. */
-function walk(...states: Seen[]): string[] {
+function walk(...states: StudioState[]): string[] {
   let now: Progress = after(beginning(NOTHING), NOTHING);
   return states.map((state) => {
     now = advanced(now, state);
@@ -19,12 +19,12 @@ describe("the guided first drive", () => {
     expect(
       walk(
         NOTHING,
-        seen({ actions: one }),
-        seen({ actions: one, run: "1", isRunning: true }),
-        seen({ actions: one, run: "1" }),
-        seen({ actions: two, run: "1" }),
-        seen({ actions: two, run: "2", isRunning: true }),
-        seen({ actions: two, run: "2" }),
+        stateWith({ actions: one }),
+        stateWith({ actions: one, run: "1", isRunning: true }),
+        stateWith({ actions: one, run: "1" }),
+        stateWith({ actions: two, run: "1" }),
+        stateWith({ actions: two, run: "2", isRunning: true }),
+        stateWith({ actions: two, run: "2" }),
       ),
     ).toEqual(["move", "run", "watch", "turn", "again", "again", "end"]);
   });
@@ -32,28 +32,28 @@ describe("the guided first drive", () => {
   test("takes another block too, and says so until the next one", () => {
     expect(
       walk(
-        seen({ actions: ["beep"] }),
-        seen({ actions: ["beep"], run: "1" }),
-        seen({ actions: ["beep", "stop"], run: "1" }),
+        stateWith({ actions: ["beep"] }),
+        stateWith({ actions: ["beep"], run: "1" }),
+        stateWith({ actions: ["beep", "stop"], run: "1" }),
       ),
     ).toEqual(["run (other)", "turn", "again (other)"]);
   });
 
   test("needs no greeting for who takes a block at once", () => {
     const first = beginning(NOTHING);
-    expect(advanced(first, seen({ actions: ["move_forward"] })).step).toBe("run");
+    expect(advanced(first, stateWith({ actions: ["move_forward"] })).step).toBe("run");
     expect(advanced(first, NOTHING).step).toBe("hello");
   });
 
   test("counts a block that is put in another's place", () => {
-    const before = seen({ actions: ["move_forward"], run: "1" });
-    const [at, now] = [beginning(before, "turn"), seen({ actions: ["turn"], run: "1" })];
+    const before = stateWith({ actions: ["move_forward"], run: "1" });
+    const [at, now] = [beginning(before, "turn"), stateWith({ actions: ["turn"], run: "1" })];
     expect(advanced(at, now)).toMatchObject({ step: "again", isOther: false });
-    expect(advanced(at, seen({ run: "1" })).step).toBe("turn");
+    expect(advanced(at, stateWith({ run: "1" })).step).toBe("turn");
   });
 
   test("goes on in a page that was loaded again; a run that is gone is repeated", () => {
-    const before = seen({ actions: ["move_forward"] });
+    const before = stateWith({ actions: ["move_forward"] });
     expect(STEPS.map((step) => beginning(before, step).step)).toEqual(
       STEPS.map((step) => (step === "watch" ? "run" : step)),
     );
@@ -62,13 +62,13 @@ describe("the guided first drive", () => {
   });
 
   test("keeps for the run what was said about the block", () => {
-    const other = seen({ actions: ["beep"], run: "1", isRunning: true });
-    expect(walk(seen({ actions: ["beep"] }), other)).toEqual(["run (other)", "watch (other)"]);
+    const other = stateWith({ actions: ["beep"], run: "1", isRunning: true });
+    expect(walk(stateWith({ actions: ["beep"] }), other)).toEqual(["run (other)", "watch (other)"]);
   });
 
   test("does not go on while a block is missing or a run goes on", () => {
     expect(walk(NOTHING, NOTHING)).toEqual(["move", "move"]);
-    const running = seen({ actions: ["turn"], run: "1", isRunning: true });
+    const running = stateWith({ actions: ["turn"], run: "1", isRunning: true });
     expect(walk(running, running).at(-1)).toBe("watch (other)");
   });
 });

@@ -6,10 +6,10 @@ import { type Box, placeBeside, ringOf, shared } from "./places";
 import type { Step } from "./steps";
 
 /** Things of the page move without telling: floor, palette and blocks are looked at this often. */
-const LOOK_MS = 200;
+const POLL_INTERVAL_MS = 200;
 
 /** Left free below the program, where the block is dropped. */
-const ROOM_PX = 56;
+const DROP_SPACE_PX = 56;
 
 interface Targets {
   readonly rings: readonly Box[];
@@ -28,12 +28,12 @@ export function useTargets(
   balloon: { readonly current: HTMLElement | null },
 ): Targets {
   const [targets, setTargets] = useState(NOWHERE);
-  const look = () => {
+  const update = () => {
     const found = targetsOf(step, control, balloon.current);
     setTargets((known) => (JSON.stringify(found) === JSON.stringify(known) ? known : found));
   };
-  useEffect(look, [step, control]);
-  usePolling(look, { everyMs: LOOK_MS });
+  useEffect(update, [step, control]);
+  usePolling(update, { everyMs: POLL_INTERVAL_MS });
   return targets;
 }
 
@@ -91,16 +91,16 @@ function dragParts(type: "move_forward" | "turn", { editor }: StudioControl): Pa
   const from = boxOf(editor?.elements.offered(type));
   const program = boxOf(editor?.elements.program());
   if (!from || !program) return { rings: [from, program].filter(isThere) };
-  const palette = boxOf(editor?.elements.palette());
+  const flyout = boxOf(editor?.elements.flyout());
   const x = from.x + Math.min(48, from.width / 2);
   const y = from.y + from.height / 2;
   const drag = { x, y, right: program.x + 48 - x, down: program.y + program.height - 24 - y };
   // in narrow windows the palette lies over the program, until a block is taken
-  if (palette && shared(palette, program)) return { rings: [from], beside: palette, drag };
+  if (flyout && shared(flyout, program)) return { rings: [from], beside: flyout, drag };
   const ring = inEditor(program);
   return {
     rings: [from, ring].filter(isThere),
-    beside: ring && { ...ring, height: ring.height + ROOM_PX },
+    beside: ring && { ...ring, height: ring.height + DROP_SPACE_PX },
     drag,
   };
 }

@@ -3,7 +3,7 @@ import * as robot from "../../run/live";
 import { TOUR_OVER, tourFor, tourSteps } from "../../shell/help";
 import { report } from "../../shell/session";
 import type { StudioControl } from "../studio_control";
-import { advanced, after, beginning, isStep, type Progress, type Seen } from "./steps";
+import { advanced, after, beginning, isStep, type Progress, type StudioState } from "./steps";
 
 /** After this time in a step the pupils may have it shown. */
 const SHOW_AFTER_MS = 20_000;
@@ -17,13 +17,13 @@ export class Tour {
   private timer = 0;
 
   constructor(private readonly control: StudioControl) {
-    const kept = tourSteps.of(this.group);
-    this.progress.value = beginning(this.seen(), isStep(kept) ? kept : "hello");
-    this.keep();
+    const storedStep = tourSteps.of(this.group);
+    this.progress.value = beginning(this.studioState(), isStep(storedStep) ? storedStep : "hello");
+    this.storeStep();
     this.stops = [
       effect(() => {
-        const seen = this.seen();
-        this.take(advanced(this.progress.peek(), seen));
+        const state = this.studioState();
+        this.setProgress(advanced(this.progress.peek(), state));
       }),
     ];
     this.wait();
@@ -31,7 +31,7 @@ export class Tour {
 
   /** Goes on from a step that has nothing to do. */
   next(): void {
-    this.take(after(this.progress.peek(), this.seen()));
+    this.setProgress(after(this.progress.peek(), this.studioState()));
   }
 
   /** Does what the step asks for. */
@@ -49,22 +49,22 @@ export class Tour {
   }
 
   dispose(): void {
-    tourSteps.keep(this.group, TOUR_OVER);
+    tourSteps.set(this.group, TOUR_OVER);
     clearTimeout(this.timer);
     for (const stop of this.stops) stop();
   }
 
-  private take(progress: Progress): void {
+  private setProgress(progress: Progress): void {
     const before = this.progress.peek();
     if (progress === before) return;
     this.progress.value = progress;
     if (progress.step === before.step) return;
     this.wait();
-    this.keep();
+    this.storeStep();
   }
 
-  private keep(): void {
-    tourSteps.keep(this.group, this.progress.peek().step);
+  private storeStep(): void {
+    tourSteps.set(this.group, this.progress.peek().step);
   }
 
   private get group(): string {
@@ -79,7 +79,7 @@ export class Tour {
     }, SHOW_AFTER_MS);
   }
 
-  private seen(): Seen {
+  private studioState(): StudioState {
     const { mine, open } = this.control;
     const { commands = [] } = (open.content.value?.document ?? {}) as {
       commands?: { action: string }[];

@@ -1,6 +1,6 @@
 import { act, cleanup, render, screen } from "@testing-library/preact";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { changed, hand, seen } from "../../camera/testing/seen";
+import { changed, hand, sightOf } from "../../camera/testing/camera_events";
 import { passesAxe } from "../../kit/testing/control";
 
 const cameraApi = { status: vi.fn() };
@@ -28,10 +28,10 @@ test("the camera is ready when a sign was read, and stays so when the hand is pu
   const { container } = render(<CameraPart />);
   expect(findings()).toEqual(["good", "good", "open", "open"]);
   expect(isReady()).toBe("false");
-  act(() => receive(seen(tall(0.5))));
+  act(() => receive(sightOf(tall(0.5))));
   expect(isReady()).toBe("true");
   expect(screen.getByText("Sinal visto: B")).toBeTruthy();
-  act(() => receive(seen()));
+  act(() => receive(sightOf()));
   expect(isReady()).toBe("true");
   await passesAxe(container);
 });
@@ -42,7 +42,7 @@ test.each([
   ["near", tall(0.5, -0.1)],
 ])("a hand that is %s is told", (finding, one) => {
   render(<CameraPart />);
-  act(() => receive(seen(one)));
+  act(() => receive(sightOf(one)));
   expect(findings()[2]).toBe(finding);
   expect(isReady()).toBe("false");
 });
@@ -55,9 +55,9 @@ test.each([
   ["camera_black", ["good", "dark", "open", "open"]],
 ])("what is wrong is in the list, with what to do beside it: %s", async (code, expected) => {
   const { container } = render(<CameraPart />);
-  act(() => receive(seen(tall(0.5))));
+  act(() => receive(sightOf(tall(0.5))));
   act(() => receive(changed("failed", code)));
-  act(() => receive(seen()));
+  act(() => receive(sightOf()));
   expect(findings()).toEqual(expected);
   expect(isReady()).toBe("false");
   expect(screen.getByTestId("camera-trouble").dataset.code).toBe(code);

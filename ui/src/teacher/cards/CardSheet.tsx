@@ -16,11 +16,11 @@ interface CardSheetProps {
 
 /** The paper: each card so many times, with lines to cut along. */
 export function CardSheet({ list, copies, ink, elementRef }: CardSheetProps) {
-  const say = texts.value.plan.cards;
+  const labels = texts.value.plan.cards;
   return (
     <section
       class="cards"
-      aria-label={say.sheet}
+      aria-label={labels.sheet}
       ref={elementRef}
       data-ink={ink}
       data-list={list}
@@ -60,7 +60,7 @@ function DrawnCards({ list, copies }: DrawnCardsProps) {
   const found = useLoaded(`${list} ${language.value}`, () => blockCards(list, language.value));
   return (
     <Loaded of={found} loading={plan.cards.drawing}>
-      {({ cards, look }: BlockCards) => (
+      {({ cards, stageClasses }: BlockCards) => (
         <ul class="card-sheet">
           {cards.flatMap((card) =>
             times(copies).map((n) => (
@@ -70,7 +70,7 @@ function DrawnCards({ list, copies }: DrawnCardsProps) {
                 data-testid="card"
                 data-name={card.name}
               >
-                <Card card={card} look={look} />
+                <Card card={card} stageClasses={stageClasses} />
               </li>
             )),
           )}
@@ -82,13 +82,15 @@ function DrawnCards({ list, copies }: DrawnCardsProps) {
 
 interface CardProps {
   card: BlockCard;
-  look: string;
+  stageClasses: string;
 }
 
-function Card({ card, look }: CardProps) {
+function Card({ card, stageClasses }: CardProps) {
   const picture = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => picture.current?.replaceChildren(card.svg.cloneNode(true)), [card]);
-  return <div ref={picture} role="img" aria-label={card.words} class={`card-block ${look}`} />;
+  return (
+    <div ref={picture} role="img" aria-label={card.text} class={`card-block ${stageClasses}`} />
+  );
 }
 
 const times = (n: number) => Array.from({ length: n }, (_, index) => index);

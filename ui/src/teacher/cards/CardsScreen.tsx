@@ -3,8 +3,8 @@ import { ArrowLeft, Printer, Save } from "lucide-preact";
 import { useRef } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { Choice } from "../../kit/Choice";
 import { LinkButton } from "../../kit/LinkButton";
+import { RadioGroup } from "../../kit/RadioGroup";
 import { Select } from "../../kit/Select";
 import { hashOf } from "../../shell/route";
 import { savePage } from "../plan/page_file";
@@ -20,7 +20,7 @@ type Ink = "lines" | "colours";
 /** Cards of blocks to cut out, as they come on paper. */
 export function CardsScreen() {
   const { plan } = texts.value;
-  const say = plan.cards;
+  const labels = plan.cards;
   const list = useSignal<CardList>("lesson");
   const copies = useSignal(4);
   const ink = useSignal<Ink>("lines");
@@ -31,11 +31,11 @@ export function CardsScreen() {
       <div class="review-head cards-screen__head row middle gap-4">
         <LinkButton
           icon={ArrowLeft}
-          label={say.back}
+          label={labels.back}
           href={hashOf({ screen: "teacher", part: "plan" })}
         />
-        <h1>{say.title}</h1>
-        <p>{say.about}</p>
+        <h1>{labels.title}</h1>
+        <p>{labels.about}</p>
         {canPrint() && (
           <Button kind="main" icon={Printer} testId="cards-print" onPress={() => window.print()}>
             {plan.print}
@@ -45,7 +45,7 @@ export function CardsScreen() {
           icon={Save}
           tip={plan.saveHelp}
           testId="cards-save"
-          onPress={() => savePage(sheet.current, say.title, say.fileName)}
+          onPress={() => savePage(sheet.current, labels.title, labels.fileName)}
         >
           {plan.save}
         </Button>
@@ -64,14 +64,14 @@ interface CardOptionsProps {
 
 /** Which cards, how many of each, and in which ink. */
 function CardOptions({ list, copies, ink }: CardOptionsProps) {
-  const say = texts.value.plan.cards;
+  const labels = texts.value.plan.cards;
   return (
     <div class="cards-screen__options">
       <label class="filters__one">
-        <span>{say.which}</span>
+        <span>{labels.which}</span>
         <Select<CardList>
           value={list.value}
-          options={CARD_LISTS.map((name) => [name, say.lists[name]])}
+          options={CARD_LISTS.map((name) => [name, labels.lists[name]])}
           testId="cards-list"
           onChange={(chosen) => {
             list.value = chosen;
@@ -79,7 +79,7 @@ function CardOptions({ list, copies, ink }: CardOptionsProps) {
         />
       </label>
       <label class="filters__one">
-        <span>{say.copies}</span>
+        <span>{labels.copies}</span>
         <Select<number>
           value={copies.value}
           options={COPIES.map((n) => [n, String(n)])}
@@ -89,22 +89,22 @@ function CardOptions({ list, copies, ink }: CardOptionsProps) {
           }}
         />
       </label>
-      <Choice<Ink>
+      <RadioGroup<Ink>
         class="switch row middle shrinks"
-        label={say.ink}
+        label={labels.ink}
         legendClass="switch__word"
         optionClass=""
         testId="cards-ink"
         value={ink.value}
         options={[
-          ["lines", say.inks.lines],
-          ["colours", say.inks.colours],
+          ["lines", labels.inks.lines],
+          ["colours", labels.inks.colours],
         ]}
         onChange={(chosen) => {
           ink.value = chosen;
         }}
       />
-      <p>{say.printHelp}</p>
+      <p>{labels.printHelp}</p>
     </div>
   );
 }

@@ -2,7 +2,7 @@ import { classesApi } from "../../api/classes";
 import type { Group, GroupChanges } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { GroupPicture } from "../../kit/pictures/GroupPicture";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
 import { withDistinctNames } from "../../shell/namesakes";
@@ -15,13 +15,13 @@ interface ClassGroupProps {
   group: Group;
   school: School;
   reload(): Promise<void>;
-  onMoved(words: string): void;
+  onMoved(message: string): void;
 }
 
 /** A group in the list of its class, with controls to rename and to move it. */
 export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) {
-  const { classes: say } = texts.value.teacher;
-  const { fault, act } = useAct(asTeacher);
+  const { classes: labels } = texts.value.teacher;
+  const { fault, act } = useAction(asTeacher);
   const others = withDistinctNames(school.classes, language.value)
     .filter((one) => one.id !== group.classroom_id)
     .map(({ id, name }): SelectOption<string> => [id, name]);
@@ -31,7 +31,7 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
   };
   const move = async (id: string) => {
     await change({ classroom_id: id });
-    onMoved(say.moved(group.name, others.find(([one]) => one === id)?.[1] ?? ""));
+    onMoved(labels.moved(group.name, others.find(([one]) => one === id)?.[1] ?? ""));
   };
   return (
     <>
@@ -40,7 +40,7 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
       </span>
       <NameField
         name={group.name}
-        label={say.renameGroup}
+        label={labels.renameGroup}
         testId="group-rename"
         onRename={(name) => change({ name })}
       >
@@ -54,10 +54,10 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
       {others.length > 0 && (
         <Select
           class="class-groups__move"
-          label={say.moveOf(group.name)}
+          label={labels.moveOf(group.name)}
           testId="move-group"
           value=""
-          options={[["", say.move], ...others]}
+          options={[["", labels.move], ...others]}
           onChange={(id) => id && act(() => move(id))}
         />
       )}

@@ -23,7 +23,7 @@ interface ClassPanelProps {
 
 /** One class: its name, groups and actions. */
 export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPanelProps) {
-  const { classes: say } = texts.value.teacher;
+  const { classes: labels } = texts.value.teacher;
   const [moved, setMoved] = useState("");
   const groups = groupsIn(id, school.groups);
   const classroom = withDistinctNames(school.classes, language.value).find((one) => one.id === id);
@@ -35,7 +35,7 @@ export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPan
     <section class="panel card">
       <PanelHead id={id} shownName={classroom?.name} school={school} reload={reload} />
       <p class="teacher__hint" role="status">
-        {moved || (groups.length === 0 ? say.empty : say.groups(groups.length))}
+        {moved || (groups.length === 0 ? labels.empty : labels.groups(groups.length))}
       </p>
       <ul class="column">
         {groups.map((group) => (
@@ -50,8 +50,8 @@ export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPan
       </ul>
       {classroom && (
         <AddForm
-          label={say.newGroup}
-          placeholder={say.newGroupPlaceholder}
+          label={labels.newGroup}
+          placeholder={labels.newGroupPlaceholder}
           fieldId="new-group-name"
           buttonId="make-group"
           onAdd={add}
@@ -72,7 +72,7 @@ interface PanelHeadProps extends Pick<ClassPanelProps, "id" | "school" | "reload
 }
 
 function PanelHead({ id, shownName, school, reload }: PanelHeadProps) {
-  const { classes: say } = texts.value.teacher;
+  const { classes: labels } = texts.value.teacher;
   const classroom = school.classes.find((one) => one.id === id);
   const rename = async (name: string) => {
     await classesApi.renameClassroom(id, name);
@@ -82,12 +82,12 @@ function PanelHead({ id, shownName, school, reload }: PanelHeadProps) {
     return (
       <>
         <h2>{texts.value.classes.noClass}</h2>
-        <p class="teacher__hint">{say.noneHint}</p>
+        <p class="teacher__hint">{labels.noneHint}</p>
       </>
     );
   }
   return (
-    <NameField name={classroom.name} label={say.rename} testId="rename-class" onRename={rename}>
+    <NameField name={classroom.name} label={labels.rename} testId="rename-class" onRename={rename}>
       <h2>{shownName}</h2>
     </NameField>
   );

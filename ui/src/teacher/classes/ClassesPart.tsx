@@ -16,7 +16,7 @@ interface ClassesPartProps {
 
 /** The classes of the school, and their groups. */
 export function ClassesPart({ school, reload }: ClassesPartProps) {
-  const { classes: say } = texts.value.teacher;
+  const { classes: labels } = texts.value.teacher;
   const { classes, groups } = school;
   const shown = shownClass(classroom.value, classes, groups);
   const withNone = groupsIn(NO_CLASS, groups).length > 0;
@@ -36,17 +36,17 @@ export function ClassesPart({ school, reload }: ClassesPartProps) {
   return (
     <>
       <div class="row wrap top apart gap-3">
-        <h1>{say.title}</h1>
+        <h1>{labels.title}</h1>
         <AddForm
-          label={say.newClass}
-          placeholder={say.newClassPlaceholder}
+          label={labels.newClass}
+          placeholder={labels.newClassPlaceholder}
           fieldId="new-class"
           buttonId="make-class"
           onAdd={make}
         />
       </div>
       {!isInPanel && message}
-      {classes.length === 0 && <p class="teacher__hint">{say.first}</p>}
+      {classes.length === 0 && <p class="teacher__hint">{labels.first}</p>}
       {classes.length > 0 && <ClassChips classes={classes} withNone={withNone} shown={shown} />}
       {hasPanel && (
         <ClassPanel key={shown} {...{ school, reload }} id={shown} onDeleted={afterDeletion}>
@@ -71,7 +71,7 @@ function useDeleted() {
     answer.current?.scrollIntoView({ block: "nearest" });
   }, [deleted]);
   return {
-    message: deleted && <DeletionDone removed={deleted.removed} answer={answer} />,
+    message: deleted && <DeletionDone removed={deleted.removed} elementRef={answer} />,
     deletedFrom: deleted?.classroom,
     setDeleted,
   };

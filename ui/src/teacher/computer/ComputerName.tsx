@@ -10,18 +10,18 @@ interface ComputerNameProps {
 
 /** Form for the name of this PC. */
 export function ComputerName({ name }: ComputerNameProps) {
-  const { computer: say } = texts.value.teacher;
+  const { computer: labels } = texts.value.teacher;
   const setting = useSetting();
   const { draft, field } = useDraft({ name }, setting.clear);
   return (
     <SettingForm
       setting={setting}
-      done={say.kept}
-      hint={say.nameHint}
+      done={labels.kept}
+      hint={labels.nameHint}
       buttonId="keep-computer"
-      onKeep={() => setting.keep(() => classesApi.renameComputer(draft.name))}
+      onSave={() => setting.keep(() => classesApi.renameComputer(draft.name))}
     >
-      <Field label={say.name} maxLength={60} data-testid="computer-name" {...field("name")} />
+      <Field label={labels.name} maxLength={60} data-testid="computer-name" {...field("name")} />
     </SettingForm>
   );
 }

@@ -8,24 +8,24 @@ import { SettingChoice } from "./SettingChoice";
 
 /** The settings of this PC: its name, the PIN, how often pupils take turns. */
 export function ComputerPart() {
-  const { computer: say } = texts.value.teacher;
+  const { computer: labels } = texts.value.teacher;
   const computer = useLoaded("computer", () => classesApi.computer());
   return (
     <>
-      <h1>{say.title}</h1>
+      <h1>{labels.title}</h1>
       <Loaded of={computer}>{({ name }) => <ComputerName name={name} />}</Loaded>
       <NewPin />
       <SettingChoice
         name="pinel_turns"
-        title={say.turns}
-        hint={say.turnsHint}
-        options={say.turnsEvery}
+        title={labels.turns}
+        hint={labels.turnsHint}
+        options={labels.turnsEvery}
       />
       <SettingChoice
         name="pinel_loudness"
-        title={say.loudness}
-        hint={say.loudnessHint}
-        options={say.loudnessOf}
+        title={labels.loudness}
+        hint={labels.loudnessHint}
+        options={labels.loudnessOf}
       />
     </>
   );

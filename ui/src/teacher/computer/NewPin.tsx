@@ -7,25 +7,25 @@ import { SettingForm, useSetting } from "./SettingForm";
 
 /** Form for a new PIN. */
 export function NewPin() {
-  const { computer: say, prepare } = texts.value.teacher;
+  const { computer: labels, prepare } = texts.value.teacher;
   const setting = useSetting();
   const { draft, field, reset } = useDraft({ pin: "", again: "" }, setting.clear);
-  const keep = async () => {
+  const save = async () => {
     const wrong = pinFault(draft.pin, draft.again, prepare);
     if (wrong) setting.refuse(wrong);
     else if (await setting.keep(() => choosePin(draft.pin))) reset();
   };
   return (
     <SettingForm
-      title={say.pin}
+      title={labels.pin}
       setting={setting}
-      done={say.pinKept}
+      done={labels.pinKept}
       hint={prepare.pinHint}
       buttonId="keep-pin"
-      onKeep={keep}
+      onSave={save}
     >
-      <PinField label={say.newPin} data-testid="new-pin" {...field("pin")} />
-      <PinField label={say.newPinAgain} data-testid="new-pin-again" {...field("again")} />
+      <PinField label={labels.newPin} data-testid="new-pin" {...field("pin")} />
+      <PinField label={labels.newPinAgain} data-testid="new-pin-again" {...field("again")} />
     </SettingForm>
   );
 }

@@ -4,30 +4,30 @@ import { useState } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 
 /** State of saving a setting, with its error. */
 export function useSetting() {
-  const [isKept, setKept] = useState(false);
-  const { busy, fault, act, refuse, clear } = useAct(asTeacher);
-  const keep = async (work: () => Promise<unknown>) => {
+  const [isSaved, setSaved] = useState(false);
+  const { busy, fault, act, refuse, clear } = useAction(asTeacher);
+  const save = async (work: () => Promise<unknown>) => {
     const done = await act(work);
-    setKept(done);
+    setSaved(done);
     return done;
   };
   return {
-    isKept,
+    isKept: isSaved,
     busy,
     fault,
-    keep,
+    keep: save,
     refuse: (message: string) => {
-      setKept(false);
+      setSaved(false);
       refuse(message);
     },
     clear: () => {
-      setKept(false);
+      setSaved(false);
       clear();
     },
   };
@@ -40,16 +40,16 @@ interface SettingFormProps {
   done: string;
   hint: string;
   buttonId: string;
-  onKeep(): unknown;
+  onSave(): unknown;
   children: ComponentChildren;
 }
 
 /** Fields of one setting of this PC, and its save button. */
 export function SettingForm(props: SettingFormProps) {
-  const { title, setting, done, hint, buttonId, onKeep, children } = props;
-  const { isKept, busy, fault } = setting;
+  const { title, setting, done, hint, buttonId, onSave, children } = props;
+  const { isKept: isSaved, busy, fault } = setting;
   return (
-    <Form class="panel card" onSubmit={onKeep}>
+    <Form class="panel card" onSubmit={onSave}>
       {title && <h2>{title}</h2>}
       <div class="teacher__row">
         {children}
@@ -57,8 +57,8 @@ export function SettingForm(props: SettingFormProps) {
           {texts.value.teacher.computer.keep}
         </Button>
       </div>
-      <p class={isKept ? "teacher__done" : "labelled__hint"} role="status">
-        {isKept ? done : hint}
+      <p class={isSaved ? "teacher__done" : "labelled__hint"} role="status">
+        {isSaved ? done : hint}
       </p>
       <FaultLine fault={fault} />
     </Form>

@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { exchange } from "../../api/exchange";
 import type { Classroom, Group, Removed } from "../../api/model";
 import { texts } from "../../i18n";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
 import { asTeacher } from "../../shell/teacher/teacher_session";
@@ -21,7 +21,7 @@ interface DeletionProps {
 /** Deletes a group or the whole class for good, after showing what will be lost. */
 export function Deletion({ classroom, groups, onDone, children }: DeletionProps) {
   const [chosen, setChosen] = useState("");
-  const { fault, act } = useAct(asTeacher);
+  const { fault, act } = useAction(asTeacher);
   const { deletion } = texts.value.exchange;
   const isClass = chosen === classroom?.id;
   const affected = isClass ? groups : groups.filter(({ id }) => id === chosen);
@@ -60,7 +60,7 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
           onConfirm={() => act(remove)}
           onCancel={() => setChosen("")}
         >
-          {lossInWords(name, affected)}
+          {lossText(name, affected)}
         </ConfirmDeletion>
       )}
       <FaultLine fault={fault} />
@@ -70,12 +70,12 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
 }
 
 /** How many programs and runs will be lost. */
-function lossInWords(name: string, groups: readonly Group[]): string {
-  const say = texts.value.exchange;
+function lossText(name: string, groups: readonly Group[]): string {
+  const labels = texts.value.exchange;
   const total = (count: (group: Group) => number) =>
     groups.reduce((sum, group) => sum + count(group), 0);
   const inBin = total((group) => group.n_in_bin);
-  const all = say.programs(total((group) => group.n_programs) + inBin);
+  const all = labels.programs(total((group) => group.n_programs) + inBin);
   const programs = inBin > 0 ? `${all} (${texts.value.start.alsoInBin(inBin)})` : all;
-  return say.deletion.goes(name, programs, say.runs(total((group) => group.n_runs)));
+  return labels.deletion.goes(name, programs, labels.runs(total((group) => group.n_runs)));
 }

@@ -5,22 +5,28 @@ import { FilesLeft } from "./FilesLeft";
 
 interface DeletionDoneProps {
   removed: Removed;
-  answer: Ref<HTMLDivElement>;
+  elementRef: Ref<HTMLDivElement>;
 }
 
 /** Report of a deletion, and the files that still contain the data. */
-export function DeletionDone({ removed, answer }: DeletionDoneProps) {
-  const say = texts.value.exchange;
+export function DeletionDone({ removed, elementRef }: DeletionDoneProps) {
+  const labels = texts.value.exchange;
   const { n_groups, n_programs, n_runs } = removed;
   return (
     <div
-      ref={answer}
+      ref={elementRef}
       class="deletion__done notice-box"
       role="status"
       tabIndex={-1}
       data-testid="deletion-done"
     >
-      <p>{say.deletion.done(say.groups(n_groups), say.programs(n_programs), say.runs(n_runs))}</p>
+      <p>
+        {labels.deletion.done(
+          labels.groups(n_groups),
+          labels.programs(n_programs),
+          labels.runs(n_runs),
+        )}
+      </p>
       <FilesLeft paths={[...removed.files.map(({ path }) => path), ...removed.backups]} />
     </div>
   );

@@ -35,8 +35,11 @@ type Known = Awaited<ReturnType<typeof loadKnown>>;
 
 /** The PCs whose work is here, and the classes. */
 async function loadKnown() {
-  const [heard, classes] = await Promise.all([exchange.heard(), classesApi.classrooms()]);
-  return { heard, classes };
+  const [knownComputers, classes] = await Promise.all([
+    exchange.knownComputers(),
+    classesApi.classrooms(),
+  ]);
+  return { heard: knownComputers, classes };
 }
 
 interface BoxesProps {
@@ -58,7 +61,7 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
     merging.forget();
     saved.value = null;
   };
-  const lookAgain = () => {
+  const reload = () => {
     forgetAnswers();
     return loadAll();
   };
@@ -66,18 +69,18 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
   const undecided = waiting.filter(({ path }) => !merging.isAsked(path));
   return (
     <>
-      <MergeBox folders={folders} merging={merging} undecided={undecided} onLook={lookAgain} />
+      <MergeBox folders={folders} merging={merging} undecided={undecided} onReload={reload} />
       <Loaded of={known}>
-        {({ heard, classes }) => (
+        {({ heard: knownComputers, classes }) => (
           <>
             <SaveBox folders={folders} classes={classes} saved={saved} onSaved={places.again} />
-            <KnownComputers heard={heard} onAgain={known.again} />
+            <KnownComputers knownComputers={knownComputers} onAgain={known.again} />
           </>
         )}
       </Loaded>
       <SharedFolder
         path={shared}
-        takesBackups={takes_backups}
+        storesBackups={takes_backups}
         isReachable={!folders.some((one) => one.path === shared && !one.is_reachable)}
         onChoose={forgetAnswers}
         onChosen={places.set}

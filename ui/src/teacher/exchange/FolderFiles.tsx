@@ -13,20 +13,20 @@ interface FolderFilesProps {
 
 /** The files on a stick or in the school's folder, with check boxes. */
 export function FolderFiles({ folder, isChosen, onToggle }: FolderFilesProps) {
-  const say = texts.value.exchange;
+  const labels = texts.value.exchange;
   const Icon = folder.is_removable ? Usb : HardDrive;
   return (
     <fieldset class="exchange__folder shrinks">
       <legend>
         <Icon class="icon" aria-hidden="true" />
-        {folder.is_removable ? say.stick(folder.name) : say.folder(folder.name)}
+        {folder.is_removable ? labels.stick(folder.name) : labels.folder(folder.name)}
         <FolderState folder={folder} />
       </legend>
       {folder.is_reachable && folder.files.length === 0 && (
-        <p class="exchange__hint">{say.noFiles}</p>
+        <p class="exchange__hint">{labels.noFiles}</p>
       )}
       {folder.files.map((file) => (
-        <FileLine
+        <FileRow
           key={file.path}
           file={file}
           isChosen={isChosen(file)}
@@ -37,28 +37,28 @@ export function FolderFiles({ folder, isChosen, onToggle }: FolderFilesProps) {
   );
 }
 
-interface FileLineProps {
+interface FileRowProps {
   file: FileFound;
   isChosen: boolean;
   onToggle(): void;
 }
 
 /** A bundle file. An anonymous one is marked: merging it duplicates groups. */
-function FileLine({ file, isChosen, onToggle }: FileLineProps) {
-  const say = texts.value.exchange;
+function FileRow({ file, isChosen, onToggle }: FileRowProps) {
+  const labels = texts.value.exchange;
   return (
     <>
       <label class="exchange__file" data-testid="found-file">
         <input
           type="checkbox"
           checked={isChosen}
-          aria-label={say.choose(file.name)}
+          aria-label={labels.choose(file.name)}
           onChange={onToggle}
         />
         <span class="exchange__name">{file.name}</span>
-        {file.anonymous && <span class="exchange__nameless">{say.nameless}</span>}
+        {file.anonymous && <span class="exchange__nameless">{labels.nameless}</span>}
         <span class="exchange__about">
-          {say.file(
+          {labels.file(
             size(file.size_bytes, language.value),
             when(file.modified_at, new Date(), language.value, texts.value),
           )}
@@ -66,7 +66,7 @@ function FileLine({ file, isChosen, onToggle }: FileLineProps) {
       </label>
       {file.anonymous && isChosen && (
         <p class="notice-box" role="status">
-          {say.doubles}
+          {labels.doubles}
         </p>
       )}
     </>
@@ -74,9 +74,11 @@ function FileLine({ file, isChosen, onToggle }: FileLineProps) {
 }
 
 function FolderState({ folder }: { folder: Folder }) {
-  const say = texts.value.exchange;
-  if (!folder.is_reachable) return <span class="exchange__about">{say.unreachable}</span>;
-  if (!folder.is_writable) return <span class="exchange__about">{say.readOnly}</span>;
+  const labels = texts.value.exchange;
+  if (!folder.is_reachable) return <span class="exchange__about">{labels.unreachable}</span>;
+  if (!folder.is_writable) return <span class="exchange__about">{labels.readOnly}</span>;
   if (folder.free_bytes === null) return null;
-  return <span class="exchange__about">{say.free(size(folder.free_bytes, language.value))}</span>;
+  return (
+    <span class="exchange__about">{labels.free(size(folder.free_bytes, language.value))}</span>
+  );
 }

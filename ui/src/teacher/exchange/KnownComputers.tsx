@@ -5,34 +5,34 @@ import { usePolling } from "../../kit/usePolling";
 import { Unconfirmed } from "./Unconfirmed";
 
 interface KnownComputersProps {
-  heard: KnownComputerList;
+  knownComputers: KnownComputerList;
   /** Loads anew. */
   onAgain(): Promise<void>;
 }
 
 /** The PCs whose work is here, with the time of the last merge. */
-export function KnownComputers({ heard, onAgain }: KnownComputersProps) {
-  const { computers, unconfirmed } = heard;
+export function KnownComputers({ knownComputers, onAgain }: KnownComputersProps) {
+  const { computers, unconfirmed } = knownComputers;
   usePolling(onAgain, { isOn: unconfirmed.waiting > 0 });
-  const say = texts.value.exchange;
+  const labels = texts.value.exchange;
   const now = new Date();
   const at = (iso: string) => when(iso, now, language.value, texts.value);
   return (
     <section class="panel card" aria-labelledby="exchange-heard">
-      <h2 id="exchange-heard">{say.heard}</h2>
+      <h2 id="exchange-heard">{labels.heard}</h2>
       <Unconfirmed counts={unconfirmed} />
       {computers.length === 0 ? (
-        <p class="exchange__hint">{say.heardNobody}</p>
+        <p class="exchange__hint">{labels.heardNobody}</p>
       ) : (
         <>
           <table class="exchange__table">
             <thead>
               <tr>
-                <th scope="col">{say.computer}</th>
-                <th scope="col">{say.exported}</th>
-                <th scope="col">{say.merged}</th>
+                <th scope="col">{labels.computer}</th>
+                <th scope="col">{labels.exported}</th>
+                <th scope="col">{labels.merged}</th>
                 <th scope="col" class="exchange__number">
-                  {say.heardRuns}
+                  {labels.heardRuns}
                 </th>
               </tr>
             </thead>
@@ -47,7 +47,7 @@ export function KnownComputers({ heard, onAgain }: KnownComputersProps) {
               ))}
             </tbody>
           </table>
-          <p class="exchange__hint">{say.clock}</p>
+          <p class="exchange__hint">{labels.clock}</p>
         </>
       )}
     </section>

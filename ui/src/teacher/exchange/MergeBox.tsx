@@ -14,14 +14,14 @@ interface MergeBoxProps {
   /** Deletions that wait for a decision. */
   undecided: KnownComputerList["undecided"];
   /** Reloads folders and known PCs. */
-  onLook(): Promise<void>;
+  onReload(): Promise<void>;
 }
 
 /** Merges files of sticks; all but anonymous ones are selected initially. */
-export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps) {
+export function MergeBox({ folders, merging, undecided, onReload }: MergeBoxProps) {
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
-  const { results, progress, mergeAll, deleteToo, keep } = merging;
-  const say = texts.value.exchange;
+  const { results, progress, mergeAll, deleteToo, keep: declineDeletion } = merging;
+  const labels = texts.value.exchange;
   const isChosen = (file: FileFound) => ticked.value.get(file.path) ?? !file.anonymous;
   const chosen = folders.flatMap((folder) => folder.files.filter(isChosen));
   const found = folders.flatMap(({ files }) => files);
@@ -32,14 +32,14 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
   return (
     <section class="panel card" aria-labelledby="exchange-places">
       <header class="button-row apart">
-        <h2 id="exchange-places">{say.places}</h2>
-        <Button kind="plain" icon={RefreshCw} onPress={onLook}>
-          {say.lookAgain}
+        <h2 id="exchange-places">{labels.places}</h2>
+        <Button kind="plain" icon={RefreshCw} onPress={onReload}>
+          {labels.lookAgain}
         </Button>
       </header>
       {folders.length === 0 && (
         <p>
-          <strong>{say.nowhere}</strong> {say.nowhereHint}
+          <strong>{labels.nowhere}</strong> {labels.nowhereHint}
         </p>
       )}
       {folders.map((folder) => (
@@ -54,12 +54,12 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
           onPress={() => mergeAll(chosen.map(({ path }) => path))}
         >
           {progress.value
-            ? say.merging(progress.value.n, progress.value.of)
-            : say.merge(chosen.length)}
+            ? labels.merging(progress.value.n, progress.value.of)
+            : labels.merge(chosen.length)}
         </Button>
       )}
       <Undecided deletions={undecided} onAsk={(path) => mergeAll([path])} />
-      <div role="status" aria-label={say.results}>
+      <div role="status" aria-label={labels.results}>
         {results.value.length > 0 && (
           <ul class="grid gap-2" data-testid="merge-results">
             {results.value.map((one) => (
@@ -67,8 +67,8 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
                 key={one.path}
                 merged={one}
                 isLesson={lessons.has(one.path)}
-                onDelete={(kept) => deleteToo(one.path, kept)}
-                onKeep={() => keep(one)}
+                onDelete={(retained) => deleteToo(one.path, retained)}
+                onDecline={() => declineDeletion(one)}
               />
             ))}
           </ul>

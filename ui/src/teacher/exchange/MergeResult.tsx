@@ -2,7 +2,7 @@ import { CircleCheck, TriangleAlert } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
 import type { Merged } from "../../api/model";
 import { texts } from "../../i18n";
-import { DeletedElsewhere } from "./DeletedElsewhere";
+import { DeletedOnOtherPc } from "./DeletedOnOtherPc";
 import { FilesLeft } from "./FilesLeft";
 import { outcome } from "./outcome";
 
@@ -11,14 +11,14 @@ interface MergeResultProps {
   /** It is a lesson file, whose lesson is not open yet. */
   isLesson: boolean;
   /** Deletes what the other PC deleted, but for these groups and programs. */
-  onDelete(kept: readonly string[]): Promise<void>;
-  onKeep(): void;
+  onDelete(retained: readonly string[]): Promise<void>;
+  onDecline(): void;
 }
 
 /** Result of merging one file, or the reason of its refusal. */
-export function MergeResult({ merged, isLesson, onDelete, onKeep }: MergeResultProps) {
+export function MergeResult({ merged, isLesson, onDelete, onDecline }: MergeResultProps) {
   const { problem } = merged;
-  const say = texts.value.exchange;
+  const labels = texts.value.exchange;
   const answer = useRef<HTMLParagraphElement>(null);
   const isRemoved = merged.removed !== null || merged.kept.length > 0;
   useEffect(() => {
@@ -34,18 +34,18 @@ export function MergeResult({ merged, isLesson, onDelete, onKeep }: MergeResultP
             <strong>{refusal(merged.name, problem.message)}</strong> {problem.remedy}
           </>
         ) : (
-          [outcome(merged, say), isLesson && say.lessonCame].filter(Boolean).join(" ")
+          [outcome(merged, labels), isLesson && labels.lessonCame].filter(Boolean).join(" ")
         )}
       </p>
       {merged.n_unconfirmed > 0 && (
-        <p class="notice-box exchange__warning">{say.unconfirmed.came}</p>
+        <p class="notice-box exchange__warning">{labels.unconfirmed.came}</p>
       )}
       {merged.would_delete && (
-        <DeletedElsewhere
+        <DeletedOnOtherPc
           computer={merged.computer ?? merged.name}
           pending={merged.would_delete}
           onDelete={onDelete}
-          onKeep={onKeep}
+          onDecline={onDecline}
         />
       )}
       {merged.left_in.length > 0 && (

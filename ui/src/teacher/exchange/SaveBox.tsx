@@ -26,7 +26,7 @@ interface SaveBoxProps {
 export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
   const classroom = useSignal("");
   const anonymous = useSignal(false);
-  const say = texts.value.exchange;
+  const labels = texts.value.exchange;
   const writable = folders.filter((folder) => folder.is_writable);
   const save = async (folder: Folder) => {
     saved.value = null;
@@ -39,7 +39,7 @@ export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
   if (writable.length === 0) return null;
   return (
     <section class="panel card" aria-labelledby="exchange-save">
-      <h2 id="exchange-save">{say.saveHere}</h2>
+      <h2 id="exchange-save">{labels.saveHere}</h2>
       {classes.length > 0 && <What classes={classes} chosen={classroom} />}
       <label class="exchange__file">
         <input
@@ -49,12 +49,12 @@ export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
             anonymous.value = event.currentTarget.checked;
           }}
         />
-        <span class="exchange__name">{say.anonymous}</span>
-        <span class="exchange__about">{say.anonymousHint}</span>
+        <span class="exchange__name">{labels.anonymous}</span>
+        <span class="exchange__about">{labels.anonymousHint}</span>
       </label>
       <SaveButtons folders={writable} onSave={save} />
       <p role="status" class="exchange__saved">
-        {saved.value && savedWords(saved.value)}
+        {saved.value && savedText(saved.value)}
       </p>
       {saved.value?.bundle.left_out && <LeftOut of={saved.value.bundle.left_out} />}
     </section>
@@ -76,16 +76,16 @@ interface WhatProps {
 }
 
 function What({ classes, chosen }: WhatProps) {
-  const say = texts.value.exchange;
+  const labels = texts.value.exchange;
   return (
     <label class="button-row">
-      {say.what}
+      {labels.what}
       <Select
         value={chosen.value}
         options={[
-          ["", say.everything],
+          ["", labels.everything],
           ...withDistinctNames(classes, language.value).map(
-            ({ id, name }): SelectOption<string> => [id, say.onlyClass(name)],
+            ({ id, name }): SelectOption<string> => [id, labels.onlyClass(name)],
           ),
         ]}
         onChange={(id) => {
@@ -104,7 +104,7 @@ interface SaveButtonsProps {
 /** A button for each folder; one file is written at a time. */
 function SaveButtons({ folders, onSave }: SaveButtonsProps) {
   const saving = useSignal<string | null>(null);
-  const say = texts.value.exchange;
+  const labels = texts.value.exchange;
   const save = async (folder: Folder) => {
     saving.value = folder.path;
     await onSave(folder).finally(() => {
@@ -121,16 +121,16 @@ function SaveButtons({ folders, onSave }: SaveButtonsProps) {
           busy={saving.value !== null}
           onPress={() => save(folder)}
         >
-          {saving.value === folder.path ? say.saving : say.saveIn(folder.name)}
+          {saving.value === folder.path ? labels.saving : labels.saveIn(folder.name)}
         </Button>
       ))}
     </div>
   );
 }
 
-function savedWords({ bundle, folder }: Saved): string {
+function savedText({ bundle, folder }: Saved): string {
   const { name, n_groups, n_runs } = bundle;
-  const say = texts.value.exchange;
-  const saved = say.saved(name, say.groups(n_groups), say.runs(n_runs));
-  return [saved, folder.is_removable && say.takeOut].filter(Boolean).join(" ");
+  const labels = texts.value.exchange;
+  const saved = labels.saved(name, labels.groups(n_groups), labels.runs(n_runs));
+  return [saved, folder.is_removable && labels.takeOut].filter(Boolean).join(" ");
 }

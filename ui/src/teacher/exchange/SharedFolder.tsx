@@ -4,14 +4,14 @@ import type { FolderList } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 
 interface SharedFolderProps {
   path: string;
   /** Whether copies of this PC's backups go there. */
-  takesBackups: boolean;
+  storesBackups: boolean;
   /** Whether it is reachable now. */
   isReachable: boolean;
   onChoose(): void;
@@ -20,29 +20,29 @@ interface SharedFolderProps {
 
 /** A network folder that is used like a stick. */
 export function SharedFolder(props: SharedFolderProps) {
-  const { path, takesBackups, isReachable, onChoose, onChosen } = props;
+  const { path, storesBackups, isReachable, onChoose, onChosen } = props;
   const typed = useSignal(path);
-  const ticked = useSignal(takesBackups);
-  const { busy, fault, act, clear } = useAct(asTeacher);
-  const say = texts.value.exchange;
-  const isSilent = path !== "" && !isReachable && typed.value === path;
-  const shown = fault ?? (isSilent ? say.sharedSilent : null);
-  const keep = () => {
+  const ticked = useSignal(storesBackups);
+  const { busy, fault, act, clear } = useAction(asTeacher);
+  const labels = texts.value.exchange;
+  const isUnreachable = path !== "" && !isReachable && typed.value === path;
+  const shown = fault ?? (isUnreachable ? labels.sharedSilent : null);
+  const save = () => {
     onChoose();
     return act(async () => onChosen(await exchange.share(typed.value.trim())));
   };
   const tick = async (isTicked: boolean) => {
     ticked.value = isTicked;
-    const isKept = await act(async () => onChosen(await exchange.shareBackups(path, isTicked)));
-    if (!isKept) ticked.value = !isTicked;
+    const isSaved = await act(async () => onChosen(await exchange.shareBackups(path, isTicked)));
+    if (!isSaved) ticked.value = !isTicked;
   };
   return (
-    <Form class="panel card" onSubmit={keep}>
+    <Form class="panel card" onSubmit={save}>
       <h2>
-        <label for="shared-folder">{say.shared}</label>
+        <label for="shared-folder">{labels.shared}</label>
       </h2>
       <p id="shared-folder-hint" class="exchange__hint">
-        {say.sharedHint}
+        {labels.sharedHint}
       </p>
       <div class="button-row">
         <input
@@ -51,7 +51,7 @@ export function SharedFolder(props: SharedFolderProps) {
           data-testid="shared-folder"
           aria-describedby="shared-folder-hint"
           aria-invalid={shown !== null}
-          placeholder={say.sharedExample}
+          placeholder={labels.sharedExample}
           autocomplete="off"
           spellcheck={false}
           value={typed.value}
@@ -61,7 +61,7 @@ export function SharedFolder(props: SharedFolderProps) {
           }}
         />
         <Button submit busy={busy}>
-          {say.keepShared}
+          {labels.keepShared}
         </Button>
       </div>
       {path !== "" && <BackupsTick isTicked={ticked.value} onTick={tick} />}
@@ -77,7 +77,7 @@ interface BackupsTickProps {
 
 /** Whether the folder also takes copies of this PC's backups. */
 function BackupsTick({ isTicked, onTick }: BackupsTickProps) {
-  const say = texts.value.exchange;
+  const labels = texts.value.exchange;
   return (
     <label class="exchange__file">
       <input
@@ -86,8 +86,8 @@ function BackupsTick({ isTicked, onTick }: BackupsTickProps) {
         checked={isTicked}
         onChange={(event) => onTick(event.currentTarget.checked)}
       />
-      <span class="exchange__name">{say.sharedBackups}</span>
-      <span class="exchange__about">{say.sharedBackupsHint}</span>
+      <span class="exchange__name">{labels.sharedBackups}</span>
+      <span class="exchange__about">{labels.sharedBackupsHint}</span>
     </label>
   );
 }

@@ -7,18 +7,18 @@ interface UnconfirmedProps {
 
 /** How many runs of files wait to be checked, and how many did not come out as their file says. */
 export function Unconfirmed({ counts }: UnconfirmedProps) {
-  const { unconfirmed: say } = texts.value.exchange;
+  const { unconfirmed: labels } = texts.value.exchange;
   const wrong = counts.differs + counts.not_passed;
   if (counts.waiting + wrong + counts.not_repeatable === 0) return null;
   return (
     <div class="notice-box" role="status" data-testid="unconfirmed">
-      {counts.waiting > 0 && <p>{say.waiting(counts.waiting)}</p>}
+      {counts.waiting > 0 && <p>{labels.waiting(counts.waiting)}</p>}
       {wrong > 0 && (
         <p>
-          <strong>{say.wrong(wrong)}</strong> {say.wrongWhere}
+          <strong>{labels.wrong(wrong)}</strong> {labels.wrongWhere}
         </p>
       )}
-      {counts.not_repeatable > 0 && <p>{say.notRepeatable(counts.not_repeatable)}</p>}
+      {counts.not_repeatable > 0 && <p>{labels.notRepeatable(counts.not_repeatable)}</p>}
     </div>
   );
 }

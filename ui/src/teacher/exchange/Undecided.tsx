@@ -12,22 +12,22 @@ interface UndecidedProps {
 
 /** What was deleted on other PCs and is still here, as nobody has decided about it. */
 export function Undecided({ deletions, onAsk }: UndecidedProps) {
-  const say = texts.value.exchange;
+  const labels = texts.value.exchange;
   if (deletions.length === 0) return null;
   const at = (iso: string) => when(iso, new Date(), language.value, texts.value);
   return (
     <div class="notice-box exchange__undecided" data-testid="undecided">
-      <strong>{say.undecided.title}</strong>
+      <strong>{labels.undecided.title}</strong>
       <ul>
         {deletions.map((one) => (
           <li key={one.path}>
             <span>
-              {say.undecided.line(one.computer, counted(one, say) || say.programs(0))}{" "}
+              {labels.undecided.line(one.computer, counted(one, labels) || labels.programs(0))}{" "}
               <span class="exchange__about">
-                {say.undecided.file(one.name, at(one.exported_at))}
+                {labels.undecided.file(one.name, at(one.exported_at))}
               </span>
             </span>
-            <Button onPress={() => onAsk(one.path)}>{say.undecided.ask}</Button>
+            <Button onPress={() => onAsk(one.path)}>{labels.undecided.ask}</Button>
           </li>
         ))}
       </ul>

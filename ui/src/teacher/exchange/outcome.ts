@@ -1,7 +1,7 @@
 import type { Merged, PendingWork } from "../../api/model";
 import type { Texts } from "../../i18n";
 
-type Say = Pick<
+type OutcomeTexts = Pick<
   Texts["exchange"],
   | "groups"
   | "programs"
@@ -24,62 +24,69 @@ type Outcome = Pick<
 >;
 
 /** Summary of one merge: rows added, rows already deleted here, rows deleted now. */
-export function outcome(merged: Outcome, say: Say): string {
+export function outcome(merged: Outcome, texts: OutcomeTexts): string {
   const { removed, held_back: heldBack } = merged;
   const sentences = [
-    removed && told(counted({ ...removed, versions: 0 }, say), say.deleted, say.deletedRest),
-    merged.kept.length > 0 && say.kept(merged.kept.join(", ")),
-    ...came(merged, say),
-    heldBack && told(counted(heldBack, say), say.heldBack, say.heldBackRest),
+    removed &&
+      textWithCounts(counted({ ...removed, versions: 0 }, texts), texts.deleted, texts.deletedRest),
+    merged.kept.length > 0 && texts.kept(merged.kept.join(", ")),
+    ...came(merged, texts),
+    heldBack && textWithCounts(counted(heldBack, texts), texts.heldBack, texts.heldBackRest),
   ];
   return sentences.filter(Boolean).join(" ");
 }
 
 /** The non-zero counts, as text. */
-export function counted(numbers: Partial<Merged["added"]>, say: Say): string {
+export function counted(numbers: Partial<Merged["added"]>, texts: OutcomeTexts): string {
   const { groups = 0, programs = 0, versions = 0, runs = 0 } = numbers;
   return [
-    groups > 0 && say.groups(groups),
-    programs > 0 && say.programs(programs),
-    versions > 0 && say.versions(versions),
-    runs > 0 && say.runs(runs),
+    groups > 0 && texts.groups(groups),
+    programs > 0 && texts.programs(programs),
+    versions > 0 && texts.versions(versions),
+    runs > 0 && texts.runs(runs),
   ]
     .filter(Boolean)
     .join(", ");
 }
 
-function came(merged: Outcome, say: Say): string[] {
+function came(merged: Outcome, texts: OutcomeTexts): string[] {
   const { computer, name, added, anonymous } = merged;
   const who = computer ?? name;
-  const parts = counted(added, say);
+  const parts = counted(added, texts);
   if (parts) {
-    return [say.brought(who, parts), ...(anonymous && added.groups > 0 ? [say.cameNameless] : [])];
+    return [
+      texts.brought(who, parts),
+      ...(anonymous && added.groups > 0 ? [texts.cameNameless] : []),
+    ];
   }
   if (merged.removed || merged.kept.length > 0) return [];
   // rows deleted here were not added, so "nothing new" would be wrong
-  if (merged.nothing_new) return [(merged.held_back ? say.nothingComes : say.nothingNew)(who)];
-  return [say.only(who)];
+  if (merged.nothing_new) return [(merged.held_back ? texts.nothingComes : texts.nothingNew)(who)];
+  return [texts.only(who)];
 }
 
 /** The text with counts, or `rest` if there are none. */
-function told(parts: string, say: (parts: string) => string, rest: string): string {
-  return parts ? say(parts) : rest;
+function textWithCounts(parts: string, format: (parts: string) => string, rest: string): string {
+  return parts ? format(parts) : rest;
 }
 
 /** Where a group is now, and what of it was unknown to the PC that deleted it; "" for nothing. */
 export function newsOf(
   work: PendingWork,
-  say: Pick<Texts["exchange"], "isNow" | "isNowWithout" | "isNew" | "programs" | "edits" | "runs">,
+  texts: Pick<
+    Texts["exchange"],
+    "isNow" | "isNowWithout" | "isNew" | "programs" | "edits" | "runs"
+  >,
 ): string {
   const { is_moved, place, n_new_programs, n_new_edits, n_new_runs } = work;
   const news = [
-    n_new_programs > 0 && say.programs(n_new_programs),
-    n_new_edits > 0 && say.edits(n_new_edits),
-    n_new_runs > 0 && say.runs(n_new_runs),
+    n_new_programs > 0 && texts.programs(n_new_programs),
+    n_new_edits > 0 && texts.edits(n_new_edits),
+    n_new_runs > 0 && texts.runs(n_new_runs),
   ].filter(Boolean);
   return [
-    is_moved && (place ? say.isNow(place) : say.isNowWithout),
-    news.length > 0 && say.isNew(news.join(", ")),
+    is_moved && (place ? texts.isNow(place) : texts.isNowWithout),
+    news.length > 0 && texts.isNew(news.join(", ")),
   ]
     .filter(Boolean)
     .join(" ");

@@ -33,21 +33,21 @@ export function useMerging(onMerged: () => Promise<void>) {
       void onMerged();
     }
   };
-  const mergeAgain = async (path: string, kept?: readonly string[]) => {
-    const merged = await asTeacher(() => exchange.merge(path, kept));
+  const mergeAgain = async (path: string, retained?: readonly string[]) => {
+    const merged = await asTeacher(() => exchange.merge(path, retained));
     if (merged) replace(merged);
   };
   /** Applies the deletions of the other PC, but for what is kept. Files without news before may have some now. */
-  const deleteToo = async (deletedBy: string, kept: readonly string[]) => {
-    await mergeAgain(deletedBy, kept);
+  const deleteToo = async (deletedBy: string, retained: readonly string[]) => {
+    await mergeAgain(deletedBy, retained);
     for (const { path, nothing_new, problem } of results.value) {
       if (path !== deletedBy && nothing_new && !problem) await mergeAgain(path);
     }
     void onMerged();
   };
-  const keep = (merged: Merged) => replace({ ...merged, would_delete: null });
+  const declineDeletion = (merged: Merged) => replace({ ...merged, would_delete: null });
   /** Whether the result of a file is shown, with its question. */
   const isAsked = (path: string) =>
     results.value.some((one) => one.path === path && one.problem === null);
-  return { results, progress, isAsked, mergeAll, deleteToo, keep, forget };
+  return { results, progress, isAsked, mergeAll, deleteToo, keep: declineDeletion, forget };
 }

@@ -1,14 +1,14 @@
 import { useSignal } from "@preact/signals";
-import { makingApi } from "../../api/making";
+import { authoringApi } from "../../api/authoring";
 import { type ActivityChoice, type ClassPreset as Preset, worldTitle } from "../../api/model";
 import { language, texts } from "../../i18n";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
 import { LEVELS, levelNames } from "../../shell/level";
 import { worlds } from "../../shell/session";
+import { SWAP_MINUTES, type SwapMinutes } from "../../shell/swap_timer";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { TURN_MINUTES, type TurnMinutes } from "../../shell/turns";
 
 interface ClassPresetProps {
   classroom: string;
@@ -19,42 +19,45 @@ interface ClassPresetProps {
 
 /** With what the groups of a class begin; each choice is saved at once. */
 export function ClassPreset({ classroom, preset, activities, onChanged }: ClassPresetProps) {
-  const { preset: say } = texts.value.making;
-  const { fault, act } = useAct(asTeacher);
+  const { preset: labels } = texts.value.making;
+  const { fault, act } = useAction(asTeacher);
   const isSaved = useSignal(false);
   const change = async (changes: Partial<Preset>) => {
-    isSaved.value = await act(() => makingApi.setPreset(classroom, { ...preset, ...changes }));
+    isSaved.value = await act(() => authoringApi.setPreset(classroom, { ...preset, ...changes }));
     await onChanged();
   };
   return (
     <section class="panel card">
-      <h2>{say.title}</h2>
-      <p class="teacher__hint">{say.hint}</p>
+      <h2>{labels.title}</h2>
+      <p class="teacher__hint">{labels.hint}</p>
       <div class="teacher__row">
         <Part
-          label={say.level}
+          label={labels.level}
           value={preset.level ?? null}
           testId="preset-level"
-          options={[[null, say.free], ...LEVELS.map((one) => [one, levelNames()[one]] as const)]}
+          options={[[null, labels.free], ...LEVELS.map((one) => [one, levelNames()[one]] as const)]}
           onChange={(level) => change({ level })}
         />
         <Part
-          label={say.world}
+          label={labels.world}
           value={preset.world ?? null}
           testId="preset-world"
-          options={[[null, say.free], ...worldOptions(activities, say.worldOf)]}
+          options={[[null, labels.free], ...worldOptions(activities, labels.worldOf)]}
           onChange={(world) => change({ world })}
         />
         <Part
-          label={say.activity}
+          label={labels.activity}
           value={preset.activity ?? null}
           testId="preset-activity"
-          options={[[null, say.free], ...activities.map((one) => [one.name, one.title] as const)]}
+          options={[
+            [null, labels.free],
+            ...activities.map((one) => [one.name, one.title] as const),
+          ]}
           onChange={(activity) => change({ activity })}
         />
         <Swap minutes={preset.swap_minutes ?? null} onChange={change} />
         <p role="status" data-testid="preset-saved">
-          {isSaved.value && say.saved}
+          {isSaved.value && labels.saved}
         </p>
       </div>
       <FaultLine fault={fault} />
@@ -63,14 +66,14 @@ export function ClassPreset({ classroom, preset, activities, onChanged }: ClassP
 }
 
 interface SwapProps {
-  minutes: TurnMinutes | null;
+  minutes: SwapMinutes | null;
   onChange(changes: Partial<Preset>): Promise<void>;
 }
 
 /** The interval of the reminder to swap roles. */
 function Swap({ minutes, onChange }: SwapProps) {
   const { making, teacher } = texts.value;
-  const wordsOf = (one: TurnMinutes) => teacher.computer.turnsEvery[one];
+  const labelOf = (one: SwapMinutes) => teacher.computer.turnsEvery[one];
   return (
     <Part
       label={making.preset.swap}
@@ -78,7 +81,7 @@ function Swap({ minutes, onChange }: SwapProps) {
       testId="preset-swap"
       options={[
         [null, making.preset.ofComputer],
-        ...TURN_MINUTES.map((one) => [one, wordsOf(one)] as const),
+        ...SWAP_MINUTES.map((one) => [one, labelOf(one)] as const),
       ]}
       onChange={(swap_minutes) => onChange({ swap_minutes })}
     />

@@ -1,16 +1,16 @@
 import { useSignal } from "@preact/signals";
 import { Download, FolderOpen, Save } from "lucide-preact";
+import { authoringApi } from "../../api/authoring";
 import { exchange } from "../../api/exchange";
-import { makingApi } from "../../api/making";
 import type { FileFound, Folder, Lesson } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
 import { fileName, saveFile } from "../../shell/save_file";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { OpenLessonFile, openedWords } from "../../work/OpenLessonFile";
+import { OpenLessonFile, openedText } from "../../work/OpenLessonFile";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 
 interface LessonFileProps {
@@ -21,26 +21,26 @@ interface LessonFileProps {
 
 /** Saves the file that prepares other PCs for the open lesson, and opens one. */
 export function LessonFile({ lesson, onOpened }: LessonFileProps) {
-  const { file: say } = texts.value.making;
+  const { file: labels } = texts.value.making;
   const folders = useTeacherLoaded("folders", async () => (await exchange.folders()).folders);
-  const told = useSignal("");
-  const { fault, act } = useAct(asTeacher);
+  const status = useSignal("");
+  const { fault, act } = useAction(asTeacher);
   const openFound = (file: FileFound) =>
     act(async () => {
-      told.value = openedWords(await makingApi.openFoundLesson(file.path));
+      status.value = openedText(await authoringApi.openFoundLesson(file.path));
       await onOpened();
     });
   return (
     <section class="panel card">
-      <h2>{say.title}</h2>
-      <p class="teacher__hint">{say.hint}</p>
+      <h2>{labels.title}</h2>
+      <p class="teacher__hint">{labels.hint}</p>
       <Loaded of={folders}>
         {(found) => (
           <div class="button-row">
-            {lesson && <SaveButtons lesson={lesson} folders={found} told={told} act={act} />}
+            {lesson && <SaveButtons lesson={lesson} folders={found} status={status} act={act} />}
             <OpenLessonFile
               onOpened={async (opened) => {
-                told.value = openedWords(opened);
+                status.value = openedText(opened);
                 await onOpened();
               }}
             />
@@ -53,14 +53,14 @@ export function LessonFile({ lesson, onOpened }: LessonFileProps) {
                   testId="lesson-file-found"
                   onPress={() => openFound(file)}
                 >
-                  {say.openFound(file.name)}
+                  {labels.openFound(file.name)}
                 </Button>
               ))}
           </div>
         )}
       </Loaded>
       <p role="status" class="teacher__done" data-testid="lesson-file-done">
-        {told.value}
+        {status.value}
       </p>
       <FaultLine fault={fault} />
     </section>
@@ -70,25 +70,25 @@ export function LessonFile({ lesson, onOpened }: LessonFileProps) {
 interface SaveButtonsProps {
   lesson: Lesson;
   folders: readonly Folder[];
-  told: { value: string };
+  status: { value: string };
   act(work: () => Promise<unknown>): Promise<boolean>;
 }
 
-function SaveButtons({ lesson, folders, told, act }: SaveButtonsProps) {
-  const { file: say } = texts.value.making;
+function SaveButtons({ lesson, folders, status, act }: SaveButtonsProps) {
+  const { file: labels } = texts.value.making;
   const save = async () => {
-    const content = await makingApi.lessonFile(lesson.id);
-    const name = `${fileName(lesson.title, say.name)}.pinel`;
+    const content = await authoringApi.lessonFile(lesson.id);
+    const name = `${fileName(lesson.title, labels.name)}.pinel`;
     saveFile(name, content);
-    told.value = say.savedAs(name);
+    status.value = labels.savedAs(name);
   };
   const saveIn = async (folder: string) => {
-    told.value = say.savedAs((await makingApi.writeLessonFile(lesson.id, folder)).name);
+    status.value = labels.savedAs((await authoringApi.writeLessonFile(lesson.id, folder)).name);
   };
   return (
     <>
       <Button icon={Download} testId="lesson-file-save" onPress={() => act(save)}>
-        {say.save}
+        {labels.save}
       </Button>
       {folders
         .filter((folder) => folder.is_writable)
@@ -99,7 +99,7 @@ function SaveButtons({ lesson, folders, told, act }: SaveButtonsProps) {
             testId="lesson-file-save-in"
             onPress={() => act(() => saveIn(path))}
           >
-            {say.saveIn(name)}
+            {labels.saveIn(name)}
           </Button>
         ))}
     </>

@@ -4,7 +4,7 @@ import { classesApi } from "../../api/classes";
 import type { Lesson } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { LessonRow } from "./LessonRow";
@@ -17,9 +17,9 @@ interface LessonListProps {
 
 /** The lessons of a class, newest first, with selection to join several. */
 export function LessonList({ lessons, onChanged }: LessonListProps) {
-  const { lessons: say } = texts.value.teacher;
+  const { lessons: labels } = texts.value.teacher;
   const [picked, setPicked] = useState<readonly string[]>([]);
-  const { fault, act } = useAct(asTeacher);
+  const { fault, act } = useAction(asTeacher);
   const groups = withParts(lessons);
   const marked = groups.map((one) => one.lesson).filter((one) => picked.includes(one.id));
   const join = async () => {
@@ -34,8 +34,8 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
     setPicked(on ? [...picked, id] : picked.filter((one) => one !== id));
   return (
     <section>
-      <h2 class="lessons__title">{say.list}</h2>
-      {lessons.length === 0 && <p class="teacher__hint">{say.empty}</p>}
+      <h2 class="lessons__title">{labels.list}</h2>
+      {lessons.length === 0 && <p class="teacher__hint">{labels.empty}</p>}
       <ul class="column gap-2">
         {groups.map(({ lesson, parts }) => (
           <li key={lesson.id} class="card">
@@ -44,7 +44,7 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
                 <input
                   type="checkbox"
                   class="lessons__pick"
-                  aria-label={say.pick(titleOf(lesson))}
+                  aria-label={labels.pick(titleOf(lesson))}
                   checked={picked.includes(lesson.id)}
                   data-testid="lesson-pick"
                   onChange={({ currentTarget }) => mark(lesson.id, currentTarget.checked)}
@@ -70,13 +70,13 @@ interface JoinProps {
 }
 
 function Join({ n, onJoin }: JoinProps) {
-  const { lessons: say } = texts.value.teacher;
+  const { lessons: labels } = texts.value.teacher;
   return (
     <div class="button-row lessons__join">
       <Button icon={Link2} disabled={n < 2} testId="lesson-join" onPress={onJoin}>
-        {say.join}
+        {labels.join}
       </Button>
-      <p class="labelled__hint">{n > 1 ? say.picked(n) : say.joinHint}</p>
+      <p class="labelled__hint">{n > 1 ? labels.picked(n) : labels.joinHint}</p>
     </div>
   );
 }

@@ -3,11 +3,11 @@ import { classesApi } from "../../api/classes";
 import type { ActivityChoice, Lesson } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { GoalPicture } from "../../scene/small/GoalPicture";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { dateAndTime } from "../time_words";
+import { dateAndTime } from "../time_format";
 
 interface LessonNowProps {
   lesson: Lesson;
@@ -17,10 +17,10 @@ interface LessonNowProps {
 
 /** The open lesson of a class, with a button to close it. */
 export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
-  const { lessons: say } = texts.value.teacher;
-  const { fault, act } = useAct(asTeacher);
+  const { lessons: labels } = texts.value.teacher;
+  const { fault, act } = useAction(asTeacher);
   const activity = activities.find((one) => one.name === lesson.activity);
-  const since = say.since(dateAndTime(lesson.opened_at, language.value));
+  const since = labels.since(dateAndTime(lesson.opened_at, language.value));
   const close = async () => {
     await classesApi.changeLesson(lesson.id, { closed: true });
     await onClosed();
@@ -36,13 +36,13 @@ export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
       )}
       <p class="lesson-now__words column shrinks">
         <span>
-          {say.now} · {since}
+          {labels.now} · {since}
         </span>
         <strong class="lesson-now__title">{lesson.title}</strong>
         {activity && activity.title !== lesson.title && <span>{activity.title}</span>}
       </p>
       <Button filled icon={Square} testId="close-lesson" onPress={() => act(close)}>
-        {say.close}
+        {labels.close}
       </Button>
       <FaultLine fault={fault} />
     </div>

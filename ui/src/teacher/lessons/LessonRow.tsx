@@ -8,7 +8,7 @@ import { LinkButton } from "../../kit/LinkButton";
 import { hashOf } from "../../shell/route";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { NameField } from "../NameField";
-import { dateAndTime } from "../time_words";
+import { dateAndTime } from "../time_format";
 import { titleOf } from "./lessons";
 
 interface LessonRowProps {
@@ -22,7 +22,7 @@ interface LessonRowProps {
 
 /** A lesson: title, time, PC, and the link to its review. */
 export function LessonRow({ lesson, onChanged, isPart = false, children }: LessonRowProps) {
-  const { lessons: say } = texts.value.teacher;
+  const { lessons: labels } = texts.value.teacher;
   const title = titleOf(lesson);
   const change = async (changes: LessonChanges) => {
     await classesApi.changeLesson(lesson.id, changes);
@@ -31,8 +31,8 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
   const facts = [
     dateAndTime(lesson.opened_at, language.value),
     lesson.computer,
-    say.versions(lesson.n_versions),
-    say.runs(lesson.n_runs),
+    labels.versions(lesson.n_versions),
+    labels.runs(lesson.n_runs),
   ];
   return (
     <div
@@ -43,8 +43,8 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
       <div class="grows shrinks">
         <NameField
           name={lesson.title}
-          label={say.rename}
-          onRename={(wanted) => change({ title: wanted })}
+          label={labels.rename}
+          onRename={(newTitle) => change({ title: newTitle })}
         >
           <span class={lesson.title ? "lesson-row__title" : "lesson-row__untitled"} title={title}>
             {title}
@@ -56,20 +56,20 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
         <Button
           kind="plain"
           icon={Unlink2}
-          label={say.apartOf(title)}
+          label={labels.apartOf(title)}
           testId="lesson-apart"
           onPress={() => asTeacher(() => change({ part_of: "" }))}
         >
-          {say.apart}
+          {labels.apart}
         </Button>
       ) : (
         <LinkButton
           iconEnd={ArrowRight}
           href={hashOf({ screen: "lesson", lesson: lesson.id })}
-          label={say.reviewOf(title)}
+          label={labels.reviewOf(title)}
           testId="lesson-link"
         >
-          {say.review}
+          {labels.review}
         </LinkButton>
       )}
     </div>

@@ -20,16 +20,16 @@ interface LessonsPartProps {
 
 /** The open lesson of each class, and its earlier ones. */
 export function LessonsPart({ school: { classes, groups }, reload }: LessonsPartProps) {
-  const { lessons: say } = texts.value.teacher;
+  const { lessons: labels } = texts.value.teacher;
   const shown = shownClass(classroom.value, classes, groups);
   const withNone = groupsIn(NO_CLASS, groups).length > 0;
   if (classes.length === 0) {
     return (
       <>
-        <h1>{say.title}</h1>
-        <p class="teacher__hint">{say.noClasses}</p>
+        <h1>{labels.title}</h1>
+        <p class="teacher__hint">{labels.noClasses}</p>
         <LinkButton kind="main" href={hashOf({ screen: "teacher", part: "classes" })}>
-          {say.makeClass}
+          {labels.makeClass}
         </LinkButton>
         <LessonFile lesson={null} onOpened={reload} />
         {withNone && <ClassLessons id={NO_CLASS} />}
@@ -38,7 +38,7 @@ export function LessonsPart({ school: { classes, groups }, reload }: LessonsPart
   }
   return (
     <>
-      <h1>{say.title}</h1>
+      <h1>{labels.title}</h1>
       <ClassChips classes={classes} withNone={withNone} shown={shown} />
       <ClassLessons key={shown} id={shown} />
     </>
@@ -50,7 +50,7 @@ interface ClassLessonsProps {
 }
 
 function ClassLessons({ id }: ClassLessonsProps) {
-  const { lessons: say } = texts.value.teacher;
+  const { lessons: labels } = texts.value.teacher;
   const found = useTeacherLoaded(`${id} ${language.value}`, () => loadLessons(id));
   return (
     <Loaded of={found}>
@@ -64,7 +64,7 @@ function ClassLessons({ id }: ClassLessonsProps) {
                 {open ? (
                   <LessonNow lesson={open} activities={activities} onClosed={found.again} />
                 ) : (
-                  <p class="teacher__hint">{current ? say.byItself : say.none}</p>
+                  <p class="teacher__hint">{current ? labels.byItself : labels.none}</p>
                 )}
                 <OpenLesson
                   classroom={id}

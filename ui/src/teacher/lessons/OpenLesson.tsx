@@ -7,7 +7,7 @@ import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Field } from "../../kit/Field";
 import { Form } from "../../kit/Form";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
 import { GoalPicture } from "../../scene/small/GoalPicture";
@@ -27,9 +27,9 @@ interface OpenLessonProps {
 /** Opens a lesson with a title, an activity, or both. */
 export function OpenLesson(props: OpenLessonProps) {
   const { classroom, activities, proposed, another, onOpened } = props;
-  const { lessons: say } = texts.value.teacher;
+  const { lessons: labels } = texts.value.teacher;
   const [activity, setActivity] = useState(proposed);
-  const { busy, fault, act, refuse, clear } = useAct(asTeacher);
+  const { busy, fault, act, refuse, clear } = useAction(asTeacher);
   const { draft, field, reset } = useDraft({ title: "" }, clear);
   const goal = activities.find(({ name }) => name === activity)?.goal_picture;
   const open = async () => {
@@ -37,32 +37,32 @@ export function OpenLesson(props: OpenLessonProps) {
     await onOpened();
   };
   const submit = async () => {
-    if (!draft.title.trim() && !activity) refuse(say.nameMissing);
+    if (!draft.title.trim() && !activity) refuse(labels.nameMissing);
     else if (await act(open)) reset();
   };
   return (
     <Form class="open-lesson column gap-3" onSubmit={submit}>
-      <h2>{another ? say.openAnother : say.open}</h2>
+      <h2>{another ? labels.openAnother : labels.open}</h2>
       <div class="teacher__row">
         <Field
-          label={say.name}
-          placeholder={say.namePlaceholder}
+          label={labels.name}
+          placeholder={labels.namePlaceholder}
           maxLength={STORE_LIMITS.MAX_NAME}
           data-testid="lesson-title"
           {...field("title")}
         />
         <label class="labelled">
-          <span class="labelled__label">{say.activity}</span>
+          <span class="labelled__label">{labels.activity}</span>
           <Select
             value={activity}
             testId="lesson-activity"
-            options={[["", say.noActivity]]}
+            options={[["", labels.noActivity]]}
             groups={groupsOf(activities)}
             onChange={(name) => setActivity(name)}
           />
         </label>
         <Button submit kind="main" icon={Play} busy={busy} testId="open-lesson">
-          {say.go}
+          {labels.go}
         </Button>
       </div>
       {goal && (
@@ -71,7 +71,7 @@ export function OpenLesson(props: OpenLessonProps) {
         </div>
       )}
       <FaultLine fault={fault} />
-      <p class="labelled__hint">{say.same}</p>
+      <p class="labelled__hint">{labels.same}</p>
     </Form>
   );
 }

@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { Plus, Undo2 } from "lucide-preact";
+import { authoringApi } from "../../api/authoring";
 import { api } from "../../api/client";
-import { makingApi } from "../../api/making";
 import type { OwnActivity, OwnActivityToEdit } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
@@ -16,7 +16,7 @@ type InForm = OwnActivityToEdit | "new" | null;
 
 /** The activities that were made here, and the form that makes one. */
 export function ActivitiesPart() {
-  const { making: say } = texts.value;
+  const { making: labels } = texts.value;
   const found = useTeacherLoaded(language.value, loadAll);
   const form = useSignal<InForm>(null);
   const deleted = useSignal<OwnActivity | null>(null);
@@ -24,21 +24,21 @@ export function ActivitiesPart() {
     form.value = null;
   };
   const remove = async (one: OwnActivity) => {
-    await asTeacher(() => makingApi.remove(one.id));
+    await asTeacher(() => authoringApi.remove(one.id));
     deleted.value = one;
     await found.again();
   };
   return (
     <>
-      <h1>{say.title}</h1>
-      <p class="teacher__hint">{say.intro}</p>
+      <h1>{labels.title}</h1>
+      <p class="teacher__hint">{labels.intro}</p>
       <Deleted one={deleted} onBack={found.again} />
       <Loaded of={found}>
         {({ activities, groups }) =>
           form.value ? (
             <ActivityForm
               key={form.value === "new" ? "new" : form.value.id}
-              kept={form.value === "new" ? null : form.value}
+              activity={form.value === "new" ? null : form.value}
               groups={groups}
               onSaved={async () => {
                 close();
@@ -56,13 +56,13 @@ export function ActivitiesPart() {
                   form.value = "new";
                 }}
               >
-                {say.make}
+                {labels.make}
               </Button>
-              {activities.length === 0 && <p class="teacher__hint">{say.empty}</p>}
+              {activities.length === 0 && <p class="teacher__hint">{labels.empty}</p>}
               <OwnActivityList
                 activities={activities}
-                onEdit={(kept) => {
-                  form.value = kept;
+                onEdit={(activity) => {
+                  form.value = activity;
                 }}
                 onDelete={remove}
               />
@@ -76,7 +76,7 @@ export function ActivitiesPart() {
 
 interface OwnActivityListProps {
   activities: readonly OwnActivity[];
-  onEdit(kept: OwnActivityToEdit | null): void;
+  onEdit(activity: OwnActivityToEdit | null): void;
   onDelete(one: OwnActivity): Promise<void>;
 }
 
@@ -87,7 +87,7 @@ function OwnActivityList({ activities, onEdit, onDelete }: OwnActivityListProps)
         <OwnActivityRow
           key={one.id}
           activity={one}
-          onEdit={async () => onEdit((await asTeacher(() => makingApi.one(one.id))) ?? null)}
+          onEdit={async () => onEdit((await asTeacher(() => authoringApi.one(one.id))) ?? null)}
           onDelete={() => onDelete(one)}
         />
       ))}
@@ -96,7 +96,7 @@ function OwnActivityList({ activities, onEdit, onDelete }: OwnActivityListProps)
 }
 
 async function loadAll() {
-  const [activities, groups] = await Promise.all([makingApi.list(), api.groups()]);
+  const [activities, groups] = await Promise.all([authoringApi.list(), api.groups()]);
   return { activities, groups };
 }
 
@@ -106,19 +106,19 @@ interface DeletedProps {
 }
 
 function Deleted({ one, onBack }: DeletedProps) {
-  const { making: say } = texts.value;
-  const { value: gone } = one;
-  if (!gone) return null;
-  const takeBack = async () => {
-    await asTeacher(() => makingApi.takeBack(gone.id));
+  const { making: labels } = texts.value;
+  const { value: deleted } = one;
+  if (!deleted) return null;
+  const undo = async () => {
+    await asTeacher(() => authoringApi.restore(deleted.id));
     one.value = null;
     await onBack();
   };
   return (
     <div class="notice-box button-row" role="status">
-      <span>{say.deleted(gone.title)}</span>
-      <Button icon={Undo2} testId="making-undo" onPress={takeBack}>
-        {say.takeBack}
+      <span>{labels.deleted(deleted.title)}</span>
+      <Button icon={Undo2} testId="making-undo" onPress={undo}>
+        {labels.takeBack}
       </Button>
     </div>
   );

@@ -1,68 +1,68 @@
 import { FlaskConical, Save, X } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import { makingApi } from "../../api/making";
+import { authoringApi } from "../../api/authoring";
 import type { Group, OwnActivityToEdit } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
 import { useInstance } from "../../kit/instance";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
+import { ActivityEditor } from "./activity_editor";
 import { ChecksPart } from "./ChecksPart";
 import { criteriaOf } from "./criteria";
-import { Maker } from "./maker";
 import { SolutionPart } from "./SolutionPart";
 import { TextsPart } from "./TextsPart";
 import { TrialResult } from "./TrialResult";
 
 interface ActivityFormProps {
   /** The activity to change; null for a new one. */
-  kept: OwnActivityToEdit | null;
+  activity: OwnActivityToEdit | null;
   groups: readonly Group[];
   onSaved(): Promise<void>;
   onCancel(): void;
 }
 
 /** Makes an activity from a sample solution, checks and texts. */
-export function ActivityForm({ kept, groups, onSaved, onCancel }: ActivityFormProps) {
-  const { making: say } = texts.value;
-  const maker = useInstance(() => new Maker(kept));
-  const { busy, fault, act, refuse, clear } = useAct(asTeacher);
+export function ActivityForm({ activity, groups, onSaved, onCancel }: ActivityFormProps) {
+  const { making: labels } = texts.value;
+  const editor = useInstance(() => new ActivityEditor(activity));
+  const { busy, fault, act, refuse, clear } = useAction(asTeacher);
   useEffect(() => {
-    if (kept) void act(() => maker.measure());
+    if (activity) void act(() => editor.measure());
   }, []);
-  const { value: trials } = maker.trials;
+  const { value: trials } = editor.trials;
   const save = async () => {
-    const draft = completed(maker);
-    if (!draft) refuse(say.withoutSolution);
-    else if (!draft.title.trim()) refuse(say.withoutTitle);
-    else if (await act(() => makingApi.keep(maker.id, draft))) await onSaved();
+    const draft = completed(editor);
+    if (!draft) refuse(labels.withoutSolution);
+    else if (!draft.title.trim()) refuse(labels.withoutTitle);
+    else if (await act(() => authoringApi.save(editor.id, draft))) await onSaved();
   };
   return (
     <Form class="panel card making" testId="making-form" onSubmit={save}>
-      <SolutionPart maker={maker} groups={groups} />
-      <ChecksPart maker={maker} />
-      <TextsPart maker={maker} />
+      <SolutionPart editor={editor} groups={groups} />
+      <ChecksPart editor={editor} />
+      <TextsPart editor={editor} />
       {trials && <TrialResult trials={trials} />}
       <FaultLine fault={fault} />
       <div class="button-row">
         <Button
           icon={FlaskConical}
-          disabled={!maker.draft.value}
+          disabled={!editor.draft.value}
           testId="making-try"
           onPress={() => {
             clear();
-            return act(() => maker.tryOut());
+            return act(() => editor.tryOut());
           }}
         >
-          {say.tryOut}
+          {labels.tryOut}
         </Button>
         <Button submit kind="main" icon={Save} busy={busy} testId="making-save">
-          {say.save}
+          {labels.save}
         </Button>
         <Button kind="plain" icon={X} onPress={onCancel}>
-          {say.cancel}
+          {labels.cancel}
         </Button>
       </div>
     </Form>
@@ -70,9 +70,9 @@ export function ActivityForm({ kept, groups, onSaved, onCancel }: ActivityFormPr
 }
 
 /** What is kept: without a text of its own, what counts is said by the checks. */
-function completed(maker: Maker) {
-  const { value: draft } = maker.draft;
-  const { value: choices } = maker.choices;
+function completed(editor: ActivityEditor) {
+  const { value: draft } = editor.draft;
+  const { value: choices } = editor.choices;
   if (!draft || !choices) return null;
   const criteria = draft.criteria?.trim() || criteriaOf(choices, texts.value.making);
   return { ...draft, criteria };

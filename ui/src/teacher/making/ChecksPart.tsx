@@ -1,6 +1,7 @@
 import { texts } from "../../i18n";
 import { NumberField } from "../../kit/NumberField";
 import { Select } from "../../kit/Select";
+import type { ActivityEditor } from "./activity_editor";
 import {
   type CheckField,
   type CheckKind,
@@ -9,46 +10,45 @@ import {
   offered,
   shownNumber,
 } from "./check_choices";
-import type { Maker } from "./maker";
 
 /** What counts: checks in words, with the numbers of the solution to begin with. */
-export function ChecksPart({ maker }: { maker: Maker }) {
-  const { making: say } = texts.value;
-  const { value: proposal } = maker.proposal;
-  const { value: choices } = maker.choices;
+export function ChecksPart({ editor }: { editor: ActivityEditor }) {
+  const { making: labels } = texts.value;
+  const { value: proposal } = editor.proposal;
+  const { value: choices } = editor.choices;
   return (
     <section class="making__part">
-      <h2>{say.checks.title}</h2>
+      <h2>{labels.checks.title}</h2>
       {proposal && choices ? (
         <>
-          <p class="teacher__hint">{say.checks.hint}</p>
+          <p class="teacher__hint">{labels.checks.hint}</p>
           <ul class="making__checks">
             {offered(choices).map(([kind, chosen]) => (
-              <CheckLine
+              <CheckRow
                 key={kind}
                 kind={kind}
                 chosen={chosen}
                 zones={proposal.zones}
-                onChange={(changes) => maker.choose(kind, changes)}
+                onChange={(changes) => editor.choose(kind, changes)}
               />
             ))}
           </ul>
         </>
       ) : (
-        <p class="teacher__hint">{say.checks.first}</p>
+        <p class="teacher__hint">{labels.checks.first}</p>
       )}
     </section>
   );
 }
 
-interface CheckLineProps {
+interface CheckRowProps {
   kind: CheckKind;
   chosen: Chosen;
   zones: readonly string[];
   onChange(changes: Partial<Chosen>): void;
 }
 
-function CheckLine({ kind, chosen, zones, onChange }: CheckLineProps) {
+function CheckRow({ kind, chosen, zones, onChange }: CheckRowProps) {
   const { kinds } = texts.value.making;
   const { on, check } = chosen;
   const fields = fieldsOf(kind);
@@ -99,8 +99,8 @@ function FieldOf({ field, check, label, zones, onValue }: FieldOfProps) {
         <NumberField
           label={numbers[field.label]}
           value={shownNumber(field, check)}
-          least={field.min}
-          most={field.max}
+          min={field.min}
+          max={field.max}
           step={field.step}
           testId="making-number"
           onNumber={(value) => onValue(value / field.factor)}

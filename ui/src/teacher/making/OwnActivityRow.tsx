@@ -12,7 +12,7 @@ interface OwnActivityRowProps {
 
 /** An activity that was made here; one that this release cannot use says why. */
 export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowProps) {
-  const { making: say } = texts.value;
+  const { making: labels } = texts.value;
   const { title, goal_picture, problem } = activity;
   return (
     <li class="making__row card row middle gap-4" data-testid="making-row">
@@ -30,14 +30,14 @@ export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowPro
         )}
       </div>
       {!problem && (
-        <Button icon={Pencil} label={say.editOf(title)} testId="making-edit" onPress={onEdit}>
-          {say.edit}
+        <Button icon={Pencil} label={labels.editOf(title)} testId="making-edit" onPress={onEdit}>
+          {labels.edit}
         </Button>
       )}
       <Button
         kind="plain"
         icon={Trash2}
-        label={say.deleteOf(title)}
+        label={labels.deleteOf(title)}
         testId="making-delete"
         onPress={onDelete}
       />

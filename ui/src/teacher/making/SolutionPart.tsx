@@ -3,80 +3,80 @@ import { api } from "../../api/client";
 import { type Group, worldTitle } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Field } from "../../kit/Field";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
 import { Select, type SelectOption } from "../../kit/Select";
 import { worlds } from "../../shell/session";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import type { Maker } from "./maker";
+import type { ActivityEditor } from "./activity_editor";
 
 interface SolutionPartProps {
-  maker: Maker;
+  editor: ActivityEditor;
   groups: readonly Group[];
 }
 
 /** Chooses the sample solution among the programs of all groups, its world and its inputs. */
-export function SolutionPart({ maker, groups }: SolutionPartProps) {
-  const { making: say } = texts.value;
+export function SolutionPart({ editor, groups }: SolutionPartProps) {
+  const { making: labels } = texts.value;
   const group = useSignal("");
   const options = groups.map(({ id, name }): SelectOption<string> => [id, name]);
   return (
     <section class="making__part">
-      <h2>{say.solution.title}</h2>
-      <p class="teacher__hint">{say.solution.hint}</p>
+      <h2>{labels.solution.title}</h2>
+      <p class="teacher__hint">{labels.solution.hint}</p>
       <div class="teacher__row">
         <label class="labelled">
-          <span class="labelled__label">{say.solution.group}</span>
+          <span class="labelled__label">{labels.solution.group}</span>
           <Select
             value={group.value}
             testId="making-group"
-            options={[["", maker.id ? say.solution.kept : say.solution.choose], ...options]}
+            options={[["", editor.id ? labels.solution.kept : labels.solution.choose], ...options]}
             onChange={(id) => {
               group.value = id;
             }}
           />
         </label>
-        {group.value && <Programs key={group.value} group={group.value} maker={maker} />}
+        {group.value && <Programs key={group.value} group={group.value} editor={editor} />}
       </div>
-      {maker.stage.value && <WorldAndInputs maker={maker} />}
-      {maker.faults.value.map((fault) => (
+      {editor.stage.value && <WorldAndInputs editor={editor} />}
+      {editor.faults.value.map((fault) => (
         <FaultLine key={fault.pointer} fault={fault} />
       ))}
-      {maker.proposal.value?.finished === false && (
-        <p class="notice-box">{say.solution.unfinished}</p>
+      {editor.proposal.value?.finished === false && (
+        <p class="notice-box">{labels.solution.unfinished}</p>
       )}
     </section>
   );
 }
 
-function Programs({ group, maker }: { group: string; maker: Maker }) {
-  const { solution: say } = texts.value.making;
+function Programs({ group, editor }: { group: string; editor: ActivityEditor }) {
+  const { solution: labels } = texts.value.making;
   const programs = useLoaded(group, () => api.programs(group));
   const chosen = useSignal("");
-  const { fault, act, refuse } = useAct(asTeacher);
-  const take = async (id: string) => {
+  const { fault, act, refuse } = useAction(asTeacher);
+  const choose = async (id: string) => {
     chosen.value = id;
     let canBe = true;
     const done = await act(async () => {
-      canBe = !id || (await maker.takeProgram(id));
+      canBe = !id || (await editor.setProgram(id));
     });
-    if (done && !canBe) refuse(say.cannot);
+    if (done && !canBe) refuse(labels.cannot);
   };
   return (
     <Loaded of={programs}>
       {(list) => (
         <label class="labelled">
-          <span class="labelled__label">{say.program}</span>
+          <span class="labelled__label">{labels.program}</span>
           <Select
             value={chosen.value}
             testId="making-program"
             options={[
-              ["", say.choose],
+              ["", labels.choose],
               ...list.map(({ id, name }): SelectOption<string> => [id, name]),
             ]}
-            onChange={take}
+            onChange={choose}
           />
           <FaultLine fault={fault} />
         </label>
@@ -87,33 +87,33 @@ function Programs({ group, maker }: { group: string; maker: Maker }) {
 
 const OF_SOLUTION = "";
 
-function WorldAndInputs({ maker }: { maker: Maker }) {
-  const { solution: say } = texts.value.making;
-  const world = maker.stage.value?.world;
+function WorldAndInputs({ editor }: { editor: ActivityEditor }) {
+  const { solution: labels } = texts.value.making;
+  const world = editor.stage.value?.world;
   const shown = typeof world === "string" ? world : OF_SOLUTION;
   const shipped = worlds.value.map(
     (one): SelectOption<string> => [one.name, worldTitle(one, language.value)],
   );
-  const own: SelectOption<string>[] = shown === OF_SOLUTION ? [[OF_SOLUTION, say.ownWorld]] : [];
-  const { fault, act } = useAct(asTeacher);
+  const own: SelectOption<string>[] = shown === OF_SOLUTION ? [[OF_SOLUTION, labels.ownWorld]] : [];
+  const { fault, act } = useAction(asTeacher);
   const input = (name: "gestures" | "answers") => ({
-    label: say[name],
-    value: maker.inputs.value[name],
-    placeholder: say.none,
+    label: labels[name],
+    value: editor.inputs.value[name],
+    placeholder: labels.none,
     onText: (text: string) => {
-      maker.inputs.value = { ...maker.inputs.value, [name]: text };
+      editor.inputs.value = { ...editor.inputs.value, [name]: text };
     },
-    onBlur: () => void act(() => maker.measure()),
+    onBlur: () => void act(() => editor.measure()),
   });
   return (
     <div class="teacher__row">
       <label class="labelled">
-        <span class="labelled__label">{say.world}</span>
+        <span class="labelled__label">{labels.world}</span>
         <Select
           value={shown}
           testId="making-world"
           options={[...own, ...shipped]}
-          onChange={(name) => name && act(() => maker.takeWorld(name))}
+          onChange={(name) => name && act(() => editor.setWorld(name))}
         />
       </label>
       <Field {...input("gestures")} />

@@ -1,7 +1,7 @@
 import { useId } from "preact/hooks";
 
 /** Letters that a text of an activity may have (pinel_desktop/activities/model.py). */
-const MOST = 1000;
+const MAX_LENGTH = 1000;
 
 interface TextAreaProps {
   label: string;
@@ -24,7 +24,7 @@ export function TextArea({ label, value, placeholder, rows = 2, testId, onText }
         id={id}
         class="field making__text"
         rows={rows}
-        maxLength={MOST}
+        maxLength={MAX_LENGTH}
         placeholder={placeholder}
         value={value}
         data-testid={testId}

@@ -1,70 +1,70 @@
 import { STORE_LIMITS } from "../../api/declared";
-import { type TextKey, word } from "../../blocks/words";
+import { blockText, type TextKey } from "../../blocks/texts";
 import { texts } from "../../i18n";
 import { Field } from "../../kit/Field";
 import { NumberField } from "../../kit/NumberField";
 import { Select } from "../../kit/Select";
 import { LEVELS, levelNames } from "../../shell/level";
+import type { ActivityEditor } from "./activity_editor";
 import { criteriaOf } from "./criteria";
 import { blocksNotOffered } from "./level_notices";
-import type { Maker } from "./maker";
 import { TextArea } from "./TextArea";
 
 /** Title, story, what counts, hints and the question afterwards. */
-export function TextsPart({ maker }: { maker: Maker }) {
-  const { making: say } = texts.value;
-  const { title, story, question } = maker.written.value;
+export function TextsPart({ editor }: { editor: ActivityEditor }) {
+  const { making: labels } = texts.value;
+  const { title, story, question } = editor.written.value;
   return (
     <section class="making__part">
-      <h2>{say.texts.title}</h2>
+      <h2>{labels.texts.title}</h2>
       <Field
-        label={say.texts.name}
-        placeholder={say.texts.namePlaceholder}
+        label={labels.texts.name}
+        placeholder={labels.texts.namePlaceholder}
         maxLength={STORE_LIMITS.MAX_NAME}
         data-testid="making-title"
         value={title}
-        onText={(text) => maker.write({ title: text })}
+        onText={(text) => editor.write({ title: text })}
       />
       <TextArea
-        label={say.texts.story}
+        label={labels.texts.story}
         value={story}
         testId="making-story"
-        onText={(text) => maker.write({ story: text })}
+        onText={(text) => editor.write({ story: text })}
       />
-      <Criteria maker={maker} />
-      <Hints maker={maker} />
+      <Criteria editor={editor} />
+      <Hints editor={editor} />
       <TextArea
-        label={say.texts.question}
+        label={labels.texts.question}
         value={question}
         rows={1}
-        onText={(text) => maker.write({ question: text })}
+        onText={(text) => editor.write({ question: text })}
       />
-      <LevelAndTime maker={maker} />
+      <LevelAndTime editor={editor} />
     </section>
   );
 }
 
 /** Without a text of its own the card says what was chosen. */
-function Criteria({ maker }: { maker: Maker }) {
-  const { making: say } = texts.value;
-  const { value: choices } = maker.choices;
+function Criteria({ editor }: { editor: ActivityEditor }) {
+  const { making: labels } = texts.value;
+  const { value: choices } = editor.choices;
   return (
     <TextArea
-      label={say.texts.criteria}
-      value={maker.written.value.criteria}
-      placeholder={choices ? criteriaOf(choices, say) : ""}
-      onText={(criteria) => maker.write({ criteria })}
+      label={labels.texts.criteria}
+      value={editor.written.value.criteria}
+      placeholder={choices ? criteriaOf(choices, labels) : ""}
+      onText={(criteria) => editor.write({ criteria })}
     />
   );
 }
 
-function Hints({ maker }: { maker: Maker }) {
-  const { making: say } = texts.value;
-  const { hints } = maker.written.value;
-  const { value: level } = maker.level;
+function Hints({ editor }: { editor: ActivityEditor }) {
+  const { making: labels } = texts.value;
+  const { hints } = editor.written.value;
+  const { value: level } = editor.level;
   const change = (index: number, text: string) => {
     const [first, second, third] = hints.map((hint, at) => (at === index ? text : hint));
-    maker.write({ hints: [first ?? "", second ?? "", third ?? ""] });
+    editor.write({ hints: [first ?? "", second ?? "", third ?? ""] });
   };
   return (
     <>
@@ -73,7 +73,7 @@ function Hints({ maker }: { maker: Maker }) {
         return (
           <div key={index}>
             <TextArea
-              label={say.texts.hint(index + 1)}
+              label={labels.texts.hint(index + 1)}
               value={hint}
               rows={1}
               testId="making-hint"
@@ -81,7 +81,7 @@ function Hints({ maker }: { maker: Maker }) {
             />
             {unknown.length > 0 && (
               <p class="notice-box" role="status" data-testid="making-notice">
-                {say.texts.notOffered(unknown.join("”, “"), levelNames()[level])}
+                {labels.texts.notOffered(unknown.join("”, “"), levelNames()[level])}
               </p>
             )}
           </div>
@@ -91,49 +91,49 @@ function Hints({ maker }: { maker: Maker }) {
   );
 }
 
-const labelOf = (type: string) => word(type.toUpperCase() as TextKey);
+const labelOf = (type: string) => blockText(type.toUpperCase() as TextKey);
 
-function LevelAndTime({ maker }: { maker: Maker }) {
-  const { making: say } = texts.value;
-  const { value: level } = maker.level;
-  const needed = maker.levelOfSolution.value;
+function LevelAndTime({ editor }: { editor: ActivityEditor }) {
+  const { making: labels } = texts.value;
+  const { value: level } = editor.level;
+  const needed = editor.levelOfSolution.value;
   return (
     <>
       <div class="teacher__row">
         <label class="labelled">
-          <span class="labelled__label">{say.texts.level}</span>
+          <span class="labelled__label">{labels.texts.level}</span>
           <Select
             value={level}
             options={LEVELS.map((one) => [one, levelNames()[one]])}
             onChange={(one) => {
-              maker.level.value = one;
+              editor.level.value = one;
             }}
           />
         </label>
         <NumberField
-          label={say.texts.minutes}
-          value={maker.minutes.value}
-          {...{ least: 1, most: 600, step: 5 }}
+          label={labels.texts.minutes}
+          value={editor.minutes.value}
+          {...{ min: 1, max: 600, step: 5 }}
           testId="making-minutes"
           onNumber={(minutes) => {
-            maker.minutes.value = minutes;
+            editor.minutes.value = minutes;
           }}
         />
       </div>
       {needed > level && (
         <p class="notice-box" role="status">
-          {say.texts.levelTooLow(levelNames()[needed])}
+          {labels.texts.levelTooLow(levelNames()[needed])}
         </p>
       )}
       <label class="making__choice row wrap middle gap-2">
         <input
           type="checkbox"
-          checked={maker.showsPath.value}
+          checked={editor.showsPath.value}
           onChange={({ currentTarget }) => {
-            maker.showsPath.value = currentTarget.checked;
+            editor.showsPath.value = currentTarget.checked;
           }}
         />
-        {say.texts.showsPath}
+        {labels.texts.showsPath}
       </label>
     </>
   );

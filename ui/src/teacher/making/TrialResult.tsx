@@ -5,7 +5,7 @@ import { FaultLine } from "../../kit/requests/FaultLine";
 
 /** What the trial said: the solution must pass, a program without commands must not, under both robots. */
 export function TrialResult({ trials: { faults, trials } }: { trials: Trials }) {
-  const { trial: say } = texts.value.making;
+  const { trial: labels } = texts.value.making;
   const isRight = faults.length === 0 && trials.every((one) => one.is_right);
   const key = trials.every((one) => one.is_right || one.preset !== "ideal") ? "onlyIdeal" : "wrong";
   return (
@@ -15,26 +15,26 @@ export function TrialResult({ trials: { faults, trials } }: { trials: Trials }) 
       ))}
       <ul class="making__trials">
         {trials.map((one) => (
-          <TrialLine key={`${one.program} ${one.preset}`} trial={one} />
+          <TrialRow key={`${one.program} ${one.preset}`} trial={one} />
         ))}
       </ul>
-      {faults.length === 0 && <p>{isRight ? say.right : say[key]}</p>}
+      {faults.length === 0 && <p>{isRight ? labels.right : labels[key]}</p>}
     </div>
   );
 }
 
-function TrialLine({ trial }: { trial: Trial }) {
-  const { trial: say } = texts.value.making;
+function TrialRow({ trial }: { trial: Trial }) {
+  const { trial: labels } = texts.value.making;
   const { program, preset, passed, is_right, words } = trial;
   const Icon = is_right ? CircleCheck : TriangleAlert;
-  const who = program === "solution" ? say.solution : say.empty;
-  const robot = preset === "ideal" ? say.ideal : say.realistic;
+  const who = program === "solution" ? labels.solution : labels.empty;
+  const robot = preset === "ideal" ? labels.ideal : labels.realistic;
   return (
     <li class={`row top gap-2 making__trial--${is_right ? "right" : "wrong"}`}>
       <Icon class="icon" aria-hidden="true" />
       <span>
         <strong>
-          {who}, {robot}: {passed ? say.passes : say.fails}
+          {who}, {robot}: {passed ? labels.passes : labels.fails}
         </strong>{" "}
         {program === "solution" && words}
       </span>

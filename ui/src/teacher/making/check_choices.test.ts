@@ -49,9 +49,9 @@ test("what was chosen becomes checks, and checks become the same choices again",
   const checks = checksOf(choices);
   expect(checks).toContainEqual({ check: "ends_at", x_m: 2, y_m: -1, within_m: 0.15 });
   expect(checks).toHaveLength(KINDS.length);
-  const { kept, others } = choicesOf(checks);
+  const { formChoices, others } = choicesOf(checks);
   expect(others).toEqual([]);
-  expect(checksOf(proposed(PROPOSAL, kept))).toEqual(checks);
+  expect(checksOf(proposed(PROPOSAL, formChoices))).toEqual(checks);
 });
 
 test("another solution moves what it does and keeps what the teacher wrote", () => {
@@ -76,18 +76,23 @@ test("a check that the form does not offer stays as it is", () => {
 
 test("what the solution does not do is no longer checked", () => {
   const chosen = withAll(proposed(PROPOSAL), ["says", "block_count"]);
-  const silent = { ...PROPOSAL, checks: PROPOSAL.checks.filter(({ check }) => check !== "says") };
-  expect(checksOf(proposed(silent, chosen))).toEqual([{ check: "block_count", at_most: 6 }]);
+  const reducedProposal = {
+    ...PROPOSAL,
+    checks: PROPOSAL.checks.filter(({ check }) => check !== "says"),
+  };
+  expect(checksOf(proposed(reducedProposal, chosen))).toEqual([
+    { check: "block_count", at_most: 6 },
+  ]);
 });
 
 test("what counts is said in pupils' words with the numbers", () => {
-  const say = textsOf("pt-BR").making;
+  const texts = textsOf("pt-BR").making;
   const some: CheckKind[] = ["ends_in", "visits", "path_length", "block_count", "nesting"];
-  expect(criteriaOf(withAll(proposed(PROPOSAL), some), say)).toBe(
+  expect(criteriaOf(withAll(proposed(PROPOSAL), some), texts)).toBe(
     "Vale: terminar em escola; passar por casa, escola, nessa ordem; um caminho de 4 a 4,4 m; até 6 blocos; usar uma repetição.",
   );
-  expect(criteriaOf(with15Cm({}), say)).toContain("até 15 cm");
-  expect(criteriaOf(proposed(PROPOSAL), say)).toBe("");
+  expect(criteriaOf(with15Cm({}), texts)).toContain("até 15 cm");
+  expect(criteriaOf(proposed(PROPOSAL), texts)).toBe("");
 });
 
 test.each([

@@ -26,10 +26,10 @@ export const shownNumber = ({ key, factor }: NumberField, check: Check): number 
   Math.round(Number(check[key]) * factor * 1000) / 1000;
 
 /** Nothing chosen, with the numbers of what the solution does; `kept` choices keep theirs. */
-export function proposed({ checks }: Proposal, kept: Choices = {}): Choices {
+export function proposed({ checks }: Proposal, previous: Choices = {}): Choices {
   const choices = checks.map((check): [CheckKind, Chosen] => {
     const kind = check.check as CheckKind;
-    const before = kept[kind];
+    const before = previous[kind];
     return [
       kind,
       before?.on
@@ -51,15 +51,18 @@ export const checksOf = (choices: Choices): Check[] =>
   chosen(choices).map(([, { check }]) => check);
 
 /** The choices of an activity's checks, and the checks that the form does not offer, which stay as they are. */
-export function choicesOf(checks: readonly Check[]): { kept: Choices; others: readonly Check[] } {
-  const kept: Partial<Record<CheckKind, Chosen>> = {};
+export function choicesOf(checks: readonly Check[]): {
+  formChoices: Choices;
+  others: readonly Check[];
+} {
+  const formChoices: Partial<Record<CheckKind, Chosen>> = {};
   const others: Check[] = [];
   for (const check of checks) {
     const kind = check.check as CheckKind;
-    if (isOfForm(check) && !kept[kind]) kept[kind] = { on: true, check };
+    if (isOfForm(check) && !formChoices[kind]) formChoices[kind] = { on: true, check };
     else others.push(check);
   }
-  return { kept, others };
+  return { formChoices, others };
 }
 
 const isOfForm = (check: Check) =>

@@ -9,19 +9,19 @@ import {
   shownNumber,
 } from "./check_choices";
 
-type Say = Texts["making"];
+type MakingTexts = Texts["making"];
 
 /** What counts, in pupils' words with numbers; "" where nothing was chosen. */
-export function criteriaOf(choices: Choices, say: Say): string {
-  const parts = chosen(choices).map(([kind, { check }]) => partOf(kind, check, say));
-  return parts.length > 0 ? say.counts(parts.join("; ")) : "";
+export function criteriaOf(choices: Choices, texts: MakingTexts): string {
+  const parts = chosen(choices).map(([kind, { check }]) => partOf(kind, check, texts));
+  return parts.length > 0 ? texts.counts(parts.join("; ")) : "";
 }
 
 /** The words of a kind, which take what the form shows of it in the order of its fields. */
-function partOf(kind: CheckKind, check: Check, say: Say): string {
-  const words: unknown = say.criteria[kind];
-  if (typeof words !== "function") return String(words);
-  return words(...fieldsOf(kind).map((field) => shown(field, check)));
+function partOf(kind: CheckKind, check: Check, texts: MakingTexts): string {
+  const text: unknown = texts.criteria[kind];
+  if (typeof text !== "function") return String(text);
+  return text(...fieldsOf(kind).map((field) => shown(field, check)));
 }
 
 const shown = (field: CheckField, check: Check) =>

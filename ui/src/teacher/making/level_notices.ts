@@ -15,18 +15,18 @@ export function blocksNotOffered(
 ): string[] {
   const named = [...hint.matchAll(QUOTED)].map((match) => match[1] ?? "");
   return named.filter((name) => {
-    const wanted = plain(name);
+    const prefix = plain(name);
     const found = ALL_DEFINITIONS.filter(
       ({ type, hidden }) =>
-        !hidden && wanted && `${plain(labelOf(type))} `.startsWith(`${wanted} `),
+        !hidden && prefix && `${plain(labelOf(type))} `.startsWith(`${prefix} `),
     );
     return found.length > 0 && found.every((one) => one.level > level);
   });
 }
 
 /** Without placeholders, numbers, accents and capitals. */
-function plain(words: string): string {
-  return words
+function plain(text: string): string {
+  return text
     .normalize("NFD")
     .replace(/\p{M}/gu, "")
     .toLowerCase()

@@ -21,36 +21,36 @@ interface PlanPartProps {
 
 /** The plan of a lesson of two hours: opens its activities for a class, leads to the cards, goes on paper. */
 export function PlanPart({ school: { classes } }: PlanPartProps) {
-  const { plan: say } = texts.value;
+  const { plan: labels } = texts.value;
   const page = useRef<HTMLDivElement>(null);
   usePrintedPage("plan");
   const shown = classes.length > 0 ? shownClass(classroom.value, classes, []) : null;
   const found = useTeacherLoaded(`${shown} ${language.value}`, () => loadPlanClass(shown));
   return (
     <div class="plan" ref={page} data-testid="plan">
-      <h1>{say.title}</h1>
-      <p>{say.about}</p>
-      <PlanTools onSave={() => savePage(page.current, say.title, say.fileName)} />
+      <h1>{labels.title}</h1>
+      <p>{labels.about}</p>
+      <PlanTools onSave={() => savePage(page.current, labels.title, labels.fileName)} />
       {shown ? (
         <ClassChips classes={classes} withNone={false} shown={shown} />
       ) : (
-        <p class="teacher__hint">{say.noClass}</p>
+        <p class="teacher__hint">{labels.noClass}</p>
       )}
       <Loaded of={found}>
         {(inClass) => <PlanTable classroom={shown} found={inClass} reload={found.again} />}
       </Loaded>
-      <p>{say.robots}</p>
-      <p>{say.roles}</p>
+      <p>{labels.robots}</p>
+      <p>{labels.roles}</p>
       <div class="plan__more">
-        <Points {...say.deaf} />
-        <Points {...say.projector} />
+        <Points {...labels.deaf} />
+        <Points {...labels.projector} />
       </div>
     </div>
   );
 }
 
 function PlanTools({ onSave }: { onSave(): Promise<void> }) {
-  const { plan: say } = texts.value;
+  const { plan: labels } = texts.value;
   return (
     <div class="plan__tools">
       <LinkButton
@@ -59,15 +59,15 @@ function PlanTools({ onSave }: { onSave(): Promise<void> }) {
         href={hashOf({ screen: "cards" })}
         testId="plan-cards"
       >
-        {say.links.cards}
+        {labels.links.cards}
       </LinkButton>
       {canPrint() && (
         <Button icon={Printer} testId="plan-print" onPress={() => window.print()}>
-          {say.print}
+          {labels.print}
         </Button>
       )}
-      <Button icon={Save} tip={say.saveHelp} testId="plan-save" onPress={onSave}>
-        {say.save}
+      <Button icon={Save} tip={labels.saveHelp} testId="plan-save" onPress={onSave}>
+        {labels.save}
       </Button>
     </div>
   );

@@ -2,7 +2,7 @@ import { CircleCheck, Play } from "lucide-preact";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { hashOf, type Route } from "../../shell/route";
 import { asTeacher } from "../../shell/teacher/teacher_session";
@@ -38,11 +38,11 @@ interface PlanTableProps {
 
 /** The steps of the lesson: when, what the teacher and the groups do, and what is on the screen. */
 export function PlanTable({ classroom, found, reload }: PlanTableProps) {
-  const { plan: say } = texts.value;
-  const { fault, act } = useAct(asTeacher);
+  const { plan: labels } = texts.value;
+  const { fault, act } = useAction(asTeacher);
   const open = (activity: string) =>
     act(async () => {
-      if (classroom) await openForClass(classroom, found.current, say.title, activity);
+      if (classroom) await openForClass(classroom, found.current, labels.title, activity);
       await reload();
     });
   return (
@@ -50,7 +50,7 @@ export function PlanTable({ classroom, found, reload }: PlanTableProps) {
       <table class="plan__steps">
         <thead>
           <tr>
-            {Object.entries(say.columns).map(([name, title]) => (
+            {Object.entries(labels.columns).map(([name, title]) => (
               <th key={name} scope="col" class={`plan__${name}`}>
                 {title}
               </th>
@@ -59,7 +59,7 @@ export function PlanTable({ classroom, found, reload }: PlanTableProps) {
         </thead>
         <tbody>
           {(Object.keys(STEPS) as Step[]).map((step) => {
-            const { minutes, teacher, groups, screen } = say.steps[step];
+            const { minutes, teacher, groups, screen } = labels.steps[step];
             const { activity, link } = STEPS[step];
             return (
               <tr key={step} data-testid="plan-step" data-name={step}>
@@ -68,7 +68,9 @@ export function PlanTable({ classroom, found, reload }: PlanTableProps) {
                 <td>{groups}</td>
                 <td>
                   {screen}
-                  {link && <LinkButton href={hashOf(ROUTES[link])}>{say.links[link]}</LinkButton>}
+                  {link && (
+                    <LinkButton href={hashOf(ROUTES[link])}>{labels.links[link]}</LinkButton>
+                  )}
                   {activity && classroom && (
                     <OpenActivity name={activity} found={found} onOpen={() => open(activity)} />
                   )}
@@ -91,7 +93,7 @@ interface OpenActivityProps {
 
 /** Makes an activity the one of the lesson that is open for the class, or says that it is. */
 function OpenActivity({ name, found: { current, activities }, onOpen }: OpenActivityProps) {
-  const { plan: say } = texts.value;
+  const { plan: labels } = texts.value;
   const known = activities.find((one) => one.name === name);
   const title = known ? `${known.number} ${known.title}` : name;
   const isOpen = current?.activity === name;
@@ -104,10 +106,10 @@ function OpenActivity({ name, found: { current, activities }, onOpen }: OpenActi
         data-name={name}
         onPress={() => !isOpen && onOpen()}
       >
-        {say.open(title)}
+        {labels.open(title)}
       </Button>
       <span class="visually-hidden" role="status">
-        {isOpen && say.isOpen(title)}
+        {isOpen && labels.isOpen(title)}
       </span>
     </>
   );

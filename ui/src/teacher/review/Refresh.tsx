@@ -1,7 +1,7 @@
 import { RefreshCw } from "lucide-preact";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { timeOfDay } from "../time_words";
+import { timeOfDay } from "../time_format";
 
 interface RefreshProps {
   /** The time of the last load. */
@@ -12,19 +12,19 @@ interface RefreshProps {
 
 /** Loads again, and shows the time of the last load. */
 export function Refresh({ at, busy, onRefresh }: RefreshProps) {
-  const { refresh: say } = texts.value.review;
+  const { refresh: labels } = texts.value.review;
   return (
     <Button
       class="refresh rigid"
       icon={RefreshCw}
-      tip={say.help}
+      tip={labels.help}
       busy={busy}
       testId="review-refresh"
       data-at={at.toISOString()}
       onPress={onRefresh}
     >
-      {say.again}{" "}
-      <span class="refresh__at">{say.at(timeOfDay(at.toISOString(), language.value))}</span>
+      {labels.again}{" "}
+      <span class="refresh__at">{labels.at(timeOfDay(at.toISOString(), language.value))}</span>
     </Button>
   );
 }

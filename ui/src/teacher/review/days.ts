@@ -15,10 +15,10 @@ export function dayOf(seconds: number): number {
 }
 
 /** "Quinta-feira, 19 de novembro de 2026", or "19 de novembro e 21 de novembro de 2026". */
-export function daysInWords(days: readonly Date[], language: Language): string {
+export function daysText(days: readonly Date[], language: Language): string {
   const last = days.at(-1);
   if (!last) return "";
-  const words = days.map((day) =>
+  const dayTexts = days.map((day) =>
     day.toLocaleDateString(language, {
       ...(days.length === 1 ? { weekday: "long" } : {}),
       day: "numeric",
@@ -26,13 +26,13 @@ export function daysInWords(days: readonly Date[], language: Language): string {
       ...(day === last || day.getFullYear() !== last.getFullYear() ? { year: "numeric" } : {}),
     }),
   );
-  const said = new Intl.ListFormat(language, { type: "conjunction" }).format(words);
-  return said.charAt(0).toUpperCase() + said.slice(1);
+  const text = new Intl.ListFormat(language, { type: "conjunction" }).format(dayTexts);
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 /** "19 de nov.", on one line. */
 export function shortDay(seconds: number, language: Language): string {
   const day = new Date(seconds * 1000);
-  const said = day.toLocaleDateString(language, { day: "numeric", month: "short" });
-  return said.replace(/\s/g, "\u00a0");
+  const text = day.toLocaleDateString(language, { day: "numeric", month: "short" });
+  return text.replace(/\s/g, "\u00a0");
 }

@@ -1,6 +1,6 @@
 import type { Figures, ReviewMark } from "../../api/model";
 
-export type FigureName = keyof Figures;
+export type MetricName = keyof Figures;
 
 /** Outcome of a run, as shown by its mark. */
 export type Outcome = "passed" | "finished" | "notyet" | "stopped" | "failed" | "running";

@@ -4,10 +4,10 @@ import type { FoundRobots as Found, FoundRobot, RealRobot } from "../../api/mode
 import { robotsApi } from "../../api/robots";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
-import { type Draft, recordOf } from "./record";
+import { type Draft, descriptionOf } from "./robot_description";
 
 interface FoundRobotsProps {
   robot: RealRobot;
@@ -17,16 +17,16 @@ interface FoundRobotsProps {
 
 /** The robots in the domain that is typed; one of them can be taken over into the form. */
 export function FoundRobots({ robot, draft, fill }: FoundRobotsProps) {
-  const { find: say } = texts.value.robotSetup;
+  const { find: labels } = texts.value.robotSetup;
   const [found, setFound] = useState<Found | null>(null);
   const [isUsed, setUsed] = useState(false);
   useEffect(() => setUsed(false), [robot]); // it was saved
-  const { busy, fault, act } = useAct(asTeacher);
-  const look = () => {
+  const { busy, fault, act } = useAction(asTeacher);
+  const search = () => {
     setFound(null);
     setUsed(false);
     return act(async () =>
-      setFound(await robotsApi.find(robot.link, recordOf(robot.fields, draft))),
+      setFound(await robotsApi.find(robot.link, descriptionOf(robot.fields, draft))),
     );
   };
   const use = ({ namespace, command_topic, odometry_topic }: FoundRobot) => {
@@ -35,14 +35,14 @@ export function FoundRobots({ robot, draft, fill }: FoundRobotsProps) {
   };
   return (
     <div class="robots-found">
-      <Button icon={Search} busy={busy} testId="robots-find" onPress={look}>
-        {say.ask}
+      <Button icon={Search} busy={busy} testId="robots-find" onPress={search}>
+        {labels.ask}
       </Button>
-      <p class="labelled__hint">{say.hint(draft.domain ?? "")}</p>
+      <p class="labelled__hint">{labels.hint(draft.domain ?? "")}</p>
       <p role="status" class="teacher__done">
-        {busy && say.asking}
-        {found?.robots.length === 0 && say.none(found.domain)}
-        {isUsed && say.used}
+        {busy && labels.asking}
+        {found?.robots.length === 0 && labels.none(found.domain)}
+        {isUsed && labels.used}
       </p>
       {found && found.robots.length > 0 && <List robots={found.robots} onUse={use} />}
       <FaultLine fault={fault} />
@@ -56,7 +56,7 @@ interface ListProps {
 }
 
 function List({ robots, onUse }: ListProps) {
-  const { find: say } = texts.value.robotSetup;
+  const { find: labels } = texts.value.robotSetup;
   const { state } = texts.value.robot;
   return (
     <ul class="robots-found__list grid gap-2">
@@ -67,13 +67,13 @@ function List({ robots, onUse }: ListProps) {
           data-namespace={one.namespace}
         >
           <span>
-            <strong>{one.namespace || say.nameless}</strong>{" "}
-            {say.topics(one.command_topic, one.odometry_topic)}
+            <strong>{one.namespace || labels.nameless}</strong>{" "}
+            {labels.topics(one.command_topic, one.odometry_topic)}
             {" · "}
-            {one.holder ? state.held(one.holder) : say.free}
+            {one.holder ? state.held(one.holder) : labels.free}
           </span>
           <Button testId="robot-use" onPress={() => onUse(one)}>
-            {say.use}
+            {labels.use}
           </Button>
         </li>
       ))}

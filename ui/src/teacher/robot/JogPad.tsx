@@ -16,21 +16,21 @@ const KEYS: readonly (readonly [Direction, string, LucideIcon])[] = [
 
 /** Buttons that move the robot slowly while they are held, or an arrow key while one of them has the focus. */
 export function JogPad({ link }: { link: string }) {
-  const { jog: say } = texts.value.robotSetup;
+  const { jog: labels } = texts.value.robotSetup;
   useEffect(letGoWithWindow, []);
   const onKey = (event: KeyboardEvent) => {
     const own = (event.target as HTMLElement).dataset.direction as Direction | undefined;
     const isPress = event.key === " " || event.key === "Enter";
-    const wanted = isPress ? own : KEYS.find(([, key]) => key === event.key)?.[0];
-    if (!wanted || event.ctrlKey || event.altKey || event.metaKey) return;
+    const direction = isPress ? own : KEYS.find(([, key]) => key === event.key)?.[0];
+    if (!direction || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     // a key that was stopped stays down: only the next press counts
-    if (!event.repeat) hold(link, wanted);
+    if (!event.repeat) hold(link, direction);
   };
   return (
     <div class="jog">
-      <h3 id="jog-title">{say.title}</h3>
-      <p class="teacher__hint">{say.hint}</p>
+      <h3 id="jog-title">{labels.title}</h3>
+      <p class="teacher__hint">{labels.hint}</p>
       <fieldset
         class="jog__pad"
         aria-labelledby="jog-title"
@@ -83,12 +83,12 @@ function JogKey({ link, direction, shortcut, icon }: JogKeyProps) {
 }
 
 function Moving({ link }: { link: string }) {
-  const { jog: say } = texts.value.robotSetup;
+  const { jog: labels } = texts.value.robotSetup;
   const state = robotStates.value[link];
   const isMoved = state?.use === "jog" && state.state === "connected";
   return (
     <p role="status" class="teacher__done">
-      {held.value && (isMoved ? say.moving : say.connecting)}
+      {held.value && (isMoved ? labels.moving : labels.connecting)}
     </p>
   );
 }

@@ -3,7 +3,7 @@ import { texts } from "../../i18n";
 import { Field } from "../../kit/Field";
 import { FoundRobots } from "./FoundRobots";
 import { RoomPicture } from "./RoomPicture";
-import type { Draft } from "./record";
+import type { Draft } from "./robot_description";
 
 interface RobotFieldsProps {
   robot: RealRobot;

@@ -6,14 +6,14 @@ import { language, texts } from "../../i18n";
 import { linkWords } from "../../i18n/reasons";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { useDraft } from "../useDraft";
 import { Contact } from "./Contact";
 import { RobotFields } from "./RobotFields";
 import { RobotNow } from "./RobotNow";
-import { draftOf, recordOf } from "./record";
+import { descriptionOf, draftOf } from "./robot_description";
 
 interface RobotFormProps {
   robot: RealRobot;
@@ -22,26 +22,26 @@ interface RobotFormProps {
 
 /** The record of one kind of robot: speeds, room, address, and tolerances folded away. */
 export function RobotForm({ robot, onChanged }: RobotFormProps) {
-  const { robotSetup: say } = texts.value;
-  const [isKept, setKept] = useState(false);
-  const { busy, fault, act, clear } = useAct(asTeacher);
+  const { robotSetup: labels } = texts.value;
+  const [isSaved, setSaved] = useState(false);
+  const { busy, fault, act, clear } = useAction(asTeacher);
   const { draft, field, fill } = useDraft<string>(draftOf(robot, language.value), () => {
-    setKept(false);
+    setSaved(false);
     clear();
   });
   const change = (work: () => Promise<RealRobot>) => act(async () => onChanged(await work()));
-  const keep = async () =>
-    setKept(await change(() => robotsApi.keep(robot.link, recordOf(robot.fields, draft))));
+  const save = async () =>
+    setSaved(await change(() => robotsApi.save(robot.link, descriptionOf(robot.fields, draft))));
   return (
-    <Form class="panel card" onSubmit={keep}>
+    <Form class="panel card" onSubmit={save}>
       <p>{linkWords(robot.link, language.value)?.remedy}</p>
       <p class="robot-form__state" data-set-up={robot.is_set_up}>
-        {robot.is_set_up ? say.isSetUp : say.notSetUp}
+        {robot.is_set_up ? labels.isSetUp : labels.notSetUp}
       </p>
       <RobotFields robot={robot} draft={draft} field={field} fill={fill} />
       <div class="teacher__row">
         <Button submit kind="main" icon={Check} busy={busy} testId="robot-keep">
-          {say.keep}
+          {labels.keep}
         </Button>
         {robot.is_set_up && (
           <Button
@@ -49,12 +49,12 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
             testId="robot-forget"
             onPress={() => change(() => robotsApi.forget(robot.link))}
           >
-            {say.forget}
+            {labels.forget}
           </Button>
         )}
       </div>
       <p class="teacher__done" role="status">
-        {isKept && say.kept}
+        {isSaved && labels.kept}
       </p>
       <FaultLine fault={fault} />
       {robot.is_set_up && <RobotNow robot={robot} draft={draft} fill={fill} />}

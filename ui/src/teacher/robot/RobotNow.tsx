@@ -8,7 +8,7 @@ import { Button } from "../../kit/Button";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { RobotState } from "../../run/real/RobotState";
 import {
-  placeOf,
+  poseInRoom,
   robotStates,
   type RobotState as State,
   useWatchedRobot,
@@ -16,7 +16,7 @@ import {
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { JogPad } from "./JogPad";
 import { RoomPicture } from "./RoomPicture";
-import { type Draft, startAt } from "./record";
+import { type Draft, startAt } from "./robot_description";
 
 interface RobotNowProps {
   robot: RealRobot;
@@ -26,22 +26,22 @@ interface RobotNowProps {
 
 /** How the robot that is set up is just now: connected or not, where; keys that move it, and its place as the start. */
 export function RobotNow({ robot, draft, fill }: RobotNowProps) {
-  const { now: say } = texts.value.robotSetup;
+  const { now: labels } = texts.value.robotSetup;
   const { link } = robot;
   useWatchedRobot(link);
   const [isUsed, setUsed] = useState(false);
   useEffect(() => setUsed(false), [robot]); // it was saved
   const state = robotStates.value[link];
-  const place = state && placeOf(state);
+  const place = state && poseInRoom(state);
   const use = () => {
     if (!place) return;
     fill(startAt(place, language.value));
     setUsed(true);
   };
-  const standAtStart = () => asTeacher(() => robotsApi.standAtStart(link));
+  const setStartHere = () => asTeacher(() => robotsApi.setStartHere(link));
   return (
-    <section class="robot-now" aria-label={say.title}>
-      <h2>{say.title}</h2>
+    <section class="robot-now" aria-label={labels.title}>
+      <h2>{labels.title}</h2>
       <p class="robot-now__state">
         <RobotState link={link} testId="robot-now" />
         {state && more(state)}
@@ -53,29 +53,29 @@ export function RobotNow({ robot, draft, fill }: RobotNowProps) {
       </div>
       <div class="teacher__row">
         <Button icon={MapPin} disabled={!place} testId="robot-here" onPress={use}>
-          {say.use}
+          {labels.use}
         </Button>
-        <Button icon={Flag} disabled={!place} testId="robot-at-start" onPress={standAtStart}>
-          {say.atStart}
+        <Button icon={Flag} disabled={!place} testId="robot-at-start" onPress={setStartHere}>
+          {labels.atStart}
         </Button>
       </div>
       <p role="status" class="teacher__done">
-        {isUsed && say.used}
+        {isUsed && labels.used}
       </p>
-      <p class="teacher__hint">{say.honest}</p>
+      <p class="teacher__hint">{labels.honest}</p>
     </section>
   );
 }
 
 function more(state: State): string {
-  const { now: say } = texts.value.robotSetup;
+  const { now: labels } = texts.value.robotSetup;
   const number = (value: number, digits: number) => decimal(value, digits, language.value);
-  const place = placeOf(state);
+  const place = poseInRoom(state);
   return [
-    state.rate_hz !== null && say.rate(number(state.rate_hz, 0)),
-    place && say.place(number(place.x_m, 2), number(place.y_m, 2), number(place.heading_deg, 0)),
+    state.rate_hz !== null && labels.rate(number(state.rate_hz, 0)),
+    place && labels.place(number(place.x_m, 2), number(place.y_m, 2), number(place.heading_deg, 0)),
   ]
     .filter(Boolean)
-    .map((words) => ` · ${words}`)
+    .map((text) => ` · ${text}`)
     .join("");
 }

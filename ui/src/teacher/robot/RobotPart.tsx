@@ -2,22 +2,22 @@ import { useSignal } from "@preact/signals";
 import type { RealRobot } from "../../api/model";
 import { robotsApi } from "../../api/robots";
 import { language, texts } from "../../i18n";
-import { Choice } from "../../kit/Choice";
+import { RadioGroup } from "../../kit/RadioGroup";
 import { Loaded } from "../../kit/requests/Loaded";
-import { robotWords } from "../../run/real/RobotName";
+import { robotLabel } from "../../run/real/RobotName";
 import { realRobots } from "../../run/real/real_robot";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 import { RobotForm } from "./RobotForm";
 
 /** The real robots of this PC: which ones it can drive, how they are reached and what they may do. */
 export function RobotPart() {
-  const { robotSetup: say } = texts.value;
+  const { robotSetup: labels } = texts.value;
   // the labels of the fields come in the language of the page
   const robots = useTeacherLoaded(language.value, robotsApi.all);
   return (
     <>
-      <h1>{say.title}</h1>
-      <p class="teacher__hint">{say.hint}</p>
+      <h1>{labels.title}</h1>
+      <p class="teacher__hint">{labels.hint}</p>
       <Loaded of={robots}>
         {(found) => (
           <Kinds
@@ -40,18 +40,18 @@ interface KindsProps {
 }
 
 function Kinds({ robots, onChanged }: KindsProps) {
-  const { robotSetup: say } = texts.value;
+  const { robotSetup: labels } = texts.value;
   const first = robots.find((one) => one.is_set_up) ?? robots[0];
   const link = useSignal(first?.link ?? "");
   const forgotten = useSignal(0); // a form that was forgotten begins anew
   const robot = robots.find((one) => one.link === link.value);
-  if (!robot) return <p>{say.none}</p>;
+  if (!robot) return <p>{labels.none}</p>;
   return (
     <>
-      <Choice
-        label={say.kind}
+      <RadioGroup
+        label={labels.kind}
         value={robot.link}
-        options={robots.map((one) => [one.link, robotWords(one.link)] as const)}
+        options={robots.map((one) => [one.link, robotLabel(one.link)] as const)}
         onChange={(chosen) => {
           link.value = chosen;
         }}

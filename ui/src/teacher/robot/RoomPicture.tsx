@@ -1,9 +1,9 @@
 import { texts } from "../../i18n";
 import { numberIn } from "../../kit/NumberField";
-import { placeOf, robotStates } from "../../run/real/robot_state";
+import { poseInRoom, robotStates } from "../../run/real/robot_state";
 import { extentOf, hullPath } from "../../scene/hull";
 import { robotOf } from "../../shell/session";
-import type { Draft } from "./record";
+import type { Draft } from "./robot_description";
 
 interface RoomPictureProps {
   draft: Draft;
@@ -36,15 +36,15 @@ export function RoomPicture({ draft, link }: RoomPictureProps) {
       <g transform={`translate(${x} ${-y}) rotate(${-heading})`}>
         <Hull hull="room-picture__robot" nose="room-picture__nose" />
       </g>
-      {link && <Place link={link} />}
+      {link && <RobotPose link={link} />}
     </svg>
   );
 }
 
 /** Where the watched robot is, by its wheels. */
-function Place({ link }: { link: string }) {
+function RobotPose({ link }: { link: string }) {
   const state = robotStates.value[link];
-  const place = state && placeOf(state);
+  const place = state && poseInRoom(state);
   if (!place) return null;
   return (
     <g

@@ -6,7 +6,7 @@ import { Button } from "../../kit/Button";
 import { Field, PinField } from "../../kit/Field";
 import { Form } from "../../kit/Form";
 import { LinkButton } from "../../kit/LinkButton";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
@@ -41,14 +41,14 @@ async function loadKnown(): Promise<Known> {
 }
 
 function PreparationForm({ known, onDone }: PreparationProps & { known: Known }) {
-  const { prepare: say, door } = texts.value.teacher;
-  const { busy, fault, act, refuse, clear } = useAct(asTeacher);
+  const { prepare: labels, door } = texts.value.teacher;
+  const { busy, fault, act, refuse, clear } = useAction(asTeacher);
   const { draft, field } = useDraft(
     { pin: "", again: "", name: "", computer: known.computer },
     clear,
   );
   const submit = async () => {
-    const wrong = pinFault(draft.pin, draft.again, say);
+    const wrong = pinFault(draft.pin, draft.again, labels);
     if (wrong) return refuse(wrong);
     if (!(await act(() => prepare(draft, known)))) return;
     onDone();
@@ -59,23 +59,23 @@ function PreparationForm({ known, onDone }: PreparationProps & { known: Known })
   return (
     <main class="screen sign-in">
       <Form class="sign-in__form card column gap-4" onSubmit={submit}>
-        <h1>{say.title}</h1>
-        <p class="teacher__hint">{say.hint}</p>
+        <h1>{labels.title}</h1>
+        <p class="teacher__hint">{labels.hint}</p>
         <div class="sign-in__pair">
-          <PinField label={say.pin} autoFocus data-testid="pin" {...field("pin")} />
-          <PinField label={say.pinAgain} data-testid="pin-again" {...field("again")} />
-          <p class="labelled__hint">{say.pinHint}</p>
+          <PinField label={labels.pin} autoFocus data-testid="pin" {...field("pin")} />
+          <PinField label={labels.pinAgain} data-testid="pin-again" {...field("again")} />
+          <p class="labelled__hint">{labels.pinHint}</p>
         </div>
         <Field
-          label={say.className}
-          hint={say.classHint}
+          label={labels.className}
+          hint={labels.classHint}
           maxLength={STORE_LIMITS.MAX_NAME}
           data-testid="class-name"
           {...field("name")}
         />
         <Field
-          label={say.computer}
-          hint={say.computerHint}
+          label={labels.computer}
+          hint={labels.computerHint}
           maxLength={STORE_LIMITS.MAX_NAME}
           data-testid="computer-name"
           {...field("computer")}
@@ -83,13 +83,13 @@ function PreparationForm({ known, onDone }: PreparationProps & { known: Known })
         <FaultLine fault={fault} />
         <div class="button-row">
           <Button submit kind="main" iconEnd={ArrowRight} busy={busy} testId="prepare-done">
-            {say.done}
+            {labels.done}
           </Button>
           <LinkButton kind="plain" icon={ArrowLeft} href="#/">
             {door.back}
           </LinkButton>
         </div>
-        <p class="labelled__hint">{say.forgotten}</p>
+        <p class="labelled__hint">{labels.forgotten}</p>
       </Form>
     </main>
   );

@@ -6,7 +6,7 @@ import { Button } from "../../kit/Button";
 import { PinField } from "../../kit/Field";
 import { Form } from "../../kit/Form";
 import { LinkButton } from "../../kit/LinkButton";
-import { useAct } from "../../kit/requests/act";
+import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { signIn } from "../../shell/teacher/teacher_session";
 
@@ -17,7 +17,7 @@ interface SignInFormProps {
 
 /** PIN form; counts down the wait after too many wrong PINs. */
 export function SignInForm({ again }: SignInFormProps) {
-  const { door: say } = texts.value.teacher;
+  const { door: labels } = texts.value.teacher;
   const place = useRef<HTMLElement>(null);
   const focusField = () => place.current?.querySelector("input")?.focus();
   const { pin, write, left, busy, fault, enter } = useSignIn(focusField);
@@ -25,10 +25,10 @@ export function SignInForm({ again }: SignInFormProps) {
   return (
     <main ref={place} class="screen sign-in">
       <Form class="sign-in__form card column gap-4" onSubmit={enter}>
-        <h1>{say.title}</h1>
-        <p class="teacher__hint">{again ? say.again : say.hint}</p>
+        <h1>{labels.title}</h1>
+        <p class="teacher__hint">{again ? labels.again : labels.hint}</p>
         <PinField
-          label={say.pin}
+          label={labels.pin}
           value={pin}
           data-testid="pin"
           aria-invalid={fault !== null}
@@ -37,7 +37,7 @@ export function SignInForm({ again }: SignInFormProps) {
         <FaultLine fault={fault} />
         {left > 0 && (
           <p class="notice-box" role="timer" data-testid="pin-wait">
-            {say.wait(left)}
+            {labels.wait(left)}
           </p>
         )}
         <div class="button-row">
@@ -49,13 +49,13 @@ export function SignInForm({ again }: SignInFormProps) {
             disabled={left > 0}
             testId="sign-in"
           >
-            {say.enter}
+            {labels.enter}
           </Button>
           <LinkButton kind="plain" icon={ArrowLeft} href="#/">
-            {say.back}
+            {labels.back}
           </LinkButton>
         </div>
-        {fault === null && <p class="labelled__hint">{say.forgotten}</p>}
+        {fault === null && <p class="labelled__hint">{labels.forgotten}</p>}
       </Form>
     </main>
   );
@@ -65,7 +65,7 @@ export function SignInForm({ again }: SignInFormProps) {
 function useSignIn(onRefused: () => void) {
   const [pin, setPin] = useState("");
   const [left, setLeft] = useCountdown();
-  const { busy, fault, act, refuse, clear } = useAct();
+  const { busy, fault, act, refuse, clear } = useAction();
   const startWaiting = (error: unknown) => {
     const seconds = error instanceof ApiError ? Number(error.params.seconds) : 0;
     if (!(seconds > 0)) throw error;

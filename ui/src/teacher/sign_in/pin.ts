@@ -6,8 +6,8 @@ const FORMAT = /^\d{4,12}$/;
 export function pinFault(
   pin: string,
   again: string,
-  words: Pick<Texts["teacher"]["prepare"], "pinFormat" | "different">,
+  texts: Pick<Texts["teacher"]["prepare"], "pinFormat" | "different">,
 ): string | null {
-  if (!FORMAT.test(pin)) return words.pinFormat;
-  return pin === again ? null : words.different;
+  if (!FORMAT.test(pin)) return texts.pinFormat;
+  return pin === again ? null : texts.different;
 }

@@ -89,22 +89,22 @@ interface OverlayProps {
 
 function Overlay({ store, view, byHand }: OverlayProps) {
   const svg = useRef<SVGSVGElement>(null);
-  const words = texts.value.world;
+  const labels = texts.value.world;
   useLayoutEffect(
     () => (svg.current ? followHand(svg.current, store, view, byHand) : undefined),
     [store, view, byHand],
   );
-  const { size, camera } = view.value;
+  const { size, viewport } = view.value;
   return (
     <svg
       ref={svg}
       class="board__overlay"
       viewBox={`0 0 ${size.width} ${size.height}`}
       role="application"
-      aria-label={words.board}
+      aria-label={labels.board}
       tabindex={0}
       data-testid="world-board"
-      data-camera={`${camera.x} ${camera.y} ${camera.scale}`}
+      data-camera={`${viewport.x} ${viewport.y} ${viewport.scale}`}
       onKeyDown={(event) => {
         if (!pressed(store, event)) return;
         event.preventDefault();
@@ -158,7 +158,7 @@ function followHand(
   const up = (event: PointerEvent) => {
     if (event.pointerId !== from?.pointer) return;
     from = null;
-    store.letGo(floorAt(event), moved);
+    store.endDrag(floorAt(event), moved);
   };
   const cancel = () => {
     from = null;
@@ -171,9 +171,9 @@ function followHand(
     view.value = zoomed(view.value, Math.exp(-event.deltaY / 500), x, y);
   };
   // keys belong to the board: a press does not move the focus to the element below it, only Tab does
-  const keepFocus = (event: MouseEvent) => event.preventDefault();
+  const preventFocus = (event: MouseEvent) => event.preventDefault();
   const listeners = {
-    mousedown: keepFocus,
+    mousedown: preventFocus,
     pointerdown: down,
     pointermove: move,
     pointerup: up,
@@ -191,15 +191,15 @@ function targetOf(target: EventTarget | null): { id?: string; handle?: string } 
 }
 
 function Buttons({ onZoom, onFit }: { onZoom(factor: number): void; onFit(): void }) {
-  const words = texts.value.scene;
+  const labels = texts.value.scene;
   const button = (label: string, Icon: typeof Plus, act: () => void) => (
     <Button icon={Icon} label={label} kind="bare" class="scene__button" onPress={act} />
   );
   return (
     <div class="world-zoom row rigid">
-      {button(words.zoomIn, Plus, () => onZoom(ZOOM_STEP))}
-      {button(words.zoomOut, Minus, () => onZoom(1 / ZOOM_STEP))}
-      {button(words.fit, Scan, onFit)}
+      {button(labels.zoomIn, Plus, () => onZoom(ZOOM_STEP))}
+      {button(labels.zoomOut, Minus, () => onZoom(1 / ZOOM_STEP))}
+      {button(labels.fit, Scan, onFit)}
     </div>
   );
 }

@@ -1,6 +1,6 @@
 import { TriangleAlert } from "lucide-preact";
 import type { EditorStore } from "../editor_store";
-import { type Plan, thingOf } from "../plan";
+import { objectOf, type Plan } from "../plan";
 import type { View } from "./board_view";
 import { onBoard, spanOf } from "./outline";
 
@@ -18,8 +18,8 @@ export function FaultNote({ store, view }: { store: EditorStore; view: View }) {
   if (!fault || store.isGripping) return null;
   const plan = store.shown.value;
   const about = store.aboutFault(fault);
-  const thing = thingOf(plan, about);
-  const span = thing ? spanOf(view, thing) : startSpan(view, plan);
+  const object = objectOf(plan, about);
+  const span = object ? spanOf(view, object) : startSpan(view, plan);
   const isAbove = span.top - GAP > HIGH;
   const left = Math.min(view.size.width - WIDE / 2 - 8, Math.max(WIDE / 2 + 8, span.x));
   return (

@@ -2,7 +2,7 @@ import { cornersOf } from "../../scene/areas";
 import type { XY } from "../../scene/frames";
 import type { EditorStore } from "../editor_store";
 import { turnedBy } from "../geometry";
-import { type AreaThing, isArea, type Plan, type Thing, thingOf } from "../plan";
+import { type AreaObject, isArea, objectOf, type Plan, type WorldObject } from "../plan";
 import type { View } from "./board_view";
 import { onBoard } from "./outline";
 
@@ -41,31 +41,31 @@ export function Handles({ store, view }: { store: EditorStore; view: View }) {
 }
 
 function handlesOf(plan: Plan, selected: string | null, view: View): Handle[] {
-  const thing = thingOf(plan, selected);
-  if (thing) return ofThing(thing, view);
+  const object = objectOf(plan, selected);
+  if (object) return handlesOfObject(object, view);
   if (selected !== "start") return [];
   const { heading } = plan.start;
   return [turnHandle(view, plan.start, heading, 0.3)];
 }
 
-function ofThing(thing: Thing, view: View): Handle[] {
-  if (!isArea(thing)) {
+function handlesOfObject(object: WorldObject, view: View): Handle[] {
+  if (!isArea(object)) {
     return [
-      { name: "from", at: onBoard(view, thing.from) },
-      { name: "to", at: onBoard(view, thing.to) },
+      { name: "from", at: onBoard(view, object.from) },
+      { name: "to", at: onBoard(view, object.to) },
     ];
   }
-  if (thing.radius !== null) return [radiusHandle(thing, thing.radius, view)];
-  const corners = cornersOf(thing).map((corner, index) => ({
+  if (object.radius !== null) return [radiusHandle(object, object.radius, view)];
+  const corners = cornersOf(object).map((corner, index) => ({
     name: `${index}`,
     at: onBoard(view, corner),
   }));
-  return [...corners, turnHandle(view, thing, thing.heading, thing.width / 2)];
+  return [...corners, turnHandle(view, object, object.heading, object.width / 2)];
 }
 
-const radiusHandle = (thing: AreaThing, radius: number, view: View): Handle => ({
+const radiusHandle = (object: AreaObject, radius: number, view: View): Handle => ({
   name: "radius",
-  at: onBoard(view, { x: thing.x + radius, y: thing.y }),
+  at: onBoard(view, { x: object.x + radius, y: object.y }),
 });
 
 /** The turning handle, ahead of the thing in its heading. */
@@ -74,5 +74,5 @@ function turnHandle(view: View, middle: XY, heading: number, reach: number): Han
     const offset = turnedBy({ x: metres, y: 0 }, heading);
     return onBoard(view, { x: middle.x + offset.x, y: middle.y + offset.y });
   };
-  return { name: "turn", root: along(reach), at: along(reach + ARM / view.camera.scale) };
+  return { name: "turn", root: along(reach), at: along(reach + ARM / view.viewport.scale) };
 }

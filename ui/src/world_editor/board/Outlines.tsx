@@ -1,8 +1,8 @@
 import { useComputed } from "@preact/signals";
 import { texts } from "../../i18n";
 import type { EditorStore } from "../editor_store";
-import { isOuter, ofKind, type Thing } from "../plan";
-import { nameOf } from "../words";
+import { nameOf } from "../labels";
+import { isOuter, ofKind, type WorldObject } from "../plan";
 import type { View } from "./board_view";
 import { edgeOf, onBoard } from "./outline";
 
@@ -21,21 +21,21 @@ export function Outlines({ store, view }: OutlinesProps) {
   const faulty = useComputed(() => new Set(store.faults.value.map((one) => store.aboutFault(one))));
   // drawing order: paint below, walls on top
   const order = ["paint", "zone", "box", "wall"] as const;
-  const things = order.flatMap((kind) =>
-    ofKind(plan, kind).map((thing, index) => ({ thing, index })),
+  const objects = order.flatMap((kind) =>
+    ofKind(plan, kind).map((object, index) => ({ thing: object, index })),
   );
   return (
     <g>
-      {things.map(
-        ({ thing, index }) =>
-          !isOuter(plan, thing) && (
+      {objects.map(
+        ({ thing: object, index }) =>
+          !isOuter(plan, object) && (
             <Outline
-              key={thing.id}
+              key={object.id}
               store={store}
               view={view}
-              thing={thing}
+              object={object}
               index={index}
-              isFaulty={faulty.value.has(thing.id)}
+              isFaulty={faulty.value.has(object.id)}
             />
           ),
       )}
@@ -45,29 +45,29 @@ export function Outlines({ store, view }: OutlinesProps) {
 }
 
 interface OutlineProps extends OutlinesProps {
-  thing: Thing;
+  object: WorldObject;
   /** Index in its list of the document. */
   index: number;
   isFaulty: boolean;
 }
 
-function Outline({ store, view, thing, index, isFaulty }: OutlineProps) {
-  const isSelected = store.selected.value === thing.id;
-  const path = edgeOf(view, thing);
+function Outline({ store, view, object, index, isFaulty }: OutlineProps) {
+  const isSelected = store.selected.value === object.id;
+  const path = edgeOf(view, object);
   return (
     // biome-ignore lint/a11y/useSemanticElements: an SVG has no button
     <g
-      class={classes(thing.kind, isSelected, isFaulty)}
+      class={classes(object.kind, isSelected, isFaulty)}
       role="button"
       tabindex={0}
-      aria-label={nameOf(thing, index, texts.value.world)}
+      aria-label={nameOf(object, index, texts.value.world)}
       aria-pressed={isSelected}
-      data-thing={thing.id}
-      data-kind={thing.kind}
+      data-thing={object.id}
+      data-kind={object.kind}
       data-index={index}
       data-faulty={isFaulty}
       data-testid="world-thing"
-      onFocus={() => store.select(thing.id)}
+      onFocus={() => store.select(object.id)}
     >
       <path class="outline__reach" d={path} />
       <path class="outline__line" d={path} />
@@ -82,7 +82,7 @@ interface StartOutlineProps extends OutlinesProps {
 function StartOutline({ store, view, isFaulty }: StartOutlineProps) {
   const { x, y } = onBoard(view, store.shown.value.start);
   const isSelected = store.selected.value === "start";
-  const r = Math.max(FINGER_PX, ROBOT_M * view.camera.scale);
+  const r = Math.max(FINGER_PX, ROBOT_M * view.viewport.scale);
   return (
     // biome-ignore lint/a11y/useSemanticElements: an SVG has no button
     <g

@@ -1,23 +1,26 @@
 import { lineThrough, outlineOf } from "../../scene/areas";
-import { toScreen } from "../../scene/camera";
 import type { XY } from "../../scene/frames";
+import { toScreen } from "../../scene/viewport";
 import { pointsOf } from "../geometry";
-import { isArea, type Thing } from "../plan";
+import { isArea, type WorldObject } from "../plan";
 import type { View } from "./board_view";
 
 /** Converts a point of the floor to pixels of the board. */
-export const onBoard = ({ camera, size }: View, point: XY): XY => toScreen(camera, size, point);
+export const onBoard = ({ viewport, size }: View, point: XY): XY => toScreen(viewport, size, point);
 
 /** The edge of a thing as an SVG path, in pixels of the board. */
-export function edgeOf(view: View, thing: Thing): string {
+export function edgeOf(view: View, object: WorldObject): string {
   const place = (point: XY) => onBoard(view, point);
-  if (isArea(thing)) return outlineOf(thing, place, view.camera.scale);
-  return lineThrough([thing.from, thing.to].map(place));
+  if (isArea(object)) return outlineOf(object, place, view.viewport.scale);
+  return lineThrough([object.from, object.to].map(place));
 }
 
 /** Top, bottom and horizontal centre of a thing, where a note about it can be placed. Pixels. */
-export function spanOf(view: View, thing: Thing): { x: number; top: number; bottom: number } {
-  const shown = pointsOf(thing).map((point) => onBoard(view, point));
+export function spanOf(
+  view: View,
+  object: WorldObject,
+): { x: number; top: number; bottom: number } {
+  const shown = pointsOf(object).map((point) => onBoard(view, point));
   const xs = shown.map(({ x }) => x);
   const ys = shown.map(({ y }) => y);
   return {

@@ -285,8 +285,8 @@ export class RandomPrograms {
     return `b${this.ids++}`;
   }
 
-  private several(least: number, make: () => Expression): Expression[] {
-    return Array.from({ length: least + this.whole(3) }, make);
+  private several(min: number, make: () => Expression): Expression[] {
+    return Array.from({ length: min + this.whole(3) }, make);
   }
 
   private maybe<T extends object>(part: T): Partial<T> {

@@ -1,7 +1,7 @@
 import type { BlockCount } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { categoryOfType, hueOf } from "../marks/block_kinds";
-import { blockName } from "../marks/difference_words";
+import { blockName } from "../marks/difference_texts";
 
 interface BlockChipsProps {
   blocks: readonly BlockCount[];

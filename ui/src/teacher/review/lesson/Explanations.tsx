@@ -1,18 +1,18 @@
 import { language, texts } from "../../../i18n";
-import { figureWords } from "../words";
-import { FIGURES } from "./FigureRow";
+import { metricText } from "../metric_text";
+import { METRICS } from "./MetricRow";
 
 /** Explains each figure on the printed page, which has no tooltips. */
 export function Explanations() {
-  const { lesson: say } = texts.value.review;
+  const { lesson: labels } = texts.value.review;
   const now = new Date().toLocaleString(language.value, { dateStyle: "long", timeStyle: "short" });
   return (
     <section class="lesson__explained aside" data-testid="lesson-explained">
-      <h2>{say.counts}</h2>
-      <p>{say.noRanking}</p>
+      <h2>{labels.counts}</h2>
+      <p>{labels.noRanking}</p>
       <dl>
-        {[...FIGURES, "blocks", "repairs"].map((name) => {
-          const { message, remedy } = figureWords(name);
+        {[...METRICS, "blocks", "repairs"].map((name) => {
+          const { message, remedy } = metricText(name);
           return (
             <div key={name}>
               <dt>{message}</dt>
@@ -21,7 +21,7 @@ export function Explanations() {
           );
         })}
       </dl>
-      <p>{say.printed(now)}</p>
+      <p>{labels.printed(now)}</p>
     </section>
   );
 }

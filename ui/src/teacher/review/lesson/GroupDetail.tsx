@@ -1,13 +1,13 @@
 import type { GroupReview } from "../../../api/model";
 import { texts } from "../../../i18n";
-import type { MarkBook } from "../marks/mark_words";
+import type { TimelineIndex } from "../marks/timeline_texts";
 import { BlockChips } from "./BlockChips";
 import { HintsRead } from "./HintsRead";
-import { RunLine } from "./RunLine";
+import { RunRow } from "./RunRow";
 
 interface GroupDetailProps {
   review: GroupReview;
-  book: MarkBook;
+  book: TimelineIndex;
   onAccepted(): unknown;
 }
 
@@ -22,7 +22,7 @@ export function GroupDetail({ review, book, onAccepted }: GroupDetailProps) {
         {runs.length === 0 && <p class="detail__none">{detail.noRuns}</p>}
         <ol>
           {runs.map((mark) => (
-            <RunLine key={mark.run_id} mark={mark} book={book} onAccepted={onAccepted} />
+            <RunRow key={mark.run_id} mark={mark} book={book} onAccepted={onAccepted} />
           ))}
         </ol>
       </div>

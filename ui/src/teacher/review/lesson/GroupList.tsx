@@ -3,17 +3,17 @@ import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import type { LessonReview } from "../../../api/model";
 import { texts } from "../../../i18n";
 import { daysOf } from "../days";
-import { linesOf } from "../timeline/lines";
+import { timelinesOf } from "../timeline/timelines";
 import { GroupRow } from "./GroupRow";
-import type { LessonPlace } from "./lesson_place";
-import { forPrint, PRINT_LINE_PX } from "./printing";
+import type { LessonViewState } from "./lesson_view_state";
+import { forPrint, PRINT_TIMELINE_PX } from "./printing";
 
 /** Minimum layout width of a timeline. */
-const NARROWEST_PX = 200;
+const MIN_WIDTH_PX = 200;
 
 interface GroupListProps {
   review: LessonReview;
-  place: LessonPlace;
+  viewState: LessonViewState;
   onAccepted(): unknown;
 }
 
@@ -21,11 +21,11 @@ interface GroupListProps {
 const NEEDS = ["help", "working", "passed"] as const;
 
 /** The groups of a lesson, with timelines of the width of the screen or the printed page. */
-export function GroupList({ review: { groups }, place, onAccepted }: GroupListProps) {
-  const { timeOf, open } = place;
-  const { list, width } = useLineWidth();
+export function GroupList({ review: { groups }, viewState, onAccepted }: GroupListProps) {
+  const { timeOf, open } = viewState;
+  const { list, width } = useTimelineWidth();
   const lines = useMemo(
-    () => linesOf(groups, timeOf.value, Math.max(NARROWEST_PX, width)),
+    () => timelinesOf(groups, timeOf.value, Math.max(MIN_WIDTH_PX, width)),
     [groups, timeOf.value, width],
   );
   const withDays = useMemo(() => daysOf(groups).length > 1, [groups]);
@@ -66,7 +66,7 @@ export function GroupList({ review: { groups }, place, onAccepted }: GroupListPr
 }
 
 /** Width of a timeline in pixels; measured again on resize and for printing. */
-function useLineWidth() {
+function useTimelineWidth() {
   const list = useRef<HTMLDivElement>(null);
   const width = useSignal(0);
   useLayoutEffect(() => {
@@ -80,7 +80,7 @@ function useLineWidth() {
     const sizes = new ResizeObserver(measure);
     sizes.observe(element);
     const stop = forPrint(() => {
-      width.value = PRINT_LINE_PX;
+      width.value = PRINT_TIMELINE_PX;
     }, measure);
     return () => {
       sizes.disconnect();

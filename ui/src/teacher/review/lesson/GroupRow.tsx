@@ -4,16 +4,16 @@ import type { GroupReview } from "../../../api/model";
 import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { GroupPicture } from "../../../kit/pictures/GroupPicture";
-import { MarkBook } from "../marks/mark_words";
-import { Line } from "../timeline/Line";
-import type { LineLayout } from "../timeline/line_layout";
+import { TimelineIndex } from "../marks/timeline_texts";
+import { GroupTimeline } from "../timeline/GroupTimeline";
+import type { TimelineLayout } from "../timeline/timeline_layout";
 import { CategoryChips } from "./CategoryChips";
-import { FigureRow } from "./FigureRow";
 import { GroupDetail } from "./GroupDetail";
+import { MetricRow } from "./MetricRow";
 
 interface GroupRowProps {
   review: GroupReview;
-  layout: LineLayout;
+  layout: TimelineLayout;
   /** The lesson lasted several days. */
   withDays: boolean;
   open: boolean;
@@ -29,7 +29,7 @@ export function GroupRow(props: GroupRowProps) {
   const { review, layout, withDays, open, onToggle, onAccepted } = props;
   const { group, marks, figures, blocks, hints } = review;
   const { lesson, detail } = texts.value.review;
-  const book = useMemo(() => new MarkBook(marks, withDays), [marks, withDays]);
+  const book = useMemo(() => new TimelineIndex(marks, withDays), [marks, withDays]);
   return (
     <li
       id={`group-${group.id}`}
@@ -59,10 +59,10 @@ export function GroupRow(props: GroupRowProps) {
           <p class="group-row__nothing">{lesson.nothing}</p>
         ) : (
           <div class="group-row__line">
-            <Line group={group.name} book={book} layout={layout} />
+            <GroupTimeline group={group.name} book={book} layout={layout} />
           </div>
         )}
-        <FigureRow group={group.name} figures={figures} hints={hints} />
+        <MetricRow group={group.name} metrics={figures} hints={hints} />
       </div>
       {open && <GroupDetail review={review} book={book} onAccepted={onAccepted} />}
     </li>

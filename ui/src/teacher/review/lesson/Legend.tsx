@@ -1,5 +1,5 @@
 import { texts } from "../../../i18n";
-import { OutcomeSign } from "../OutcomeSign";
+import { OutcomeIcon } from "../OutcomeIcon";
 
 const OUTCOMES = ["passed", "finished", "notyet", "stopped", "failed"] as const;
 
@@ -14,7 +14,7 @@ export function Legend() {
       </li>
       {OUTCOMES.map((outcome) => (
         <li key={outcome}>
-          <OutcomeSign outcome={outcome} />
+          <OutcomeIcon outcome={outcome} />
           {legend[outcome]}
         </li>
       ))}

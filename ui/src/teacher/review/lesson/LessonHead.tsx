@@ -5,64 +5,67 @@ import type { LessonReview } from "../../../api/model";
 import { reviewApi } from "../../../api/review";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
-import { Choice } from "../../../kit/Choice";
 import { LinkButton } from "../../../kit/LinkButton";
+import { RadioGroup } from "../../../kit/RadioGroup";
 import { hashOf } from "../../../shell/route";
 import { fileName, saveFile } from "../../../shell/save_file";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
 import { BackToLessons } from "../BackToLessons";
-import { daysInWords, daysOf } from "../days";
-import type { TimeOf } from "../timeline/lines";
+import { daysOf, daysText } from "../days";
+import type { TimeOf } from "../timeline/timelines";
 import { LessonSummary } from "./LessonSummary";
-import type { LessonPlace } from "./lesson_place";
+import type { LessonViewState } from "./lesson_view_state";
 import type { LessonPage } from "./load_lesson";
 import { canPrint, printPage } from "./printing";
 
 interface LessonHeadProps {
   page: LessonPage;
-  place: LessonPlace;
+  viewState: LessonViewState;
   refresh: ComponentChildren;
 }
 
 /** Title, time and activities of a lesson, with its actions. */
-export function LessonHead({ page, place, refresh }: LessonHeadProps) {
+export function LessonHead({ page, viewState, refresh }: LessonHeadProps) {
   const { review } = page;
   return (
     <>
       <div class="review-head lesson__head row middle gap-4">
         <BackToLessons />
         <Title page={page} />
-        {review.groups.length > 0 && <Tools review={review} timeOf={place.timeOf} />}
+        {review.groups.length > 0 && <Tools review={review} timeOf={viewState.timeOf} />}
       </div>
       <div class="lesson__about row middle apart gap-4">
         <p class="lesson__facts">{factsOf(page).join(" · ")}</p>
         {refresh}
       </div>
-      <LessonSummary review={review} place={place} />
+      <LessonSummary review={review} viewState={viewState} />
     </>
   );
 }
 
 function Title({ page: { review, classroom } }: Pick<LessonHeadProps, "page">) {
   const { lesson } = review;
-  const say = texts.value.review.lesson;
+  const labels = texts.value.review.lesson;
   return (
     <h1 title={lesson.title}>
-      <span class="lesson__class">{classroom ?? say.noClass}</span> · {say.title(lesson.title)}
+      <span class="lesson__class">{classroom ?? labels.noClass}</span> ·{" "}
+      {labels.title(lesson.title)}
     </h1>
   );
 }
 
 function factsOf({ review, activities }: LessonPage): string[] {
-  const say = texts.value.review.lesson;
+  const labels = texts.value.review.lesson;
   const { lesson, groups } = review;
   const days = daysOf(groups);
   const computers = computersOf(review);
   return [
-    daysInWords(days.length > 0 ? days : [new Date(lesson.opened_at)], language.value),
-    activities.length > 0 ? say.activities(activities.length, inList(activities)) : say.freeWork,
-    say.groups(groups.length),
-    ...(computers.length > 0 ? [say.computers(computers.join(", "))] : []),
+    daysText(days.length > 0 ? days : [new Date(lesson.opened_at)], language.value),
+    activities.length > 0
+      ? labels.activities(activities.length, inList(activities))
+      : labels.freeWork,
+    labels.groups(groups.length),
+    ...(computers.length > 0 ? [labels.computers(computers.join(", "))] : []),
   ];
 }
 
@@ -81,24 +84,24 @@ interface ToolsProps {
 }
 
 function Tools({ review, timeOf }: ToolsProps) {
-  const say = texts.value.review.lesson;
+  const labels = texts.value.review.lesson;
   return (
     <div class="lesson__tools row rigid gap-2">
       <TimeChoice timeOf={timeOf} />
       <LinkButton icon={ListVideo} href={hashOf({ screen: "runs" })}>
-        {say.runs}
+        {labels.runs}
       </LinkButton>
       <Button
         icon={Sheet}
-        tip={say.tableHelp}
+        tip={labels.tableHelp}
         testId="lesson-table"
         onPress={() => saveTable(review)}
       >
-        {say.table}
+        {labels.table}
       </Button>
       {canPrint() && (
         <Button icon={Printer} testId="lesson-print" onPress={printPage}>
-          {say.print}
+          {labels.print}
         </Button>
       )}
     </div>
@@ -111,18 +114,18 @@ async function saveTable({ lesson }: LessonReview): Promise<void> {
 }
 
 function TimeChoice({ timeOf }: Pick<ToolsProps, "timeOf">) {
-  const { lesson: say } = texts.value.review;
+  const { lesson: labels } = texts.value.review;
   return (
-    <Choice<TimeOf>
+    <RadioGroup<TimeOf>
       class="switch row middle shrinks"
-      label={say.clock}
+      label={labels.clock}
       legendClass="switch__word"
       optionClass=""
       testId="lesson-time"
       value={timeOf.value}
       options={[
-        ["group", say.ownTime, { tip: say.ownTimeHelp }],
-        ["clock", say.sameTime, { tip: say.sameTimeHelp }],
+        ["group", labels.ownTime, { tip: labels.ownTimeHelp }],
+        ["clock", labels.sameTime, { tip: labels.sameTimeHelp }],
       ]}
       onChange={(chosen) => {
         timeOf.value = chosen;

@@ -4,7 +4,7 @@ import type { ReviewMark } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { valueIn } from "../../../kit/requests/load_state";
-import { useScrollPlace } from "../../../kit/scroll_place";
+import { useScrollPosition } from "../../../kit/scroll_position";
 import { usePolling } from "../../../kit/usePolling";
 import type { ParametersOf } from "../../../shell/route";
 import { RequireTeacher } from "../../sign_in/RequireTeacher";
@@ -16,7 +16,7 @@ import { Explanations } from "./Explanations";
 import { GroupList } from "./GroupList";
 import { Legend } from "./Legend";
 import { LessonHead } from "./LessonHead";
-import { placeOf } from "./lesson_place";
+import { viewStateOf } from "./lesson_view_state";
 import { type LessonPage, loadLesson } from "./load_lesson";
 
 /** The review of a lesson: a timeline for each group. */
@@ -32,8 +32,8 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
   const page = useTeacherLoaded(`${lessonId} ${language.value}`, () => loadLesson(lessonId));
   const isWaiting = valueIn(page)?.review.groups.some(({ marks }) => marks.some(waits)) ?? false;
   // quietly: the rows stay, so that nothing that is open or read moves away; a failure is left to the next look
-  const lookAgain = () => loadLesson(lessonId).then(page.set, () => {});
-  usePolling(lookAgain, { isOn: isWaiting });
+  const reload = () => loadLesson(lessonId).then(page.set, () => {});
+  usePolling(reload, { isOn: isWaiting });
   useEffect(() => {
     document.documentElement.dataset.page = "lesson"; // for print.css
     return () => {
@@ -46,7 +46,7 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
         <Lesson
           page={value}
           refresh={<Refresh at={at} busy={busy} onRefresh={page.again} />}
-          onAccepted={lookAgain}
+          onAccepted={reload}
         />
       )}
     </Loaded>
@@ -64,25 +64,25 @@ interface LessonProps {
 }
 
 function Lesson({ page, refresh, onAccepted }: LessonProps) {
-  const { lesson: say } = texts.value.review;
+  const { lesson: labels } = texts.value.review;
   const { groups, lesson } = page.review;
-  const place = placeOf(lesson.id);
-  const main = useScrollPlace(place, true);
+  const viewState = viewStateOf(lesson.id);
+  const main = useScrollPosition(viewState, true);
   const hasRuns = groups.some(({ figures }) => figures.n_runs > 0);
   return (
     <main class="screen lesson" ref={main} data-testid="lesson-page">
-      <LessonHead page={page} place={place} refresh={refresh} />
+      <LessonHead page={page} viewState={viewState} refresh={refresh} />
       {groups.length === 0 ? (
-        <EmptyList title={say.emptyTitle} text={say.empty} testId="lesson-empty" />
+        <EmptyList title={labels.emptyTitle} text={labels.empty} testId="lesson-empty" />
       ) : (
         <>
           <Legend />
           {!hasRuns && (
             <p class="review-empty review-empty--low">
-              <strong>{say.noRunsTitle}.</strong> {say.noRuns}
+              <strong>{labels.noRunsTitle}.</strong> {labels.noRuns}
             </p>
           )}
-          <GroupList review={page.review} place={place} onAccepted={onAccepted} />
+          <GroupList review={page.review} viewState={viewState} onAccepted={onAccepted} />
           <Explanations />
         </>
       )}

@@ -5,42 +5,42 @@ import { Button } from "../../../kit/Button";
 import { LinkButton } from "../../../kit/LinkButton";
 import { hashOf } from "../../../shell/route";
 import { rowOf } from "./GroupRow";
-import type { LessonPlace } from "./lesson_place";
+import type { LessonViewState } from "./lesson_view_state";
 
 interface LessonSummaryProps {
   review: LessonReview;
-  place: LessonPlace;
+  viewState: LessonViewState;
 }
 
 /** Where the teacher should go first; groups are not ranked. */
-export function LessonSummary({ review: { summary, groups }, place }: LessonSummaryProps) {
-  const say = texts.value.review.lesson;
+export function LessonSummary({ review: { summary, groups }, viewState }: LessonSummaryProps) {
+  const labels = texts.value.review.lesson;
   const { n_passed, n_groups, fault, fault_run, n_with_fault, not_begun, differing } = summary;
   const stuck = groups.filter(({ need }) => need === "help");
-  const unconfirmed = unconfirmedWords(groups);
+  const unconfirmed = unconfirmedTexts(groups);
   const n_other = unconfirmed.length + stuck.length + not_begun.length + differing.length;
   if (n_passed === null && !fault && n_other === 0) return null;
   return (
-    <ul class="lesson__summary" aria-label={say.summary} data-testid="lesson-summary">
+    <ul class="lesson__summary" aria-label={labels.summary} data-testid="lesson-summary">
       {n_passed !== null && n_groups > 0 && (
-        <li class="lesson__passed">{say.passedBy(n_passed, n_groups)}</li>
+        <li class="lesson__passed">{labels.passedBy(n_passed, n_groups)}</li>
       )}
-      {unconfirmed.map((words) => (
-        <li key={words}>{words}</li>
+      {unconfirmed.map((text) => (
+        <li key={text}>{text}</li>
       ))}
       {stuck.length > 0 && (
         <li class="lesson__stuck">
-          <span>{say.stuck}</span>
+          <span>{labels.stuck}</span>
           {stuck.map((one) => (
-            <StuckGroup key={one.group.id} review={one} place={place} />
+            <StuckGroup key={one.group.id} review={one} viewState={viewState} />
           ))}
         </li>
       )}
-      {differing.length > 0 && <li>{say.differing(inList(differing))}</li>}
-      {not_begun.length > 0 && <li>{say.notBegun(inList(not_begun))}</li>}
+      {differing.length > 0 && <li>{labels.differing(inList(differing))}</li>}
+      {not_begun.length > 0 && <li>{labels.notBegun(inList(not_begun))}</li>}
       {fault && (
         <li class="lesson__fault">
-          <span>{say.commonFault(n_with_fault, fault)}</span>
+          <span>{labels.commonFault(n_with_fault, fault)}</span>
           {fault_run && (
             <LinkButton icon={Play} href={hashOf({ screen: "replay", run: fault_run })}>
               {texts.value.review.detail.replay}
@@ -53,26 +53,26 @@ export function LessonSummary({ review: { summary, groups }, place }: LessonSumm
 }
 
 /** What waits to be checked, and what did not come out as its file says. */
-function unconfirmedWords(groups: readonly GroupReview[]): string[] {
-  const { unconfirmed: say } = texts.value.exchange;
+function unconfirmedTexts(groups: readonly GroupReview[]): string[] {
+  const { unconfirmed: labels } = texts.value.exchange;
   const found = groups.flatMap(({ marks }) => marks.map(({ unconfirmed }) => unconfirmed));
   const waiting = found.filter((one) => one === "waiting").length;
   const wrong = found.filter((one) => one === "differs" || one === "not_passed").length;
   const notRepeatable = found.filter((one) => one === "not_repeatable").length;
   return [
-    waiting > 0 ? say.waiting(waiting) : "",
-    wrong > 0 ? say.wrong(wrong) : "",
-    notRepeatable > 0 ? say.notRepeatable(notRepeatable) : "",
+    waiting > 0 ? labels.waiting(waiting) : "",
+    wrong > 0 ? labels.wrong(wrong) : "",
+    notRepeatable > 0 ? labels.notRepeatable(notRepeatable) : "",
   ].filter(Boolean);
 }
 
 interface StuckGroupProps {
   review: GroupReview;
-  place: LessonPlace;
+  viewState: LessonViewState;
 }
 
 /** The name of a group that needs help; shows its runs. */
-function StuckGroup({ review: { group }, place: { open } }: StuckGroupProps) {
+function StuckGroup({ review: { group }, viewState: { open } }: StuckGroupProps) {
   const show = () => {
     open.value = new Set([...open.value, group.id]);
     rowOf(group.id)?.querySelector("button")?.focus();

@@ -3,7 +3,7 @@ import { listen } from "../../../kit/listen";
 import { hideTip } from "../marks/tip";
 
 /** The width of a line on A4 beside the name of its group, in pixels, as in print.css. */
-export const PRINT_LINE_PX = 556;
+export const PRINT_TIMELINE_PX = 556;
 
 /** Some webviews cannot print. */
 export const canPrint = () => typeof window.print === "function";

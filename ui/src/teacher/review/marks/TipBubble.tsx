@@ -18,15 +18,15 @@ export function TipBubble() {
       hideTip();
     };
   }, []);
-  const said = now?.say();
+  const text = now?.describe();
   useLayoutEffect(() => {
     if (bubble.current && now) place(bubble.current, now.anchor.getBoundingClientRect());
   });
-  if (!said) return null;
+  if (!text) return null;
   return (
     <div class="tip" role="tooltip" id={TIP_ID} ref={bubble}>
-      <strong>{said.title}</strong>
-      {said.lines.map((line) => (
+      <strong>{text.title}</strong>
+      {text.lines.map((line) => (
         <p key={line}>{line}</p>
       ))}
     </div>

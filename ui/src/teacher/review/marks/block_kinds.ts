@@ -1,6 +1,6 @@
 import { CATEGORY_COLOURS, type Category } from "../../../blocks/categories";
 import { CATEGORIES, DEFINITIONS } from "../../../blocks/definitions";
-import type { TextKey } from "../../../blocks/words";
+import type { TextKey } from "../../../blocks/texts";
 import { type Language, textsOf } from "../../../i18n";
 
 const CATEGORY_OF = new Map<string, Category>(

@@ -9,14 +9,14 @@ export interface Tip {
 }
 
 /** Returns the text; called again when a signal that it reads changes. */
-type Saying = () => Omit<Tip, "anchor">;
+type DescribeTip = () => Omit<Tip, "anchor">;
 
-export const tip = signal<{ anchor: Element; say: Saying } | null>(null);
+export const tip = signal<{ anchor: Element; describe: DescribeTip } | null>(null);
 
 export const TIP_ID = "review-tip";
 
-export function showTip(anchor: Element, say: Saying): void {
-  tip.value = { anchor, say };
+export function showTip(anchor: Element, describe: DescribeTip): void {
+  tip.value = { anchor, describe };
 }
 
 export function hideTip(anchor?: Element): void {

@@ -5,7 +5,7 @@ import { STORE_LIMITS } from "../../../api/declared";
 import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Form } from "../../../kit/Form";
-import { type NoteEditor, stateInWords } from "./note_editor";
+import { type NoteEditor, stateText } from "./note_editor";
 
 interface NoteFormProps {
   editor: NoteEditor;
@@ -13,7 +13,7 @@ interface NoteFormProps {
 
 /** Text field and actions of a note. */
 export function NoteForm({ editor }: NoteFormProps) {
-  const { note: say } = texts.value.review;
+  const { note: labels } = texts.value.review;
   const { text, state, open, changed } = editor;
   const field = useRef<HTMLTextAreaElement>(null);
   const isDeleting = useSignal(false);
@@ -33,23 +33,23 @@ export function NoteForm({ editor }: NoteFormProps) {
     >
       <label class="note__title row middle gap-2" for="teacher-note">
         <StickyNote class="icon" aria-hidden="true" />
-        {say.title}
+        {labels.title}
       </label>
-      <Button kind="plain" class="note__close" icon={X} label={say.close} onPress={close} />
+      <Button kind="plain" class="note__close" icon={X} label={labels.close} onPress={close} />
       <textarea
         ref={field}
         id="teacher-note"
         class="note__text"
         rows={4}
         maxLength={STORE_LIMITS.MAX_NOTE}
-        placeholder={say.placeholder}
+        placeholder={labels.placeholder}
         aria-describedby="teacher-note-help"
         value={text.value}
         data-testid="note-text"
         onInput={(event) => editor.write(event.currentTarget.value)}
       />
       <p class="note__help" id="teacher-note-help" role="status">
-        {isDeleting.value ? say.deleteHelp : stateInWords(editor)}
+        {isDeleting.value ? labels.deleteHelp : stateText(editor)}
       </p>
       {isDeleting.value ? (
         <ConfirmDelete onConfirm={() => editor.remove().then(endDeleting)} onCancel={endDeleting} />
@@ -70,14 +70,14 @@ interface NoteButtonsProps extends NoteFormProps {
 }
 
 function NoteButtons({ editor, onDelete }: NoteButtonsProps) {
-  const { note: say } = texts.value.review;
+  const { note: labels } = texts.value.review;
   const { note, text, state, changed } = editor;
   const busy = state.value === "saving";
   return (
     <div class="row wrap end gap-2">
       {note.value && (
         <Button icon={Trash2} busy={busy} testId="note-delete" onPress={onDelete}>
-          {say.delete}
+          {labels.delete}
         </Button>
       )}
       <Button
@@ -88,7 +88,7 @@ function NoteButtons({ editor, onDelete }: NoteButtonsProps) {
         disabled={!changed || !text.value.trim()}
         testId="note-save"
       >
-        {note.value ? say.change : say.save}
+        {note.value ? labels.change : labels.save}
       </Button>
     </div>
   );
@@ -101,16 +101,16 @@ interface ConfirmDeleteProps {
 
 /** Deletion cannot be undone, so it needs a second press. */
 function ConfirmDelete({ onConfirm, onCancel }: ConfirmDeleteProps) {
-  const { note: say } = texts.value.review;
+  const { note: labels } = texts.value.review;
   const cancel = useRef<HTMLButtonElement>(null);
   useEffect(() => cancel.current?.focus(), []);
   return (
     <div class="row wrap end gap-2">
       <Button elementRef={cancel} onPress={onCancel}>
-        {say.keep}
+        {labels.keep}
       </Button>
       <Button kind="stop" icon={Trash2} testId="note-delete-sure" onPress={onConfirm}>
-        {say.deleteSure}
+        {labels.deleteSure}
       </Button>
     </div>
   );

@@ -27,7 +27,7 @@ interface LastNoteProps extends TeacherNoteProps {
 }
 
 function LastNote({ run, last }: LastNoteProps) {
-  const { note: say } = texts.value.review;
+  const { note: labels } = texts.value.review;
   const editor = useNoteEditor(run, last);
   const { open, text, changed } = editor;
   const show = () => {
@@ -37,7 +37,7 @@ function LastNote({ run, last }: LastNoteProps) {
   return (
     <div class="note note--shut">
       <Button icon={StickyNote} testId="note-open" onPress={show}>
-        {changed && text.value.trim() ? say.unsent : say.title}
+        {changed && text.value.trim() ? labels.unsent : labels.title}
       </Button>
     </div>
   );

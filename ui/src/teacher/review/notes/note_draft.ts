@@ -6,7 +6,7 @@ export function draftOf(run: string): string | null {
 }
 
 /** `text`: null deletes the draft. */
-export function keepDraft(run: string, text: string | null): void {
+export function storeDraft(run: string, text: string | null): void {
   if (text) sessionStorage.setItem(key(run), text);
   else sessionStorage.removeItem(key(run));
 }

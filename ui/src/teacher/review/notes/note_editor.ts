@@ -5,7 +5,7 @@ import { language, texts } from "../../../i18n";
 import { when } from "../../../i18n/format";
 import { report } from "../../../kit/report";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
-import { draftOf, keepDraft } from "./note_draft";
+import { draftOf, storeDraft } from "./note_draft";
 
 export type NoteState = "unchanged" | "saving" | "saved" | "deleted";
 
@@ -29,18 +29,18 @@ export function useNoteEditor(run: string, last: Note | null): NoteEditor {
   const text = useSignal(draft ?? last?.text ?? "");
   const open = useSignal(last !== null || draft !== null);
   const state = useSignal<NoteState>("unchanged");
-  const kept = note.value?.text ?? "";
-  const changed = text.value.trim() !== kept;
+  const sentText = note.value?.text ?? "";
+  const changed = text.value.trim() !== sentText;
   const write = (written: string) => {
     text.value = written;
-    keepDraft(run, written.trim() === kept ? null : written);
+    storeDraft(run, written.trim() === sentText ? null : written);
   };
   const act = async (work: () => Promise<Note | null>, done: NoteState, left = "") => {
     state.value = "saving";
     try {
       note.value = await asTeacher(work);
       text.value = note.value?.text ?? left;
-      keepDraft(run, left || null);
+      storeDraft(run, left || null);
       state.value = done;
     } catch (error) {
       state.value = "unchanged";
@@ -48,9 +48,9 @@ export function useNoteEditor(run: string, last: Note | null): NoteEditor {
     }
   };
   const save = () => {
-    const [known, wanted] = [note.value, text.value.trim()];
+    const [known, newText] = [note.value, text.value.trim()];
     return act(
-      () => (known ? reviewApi.rewriteNote(known.id, wanted) : reviewApi.writeNote(run, wanted)),
+      () => (known ? reviewApi.rewriteNote(known.id, newText) : reviewApi.writeNote(run, newText)),
       "saved",
     );
   };
@@ -64,15 +64,15 @@ export function useNoteEditor(run: string, last: Note | null): NoteEditor {
 }
 
 /** Save state and read state of the note, as text. */
-export function stateInWords({ note, text, state, changed }: NoteEditor): string {
-  const { note: say } = texts.value.review;
-  if (state.value === "saving") return say.saving;
-  if (changed && text.value.trim()) return say.draft;
-  if (changed && note.value) return say.emptied;
-  if (state.value === "deleted") return say.deleted;
-  if (!note.value) return say.help;
+export function stateText({ note, text, state, changed }: NoteEditor): string {
+  const { note: labels } = texts.value.review;
+  if (state.value === "saving") return labels.saving;
+  if (changed && text.value.trim()) return labels.draft;
+  if (changed && note.value) return labels.emptied;
+  if (state.value === "deleted") return labels.deleted;
+  if (!note.value) return labels.help;
   const read = note.value.seen_at
-    ? say.seen(when(note.value.seen_at, new Date(), language.value, texts.value))
-    : say.unseen;
-  return `${say.saved}. ${read}`;
+    ? labels.seen(when(note.value.seen_at, new Date(), language.value, texts.value))
+    : labels.unseen;
+  return `${labels.saved}. ${read}`;
 }

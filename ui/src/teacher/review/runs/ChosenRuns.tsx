@@ -12,7 +12,7 @@ interface ChosenRunsProps {
 
 /** The runs selected for comparison, at the bottom of the screen. */
 export function ChosenRuns({ chosen }: ChosenRunsProps) {
-  const { runs: say } = texts.value.review;
+  const { runs: labels } = texts.value.review;
   const [first, second] = chosen.value;
   const forget = () => {
     chosen.value = [];
@@ -20,9 +20,9 @@ export function ChosenRuns({ chosen }: ChosenRunsProps) {
   if (!first) return null;
   return (
     <div class="runs__chosen card row middle gap-3" role="status">
-      <span>{second ? say.twoChosen : say.oneChosen}</span>
+      <span>{second ? labels.twoChosen : labels.oneChosen}</span>
       <Button icon={X} onPress={forget}>
-        {say.forget}
+        {labels.forget}
       </Button>
       {second && (
         <LinkButton
@@ -31,7 +31,7 @@ export function ChosenRuns({ chosen }: ChosenRunsProps) {
           href={hashOf({ screen: "compare", first: first.id, second: second.id })}
           testId="compare-open"
         >
-          {say.compare}
+          {labels.compare}
         </LinkButton>
       )}
     </div>

@@ -6,9 +6,9 @@ import { GroupPicture } from "../../../kit/pictures/GroupPicture";
 import { RobotName } from "../../../run/real/RobotName";
 import { PathPicture } from "../../../scene/small/PathPicture";
 import { hashOf } from "../../../shell/route";
-import { worldWords } from "../../../versions/setup_words";
+import { worldLabel } from "../../../versions/setup_texts";
 import { type Outcome, outcomeOf } from "../model";
-import { OutcomeSign } from "../OutcomeSign";
+import { OutcomeIcon } from "../OutcomeIcon";
 
 /** Outcomes with a shorter text on cards. */
 const SHORT: Partial<Record<Outcome, "passed" | "not_passed" | "finished" | "stopped" | "failed">> =
@@ -37,7 +37,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
     moment(run.started_at, new Date(), language.value, texts.value),
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ].filter(Boolean);
-  const place = [worldWords(run.world, texts.value, language.value), lesson]
+  const place = [worldLabel(run.world, texts.value, language.value), lesson]
     .filter(Boolean)
     .join(" · ");
   const title = `${run.group?.name ?? runs.commandLine}, ${name}, ${outcomes[outcome]}`;
@@ -59,7 +59,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
           </span>
           <RobotName link={run.link} />
           <span class="work-card__line work-card__line--strong run-card__outcome">
-            <OutcomeSign outcome={outcome} />
+            <OutcomeIcon outcome={outcome} />
             {SHORT[outcome] ? runs.outcomes[SHORT[outcome]] : outcomes[outcome]}
           </span>
           {run.unconfirmed && (

@@ -8,7 +8,7 @@ import { Button } from "../../../kit/Button";
 import { Select, type SelectOption } from "../../../kit/Select";
 import { withDistinctNames } from "../../../shell/namesakes";
 import { worlds } from "../../../shell/session";
-import { dateAndTime } from "../../time_words";
+import { dateAndTime } from "../../time_format";
 import { type FilterChoices, NO_FILTER } from "./run_list";
 
 const OUTCOMES = ["passed", "not_passed", "finished", "stopped", "failed"] as const;
@@ -22,8 +22,8 @@ interface RunFiltersProps {
 
 /** Class, group, lesson, activity, world, day and outcome. */
 export function RunFilters({ filter, choices }: RunFiltersProps) {
-  const { runs: say } = texts.value.review;
-  const props = { filter, all: say.all };
+  const { runs: labels } = texts.value.review;
+  const props = { filter, all: labels.all };
   const clear = () => {
     filter.value = NO_FILTER;
   };
@@ -33,7 +33,7 @@ export function RunFilters({ filter, choices }: RunFiltersProps) {
       <SelectFilter
         {...props}
         name="group"
-        all={say.allGroups}
+        all={labels.allGroups}
         options={groupOptions(choices, filter.value.classroom)}
       />
       <SelectFilter
@@ -46,17 +46,17 @@ export function RunFilters({ filter, choices }: RunFiltersProps) {
         name="activity"
         options={choices.activities.map(({ name, title }) => [name, title])}
       />
-      <SelectFilter {...props} name="world" all={say.allGroups} options={worldOptions()} />
+      <SelectFilter {...props} name="world" all={labels.allGroups} options={worldOptions()} />
       <DayFilter filter={filter} />
       <SelectFilter
         {...props}
         name="outcome"
-        all={say.allGroups}
-        options={OUTCOMES.map((name) => [name, say.outcomes[name]])}
+        all={labels.allGroups}
+        options={OUTCOMES.map((name) => [name, labels.outcomes[name]])}
       />
       {Object.values(filter.value).some(Boolean) && (
         <Button icon={FilterX} onPress={clear}>
-          {say.clear}
+          {labels.clear}
         </Button>
       )}
     </div>

@@ -2,7 +2,7 @@ import type { HistoryRun, Lesson } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Loaded } from "../../../kit/requests/Loaded";
-import { useScrollPlace } from "../../../kit/scroll_place";
+import { useScrollPosition } from "../../../kit/scroll_position";
 import { RequireTeacher } from "../../sign_in/RequireTeacher";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { BackToLessons } from "../BackToLessons";
@@ -23,16 +23,16 @@ export function RunsScreen() {
 }
 
 function Runs() {
-  const { runs: say } = texts.value.review;
+  const { runs: labels } = texts.value.review;
   const { list, older } = useRunList();
   const choices = useTeacherLoaded(language.value, loadFilterChoices);
-  const main = useScrollPlace(left, list.status === "ready");
+  const main = useScrollPosition(left, list.status === "ready");
   return (
     <main class="screen runs" ref={main} data-testid="history-page">
       <div class="review-head runs__head row middle gap-4">
         <BackToLessons />
-        <h1>{say.title}</h1>
-        <p>{say.help}</p>
+        <h1>{labels.title}</h1>
+        <p>{labels.help}</p>
         {list.status === "ready" && (
           <Refresh at={list.at} busy={list.busy} onRefresh={list.again} />
         )}
@@ -61,13 +61,13 @@ interface RunCardsProps {
 }
 
 function RunCards({ page: { runs, next }, lessons, busy, onOlder }: RunCardsProps) {
-  const { runs: say } = texts.value.review;
+  const { runs: labels } = texts.value.review;
   if (runs.length === 0) {
     const isFiltered = Object.values(filter.value).some(Boolean);
     return (
       <EmptyList
-        title={isFiltered ? say.emptyTitle : say.noneTitle}
-        text={isFiltered ? say.empty : say.none}
+        title={isFiltered ? labels.emptyTitle : labels.noneTitle}
+        text={isFiltered ? labels.empty : labels.none}
         testId="history-empty"
       />
     );
@@ -83,7 +83,7 @@ function RunCards({ page: { runs, next }, lessons, busy, onOlder }: RunCardsProp
       </ul>
       {next && (
         <Button class="work__older" testId="history-older" onPress={onOlder}>
-          {say.older}
+          {labels.older}
         </Button>
       )}
     </>

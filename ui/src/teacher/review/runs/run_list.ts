@@ -30,10 +30,10 @@ export interface RunPage {
 
 /** The runs that match the filter, newest first; `older` loads another page. */
 export function useRunList() {
-  const wanted = filter.value;
-  const list = useTeacherLoaded(wanted, async () => {
-    const page = await loadRuns(wanted, left.filter === wanted ? left.runs : 0);
-    Object.assign(left, { filter: wanted, runs: page.runs.length });
+  const requested = filter.value;
+  const list = useTeacherLoaded(requested, async () => {
+    const page = await loadRuns(requested, left.filter === requested ? left.runs : 0);
+    Object.assign(left, { filter: requested, runs: page.runs.length });
     return page;
   });
   const older = () => {
@@ -44,10 +44,10 @@ export function useRunList() {
 }
 
 /** Loads pages until there are at least `least` runs. */
-async function loadRuns(wanted: RunFilter, least: number): Promise<RunPage> {
-  let { runs, next } = await reviewApi.runs(wanted, null);
-  while (next && runs.length < least) {
-    const page = await reviewApi.runs(wanted, next);
+async function loadRuns(requested: RunFilter, minRuns: number): Promise<RunPage> {
+  let { runs, next } = await reviewApi.runs(requested, null);
+  while (next && runs.length < minRuns) {
+    const page = await reviewApi.runs(requested, next);
     runs = [...runs, ...page.runs];
     next = page.next;
   }

@@ -76,10 +76,10 @@ export function spansOf(marks: readonly Timed[]): Span[] {
   let shift = 0;
   let last = Number.NEGATIVE_INFINITY;
   return marks.map(({ at, until, duration_s }) => {
-    const began = Date.parse(at) / 1000;
-    if (began + shift < last) shift = last - began;
-    const took = until ? Math.max(0, Date.parse(until) / 1000 - began) : (duration_s ?? 0);
-    last = began + shift;
+    const start = Date.parse(at) / 1000;
+    if (start + shift < last) shift = last - start;
+    const took = until ? Math.max(0, Date.parse(until) / 1000 - start) : (duration_s ?? 0);
+    last = start + shift;
     return { from: last, to: last + took };
   });
 }
@@ -87,6 +87,6 @@ export function spansOf(marks: readonly Timed[]): Span[] {
 const STEPS_S = [60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 28_800, 86_400];
 
 /** Interval of a ruler in seconds, for ticks at least `apart` pixels apart. */
-export function stepFor(pixelsPerSecond: number, apart: number): number {
-  return STEPS_S.find((step) => step * pixelsPerSecond >= apart) ?? 86_400;
+export function stepFor(pixelsPerSecond: number, spacing: number): number {
+  return STEPS_S.find((step) => step * pixelsPerSecond >= spacing) ?? 86_400;
 }

@@ -1,5 +1,5 @@
 /** Preferred position of an item on a line: centre and width, in pixels. */
-export interface Wish {
+export interface PreferredPosition {
   readonly middle: number;
   readonly width: number;
 }
@@ -8,24 +8,24 @@ export interface Wish {
 export const GAP = 2;
 
 /** Minimum width without overlaps, in pixels. */
-export function roomFor(wishes: readonly Wish[]): number {
-  return wishes.reduce((sum, { width }) => sum + width + GAP, -GAP);
+export function minWidthFor(preferred: readonly PreferredPosition[]): number {
+  return preferred.reduce((sum, { width }) => sum + width + GAP, -GAP);
 }
 
 /**
  * Centres of the items without overlaps, in the same order, as near as possible to the preferred positions (least
  * squares) and within 0 to `room`, which must be at least `roomFor`. Pool adjacent violators: Best and Chakravarti 1990.
  */
-export function spread(wishes: readonly Wish[], room: number): number[] {
+export function spread(preferred: readonly PreferredPosition[], room: number): number[] {
   const offsets: number[] = [];
   let reached = 0;
-  for (const { width } of wishes) {
+  for (const { width } of preferred) {
     offsets.push(reached + width / 2);
     reached += width + GAP;
   }
-  const slack = Math.max(0, room - (reached - GAP));
+  const freeSpace = Math.max(0, room - (reached - GAP));
   const pools: { sum: number; count: number }[] = [];
-  wishes.forEach(({ middle }, index) => {
+  preferred.forEach(({ middle }, index) => {
     let pool = { sum: middle - (offsets[index] ?? 0), count: 1 };
     for (let before = pools.at(-1); before && mean(before) > mean(pool); before = pools.at(-1)) {
       pools.pop();
@@ -34,7 +34,7 @@ export function spread(wishes: readonly Wish[], room: number): number[] {
     pools.push(pool);
   });
   const shifts = pools.flatMap((pool) => {
-    return Array<number>(pool.count).fill(Math.min(slack, Math.max(0, mean(pool))));
+    return Array<number>(pool.count).fill(Math.min(freeSpace, Math.max(0, mean(pool))));
   });
   return shifts.map((shift, index) => shift + (offsets[index] ?? 0));
 }

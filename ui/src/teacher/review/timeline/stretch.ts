@@ -7,7 +7,7 @@ export interface TimePoint {
 /** Positions of all points in one scale: linear where possible, stretched where marks are dense. */
 export interface Stretched {
   /** By line and point, in pixels. */
-  readonly places: readonly (readonly number[])[];
+  readonly positions: readonly (readonly number[])[];
   /** Pairs of time and position, both increasing. */
   readonly knots: readonly (readonly [number, number])[];
   readonly end: number;
@@ -24,13 +24,13 @@ export function stretch(lines: readonly (readonly TimePoint[])[], room: number):
     .flatMap((points, line) => points.map((point, index) => ({ ...point, line, index })))
     .sort((a, b) => a.time - b.time || a.index - b.index);
   const length = (sorted.at(-1)?.time ?? 0) - (sorted[0]?.time ?? 0);
-  let [least, most] = [0, room / Math.max(1, length)];
+  let [low, high] = [0, room / Math.max(1, length)];
   for (let step = 0; step < STEPS; step++) {
-    const middle = (least + most) / 2;
-    if (laid(lines.length, sorted, middle).end > room) most = middle;
-    else least = middle;
+    const middle = (low + high) / 2;
+    if (laid(lines.length, sorted, middle).end > room) high = middle;
+    else low = middle;
   }
-  return laid(lines.length, sorted, least);
+  return laid(lines.length, sorted, low);
 }
 
 interface Placed extends TimePoint {
@@ -40,17 +40,17 @@ interface Placed extends TimePoint {
 
 /** Leftmost positions of all points for a scale of at least `perSecond` pixels per second. */
 function laid(count: number, sorted: readonly Placed[], perSecond: number): Stretched {
-  const places: number[][] = Array.from({ length: count }, () => []);
+  const positions: number[][] = Array.from({ length: count }, () => []);
   const knots: [number, number][] = [];
   let [time, reached] = [sorted[0]?.time ?? 0, 0];
   for (const point of sorted) {
-    const before = places[point.line]?.at(-1) ?? 0;
+    const before = positions[point.line]?.at(-1) ?? 0;
     reached = Math.max(reached + (point.time - time) * perSecond, before + point.gap);
     time = point.time;
-    places[point.line]?.push(reached);
+    positions[point.line]?.push(reached);
     const last = knots.at(-1);
     if (last?.[0] === time) last[1] = reached;
     else knots.push([time, reached]);
   }
-  return { places, knots, end: reached };
+  return { positions, knots, end: reached };
 }

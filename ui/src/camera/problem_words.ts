@@ -1,9 +1,0 @@
-import type { CameraProblem } from "../api/model";
-import { language } from "../i18n";
-import type { Message } from "../i18n/message";
-import { cameraWords } from "../i18n/reasons";
-
-/** A problem in the language of the page; in that of the server where the page has no words for it. */
-export function problemWords(problem: CameraProblem): Message {
-  return cameraWords(problem.code, problem.params, language.value) ?? problem;
-}

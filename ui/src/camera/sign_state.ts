@@ -1,0 +1,21 @@
+import type { CameraSightEvent, SeenSign } from "../api/model";
+
+/** What can be said of the sign that the camera sees. */
+export type SignState =
+  | { readonly kind: "blind" | "no hand" | "no letter" | "two signs" }
+  | ({ readonly kind: "unsure" | "sure" } & Pick<SeenSign, "best" | "second" | "confidence">);
+
+/** Reads what the camera sees; as in a capture, a sign that has just moved counts, and two different hands do not. */
+export function signStateOf(sight: CameraSightEvent | null): SignState {
+  if (!sight) return { kind: "blind" };
+  if (sight.moved) {
+    return { kind: "sure", best: sight.moved, second: "", confidence: sight.moved_confidence };
+  }
+  const sure = sight.hands.filter((hand) => hand.sure);
+  if (new Set(sure.map(({ best }) => best)).size > 1) return { kind: "two signs" };
+  const hand = sure[0] ?? sight.hands[0];
+  if (!hand) return { kind: "no hand" };
+  const { best, second, confidence } = hand;
+  if (best === "") return { kind: "no letter" };
+  return { kind: sure.length > 0 ? "sure" : "unsure", best, second, confidence };
+}

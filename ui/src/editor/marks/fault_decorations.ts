@@ -1,0 +1,162 @@
+import * as Blockly from "blockly/core";
+import { setRing } from "../renderer";
+import { bringBoundsIntoView } from "./highlight";
+import { wrapText } from "./wrap_text";
+
+/** A fault of the program, with the block it concerns if there is one. */
+export interface Fault {
+  block: string | null;
+  message: string;
+  remedy: string;
+}
+
+const GAP = 12;
+/** Offset from the corner of a block to the centre of its icon, where bubbles are anchored. */
+const ICON_INSET = 16;
+const NOTICE_BUBBLE = "pinelNoticeBubble";
+
+/**
+ * Marks each block with a ring and a bubble with the message: red for a fault, amber for advice on a run. The bubble of
+ * the first new one opens, and those of others close: one message at a time.
+ */
+export class FaultDecorations {
+  /** Faults of the last `show`, without those whose blocks were edited since. */
+  shown: readonly Fault[] = [];
+  private readonly marked = new Map<string, string>();
+  private readonly opening = new Map<Blockly.IIcon, Promise<void>>();
+
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly kind: "fault" | "advice" = "fault",
+  ) {}
+
+  /** Faults already shown are left as they are, so that a closed bubble does not reopen at every save. */
+  show(faults: readonly Fault[]): void {
+    const texts = textsByBlock(faults);
+    for (const [id, text] of this.marked) if (texts.get(id) !== text) this.clearBlock(id);
+    this.shown = faults;
+    const added = [...texts].filter(([id, text]) => this.decorate(id, text));
+    if (added[0]) void this.openAlone(added[0][0]);
+  }
+
+  has(id: string): boolean {
+    return this.marked.has(id);
+  }
+
+  clear(): void {
+    for (const id of [...this.marked.keys()]) this.clearBlock(id);
+  }
+
+  /** Clears the fault of a block that is being edited; the next check decides whether it is fixed. */
+  clearBlock(id: string | null | undefined): void {
+    if (!id || !this.marked.delete(id)) return;
+    this.shown = this.shown.filter((fault) => fault.block !== id);
+    const block = this.workspace.getBlockById(id);
+    if (!block) return;
+    setRing(block, this.kind, false);
+    block.setWarningText(null, `pinel_${this.kind}`);
+  }
+
+  /** Opens the bubble of a block and closes all others, also those that are still being drawn. */
+  private async openAlone(id: string): Promise<void> {
+    openedLast.set(this.workspace, id);
+    closeBubbles(this.workspace);
+    await this.openBubble(id);
+    if (openedLast.get(this.workspace) !== id)
+      closeBubbles(this.workspace, openedLast.get(this.workspace));
+  }
+
+  /** Opens the bubble of a block; on request both are brought into view, above trash and zoom buttons. */
+  async openBubble(id: string, isBroughtIntoView = false): Promise<void> {
+    const block = this.workspace.getBlockById(id);
+    const icon = block?.getIcons().find(hasBubble);
+    if (!block || !icon) return;
+    // a second request before the first bubble is drawn makes Blockly draw another one that never closes
+    const opening = this.opening.get(icon) ?? icon.setBubbleVisible(true);
+    this.opening.set(icon, opening);
+    await opening.finally(() => this.opening.delete(icon));
+    const bubble = icon.getBubble();
+    // the fault may be gone by then, with its icon but without a bubble that was drawn afterwards
+    if (!block.getIcons().includes(icon)) return bubble?.dispose();
+    this.dress(block, bubble);
+    const isBelow = positionBubble(block, bubble) === "below";
+    if (bubble && (isBroughtIntoView || isBelow))
+      bringBoundsIntoView(this.workspace, around(block, bubble));
+  }
+
+  private dress(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
+    if (this.kind === "fault" || !(bubble instanceof Blockly.bubbles.TextBubble)) return;
+    const isFaulty = block.getSvgRoot().classList.contains("pinelFault");
+    bubble.getSvgRoot().classList.toggle(NOTICE_BUBBLE, !isFaulty);
+  }
+
+  private decorate(id: string, text: string): boolean {
+    const block = this.workspace.getBlockById(id);
+    if (!block || this.marked.has(id)) return false;
+    this.marked.set(id, text);
+    setRing(block, this.kind, true);
+    block.setWarningText(text, `pinel_${this.kind}`);
+    return true;
+  }
+}
+
+/** Blocks whose bubbles opened by themselves last. */
+const openedLast = new WeakMap<Blockly.WorkspaceSvg, string>();
+
+function closeBubbles(workspace: Blockly.WorkspaceSvg, but?: string): void {
+  const blocks = workspace.getAllBlocks(false).filter((block) => block.id !== but);
+  const icons = blocks.flatMap((block) => block.getIcons());
+  for (const icon of icons)
+    if (hasBubble(icon) && icon.bubbleIsVisible()) void icon.setBubbleVisible(false);
+}
+
+/**
+ * Places the bubble where it covers no block and needs no tail: beside its block, else below the stack, which scrolls
+ * where it takes room for that. Where a stack is too long for the view, the bubble stays put.
+ */
+export function positionBubble(
+  block: Blockly.BlockSvg,
+  bubble: Blockly.IBubble | null,
+): "beside" | "below" | null {
+  if (!(bubble instanceof Blockly.bubbles.TextBubble)) return null;
+  const view = block.workspace.getMetricsManager().getViewMetrics(true);
+  const { left, right, top } = block.getBoundingRectangleWithoutChildren();
+  const stack = block.getRootBlock().getBoundingRectangle();
+  const below = stack.bottom + GAP;
+  const root = bubble.getSvgRoot() as SVGGraphicsElement;
+  const isBeside = right + GAP + root.getBBox().width <= view.left + view.width;
+  if (!isBeside && below > Math.min(stack.top, view.top) + view.height) return null;
+  const [x, y] = isBeside ? [right + GAP, top] : [left, below];
+  bubble.setPositionRelativeToAnchor(x - left - ICON_INSET, y - top - ICON_INSET);
+  Blockly.utils.dom.addClass(root, "pinelBesideBubble");
+  return isBeside ? "beside" : "below";
+}
+
+/** The rectangle around a block and its bubble, in workspace units. */
+function around(block: Blockly.BlockSvg, bubble: Blockly.IBubble): Blockly.utils.Rect {
+  const both = block.getBoundingRectangleWithoutChildren().clone();
+  const { x, y } = bubble.getRelativeToSurfaceXY();
+  const { width, height } = (bubble.getSvgRoot() as SVGGraphicsElement).getBBox();
+  both.left = Math.min(both.left, x);
+  both.top = Math.min(both.top, y);
+  both.right = Math.max(both.right, x + width);
+  both.bottom = Math.max(both.bottom, y + height);
+  return both;
+}
+
+function hasBubble(icon: Blockly.IIcon): icon is Blockly.IIcon & Blockly.IHasBubble {
+  return "setBubbleVisible" in icon;
+}
+
+function textsByBlock(faults: readonly Fault[]): Map<string, string> {
+  const texts = new Map<string, string>();
+  for (const { block, message, remedy } of faults) {
+    if (block === null) continue;
+    const text = [message, remedy]
+      .filter(Boolean)
+      .map((line) => wrapText(line))
+      .join("\n");
+    texts.set(block, [texts.get(block), text].filter(Boolean).join("\n"));
+  }
+  return texts;
+}

@@ -1,0 +1,54 @@
+import { signal } from "@preact/signals";
+import { api } from "../api/client";
+import type { RunEvent, RunWithVersion } from "../api/model";
+import type { PlotSource } from "../plots/plot_source";
+import { History } from "../run/history";
+import { Playback, type Stretch, stretches } from "../run/playback";
+import { Samples } from "../run/samples";
+import { decodeTelemetry, type Telemetry } from "../run/telemetry";
+
+/** A recorded run with the data needed to show any tick of it. */
+export interface RecordedRun {
+  run: RunWithVersion;
+  playback: Playback;
+  stretches: Stretch[];
+  plots: PlotSource;
+}
+
+/** Loads all data of a run. */
+export async function loadRecordedRun(runId: string): Promise<RecordedRun> {
+  const [run, events, samples] = await Promise.all([
+    api.run(runId),
+    api.runEvents(runId),
+    api.runTelemetry(runId),
+  ]);
+  return assemble(run, events, samples);
+}
+
+function assemble(run: RunWithVersion, events: RunEvent[], samples: ArrayBuffer): RecordedRun {
+  const telemetry = decodeTelemetry(samples);
+  const history = new History(run.id, events, telemetry);
+  const playback = new Playback(history);
+  const blocks = stretches(events, history.lastTick);
+  return { run, playback, stretches: blocks, plots: plotsOf(run, playback, telemetry, blocks) };
+}
+
+/** The plots of a replay share the tick of its slider: they show it and set it. */
+function plotsOf(
+  run: RunWithVersion,
+  playback: Playback,
+  telemetry: Telemetry,
+  blocks: Stretch[],
+): PlotSource {
+  return {
+    samples: Samples.of(telemetry),
+    stretches: blocks,
+    revision: signal(0),
+    selectedTick: playback.tick,
+    input: {
+      onPoint: (tick) => playback.point(tick),
+      onPress: (tick) => playback.seek(tick),
+    },
+    name: () => run.program_name ?? "",
+  };
+}

@@ -1,0 +1,72 @@
+import type { Box, XY } from "./frames";
+
+/** Maps the world frame to the canvas: `x`, `y` is the centre in metres, `scale` is in pixels per metre. */
+export interface Viewport {
+  x: number;
+  y: number;
+  scale: number;
+}
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Margins for the rulers and the walls' thickness, in pixels. */
+export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
+/** The same with room on the right for the tools over the floor, which must not hide a goal. */
+export const EDGE_WITH_TOOLS = { ...EDGE, right: 66 };
+
+const MIN_SCALE = 12;
+const MAX_SCALE = 320;
+
+export function viewportFor(box: Box, size: Size, edge = EDGE): Viewport {
+  const width = Math.max(1, size.width - edge.left - edge.right);
+  const height = Math.max(1, size.height - edge.top - edge.bottom);
+  const scale = clampScale(
+    Math.min(width / (box.right - box.left), height / (box.top - box.bottom)),
+  );
+  // spare height goes to the top, where controls lie over the floor
+  return {
+    x: (box.left + box.right) / 2 - (edge.left - edge.right) / 2 / scale,
+    y: box.bottom + (size.height / 2 - edge.bottom) / scale,
+    scale,
+  };
+}
+
+export function clampScale(scale: number): number {
+  return Math.min(MAX_SCALE, Math.max(MIN_SCALE, scale));
+}
+
+export function toScreen(viewport: Viewport, size: Size, point: XY): XY {
+  return {
+    x: size.width / 2 + (point.x - viewport.x) * viewport.scale,
+    y: size.height / 2 - (point.y - viewport.y) * viewport.scale,
+  };
+}
+
+export function toFloor(viewport: Viewport, size: Size, place: XY): XY {
+  return {
+    x: viewport.x + (place.x - size.width / 2) / viewport.scale,
+    y: viewport.y - (place.y - size.height / 2) / viewport.scale,
+  };
+}
+
+/** Moves a camera one step towards another; true while it has not arrived. */
+export function approach(
+  viewport: Viewport,
+  target: Viewport,
+  elapsedMs: number,
+  still: boolean,
+): boolean {
+  const part = still ? 1 : 1 - Math.exp(-elapsedMs / 90);
+  viewport.x += (target.x - viewport.x) * part;
+  viewport.y += (target.y - viewport.y) * part;
+  viewport.scale *= (target.scale / viewport.scale) ** part;
+  const off =
+    Math.hypot(target.x - viewport.x, target.y - viewport.y) * viewport.scale +
+    Math.abs(target.scale / viewport.scale - 1) * 400;
+  if (off > 0.3) return true;
+  Object.assign(viewport, target);
+  return false;
+}

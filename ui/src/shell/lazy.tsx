@@ -1,0 +1,84 @@
+import { useSignalEffect } from "@preact/signals";
+import { RotateCw } from "lucide-preact";
+import type { ComponentType } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { fetchLaterTexts, texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { problemOf } from "../kit/requests/problem";
+import { ToStart } from "../kit/ToStart";
+import { connection, problem, refreshStatus, report } from "./session";
+
+let fetchStyles: () => Promise<unknown> = async () => {};
+
+/** Says how the styles of all lazy parts are fetched: their list names parts that the shell does not know. */
+export function setLazyStyles(fetch: () => Promise<unknown>): void {
+  fetchStyles = fetch;
+}
+
+/** Imports a lazy part, together with the texts and styles of all lazy parts. */
+export async function fetchPart<Part>(load: () => Promise<Part>): Promise<Part> {
+  const [part] = await Promise.all([load(), fetchStyles(), fetchLaterTexts()]);
+  return part;
+}
+
+/** A lazy component: its code is imported when it is first shown. */
+export function lazy<P extends object>(
+  load: () => Promise<ComponentType<P>>,
+  Failed: ComponentType | null = null,
+): ComponentType<P> {
+  let loaded: ComponentType<P> | null = null;
+  return function Lazy(props: P) {
+    const [, drawAgain] = useState(false);
+    const [failed, setFailed] = useState(false);
+    useEffect(() => {
+      if (loaded) return;
+      fetchPart(load).then(
+        (part) => {
+          loaded = part;
+          drawAgain(true);
+        },
+        (error) => {
+          if (Failed) setFailed(true);
+          else report(error);
+        },
+      );
+    }, []);
+    const Part = loaded;
+    if (failed && Failed) return <Failed />;
+    return Part ? <Part {...props} /> : null;
+  };
+}
+
+/** A lazy screen. */
+export function lazyScreen<P extends object>(load: () => Promise<ComponentType<P>>) {
+  return lazy(load, NotFetched);
+}
+
+/** Browsers may cache a failed import: only a reload of the page tries again. */
+function NotFetched() {
+  const again = async () => {
+    await refreshStatus();
+    if (connection.peek() === "open") location.reload();
+    else waits.current = true;
+  };
+  const waits = useRef(false);
+  useEffect(() => {
+    void refreshStatus().then(() => {
+      if (connection.peek() === "open") problem.value = problemOf(null);
+      else waits.current = true; // the line under the header reports the lost server
+    });
+  }, []);
+  useSignalEffect(() => {
+    if (connection.value === "open" && waits.current) location.reload();
+  });
+  return (
+    <main class="screen waiting">
+      <div class="waiting__ways">
+        <Button icon={RotateCw} testId="fetch-again" onPress={again}>
+          {texts.value.saved.retry}
+        </Button>
+        <ToStart />
+      </div>
+    </main>
+  );
+}

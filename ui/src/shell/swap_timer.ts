@@ -1,0 +1,41 @@
+import { computed, signal } from "@preact/signals";
+import { setting } from "./settings";
+
+/** Intervals in minutes after which the page proposes to swap who has the mouse; 0: never. */
+export const SWAP_MINUTES = [0, 5, 10, 15] as const;
+export type SwapMinutes = (typeof SWAP_MINUTES)[number];
+
+const chosen = setting("pinel_turns");
+const MINUTE_MS = 60_000;
+
+const swapMinutes = computed(() => Number(chosen.value) as SwapMinutes);
+
+/** What is set for the class of the group; null where this PC decides. */
+export const swapMinutesOfClass = signal<SwapMinutes | null>(null);
+
+const minutesNow = computed(() => swapMinutesOfClass.value ?? swapMinutes.value);
+
+/** Whether it is time to swap. */
+export const isSwapDue = signal(false);
+
+let timer = 0;
+let whose = "";
+
+/** Counts a group's turns from its arrival, across its programs. */
+export function startSwapTimer(group: string): void {
+  if (group !== whose) restartSwapTimer();
+  whose = group;
+}
+
+/** Restarts the interval, after a swap or for another group. */
+export function restartSwapTimer(): void {
+  clearTimeout(timer);
+  isSwapDue.value = false;
+  const minutes = minutesNow.peek();
+  if (minutes === 0) return;
+  timer = window.setTimeout(() => {
+    isSwapDue.value = true;
+  }, minutes * MINUTE_MS);
+}
+
+minutesNow.subscribe(restartSwapTimer);

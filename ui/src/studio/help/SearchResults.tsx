@@ -1,0 +1,39 @@
+import { matchesAll, tokenize } from "../../blocks/toolbox/search";
+import { texts } from "../../i18n";
+import { BlockList } from "./BlockList";
+import { ExampleList } from "./ExampleList";
+import { useHelpContent } from "./help_content";
+import { KeyList } from "./KeyList";
+import { keyGroups } from "./keys";
+import { TaskList } from "./TaskList";
+import { TASK_NAMES } from "./tasks";
+
+/** What the query finds: blocks first, then what can be done, examples, keys. */
+export function SearchResults({ query }: { query: string }) {
+  const { drawings, examples } = useHelpContent();
+  const { help } = texts.value;
+  const queryTerms = tokenize(query);
+  const blocks = drawings.find(query);
+  const tasks = TASK_NAMES.filter((name) => matchesAll(help.tasks[name], queryTerms));
+  const shown = examples.filter(({ title, about }) => matchesAll(`${title} ${about}`, queryTerms));
+  const keys = keyGroups(texts.value).flatMap(({ rows, more = [] }) => [
+    ...rows.map((row) => `${row.keys.join(" ")} ${row.description}`),
+    ...more,
+  ]);
+  const hasKeys = keys.some((text) => matchesAll(text, queryTerms));
+  if (blocks.length + tasks.length + shown.length === 0 && !hasKeys) {
+    return (
+      <p class="help__none" role="status">
+        {help.nothing}
+      </p>
+    );
+  }
+  return (
+    <>
+      <BlockList drawings={blocks} />
+      <TaskList names={tasks} />
+      <ExampleList examples={shown} />
+      {hasKeys && <KeyList query={query} />}
+    </>
+  );
+}

@@ -1,0 +1,37 @@
+/*
+ * The style sheets of all parts that are fetched when they are first shown, whichever it is, in one order: after those
+ * of styles.ts, paper last. The start would have to read them for nothing.
+ */
+import "./world_editor/board/board.css";
+import "./world_editor/world_editor.css";
+import "./studio/mission/mission.css";
+import "./activities/activities.css";
+import "./studio/help/help.css";
+import "./studio/tour/tour.css";
+import "./camera/camera.css";
+import "./studio/floor_pane/capture_camera.css";
+import "./practice/practice.css";
+import "./work/notes.css";
+import "./work/group_head.css";
+import "./work/work.css";
+import "./work/programs.css";
+import "./run/panels/time_strip.css";
+import "./studio/floor_pane/past_run.css";
+import "./replay/replay.css";
+import "./versions/versions.css";
+import "./versions/differences.css";
+import "./teacher/teacher.css";
+import "./teacher/lessons/lessons.css";
+import "./teacher/making/making.css";
+import "./teacher/camera/camera.css";
+import "./teacher/robot/robot.css";
+import "./teacher/plan/plan.css";
+import "./teacher/cards/cards.css";
+import "./teacher/exchange/exchange.css";
+import "./teacher/review/parts.css";
+import "./teacher/review/runs/runs.css";
+import "./teacher/review/timeline/line.css";
+import "./teacher/review/lesson/lesson.css";
+import "./replay/compare/compare.css";
+import "./teacher/review/notes/note.css";
+import "./teacher/review/lesson/print.css";

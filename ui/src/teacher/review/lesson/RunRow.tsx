@@ -1,0 +1,108 @@
+import { GitCompareArrows, Play } from "lucide-preact";
+import type { ReviewMark } from "../../../api/model";
+import { reviewApi } from "../../../api/review";
+import { texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { LinkButton } from "../../../kit/LinkButton";
+import { useAction } from "../../../kit/requests/action";
+import { FaultLine } from "../../../kit/requests/FaultLine";
+import { Loaded } from "../../../kit/requests/Loaded";
+import { useLoaded } from "../../../kit/requests/useLoaded";
+import { hashOf } from "../../../shell/route";
+import { asTeacher } from "../../../shell/teacher/teacher_session";
+import { changeTexts, facts, runTitle, type TimelineIndex } from "../marks/timeline_texts";
+import { differenceOf } from "../marks/version_differences";
+import { outcomeOf } from "../model";
+import { OutcomeIcon } from "../OutcomeIcon";
+
+interface RunRowProps {
+  mark: ReviewMark;
+  book: TimelineIndex;
+  /** After the teacher has accepted it. */
+  onAccepted(): unknown;
+}
+
+/** A run as text: outcome, changes that repaired another run, notes, and links to its views. */
+export function RunRow({ mark, book, onAccepted }: RunRowProps) {
+  const { detail } = texts.value.review;
+  const outcome = outcomeOf(mark);
+  if (!mark.run_id) return null;
+  return (
+    <li class="run-line row top gap-3" data-testid="review-run" data-outcome={outcome}>
+      <OutcomeIcon outcome={outcome} />
+      <div class="run-line__words">
+        <p>
+          <b>{runTitle(mark, book)}</b> <span class="run-line__facts">{facts(mark, book)}</span>
+        </p>
+        {mark.unconfirmed && <p>{detail.unconfirmed[mark.unconfirmed]}</p>}
+        {mark.message && outcome !== "stopped" && <p>{mark.message}</p>}
+        <Repair mark={mark} book={book} />
+        <Notes run={mark.run_id} />
+      </div>
+      <div class="run-line__links row rigid gap-2">
+        {mark.unconfirmed === "not_repeatable" && (
+          <Accept run={mark.run_id} title={runTitle(mark, book)} onAccepted={onAccepted} />
+        )}
+        {mark.repairs && (
+          <LinkButton
+            icon={GitCompareArrows}
+            label={detail.compare(book.numberOf(mark.repairs))}
+            href={hashOf({ screen: "compare", first: mark.repairs, second: mark.run_id })}
+          />
+        )}
+        <LinkButton icon={Play} href={hashOf({ screen: "replay", run: mark.run_id })}>
+          {detail.replay}
+        </LinkButton>
+      </div>
+    </li>
+  );
+}
+
+interface AcceptProps {
+  run: string;
+  title: string;
+  onAccepted(): unknown;
+}
+
+/** Lets a run count that cannot be repeated here. */
+function Accept({ run, title, onAccepted }: AcceptProps) {
+  const { busy, fault, act } = useAction(asTeacher);
+  const { detail } = texts.value.review;
+  const accept = () => act(async () => reviewApi.accept(run).then(onAccepted));
+  return (
+    <>
+      <Button busy={busy} testId="accept-run" label={detail.acceptOf(title)} onPress={accept}>
+        {detail.accept}
+      </Button>
+      <FaultLine fault={fault} />
+    </>
+  );
+}
+
+/** Changes between the failed run and this one. */
+function Repair({ mark, book }: Omit<RunRowProps, "onAccepted">) {
+  const { line } = texts.value.review;
+  if (!mark.repairs) return null;
+  const changes = changeTexts(mark, differenceOf(mark));
+  return (
+    <p class="run-line__repair" data-testid="review-repair">
+      {line.repairs(book.numberOf(mark.repairs))}{" "}
+      {changes.length > 0 && `${line.between} ${changes.join("; ")}.`}
+    </p>
+  );
+}
+
+function Notes({ run }: { run: string }) {
+  const notes = useLoaded(run, () => reviewApi.notes(run));
+  return (
+    <Loaded of={notes}>
+      {(found) =>
+        found.map((note) => (
+          <p key={note.id} class="run-line__note">
+            <b>{texts.value.review.detail.note}:</b> {note.text}
+          </p>
+        ))
+      }
+    </Loaded>
+  );
+}

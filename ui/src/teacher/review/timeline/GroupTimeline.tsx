@@ -1,0 +1,168 @@
+import { useRef } from "preact/hooks";
+import type { ReviewMark } from "../../../api/model";
+import { language, texts } from "../../../i18n";
+import { rove } from "../../../kit/roving";
+import { hashOf } from "../../../shell/route";
+import { roundDuration, timeOfDay } from "../../time_format";
+import { shortDay } from "../days";
+import { type TimelineIndex, textOf } from "../marks/timeline_texts";
+import { hideTip, isTipOf, showTip, TIP_ID, tip } from "../marks/tip";
+import { differenceOf } from "../marks/version_differences";
+import { outcomeOf } from "../model";
+import { OutcomeIcon } from "../OutcomeIcon";
+import { barHeight, type PlacedEvent, type Tick, type TimelineLayout } from "./timeline_layout";
+
+/** Vertical position of the base line, and total height; pixels, as in lesson.css. */
+const BASE = 42;
+const HEIGHT = 60;
+
+interface GroupTimelineProps {
+  group: string;
+  book: TimelineIndex;
+  layout: TimelineLayout;
+}
+
+/** The timeline of a group: a bar per burst of edits, a round icon per run, arcs for repairs. */
+export function GroupTimeline({ group, book, layout }: GroupTimelineProps) {
+  const { line } = texts.value.review;
+  return (
+    <div class="line" style={{ width: `${layout.width}px`, "--line-width": layout.width }}>
+      <Ground layout={layout} />
+      <ol aria-label={`${line.label(group)}. ${line.keys}`} onKeyDown={rove}>
+        {layout.marks.map((placed) => (
+          <li
+            key={placed.mark.run_id ?? `${placed.mark.version_id}/${placed.index}`}
+            class={`line__place line__place--${placed.mark.kind}`}
+            style={{
+              left: `${placed.x}px`,
+              width: `${placed.width}px`,
+              height: `${placed.height}px`,
+            }}
+          >
+            <TimelineEvent placed={placed} book={book} />
+          </li>
+        ))}
+      </ol>
+    </div>
+  );
+}
+
+function TimelineEvent({
+  placed: { mark, index },
+  book,
+}: {
+  placed: PlacedEvent;
+  book: TimelineIndex;
+}) {
+  const touched = useRef(false);
+  const plain = textOf(mark, book, null);
+  const outcome = outcomeOf(mark);
+  const isRun = mark.kind === "run";
+  const show = (event: { currentTarget: HTMLElement }) =>
+    showTip(event.currentTarget, () => {
+      const text = textOf(mark, book, differenceOf(book.changeOf(mark)));
+      return touched.current
+        ? { ...text, lines: [...text.lines, texts.value.review.line.tapAgain] }
+        : text;
+    });
+  return (
+    <a
+      class={`review-mark review-mark--${isRun ? "run" : "edit"}`}
+      href={addressOf(mark)}
+      tabIndex={index === 0 ? 0 : -1}
+      data-rove
+      data-testid="review-mark"
+      data-kind={mark.kind}
+      data-outcome={isRun ? outcome : undefined}
+      data-repairs={mark.repairs ?? undefined}
+      aria-label={`${plain.title}. ${plain.lines.join(" ")}`}
+      aria-describedby={tip.value && isShown(mark) ? TIP_ID : undefined}
+      onPointerDown={(event) => {
+        touched.current = event.pointerType === "touch" && !isTipOf(event.currentTarget);
+      }}
+      onClick={(event) => {
+        // touch has no hover: the first tap shows the tooltip, the second opens the link
+        if (!touched.current) return hideTip();
+        event.preventDefault();
+        show(event);
+      }}
+      onMouseEnter={show}
+      onFocus={show}
+      onMouseLeave={(event) => hideTip(event.currentTarget)}
+      onBlur={(event) => hideTip(event.currentTarget)}
+    >
+      {isRun ? <OutcomeIcon outcome={outcome} /> : <span class="review-mark__bar" />}
+    </a>
+  );
+}
+
+const isShown = (mark: ReviewMark) => tip.value?.anchor.getAttribute("href") === addressOf(mark);
+
+/** The address that a mark opens: the replay of a run, or the two versions of a burst of edits. */
+export function addressOf(mark: ReviewMark): string {
+  if (mark.run_id) return hashOf({ screen: "replay", run: mark.run_id });
+  const { program_id, since, version_id } = mark;
+  if (!program_id || !version_id) return hashOf({ screen: "runs" });
+  return since
+    ? hashOf({ screen: "differences", program: program_id, before: since, after: version_id })
+    : hashOf({ screen: "versions", program: program_id, version: version_id });
+}
+
+/** Base line, ruler, folded pauses, and arcs from failed runs to their repairs. */
+function Ground({ layout }: { layout: TimelineLayout }) {
+  const { line } = texts.value.review;
+  const { width, ticks, folds, arcs, marks, lengths } = layout;
+  const end = Math.max(...marks.map(({ x, width: wide }) => x + wide / 2), 0);
+  const round = marks.find(({ mark }) => mark.kind === "run")?.height ?? barHeight(1);
+  return (
+    <svg class="line__ground" width={width} height={HEIGHT} aria-hidden="true">
+      <path class="line__rest" d={`M0 ${BASE}H${Math.max(end, layout.end)}`} />
+      <path class="line__base" d={`M0 ${BASE}H${end}`} />
+      {lengths.map(({ from, to }) => (
+        <path key={from} class="line__length" d={`M${from} ${BASE}H${to}`} />
+      ))}
+      {folds.map(({ x, fold, isNight, isLabelled }) => (
+        <g key={fold.from} class="line__fold" transform={`translate(${x} ${BASE})`}>
+          <title>{line.fold(roundDuration(fold.seconds, language.value))}</title>
+          <rect x="-7" y="-4" width="14" height="8" />
+          <path d="M-7 5l4-10M3 5l4-10" />
+          {isLabelled && (
+            <text y="16">
+              {isNight
+                ? shortDay(fold.from + fold.seconds, language.value)
+                : line.minutes(Math.round(fold.seconds / 60))}
+            </text>
+          )}
+        </g>
+      ))}
+      {ticks.map((tick) => (
+        <g
+          key={`${tick.labelKind}/${tick.time}`}
+          class={tick.x < 20 ? "line__tick line__tick--first" : "line__tick"}
+          transform={`translate(${tick.x} ${BASE})`}
+        >
+          <path d="M0 0v5" />
+          <text y="16">{tickText(tick)}</text>
+        </g>
+      ))}
+      {arcs.map(({ from, to }) => (
+        <path key={`${from}/${to}`} class="line__arc" d={arcPath(from, to, BASE - round)} />
+      ))}
+    </svg>
+  );
+}
+
+function tickText({ time, labelKind, from }: Tick): string {
+  const { line } = texts.value.review;
+  if (labelKind === "day") return shortDay(time, language.value);
+  if (labelKind === "clock") return timeOfDay(new Date(time * 1000).toISOString(), language.value);
+  const minutes = Math.round((time - from) / 60);
+  return minutes === 0 ? line.begin : line.minutes(minutes);
+}
+
+/** An arrow from above one mark to above another. */
+function arcPath(from: number, to: number, top: number): string {
+  const high = Math.max(-2, top - 8 - (to - from) / 8);
+  const head = `M${to - 4} ${top - 5}L${to} ${top}L${to + 3} ${top - 6}`;
+  return `M${from} ${top}C${from} ${high} ${to} ${high} ${to} ${top}${head}`;
+}

@@ -1,0 +1,24 @@
+import type { BlocksViewer } from "../editor/reader/viewer";
+import type { Texts } from "../i18n";
+import { commentText, type Differing, hiddenChange } from "./differences";
+
+/** Describes a difference with the blocks' texts: "andar para frente 1 m → andar para frente 2 m". */
+export function differenceText(
+  one: Differing,
+  before: BlocksViewer,
+  after: BlocksViewer,
+  texts: Texts,
+): string {
+  const { keeping } = texts;
+  const was = before.textOf(one.block) || keeping.blockAlone;
+  const is = after.textOf(one.block) || keeping.blockAlone;
+  if (one.kinds.includes("removed")) return was;
+  if (!one.kinds.includes("changed")) return is;
+  if (was !== is) return keeping.became(was, is);
+  const comment = hiddenChange(one.what);
+  if (!comment) return is;
+  const [first, then] = [comment.before, comment.after].map(
+    (stored) => commentText(stored) || keeping.nothing,
+  );
+  return `${is} (${keeping.comment}: ${keeping.became(first ?? "", then ?? "")})`;
+}

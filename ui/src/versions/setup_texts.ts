@@ -1,0 +1,74 @@
+import { OWN_WORLD, type Setup, type VersionMark, worldTitle } from "../api/model";
+import type { Language, Texts } from "../i18n";
+import { decimal } from "../i18n/format";
+import { ROOM_WORLD } from "../run/real/real_robot";
+import { robotOf, worlds } from "../shell/session";
+import { lifelikeOf } from "../studio/program/setup";
+
+/** A changed part of where and how a program runs, in words. */
+export interface SetupChange {
+  readonly what: string;
+  readonly before: string;
+  readonly after: string;
+}
+
+/** What differs between the setups of two versions; nothing where an earlier release saved one of them. */
+export function setupChanges(
+  before: Setup | null | undefined,
+  after: Setup | null | undefined,
+  texts: Texts,
+  language: Language,
+): SetupChange[] {
+  if (!before || !after) return [];
+  const [old, now] = [partsOf(before, texts, language), partsOf(after, texts, language)];
+  return now.flatMap(([what, value], index) => {
+    const was = old[index]?.[1] ?? "";
+    return was === value ? [] : [{ what, before: was, after: value }];
+  });
+}
+
+/** What a step changed besides blocks: "Mundo: Labirinto", "Dica 2 aberta". */
+export function setupFacts(
+  before: VersionMark,
+  after: VersionMark,
+  texts: Texts,
+  language: Language,
+): string[] {
+  const { keeping } = texts;
+  const changes = setupChanges(before.setup, after.setup, texts, language);
+  const facts = changes.map((one) => keeping.setupFact(one.what, one.after));
+  const [had, has] = [before.setup?.n_hints ?? 0, after.setup?.n_hints ?? 0];
+  if (has > had) facts.push(keeping.hintsOpened(had + 1, has));
+  return facts.length === 0 && after.setup_only ? [unnamed(after, texts)] : facts;
+}
+
+/** Of a version with other setup and equal blocks, where no named part differs. */
+function unnamed({ setup }: VersionMark, { keeping, run, world }: Texts): string {
+  return setup?.world === OWN_WORLD ? keeping.setupFact(run.world, world.own) : keeping.setup;
+}
+
+/** Each part of a setup with its name. */
+function partsOf(setup: Setup, texts: Texts, language: Language): [string, string][] {
+  const { debug, keeping, run } = texts;
+  return [
+    [run.world, worldLabel(setup.world, texts, language)],
+    [keeping.start, startText(setup, texts, language)],
+    [debug.model, robotOf(setup.model)?.title ?? setup.model],
+    [keeping.robot, debug[lifelikeOf(setup)]],
+    [debug.speed, debug.times(decimal(setup.speed, setup.speed < 1 ? 2 : 0, language))],
+  ];
+}
+
+/** The name of a world: of one that ships, or of the group's own. */
+export function worldLabel(name: string, texts: Texts, language: Language): string {
+  if (name === OWN_WORLD) return texts.world.own;
+  if (name === ROOM_WORLD) return texts.robot.room;
+  const world = worlds.value.find((one) => one.name === name);
+  return world ? worldTitle(world, language) : name;
+}
+
+function startText({ start }: Setup, { keeping }: Texts, language: Language): string {
+  if (!start) return keeping.worldStart;
+  const [x, y] = [decimal(start.x_m, 2, language), decimal(start.y_m, 2, language)];
+  return keeping.ownStart(x, y, decimal(start.heading_deg, 0, language));
+}

@@ -1,0 +1,89 @@
+import type { VersionMark } from "../api/model";
+
+import type { Language, Texts } from "../i18n";
+import { faceOf, type Section, type Step } from "./line";
+
+/** Facts about a version besides its time, the most important first. */
+export function factsOf(version: VersionMark, texts: Texts): string[] {
+  const { keeping, work } = texts;
+  const facts: string[] = [];
+  if (version.n_passed > 0) facts.push(keeping.passed);
+  if (version.n_runs > 0) facts.push(work.runCount(version.n_runs));
+  else if (!version.can_run) facts.push(keeping.incomplete);
+  return facts;
+}
+
+/**
+ * Label of a step in the list, and what is said of it besides.
+ *
+ * @param setup What it changed besides blocks; the label of a step that changed no blocks.
+ */
+export function stepText(step: Step, setup: readonly string[], texts: Texts) {
+  const face = faceOf(step);
+  const [fact] = factsOf({ ...face, can_run: true }, texts);
+  const known = face.label || fact;
+  const n = changesIn(step);
+  if (!known && n === 0 && setup.length > 0) return { label: setup.join(" · "), facts: [] };
+  const facts = [...(face.label ? factsOf(face, texts) : []), ...setup];
+  return { label: known || texts.keeping.changes(n), facts };
+}
+
+/** How many versions of a step changed blocks. */
+export function changesIn({ versions }: Step): number {
+  return versions.filter(({ setup_only }) => !setup_only).length;
+}
+
+/** Time of day: "10:32". */
+export function timeOf(iso: string, language: Language): string {
+  return new Date(iso).toLocaleTimeString(language, { timeStyle: "short" });
+}
+
+/** Time span: "10:02–10:05", "10:02". */
+export function spanOf(from: string, to: string, language: Language): string {
+  const [first, last] = [timeOf(from, language), timeOf(to, language)];
+  return first === last ? first : `${first}–${last}`;
+}
+
+/** Day and time span of a section: "ontem, 09:10–09:25". */
+export function sectionText(section: Section, now: Date, language: Language, texts: Texts) {
+  const then = new Date(section.from);
+  const days = midnight(now) - midnight(then);
+  const span = spanOf(section.from, section.to, language);
+  if (days === 0) return texts.units.today(span);
+  if (days === 1) return texts.units.yesterday(span);
+  const sameYear = then.getFullYear() === now.getFullYear();
+  const day = then.toLocaleDateString(language, {
+    day: "numeric",
+    month: "long",
+    ...(sameYear ? {} : { year: "numeric" }),
+  });
+  return `${day}, ${span}`;
+}
+
+/** Short day: "19 de nov.", "hoje". */
+export function dayText({ from }: Section, now: Date, language: Language, texts: Texts): string {
+  const then = new Date(from);
+  const days = midnight(now) - midnight(then);
+  if (days === 0) return texts.keeping.today;
+  if (days === 1) return texts.keeping.yesterday;
+  return then.toLocaleDateString(language, { day: "numeric", month: "short" });
+}
+
+function midnight(date: Date): number {
+  return Math.round(
+    new Date(date.getFullYear(), date.getMonth(), date.getDate()).getTime() / 864e5,
+  );
+}
+
+/** Creation time of a version: "hoje, 10:32", "19 de novembro, 10:32". */
+export function createdText({ created_at }: VersionMark, language: Language, texts: Texts): string {
+  const alone = { from: created_at, to: created_at, items: [] };
+  return sectionText(alone, new Date(), language, texts);
+}
+
+/** A version in one line, for lists to choose from. */
+export function versionLine(version: VersionMark, language: Language, texts: Texts): string {
+  const about = version.label || factsOf(version, texts)[0];
+  const made = createdText(version, language, texts);
+  return [texts.keeping.version(version.number), about, made].filter(Boolean).join(" · ");
+}

@@ -1,0 +1,194 @@
+import type { XY } from "../scene/frames";
+import {
+  between,
+  clean,
+  corneredTo,
+  FINE,
+  GRID,
+  headingTo,
+  insideRoom,
+  lengthOf,
+  MIN_SIZE_M,
+  placed,
+  reachingTo,
+  shifted,
+  snap,
+  snapEnd,
+} from "./geometry";
+import {
+  isArea,
+  newId,
+  objectOf,
+  type Plan,
+  plusObject,
+  type WorldObject,
+  withObject,
+} from "./plan";
+
+/** Drawing tools. */
+export type Tool = "select" | "wall" | "box" | "zone" | "paint" | "start";
+export const TOOLS: readonly Tool[] = ["select", "wall", "box", "zone", "paint", "start"];
+
+/** Properties of the next thing to be drawn. */
+export interface NextObjectOptions {
+  readonly color: string;
+  readonly movable: boolean;
+  /** Name of the next zone. */
+  readonly name: string;
+}
+
+/** The plan with the pointer at a point. `free`: rounds to centimetres, without the grid and without snapping. */
+export type DragGesture = (point: XY, free: boolean) => Plan;
+
+/** Drags a thing, or the start, by the point where it was pressed. */
+export function moving(plan: Plan, id: string, grip: XY): DragGesture {
+  const object = objectOf(plan, id);
+  const anchor = object ? anchorOf(object) : plan.start;
+  return (point, free) => {
+    const step = free ? FINE : GRID;
+    const goal = {
+      x: snap(anchor.x + point.x - grip.x, step),
+      y: snap(anchor.y + point.y - grip.y, step),
+    };
+    if (!object) return { ...plan, start: placed(plan, plan.start, goal, true) };
+    return withObject(plan, shifted(plan, object, goal.x - anchor.x, goal.y - anchor.y));
+  };
+}
+
+/** The point that snaps to the grid: a corner if the edges follow the grid, else the centre. */
+function anchorOf(object: WorldObject): XY {
+  if (!isArea(object)) return object.from;
+  if (object.radius !== null || object.heading % 90 !== 0) return object;
+  const sideways = object.heading % 180 !== 0;
+  const [width, depth] = sideways ? [object.depth, object.width] : [object.width, object.depth];
+  return { x: object.x - width / 2, y: object.y - depth / 2 };
+}
+
+/** Drags a handle: "from" and "to" of a wall, "0" to "3" for a rectangle's corners, "radius", "turn". */
+export function pulling(plan: Plan, id: string, handle: string): DragGesture {
+  const object = objectOf(plan, id);
+  return (point, free) => {
+    if (!object) return turned(plan, point, free);
+    return withObject(plan, pulled(plan, object, handle, point, free));
+  };
+}
+
+function turned(plan: Plan, point: XY, free: boolean): Plan {
+  return { ...plan, start: { ...plan.start, heading: headingTo(plan.start, point, free) } };
+}
+
+function pulled(
+  plan: Plan,
+  object: WorldObject,
+  handle: string,
+  point: XY,
+  free: boolean,
+): WorldObject {
+  if (!isArea(object)) {
+    const other = handle === "from" ? object.to : object.from;
+    const wall = { ...object, [handle]: snapEnd(plan, point, object.id, other, free) };
+    return lengthOf(wall) < MIN_SIZE_M ? object : wall;
+  }
+  if (handle === "turn") return { ...object, heading: headingTo(object, point, free) };
+  if (handle === "radius") return reachingTo(object, point, free);
+  return corneredTo(object, Number(handle), insideRoom(plan, point), free);
+}
+
+/** Draws a thing of the tool from the point where the pointer was pressed. */
+export function drawing(plan: Plan, tool: Tool, from: XY, options: NextObjectOptions): DragGesture {
+  const id = newId();
+  if (tool === "start") return starting(plan, from);
+  if (tool === "wall") return walling(plan, id, from);
+  return (point, free) => {
+    const rectangle = between(insideRoom(plan, from), insideRoom(plan, point), free);
+    if (rectangle.width < MIN_SIZE_M || rectangle.depth < MIN_SIZE_M) return plan;
+    return plusObject(plan, made(tool, id, rectangle, options));
+  };
+}
+
+/** Sets the start to the pressed point, facing the pointer. */
+function starting(plan: Plan, from: XY): DragGesture {
+  return (point, free) => {
+    const start = placed(plan, plan.start, from, free);
+    const away = Math.hypot(point.x - from.x, point.y - from.y);
+    return away < AIM_M ? { ...plan, start } : turned({ ...plan, start }, point, free);
+  };
+}
+
+const AIM_M = 0.3;
+
+function walling(plan: Plan, id: string, from: XY): DragGesture {
+  return (point, free) => {
+    const start = snapEnd(plan, from, id, null, free);
+    const wall = {
+      id,
+      kind: "wall" as const,
+      from: start,
+      to: snapEnd(plan, point, id, start, free),
+    };
+    return lengthOf(wall) < MIN_SIZE_M ? plan : plusObject(plan, wall);
+  };
+}
+
+type Rectangle = ReturnType<typeof between>;
+
+function made(
+  tool: Tool,
+  id: string,
+  rectangle: Rectangle,
+  { color, movable, name }: NextObjectOptions,
+): WorldObject {
+  const area = { ...rectangle, heading: 0, radius: null };
+  if (tool === "box") return { id, kind: "box", ...area, movable, mass: null };
+  if (tool === "zone") return { id, kind: "zone", ...area, name };
+  return { id, kind: "paint", ...area, color };
+}
+
+/** Width and depth of a thing placed by a tap, in metres. */
+const TAPPED = { box: 0.6, zone: 1, paint: 1 } as const;
+
+/** Places a thing at a point by a tap or a key. */
+export function tapped(plan: Plan, tool: Tool, at: XY, options: NextObjectOptions): Plan {
+  if (tool === "select") return plan;
+  if (tool === "start") return { ...plan, start: placed(plan, plan.start, at, false) };
+  if (tool === "wall") {
+    const { x, y } = insideRoom(plan, at);
+    const [from, to] = [
+      { x: x - 0.5, y },
+      { x: x + 0.5, y },
+    ];
+    return drawing(plan, tool, from, options)(to, false);
+  }
+  const half = TAPPED[tool] / 2;
+  const from = { x: at.x - half, y: at.y - half };
+  return drawing(plan, tool, from, options)({ x: at.x + half, y: at.y + half }, false);
+}
+
+/** Duplicates a thing beside itself. */
+export function doubled(plan: Plan, object: WorldObject): [Plan, string] {
+  const id = newId();
+  const copy = shifted(plan, { ...object, id }, 2 * GRID, -2 * GRID);
+  return [plusObject(plan, copy), id];
+}
+
+/** The first letter, or number, that no zone has as its name. */
+export function freeName(plan: Plan): string {
+  const usedNames = new Set(
+    plan.objects.map((object) => (object.kind === "zone" ? object.name : "")),
+  );
+  const letters = [..."ABCDEFGHIJKLMNOPQRSTUVWXYZ"];
+  const letter = letters.find((one) => !usedNames.has(one));
+  if (letter) return letter;
+  let number = 1;
+  while (usedNames.has(`${number}`)) number++;
+  return `${number}`;
+}
+
+/** Moves the selected thing, or the start, by metres. */
+export function nudged(plan: Plan, id: string, dx: number, dy: number): Plan {
+  const object = objectOf(plan, id);
+  if (object) return withObject(plan, shifted(plan, object, dx, dy));
+  const { start } = plan;
+  const goal = { x: clean(start.x + dx), y: clean(start.y + dy) };
+  return { ...plan, start: placed(plan, start, goal, true) };
+}
