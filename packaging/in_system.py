@@ -87,7 +87,7 @@ def run(display: str, *arguments: str) -> "subprocess.Popen[str]":
     )
 
 
-def answer(display: str, *arguments: str) -> str:
+def output_of(display: str, *arguments: str) -> str:
     """What the program prints; what it has to complain about goes where this script's complaints go."""
     return run(display, *arguments).communicate(timeout=_TIMEOUT_S)[0]
 
@@ -124,9 +124,9 @@ def main() -> None:
     with screenshot.open("wb") as file:
         enter(system, package)
         with screen() as display:
-            found = {"doctor": answer(display, "doctor", "--json")}
+            found = {"doctor": output_of(display, "doctor", "--json")}
             started = time.monotonic()
-            found["check"] = answer(display, "--self-check")
+            found["check"] = output_of(display, "--self-check")
             found["check_s"] = round(time.monotonic() - started, 1)
             found["n_colours"], data = shown(display)
         file.write(data)

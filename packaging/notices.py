@@ -93,15 +93,17 @@ def python_notices(modules: list[str]) -> Iterator[Notice]:
         )
 
 
-def _licence_of(told: Any) -> str:
+def _licence_of(fields: Any) -> str:
     """The licence expression, else the classifiers, else the first line of the free text."""
-    if expression := told.get("License-Expression"):
+    if expression := fields.get("License-Expression"):
         return str(expression)
-    classifiers = [line for line in told.get_all("Classifier", ()) if line.startswith("License ::")]
+    classifiers = [
+        line for line in fields.get_all("Classifier", ()) if line.startswith("License ::")
+    ]
     names = [
         line.rpartition(" :: ")[2] for line in classifiers if not line.endswith("OSI Approved")
     ]
-    return " OR ".join(names) or str(told.get("License") or "").partition("\n")[0]
+    return " OR ".join(names) or str(fields.get("License") or "").partition("\n")[0]
 
 
 def _texts_of(distribution: metadata.Distribution) -> Iterator[str]:
@@ -115,12 +117,12 @@ def _texts_of(distribution: metadata.Distribution) -> Iterator[str]:
 def npm_notices(ui: Path) -> Iterator[Notice]:
     """Notices of the page's npm packages, transitive dependencies included."""
     packages = json.loads((ui / "package-lock.json").read_text("utf-8"))["packages"]
-    waiting, seen = list(packages[""]["dependencies"]), set(NOT_IN_THE_PAGE)
+    waiting, visited = list(packages[""]["dependencies"]), set(NOT_IN_THE_PAGE)
     while waiting:
         name = waiting.pop()
-        if name in seen:
+        if name in visited:
             continue
-        seen.add(name)
+        visited.add(name)
         package, folder = packages[f"node_modules/{name}"], ui / "node_modules" / name
         waiting += package.get("dependencies", ())
         licence = package.get("license") or _npm_licence(folder)
@@ -128,8 +130,8 @@ def npm_notices(ui: Path) -> Iterator[Notice]:
 
 
 def _npm_licence(folder: Path) -> str:
-    told: Mapping[str, Any] = json.loads((folder / "package.json").read_text("utf-8"))
-    return str(told.get("license", ""))
+    manifest: Mapping[str, Any] = json.loads((folder / "package.json").read_text("utf-8"))
+    return str(manifest.get("license", ""))
 
 
 def _npm_texts(folder: Path) -> Iterator[str]:

@@ -11,21 +11,21 @@ from typing import TYPE_CHECKING, Any
 
 from pinel_desktop import __version__
 from pinel_desktop.app_database import WRITABLE_NOTICES, open_database
-from pinel_desktop.camera.client import Camera, CameraState
+from pinel_desktop.camera.client import CameraClient, CameraState
+from pinel_desktop.database_locations import forget_location
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.events.app_events import CameraChanged, Notice
 from pinel_desktop.events.hub import Hub
-from pinel_desktop.events.types import KEPT, URGENT
+from pinel_desktop.events.types import RECORDED, URGENT
 from pinel_desktop.execution.inputs import Capture
-from pinel_desktop.instance import Instance
-from pinel_desktop.known_places import forget_place
+from pinel_desktop.instance import InstanceLock
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
-from pinel_desktop.school.robot_watching import RobotWatching
-from pinel_desktop.school.robots import Robots
+from pinel_desktop.school.robot_profiles import RobotProfiles
+from pinel_desktop.school.robot_status_feed import RobotStatusFeed
 from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.settings import CAMERA, Settings
@@ -34,18 +34,18 @@ from pinel_desktop.web.early_server import EarlyServer
 from pinel_desktop.web.services import DatabaseState, ReadDocument, Services
 from sim.world import list_worlds
 from storage import Notice as StoreNotice
-from storage import Recorder, StoreError, warm_up
+from storage import RunRecorder, StoreError, warm_up
 from storage.file.temporary import remove_leftovers
 from storage.maintenance import Maintenance
 
 if TYPE_CHECKING:
-    from pinel_desktop.judge.messages import BegunRun
+    from pinel_desktop.judge.messages import RunStartInfo
     from pinel_desktop.program.faults import Fault
-    from pinel_desktop.program.reading import Reading
+    from pinel_desktop.program.reading import ParseResult
     from pinel_desktop.web.legacy.api import BridgeChoice, LegacyApi
 
 Event = dict[str, Any]
-_PATIENCE_S = 2.0
+_FLUSH_TIMEOUT_S = 2.0
 _INTERRUPTED = {"state": "failed", "reason": "interrupted"}
 
 
@@ -71,7 +71,7 @@ class App:
         *,
         port: int = 0,
         early_server: EarlyServer | None = None,
-        instance: Instance | None = None,
+        instance: InstanceLock | None = None,
         engine_after_s: float = 0.0,
         on_show: Callable[[], None] = lambda: None,
         make_engine: Callable[..., EngineClient] = EngineClient,
@@ -102,7 +102,7 @@ class App:
             PinelError: `port_taken`, `instance_silent`.
         """
         with contextlib.ExitStack() as undo:
-            instance = self._instance or Instance(self._database)
+            instance = self._instance or InstanceLock(self._database)
             if self._instance is None:
                 instance.acquire()
             undo.callback(instance.release)
@@ -144,14 +144,16 @@ class App:
         """Makes the parts so that they end in this order: engine, hub, server, recorder, last backup, store."""
         self._store = open_database(self._database)
         undo.callback(self._store.close)
-        self._maintenance = Maintenance(self._store, self._publish_keeping)
+        self._maintenance = Maintenance(self._store, self._publish_storage_notice)
         undo.callback(self._maintenance.back_up_at_the_end)  # after all is written
         early = self._early_server
         self._settings = early.settings if early else Settings.beside(self._database)
         with contextlib.suppress(StoreError):
-            self._settings.take_from_database(self._store.settings.get)
+            self._settings.import_from_database(self._store.settings.get)
         self._hub = Hub()
-        self._recorder = Recorder(self._store, self._publish_recording, kept=KEPT, urgent=URGENT)
+        self._recorder = RunRecorder(
+            self._store, self._publish_recording, recorded=RECORDED, urgent=URGENT
+        )
         undo.callback(self._end_recording)
         self._grader = Grader(
             self._store,
@@ -169,7 +171,7 @@ class App:
         )
         undo.callback(self._live_checks.close)
         undo.callback(self._maintenance.close)
-        self._content_check = self._store.content_check(self._publish_keeping)
+        self._content_check = self._store.scrubber(self._publish_storage_notice)
         undo.callback(self._content_check.close)
         if self._store.unfinished:
             self._recorder.flush()  # goes on trying until the disk has room
@@ -177,12 +179,14 @@ class App:
         undo.callback(server.close)
         undo.callback(self._hub.close)
         self._guard = server.guard
-        self._robot_watching = RobotWatching(self._hub.publish, lambda: self._settings.language)
+        self._status_feed = RobotStatusFeed(self._hub.publish, lambda: self._settings.language)
         self._engine = self._make_engine(
-            self._take, on_robot=self._robot_watching.take, is_watched=self._is_watched
+            self._on_engine_event,
+            on_robot=self._status_feed.publish_state,
+            is_watched=self._is_watched,
         )
         undo.callback(self._engine.close)
-        self._camera = Camera(
+        self._camera = CameraClient(
             self._camera_source or self._settings[CAMERA],
             self._hub.publish,
             self._publish_camera,
@@ -243,8 +247,8 @@ class App:
             guard=self._guard,
             settings=self._settings,
             teacher=TeacherSessions(self._store.settings),
-            robots=Robots(self._store.settings, LINK_NAMES),
-            robot_watching=self._robot_watching,
+            robots=RobotProfiles(self._store.settings, LINK_NAMES),
+            status_feed=self._status_feed,
             read_document=self._read,
             read_world=_read_world,
             worlds=self._worlds,
@@ -252,12 +256,12 @@ class App:
             show_window=self._on_show,
             flush_recording=self._flush_recording,
             prepare_judge=self._prepare_judge,
-            confirm_runs=self._confirmer.wake,
+            confirm_runs=self._confirmer.check_now,
             unsaved_end=self._unsaved_end,
             begin_empty=self._begin_empty,
         )
 
-    def _take(self, event: Event) -> None:
+    def _on_engine_event(self, event: Event) -> None:
         """An event of the engine: first to the store, so that the page finds ended what it hears has ended."""
         self._recorder(event)
         if self._legacy is not None:
@@ -268,17 +272,17 @@ class App:
         if event["type"] == "run_ended":
             self._grader.grade(event["run"])
 
-    def _prepare_judge(self, run_id: str, begun: "BegunRun") -> None:
-        self._grader.prepare(run_id, begun)
-        self._live_checks.expect(run_id, begun)
+    def _prepare_judge(self, run_id: str, start_info: "RunStartInfo") -> None:
+        self._grader.prepare(run_id, start_info)
+        self._live_checks.expect(run_id, start_info)
 
     def _flush_recording(self) -> None:
         with contextlib.suppress(StoreError, TimeoutError):
-            self._recorder.flush().result(_PATIENCE_S)
+            self._recorder.flush().result(_FLUSH_TIMEOUT_S)
 
     def _begin_empty(self) -> None:
         """The next start makes a new file where there is none now; what is away is not looked for any more."""
-        forget_place(self._database)
+        forget_location(self._database)
         self._store.notice = StoreNotice("database_begins_empty", {"path": str(self._database)})
 
     def _unsaved_end(self, run_id: str) -> Mapping[str, Any] | None:
@@ -306,7 +310,7 @@ class App:
         """The run goes on; the page learns that it is not being kept, or that it is kept again."""
         self._publish_notice(problem, "recording_resumed")
 
-    def _publish_keeping(self, notice: Problem | None) -> None:
+    def _publish_storage_notice(self, notice: Problem | None) -> None:
         """Work goes on; the page learns what threatens it, or that nothing does any more."""
         self._publish_notice(notice, "keeping_well_again")
 
@@ -319,23 +323,23 @@ class App:
 
     def _publish_camera(self, state: CameraState) -> None:
         problem = state.problem
-        words = explain(problem, self._settings.language) if problem else None
+        text = explain(problem, self._settings.language) if problem else None
         changed = CameraChanged(
             state=state.mode,
             code=problem.code if problem else None,
             params=problem.params if problem else {},
-            message=words.message if words else "",
-            remedy=words.remedy if words else "",
+            message=text.message if text else "",
+            remedy=text.remedy if text else "",
         )
-        self._hub.publish(changed.flat())
+        self._hub.publish(changed.to_wire())
 
     def _publish_notice(self, problem: Problem | None, well_again: str) -> None:
         code, params = (problem.code, problem.params) if problem else (well_again, {})
-        words = describe(code, params, self._settings.language)
-        self._hub.publish(Notice(code=code, message=words.message, remedy=words.remedy).flat())
+        text = describe(code, params, self._settings.language)
+        self._hub.publish(Notice(code=code, message=text.message, remedy=text.remedy).to_wire())
 
 
-def _read_document(document: dict[str, object] | list[object]) -> "Reading":
+def _read_document(document: dict[str, object] | list[object]) -> "ParseResult":
     from pinel_desktop.program.reading import read_document  # noqa: PLC0415 - see above
 
     return read_document(document)

@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from pinel_desktop.known_places import is_place_missing, remember_place
-from pinel_desktop.paths import is_own_place
+from pinel_desktop.database_locations import is_location_missing, record_location
+from pinel_desktop.paths import is_in_default_folder
 from storage import Store, StoreError, open_store
-from storage.file.private import make_private
+from storage.file.private import restrict_permissions
 
 # All is well again, or a remedy was applied: the file is written to.
 WRITABLE_NOTICES = (
@@ -32,12 +32,12 @@ WRITABLE_NOTICES = (
 def open_database(database: Path) -> Store:
     """The store of the file; one without file where it cannot be used, or its folder is away."""
     try:
-        if is_place_missing(database):
+        if is_location_missing(database):
             folder = str(database.parent)
             raise StoreError("database_place_missing", path=str(database), folder=folder)
         store = open_store(database, close_interrupted=True)
-        make_private(database, is_own_folder=is_own_place(database))
-        remember_place(database)
+        restrict_permissions(database, is_own_folder=is_in_default_folder(database))
+        record_location(database)
         return store
     except StoreError as error:
         return Store.without_file(database, error)

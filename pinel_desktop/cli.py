@@ -20,7 +20,7 @@ _COMMANDS = {
     "pin": "Choose another PIN for the teacher.",
     "doctor": "Say what this PC has and lacks.",
 }
-_PLACES = {"salvage": "recovery.salvage"}
+_SUBMODULES = {"salvage": "recovery.salvage"}
 _HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "window")} | {
     "app": "app"
 }
@@ -36,7 +36,7 @@ class _LazyGroup(click.Group):
         if cmd_name not in _COMMANDS and cmd_name not in _HIDDEN:
             return None
         module = importlib.import_module(
-            f"pinel_desktop.commands.{(_HIDDEN | _PLACES).get(cmd_name, cmd_name)}"
+            f"pinel_desktop.commands.{(_HIDDEN | _SUBMODULES).get(cmd_name, cmd_name)}"
         )
         command: click.Command = module.command
         return command

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pinel_desktop.database_locations import is_location_missing
 from pinel_desktop.errors import PinelError
-from pinel_desktop.known_places import is_place_missing
 from pinel_desktop.paths import read_regular
 
 try:
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 _SECRET_HEADER = (
     "X-Pinel-Secret"  # as in web/guard.py, which this must not load: a second start is to be quick
 )
-_ANSWER_S = 2.0
+_RESPONSE_TIMEOUT_S = 2.0
 _STARTING_S = 10.0
 _POLL_S = 0.1
 # the folder cannot be written, so neither can the database: two apps do each other no harm
@@ -62,7 +62,7 @@ class RunningInstance:
         # no proxy: the address is on this PC, whatever the school's network wants
         opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         try:
-            with opener.open(request, timeout=_ANSWER_S) as answer:
+            with opener.open(request, timeout=_RESPONSE_TIMEOUT_S) as answer:
                 found: dict[str, Any] = json.load(answer)
                 return found
         except urllib.error.HTTPError as error:
@@ -80,7 +80,7 @@ class AlreadyRunningError(PinelError):
         self.running = running
 
 
-class Instance:
+class InstanceLock:
     """The lock of this process on a database; `release` it at the end."""
 
     def __init__(self, database: Path) -> None:
@@ -91,7 +91,7 @@ class Instance:
         self._lock_is_parents = False
 
     @classmethod
-    def of_parent(cls, database: Path) -> "Instance":
+    def of_parent(cls, database: Path) -> "InstanceLock":
         """For a process whose parent has the lock and keeps it: it only writes the file."""
         instance = cls(database)
         instance._lock_is_parents = True
@@ -106,12 +106,12 @@ class Instance:
                 no file either.
         """
         deadline = time.monotonic() + wait_s
-        while not self._taken():
+        while not self._acquired():
             running = self._running()
             if running is not None:
                 raise AlreadyRunningError(running)
             if time.monotonic() >= deadline:
-                raise self._silent()
+                raise self._no_response()
             time.sleep(_POLL_S)  # the other one may be starting, or be about to end
 
     def announce(self, url: str, secret: str) -> None:
@@ -143,8 +143,8 @@ class Instance:
     def _is_ours(self) -> bool:
         return self._lock_is_parents or (self._lock is not None and self._lock.is_locked)
 
-    def _taken(self) -> bool:
-        if is_place_missing(self._database):  # nothing is made where a stick is to be mounted
+    def _acquired(self) -> bool:
+        if is_location_missing(self._database):  # nothing is made where a stick is to be mounted
             return True
         # the app behind a window, whose start the page waits for, takes no lock
         from filelock import FileLock, Timeout  # noqa: PLC0415
@@ -157,11 +157,11 @@ class Instance:
         except Timeout:
             return False
         except OSError as error:
-            return error.errno in _NOT_WRITABLE or self._is_folder_taken()
+            return error.errno in _NOT_WRITABLE or self._try_folder_lock()
         self._lock = lock
         return True
 
-    def _is_folder_taken(self) -> bool:
+    def _try_folder_lock(self) -> bool:
         """Locks the folder itself, where something that is no file has the name of the lock file."""
         if fcntl is None:
             return True
@@ -187,7 +187,7 @@ class Instance:
             return {}
         return found if isinstance(found, dict) else {}
 
-    def _silent(self) -> PinelError:
+    def _no_response(self) -> PinelError:
         if self._file.is_file():
             return PinelError("instance_silent", pid=self._announced().get("pid", "?"))
         return PinelError("instance_unreachable", path=str(self._file))

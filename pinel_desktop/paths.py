@@ -14,15 +14,15 @@ def data_folder() -> Path:
     home = os.environ.get("PINEL_HOME")
     if home:
         return Path(home).expanduser()
-    return own_place()
+    return default_folder()
 
 
-def is_own_place(database: Path) -> bool:
+def is_in_default_folder(database: Path) -> bool:
     """Whether the file lies where PINEL keeps data by itself, not in a folder that somebody has chosen."""
-    return database.parent == Path(os.path.realpath(own_place()))
+    return database.parent == Path(os.path.realpath(default_folder()))
 
 
-def own_place() -> Path:
+def default_folder() -> Path:
     """Where PINEL keeps data by itself; it need not exist."""
     return Path(platformdirs.user_data_dir("pinel", appauthor=False))
 

@@ -116,7 +116,7 @@ class Settings:
             self._chosen = chosen
             self._write(chosen)
 
-    def take_from_database(self, get: Callable[[str], object]) -> None:
+    def import_from_database(self, get: Callable[[str], object]) -> None:
         """Takes over what releases before 0.3 had in the database, where nothing was chosen since."""
         for name, setting in SETTINGS.items():
             if setting.in_database is None or name in self.chosen:

@@ -5,13 +5,13 @@ from typing import Any
 
 from pinel_desktop.program.duplicates import duplicate_key_faults
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.robot import ROBOTS, Setting
+from pinel_desktop.robot import ROBOTS, SimulationConfig
 from sim.document import MAX_BYTES
-from sim.reading import read_world
+from sim.parsing import read_world
 
 __all__ = ["MAX_BYTES", "read_own_world"]
 
-_LARGEST_M = max(robot.radius_m for robot in ROBOTS.values())
+_MAX_RADIUS_M = max(robot.radius_m for robot in ROBOTS.values())
 
 
 def read_own_world(
@@ -25,7 +25,7 @@ def read_own_world(
     Raises:
         PinelError: `unknown_robot`.
     """
-    radius_m = Setting(robot).robot.radius_m if robot else _LARGEST_M
+    radius_m = SimulationConfig(robot).robot.radius_m if robot else _MAX_RADIUS_M
     reading = read_world(source, robot_radius_m=radius_m)
     faults = [Fault(fault.code, fault.pointer, None, fault.params) for fault in reading.faults]
     if isinstance(source, str | bytes) and len(source) <= MAX_BYTES:

@@ -30,7 +30,7 @@ GENERATED = tuple(
         "teacher/making/check_fields",
     )
 )
-WORDS = re.compile(r"ui/src/i18n/[\w-]+/")
+TEXT_FILES = re.compile(r"ui/src/i18n/[\w-]+/")
 PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/: imported only by tests
 SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
 RAW_CONTROL = re.compile(r"<(?:button|select)\b")
@@ -62,7 +62,7 @@ def n_lines(names: Iterable[str]) -> int:
 
 def product() -> list[str]:
     """The hand-written files of the product, without those that hold its words."""
-    left_out = (WORDS, PAGE_TEST)
+    left_out = (TEXT_FILES, PAGE_TEST)
     files = [name for name in tree(CODE) if name not in GENERATED]
     return [name for name in files if not any(kind.match(name) for kind in left_out)]
 
@@ -101,7 +101,7 @@ def siblings(edges: Edges) -> Edges:
             yield "/".join(a[: shared + 1]), "/".join(b[: shared + 1])
 
 
-def circles(edges: Edges) -> list[str]:
+def import_cycles(edges: Edges) -> list[str]:
     """Import circles; one import of each is removed before the search for the next."""
     graph: dict[str, dict[str, None]] = {}
     for importer, imported in sorted(edges):
@@ -118,7 +118,7 @@ def circles(edges: Edges) -> list[str]:
             return found
 
 
-def upwards(edges: Edges) -> list[str]:
+def layer_violations(edges: Edges) -> list[str]:
     """Imports of a higher layer of the page by a lower one."""
     named = {folder: place for place, names in enumerate(LAYERS) for folder in names.split()}
 
@@ -151,13 +151,16 @@ def show(title: str, value: object, details: Iterable[object] = ()) -> None:
 
 def show_circles(language: str, edges: list[tuple[str, str]]) -> int:
     n_found = 0
-    for kind, found in (("files", circles(edges)), ("folders", circles(siblings(edges)))):
+    for kind, found in (
+        ("files", import_cycles(edges)),
+        ("folders", import_cycles(siblings(edges))),
+    ):
         show(f"import circles of {kind}, {language}", len(found), found)
         n_found += len(found)
     return n_found
 
 
-def page_figures() -> dict[str, Any]:
+def page_metrics() -> dict[str, Any]:
     found: dict[str, Any] = json.loads(
         run("sh", "-c", 'PATH="$(sh scripts/node.sh):$PATH" node scripts/figures.mjs')
     )
@@ -179,7 +182,7 @@ def show_page(page: dict[str, Any]) -> None:
 def main() -> int:
     is_check = "--check" in sys.argv[1:]
     full = full_folders()
-    page = page_figures()
+    page = page_metrics()
     if not is_check:
         show("hand-written product lines, without tests and words", n_lines(product()))
         show("lines of the page's tests", n_lines(tree(PAGE_TEST)))
@@ -188,7 +191,7 @@ def main() -> int:
         show_page(page)
         show("lines of ARCHITECTURE.md", n_lines(["ARCHITECTURE.md"]))
     imports = [(one, other) for one, other in page["imports"]]
-    n_circles, against = show_circles("TypeScript", imports), upwards(imports)
+    n_circles, against = show_circles("TypeScript", imports), layer_violations(imports)
     show("imports of the page that point upwards", len(against), against)
     show(f"folders with more than {FOLDER_LIMIT} sources", len(full), full.items())
     return int(is_check and (bool(full) or n_circles > 0 or bool(against)))

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pinel_desktop.camera.recording import RecordedHand, write_recording
+from pinel_desktop.camera.landmark_sequence import RecordedHand, write_landmark_sequence
 from pinel_desktop.gestures.features import features
-from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.hands import HandDetector
 from pinel_desktop.gestures.pictures import Picture, read_picture
 
 _N_VIEWS, _N_FRAMES, _N_EMPTY = 6, 24, 12
@@ -27,21 +27,23 @@ def main() -> None:
         "--aspect", default=None, help="width:height before the picture was stretched"
     )
     options = parser.parse_args()
-    finder, random = HandFinder(), np.random.default_rng(1)
+    finder, random = HandDetector(), np.random.default_rng(1)
     frames: list[RecordedHand | None] = []
     for path in options.pictures:
         views = _views(finder, read_picture(path, _ratio(options.aspect)), random)
         frames += [views[i % len(views)] for i in range(_N_FRAMES)]
         frames += [None] * _N_EMPTY
-    write_recording(options.out, frames)
+    write_landmark_sequence(options.out, frames)
 
 
-def _views(finder: HandFinder, picture: Picture, random: np.random.Generator) -> list[RecordedHand]:
+def _views(
+    finder: HandDetector, picture: Picture, random: np.random.Generator
+) -> list[RecordedHand]:
     """The hand of a picture that is shifted by a few pixels each time."""
     found = []
     for _ in range(_N_VIEWS):
         shift = random.normal(0, _TREMBLE * picture.shape[1], 2).astype(int)
-        hands = finder.find(np.roll(picture, shift, axis=(1, 0)))
+        hands = finder.detect(np.roll(picture, shift, axis=(1, 0)))
         if hands:
             points = hands[0].points[:, :2] / picture.shape[1::-1] * _SIZE
             is_left = hands[0].handedness == "left"

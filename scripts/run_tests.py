@@ -18,8 +18,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 LOGS = ROOT / "build" / "test-logs"
-N_SLOWEST = 10
-PYTEST = (sys.executable, "-m", "pytest", "-q", f"--durations={N_SLOWEST}")
+N_DURATIONS = 10
+PYTEST = (sys.executable, "-m", "pytest", "-q", f"--durations={N_DURATIONS}")
 _MEMORY_DISK = Path("/dev/shm")
 _NEEDED_BYTES = 4 * 2**30
 _N_CORES = os.cpu_count() or 1
@@ -219,29 +219,29 @@ def run(step: Step, *, is_live: bool = True) -> Outcome:
     return Outcome(step, process.returncode, time.monotonic() - started, output)
 
 
-def sums(outcomes: Sequence[Outcome]) -> dict[str, int]:
+def totals(outcomes: Sequence[Outcome]) -> dict[str, int]:
     """Tests passed, failed and skipped over all runners; an aborted step counts as one failure."""
     total = {"passed": 0, "failed": 0, "skipped": 0}
     for outcome in outcomes:
         before = total["failed"]
         if outcome.step.counts:
-            for number, word in _COUNT.findall(outcome.closing):
-                total[_SUM_OF[word]] += int(number)
+            for number, outcome_name in _COUNT.findall(outcome.closing):
+                total[_SUM_OF[outcome_name]] += int(number)
         if outcome.failed and total["failed"] == before:
             total["failed"] += 1
     return total
 
 
-def slowest(outcomes: Sequence[Outcome]) -> list[tuple[float, str]]:
+def by_duration(outcomes: Sequence[Outcome]) -> list[tuple[float, str]]:
     """Seconds and names of the slowest tests of all pytest steps, the slowest first."""
     found = [hit for outcome in outcomes for hit in _DURATION.findall(outcome.output)]
-    return sorted(((float(seconds), name) for seconds, name in found), reverse=True)[:N_SLOWEST]
+    return sorted(((float(seconds), name) for seconds, name in found), reverse=True)[:N_DURATIONS]
 
 
 def report(outcomes: Sequence[Outcome], seconds: float) -> None:
     """Prints the slowest tests, one line per step, then the totals; `seconds` is what all steps took."""
     print("\n--- slowest tests")
-    for duration, name in slowest(outcomes):
+    for duration, name in by_duration(outcomes):
         print(f"{duration:6.1f} s  {name}")
     print("\n--- summary")
     for outcome in outcomes:
@@ -249,7 +249,10 @@ def report(outcomes: Sequence[Outcome], seconds: float) -> None:
         closing = outcome.closing.strip("= ")
         print(f"{outcome.step.name:<13} {outcome.seconds:6.1f} s  {mark:<7}{closing}".rstrip())
     print(f"{'together':<13} {seconds:6.1f} s")
-    print(", ".join(f"{number} {word}" for word, number in sums(outcomes).items()), flush=True)
+    print(
+        ", ".join(f"{number} {outcome_name}" for outcome_name, number in totals(outcomes).items()),
+        flush=True,
+    )
 
 
 def main() -> int:

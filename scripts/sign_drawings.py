@@ -12,41 +12,41 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.gestures import weights_file
-from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.hands import HandDetector
 from pinel_desktop.gestures.landmarks import Hand
 from pinel_desktop.gestures.training.folds import PEOPLE
+from pinel_desktop.gestures.training.photo_features import load_photo_features
 from pinel_desktop.gestures.training.photos import Photo, read_photos
-from pinel_desktop.gestures.training.recordings import recorded
 
 _OUT = Path(__file__).parents[1] / "ui" / "src" / "camera" / "signs.json"
 
 
 def main(data: Path, cache: Path) -> None:
     photos = read_photos(data)
-    recordings = recorded(photos, cache)
-    finder = HandFinder()
+    recordings = load_photo_features(photos, cache)
+    finder = HandDetector()
     points = weights_file.load().projection(recordings.features)
     at_webcam = np.isin(recordings.sources, PEOPLE) & recordings.is_hand
     drawn = {}
     for letter in sorted(set(map(str, recordings.letters))):
         of_letter = np.flatnonzero((recordings.letters == letter) & at_webcam)
-        apart = np.linalg.norm(points[of_letter] - points[of_letter].mean(0), axis=1)
-        drawn[letter] = _landmarks(_hand(finder, photos[of_letter[apart.argmin()]]))
+        distances = np.linalg.norm(points[of_letter] - points[of_letter].mean(0), axis=1)
+        drawn[letter] = _landmarks(_hand(finder, photos[of_letter[distances.argmin()]]))
     lines = [f"  {json.dumps(name)}: {json.dumps(marks)}" for name, marks in drawn.items()]
     _OUT.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
 
 
-def _hand(finder: HandFinder, photo: Photo) -> Hand:
+def _hand(finder: HandDetector, photo: Photo) -> Hand:
     picture = photo.picture()
-    return finder.find(picture, accepts=photo.accepts(picture))[0]
+    return finder.detect(picture, accepts=photo.accepts(picture))[0]
 
 
 def _landmarks(hand: Hand) -> list[list[float]]:
     """x to the right, y down, z away from who looks, in units of the larger side, as a right hand in a mirror."""
-    seen: NDArray[np.float64] = hand.points * [1 if hand.mirrored else -1, 1, 1]
-    low, high = seen[:, :2].min(0), seen[:, :2].max(0)
-    seen[:, :2] -= (low + high) / 2
-    return np.round(seen / (high - low).max(), 3).tolist()  # type: ignore[no-any-return]
+    mirrored: NDArray[np.float64] = hand.points * [1 if hand.mirrored else -1, 1, 1]
+    low, high = mirrored[:, :2].min(0), mirrored[:, :2].max(0)
+    mirrored[:, :2] -= (low + high) / 2
+    return np.round(mirrored / (high - low).max(), 3).tolist()  # type: ignore[no-any-return]
 
 
 if __name__ == "__main__":

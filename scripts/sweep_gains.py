@@ -17,12 +17,12 @@ from pinel_desktop.events.model import Event, Telemetry
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import Setting
+from pinel_desktop.robot import SimulationConfig
 
 PROGRAMS = Path(__file__).parents[1] / "tests" / "programs"
 FIGURES = ("square", "triangle", "lemniscate")
 SEEDS = range(10)
-REALISTIC = Setting(preset="realistic", feedback="pose")
+REALISTIC = SimulationConfig(preset="realistic", feedback="pose")
 VALUES = {
     "along": (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0),
     "across": (2.0, 4.0, 8.0, 12.0, 16.0),

@@ -7,15 +7,15 @@ Array = NDArray[np.float64]
 Pairs = NDArray[np.intp]
 
 
-def crossings(segments: Array, slack_m: float) -> Pairs:
+def crossings(segments: Array, tolerance_m: float) -> Pairs:
     """Pairs of indices (k, 2), the smaller first, of the segments (n, 2, 2) that cross.
 
-    A segment that ends on another, or reaches at most `slack_m` beyond it, does not cross it.
+    A segment that ends on another, or reaches at most `tolerance_m` beyond it, does not cross it.
     """
     left_of_start, left_of_end = (_offsets(segments, segments[:, end]) for end in (0, 1))
     low, high = np.minimum(left_of_start, left_of_end), np.maximum(left_of_start, left_of_end)
-    apart = (low < -slack_m) & (high > slack_m)
-    pairs: Pairs = np.argwhere(np.triu(apart & apart.T, k=1))
+    straddles = (low < -tolerance_m) & (high > tolerance_m)
+    pairs: Pairs = np.argwhere(np.triu(straddles & straddles.T, k=1))
     return pairs
 
 
@@ -47,14 +47,16 @@ def distances_to_boxes(point: Array, corners: Array) -> Array:
     return distances
 
 
-def overlaps(ones: Array, others: Array, slack_m: float) -> Pairs:
-    """Pairs of indices (k, 2): rectangles (n, 4, 2) that overlap shapes (m, 4 or 2, 2) by more than `slack_m`.
+def overlaps(ones: Array, others: Array, tolerance_m: float) -> Pairs:
+    """Pairs of indices (k, 2): rectangles (n, 4, 2) that overlap shapes (m, 4 or 2, 2) by more than `tolerance_m`.
 
     Separating axis theorem: two convex shapes are disjoint when the normal of one of their edges separates them.
     """
-    near = np.argwhere(_may_touch(ones, others, max(0.0, -slack_m)))
+    near = np.argwhere(_may_touch(ones, others, max(0.0, -tolerance_m)))
     one, other = ones[near[:, 0]], others[near[:, 1]]
-    together = _shared(_axes(one), one, other, slack_m) & _shared(_axes(other), one, other, slack_m)
+    together = _shared(_axes(one), one, other, tolerance_m) & _shared(
+        _axes(other), one, other, tolerance_m
+    )
     found: Pairs = near[together]
     return found
 
@@ -62,8 +64,8 @@ def overlaps(ones: Array, others: Array, slack_m: float) -> Pairs:
 def _may_touch(ones: Array, others: Array, gap_m: float) -> NDArray[np.bool_]:
     centers, reach = ones.mean(axis=1), _reach(ones)
     other_centers, other_reach = others.mean(axis=1), _reach(others)
-    apart = np.hypot(*np.moveaxis(centers[:, None] - other_centers[None], 2, 0))
-    near: NDArray[np.bool_] = apart < reach[:, None] + other_reach[None] + gap_m
+    distances = np.hypot(*np.moveaxis(centers[:, None] - other_centers[None], 2, 0))
+    near: NDArray[np.bool_] = distances < reach[:, None] + other_reach[None] + gap_m
     return near
 
 
@@ -82,12 +84,12 @@ def _axes(shapes: Array) -> Array:
     return axes
 
 
-def _shared(axes: Array, one: Array, other: Array, slack_m: float) -> NDArray[np.bool_]:
+def _shared(axes: Array, one: Array, other: Array, tolerance_m: float) -> NDArray[np.bool_]:
     """Whether the projections of both shapes on every axis overlap by more than the slack."""
     shadow = np.einsum("iak,ick->iac", axes, one)
     other_shadow = np.einsum("iak,ick->iac", axes, other)
     depth = np.minimum(
         shadow.max(axis=2) - other_shadow.min(axis=2), other_shadow.max(axis=2) - shadow.min(axis=2)
     )
-    shared: NDArray[np.bool_] = (depth > slack_m).all(axis=1)
+    shared: NDArray[np.bool_] = (depth > tolerance_m).all(axis=1)
     return shared

@@ -19,7 +19,7 @@ from sim.world import (
 )
 from sim.world_faults import LocatedFault, located, pointer
 
-SHORTEST_WALL_M = 0.01
+MIN_WALL_LENGTH_M = 0.01
 _ROUNDING_M = 1e-6
 _OVERLAP_M = 1e-3  # a movable box may touch a wall, but not overlap it
 
@@ -86,8 +86,8 @@ def _extremes(shape: Shape) -> Sequence[tuple[float, float]]:
 
 def _short_walls(parts: Parts) -> Iterator[LocatedFault]:
     for i, wall in parts.walls.items():
-        if math.dist(wall.start, wall.end) < SHORTEST_WALL_M:
-            yield located(("walls", i), "wall_too_short", wall=i + 1, min=SHORTEST_WALL_M)
+        if math.dist(wall.start, wall.end) < MIN_WALL_LENGTH_M:
+            yield located(("walls", i), "wall_too_short", wall=i + 1, min=MIN_WALL_LENGTH_M)
 
 
 def _crossing_walls(parts: Parts) -> Iterator[LocatedFault]:
@@ -130,11 +130,11 @@ def _overlap_fault(box: int, other: tuple[str, int], code: str) -> LocatedFault:
 
 
 def _duplicate_zones(parts: Parts) -> Iterator[LocatedFault]:
-    seen: Counter[str] = Counter()
+    counts: Counter[str] = Counter()
     for i, zone in parts.zones.items():
-        if seen[zone.name]:
+        if counts[zone.name]:
             yield located(("zones", i, "name"), "duplicate_zone", name=zone.name)
-        seen[zone.name] += 1
+        counts[zone.name] += 1
 
 
 def _blocked_start(

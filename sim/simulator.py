@@ -235,11 +235,11 @@ class Simulator:
 
         They agree with `ray` within 2 mm; for many angles it is much faster.
         """
-        from sim.scan import Scan  # noqa: PLC0415 - numpy, which takes longer to load than the rest
+        from sim.beam_caster import BeamCaster  # noqa: PLC0415 - numpy, which takes longer to load than the rest
 
         boxes = self._world.boxes
         fixed = [box for box in boxes if not box.movable]
-        scan = Scan(self._world.walls, fixed, WALL_RADIUS_M, angles_rad)
+        scan = BeamCaster(self._world.walls, fixed, WALL_RADIUS_M, angles_rad)
 
         def ranges(length_m: float) -> list[float]:
             moved: list[Box] = []

@@ -6,8 +6,8 @@ A leaf: imports nothing of the application. `open_store` opens the file,
 
 from storage.errors import StoreError
 from storage.file.notices import Notice
-from storage.recording import Recorder, warm_up
-from storage.records import (
+from storage.recording import RunRecorder, warm_up
+from storage.row_types import (
     SIMULATOR,
     ClassroomRow,
     FaultRow,
@@ -16,43 +16,49 @@ from storage.records import (
     NoteRow,
     OwnActivityRow,
     ProgramRow,
-    RunLine,
     RunRow,
     RunStart,
+    RunSummary,
     SignSamples,
-    VersionMark,
     VersionRow,
+    VersionSummary,
 )
-from storage.runs.history import HistoryLine, RunFilter
+from storage.runs.history import HistoryEntry, RunFilter
 from storage.store import Store, open_for_reading, open_store
-from storage.work.lesson_records import EditLine, GroupLine, GroupLines, LessonLines, LessonRun
+from storage.work.lesson_history import (
+    EditSummary,
+    GroupHistory,
+    GroupSummary,
+    LessonHistory,
+    LessonRun,
+)
 
 __all__ = [
     "SIMULATOR",
     "ClassroomRow",
-    "EditLine",
+    "EditSummary",
     "FaultRow",
-    "GroupLine",
-    "GroupLines",
+    "GroupHistory",
     "GroupRow",
-    "HistoryLine",
-    "LessonLines",
+    "GroupSummary",
+    "HistoryEntry",
+    "LessonHistory",
     "LessonRow",
     "LessonRun",
     "NoteRow",
     "Notice",
     "OwnActivityRow",
     "ProgramRow",
-    "Recorder",
     "RunFilter",
-    "RunLine",
+    "RunRecorder",
     "RunRow",
     "RunStart",
+    "RunSummary",
     "SignSamples",
     "Store",
     "StoreError",
-    "VersionMark",
     "VersionRow",
+    "VersionSummary",
     "open_for_reading",
     "open_store",
     "warm_up",

@@ -25,7 +25,7 @@ _OPENING = {"{": "}", "[": "]"}
 def parsed(text: str) -> Any:
     """The value of a JSON text of ordinary depth, with finite numbers and each key once; None for every other."""
     # short texts recur; large ones are not cached, to free their memory
-    return _remembered(text) if len(text) <= _SHORT else _read(text)
+    return _cached_read(text) if len(text) <= _SHORT else _read(text)
 
 
 def is_deep(text: str) -> bool:
@@ -51,7 +51,7 @@ def _read(text: str) -> Any:
         return None
 
 
-_remembered = lru_cache(maxsize=512)(_read)
+_cached_read = lru_cache(maxsize=512)(_read)
 
 
 def _refused(name: str) -> Any:

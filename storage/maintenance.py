@@ -14,7 +14,7 @@ from storage.store import Store
 from storage.text import utc_now
 
 NEARLY_FULL = 500 * 10**6
-_ROOM_AGAIN = 550 * 10**6
+_ENOUGH_FREE = 550 * 10**6
 _FIRST_S = 15.0  # after the start, and after a group's first edits
 _EVERY_S = 300.0
 _CLOSING_S = 3.0
@@ -48,8 +48,8 @@ class Maintenance:
         self._space: Notice | None = None
         self._backup: Notice | None = None
         self._share = store.backup_share
-        self._share.on_change = self._tell
-        self._telling = threading.Lock()
+        self._share.on_change = self._notify
+        self._notify_lock = threading.Lock()
         self._ended = threading.Event()
         self._thread: threading.Thread | None = None
 
@@ -74,12 +74,12 @@ class Maintenance:
             free = self._free(self._store.path.parent)
         except OSError:  # writing will report it
             return
-        if free < (_ROOM_AGAIN if self._space else NEARLY_FULL):
+        if free < (_ENOUGH_FREE if self._space else NEARLY_FULL):
             folder = str(self._store.path.parent)
             self._space = Notice("disk_nearly_full", {"free_mb": free // 10**6, "folder": folder})
         else:
             self._space = None
-        self._tell()
+        self._notify()
 
     def back_up(self) -> None:
         """Makes a backup if it is time for one."""
@@ -98,7 +98,7 @@ class Maintenance:
             )
         else:
             self._backup = None
-        self._tell()
+        self._notify()
 
     def back_up_at_the_end(self) -> None:
         """Makes a backup of what was saved since the last one; gives up after some seconds, and leaves nothing then.
@@ -129,7 +129,7 @@ class Maintenance:
         if problem := self._store.check_and_reindex(self._ended.is_set):
             path = str(self._store.path)
             self._backup = Notice("backup_found_damage", {"path": path, "problem": problem})
-            self._tell()
+            self._notify()
 
     def finish_removals(self) -> None:
         """Deletes from backups what was deleted for good, where that was cut off; a failure is tried again later."""
@@ -148,9 +148,9 @@ class Maintenance:
             self.finish_removals()
             pause_s, n_checks = _EVERY_S, n_checks + 1
 
-    def _tell(self) -> None:
+    def _notify(self) -> None:
         """Reports another notice; not another figure within the same notice, which is read when it is shown."""
-        with self._telling:  # the copies are made on another thread
+        with self._notify_lock:  # the copies are made on another thread
             before, self.notice = self.notice, self._space or self._backup or self._share.problem
             is_another = (before and before.code) != (self.notice and self.notice.code)
             if is_another and not self._ended.is_set():

@@ -19,7 +19,7 @@ from storage.store import Store
 Event = Mapping[str, Any]
 
 _EVERY_S = 1.0
-_PATIENCE_S = 2.0
+_END_TIMEOUT_S = 2.0
 _TRAIL_STEP_M = 0.01
 _RETRY_S = 1.5
 
@@ -33,7 +33,7 @@ def _by_timer(delay_s: float, call: Callable[[], None]) -> Cancel:
     return timer.cancel
 
 
-class Recorder:
+class RunRecorder:
     """Takes every event of a run, in order, from one thread at a time.
 
     What cannot be written (the disk is full) is kept in memory and tried again: with the next batch, after
@@ -42,9 +42,9 @@ class Recorder:
 
     Args:
         on_change: called with the error when writing fails, and with None when it works again.
-        kept: types of event that are recorded, None for all.
+        recorded: types of event that are recorded, None for all.
         urgent: types of event that are written at once, since nothing may follow them for long.
-        later: calls after a delay in s unless it is cancelled; used only while something is unsaved.
+        schedule: calls after a delay in s unless it is cancelled; used only while something is unsaved.
 
     Attributes:
         problem: why the last batch could not be written, None when all is well.
@@ -55,15 +55,15 @@ class Recorder:
         store: Store,
         on_change: Callable[[StoreError | None], None] = lambda problem: None,
         *,
-        kept: Collection[str] | None = None,
+        recorded: Collection[str] | None = None,
         urgent: Collection[str] = ("run_ended",),
         clock: Callable[[], float] = time.monotonic,
-        later: Callable[[float, Callable[[], None]], Cancel] = _by_timer,
+        schedule: Callable[[float, Callable[[], None]], Cancel] = _by_timer,
     ) -> None:
         self.problem: StoreError | None = None
         self._store = store
         self._on_change = on_change
-        self._kept, self._urgent = kept, urgent
+        self._recorded, self._urgent = recorded, urgent
         self._clock = clock
         self._flushed_at = clock()
         self._run = _Recording("")
@@ -72,14 +72,14 @@ class Recorder:
             threading.Lock()
         )  # events come on one thread, readers who want them on others
         self._lock = threading.Lock()
-        self._later = later
+        self._schedule = schedule
         self._cancel_retry: Cancel | None = None
         self._closed = False
         store.listen(self._after_write)
 
     def __call__(self, event: Event) -> None:
         """Records one event. Returns after `run_ended` only when the run is on disk, or cannot be."""
-        if self._kept is not None and event["type"] not in self._kept:
+        if self._recorded is not None and event["type"] not in self._recorded:
             return
         with self._taking:
             if event["run"] != self._run.run_id:
@@ -94,7 +94,7 @@ class Recorder:
         """Hands what is pending to the writer; from any thread."""
         with self._taking:
             self._flushed_at = self._clock()
-            batch = self._run.taken(self._store.now())
+            batch = self._run.drain(self._store.now())
             if batch is not None:
                 with self._lock:
                     self._unsaved.append(batch)
@@ -144,7 +144,7 @@ class Recorder:
         with self._lock:
             hopeful = self.problem is not None and self._store.can_write and not self._closed
             if hopeful and self._cancel_retry is None:
-                self._cancel_retry = self._later(_RETRY_S, self._retry)
+                self._cancel_retry = self._schedule(_RETRY_S, self._retry)
             elif not hopeful and self._cancel_retry is not None:
                 self._cancel_retry()
                 self._cancel_retry = None
@@ -178,7 +178,7 @@ class _Recording:
         self._samples.append(event)
         self._follow(float(event["x_m"]), float(event["y_m"]))
 
-    def taken(self, now: str) -> Batch | None:
+    def drain(self, now: str) -> Batch | None:
         """All that is pending as a batch; None when there is nothing."""
         if not self._events and not self._samples:
             return None
@@ -207,7 +207,7 @@ class _Recording:
 def _wait(written: "Future[list[Batch]]") -> None:
     """Waits for the disk, but not for long: the page should read an ended run when it gets the event."""
     try:
-        written.result(_PATIENCE_S)
+        written.result(_END_TIMEOUT_S)
     except (StoreError, FutureTimeout):
         return
     except Exception:

@@ -40,7 +40,7 @@ def tuples(
     return cursor.execute(query, parameters)
 
 
-def some_rows(cursor: sqlite3.Cursor) -> Iterator[list[tuple[Any, ...]]]:
+def row_batches(cursor: sqlite3.Cursor) -> Iterator[list[tuple[Any, ...]]]:
     """The rows, 16 at a time: one version may have megabytes."""
     while rows := cursor.fetchmany(16):
         yield rows
@@ -84,7 +84,7 @@ def row_count(db: sqlite3.Connection, table: str, condition: str = "1") -> int:
     return int(db.execute(query).fetchone()[0])
 
 
-def damage(
+def integrity_problem(
     db: sqlite3.Connection, check: str = "integrity_check", stop: Stop | None = None
 ) -> str | None:
     """What SQLite's check finds wrong with the file first; None when all is well.
@@ -135,7 +135,7 @@ def insert(db: sqlite3.Connection, table: str, row: Mapping[str, object]) -> Non
     db.execute(f"INSERT INTO {table} ({', '.join(row)}) VALUES ({marks})", row)
 
 
-def change(
+def update_row(
     db: sqlite3.Connection,
     table: str,
     key: str,
@@ -154,7 +154,7 @@ def change(
     row = db.execute(f"SELECT revision, changed_at FROM {table} WHERE id = ?", [key]).fetchone()
     if row is None:
         return
-    revision, changed_at = _later(int(row[0]), str(row[1]), now, n_revisions)
+    revision, changed_at = _next_state(int(row[0]), str(row[1]), now, n_revisions)
     assignments = "".join(f"{name} = :{name}, " for name in values)
     db.execute(
         f"UPDATE {table} SET {assignments}revision = :revision, changed_at = :at WHERE id = :key",
@@ -162,10 +162,10 @@ def change(
     )
 
 
-def _later(revision: int, changed_at: str, now: str, n_revisions: int) -> tuple[int, str]:
+def _next_state(revision: int, changed_at: str, now: str, n_revisions: int) -> tuple[int, str]:
     """Revision and time of the state after this one. The time decides where the revision stays, as at its bound."""
-    later = min(revision + n_revisions, MAX_REVISION)
-    return later, now if later > revision else max(now, just_after(changed_at))
+    next_revision = min(revision + n_revisions, MAX_REVISION)
+    return next_revision, now if next_revision > revision else max(now, just_after(changed_at))
 
 
 def selected(record: Any, table: str, **computed: str) -> str:

@@ -19,9 +19,9 @@ else:
 
 __all__ = ["has_wal_fault", "sqlite3"]
 
-_MENDED_IN = (3, 51, 3)
+_FIXED_IN = (3, 51, 3)
 
 
 def has_wal_fault(version: str = sqlite3.sqlite_version) -> bool:
     """Whether that version of SQLite can lose a write when the WAL begins anew."""
-    return tuple(int(part) for part in version.split(".")) < _MENDED_IN
+    return tuple(int(part) for part in version.split(".")) < _FIXED_IN

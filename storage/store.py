@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 from storage.errors import StoreError
 from storage.exchange.backup_share import BackupShare
+from storage.file.commit_counter import commit_count
 from storage.file.connection import Database, uptime_s
-from storage.file.mark import n_saves_of
-from storage.file.notices import Notice, Salvaged
+from storage.file.notices import Notice, SalvageResult
 from storage.file.opening import connect, prepare, prepare_reading
 from storage.runs.confirmation import Unconfirmed
-from storage.runs.grading import Checks
+from storage.runs.grading import GradingResults
 from storage.runs.history import History
 from storage.runs.runs import Batch, Runs, close_runs, write_batch
 from storage.sql import Stop, exists
@@ -25,7 +25,7 @@ from storage.work.class_presets import ClassPresets
 from storage.work.classrooms import Classrooms
 from storage.work.computers import Computers
 from storage.work.groups import Groups
-from storage.work.lesson_records import LessonRecords
+from storage.work.lesson_history import LessonHistories
 from storage.work.lessons import Lessons
 from storage.work.notes import Notes
 from storage.work.own_activities import OwnActivities
@@ -35,8 +35,8 @@ from storage.work.taught_signs import TaughtSigns
 from storage.work.versions import Versions
 
 if TYPE_CHECKING:
-    from storage.content_check import ContentCheck
     from storage.exchange.exchange import Exchange
+    from storage.scrub import Scrubber
 
 Clock = Callable[[], datetime]
 
@@ -63,15 +63,15 @@ class Store:
         self.programs = Programs(database)
         self.versions = Versions(database)
         self.runs = Runs(database)
-        self.checks = Checks(database)
+        self.grading_results = GradingResults(database)
         self.unconfirmed = Unconfirmed(database)
         self.notes = Notes(database)
         self.history = History(database)
-        self.lesson_records = LessonRecords(database)
+        self.lesson_histories = LessonHistories(database)
         self.settings = Settings(database)
         self.backup_share = BackupShare(database)
         self._interrupted: list[str] = []
-        self._keep_alive: sqlite3.Connection | None = None
+        self._memory_connection: sqlite3.Connection | None = None
 
     def now(self) -> str:
         """The time as text."""
@@ -104,18 +104,18 @@ class Store:
 
         return check_and_reindex(self._database, stop)
 
-    def content_check(self, on_found: Callable[[Notice], None]) -> "ContentCheck":
+    def scrubber(self, on_found: Callable[[Notice], None]) -> "Scrubber":
         """The daily check of versions and runs; see `ContentCheck`."""
-        from storage.content_check import ContentCheck  # noqa: PLC0415 - after the start
+        from storage.scrub import Scrubber  # noqa: PLC0415 - after the start
 
-        return ContentCheck(self._database, on_found)
+        return Scrubber(self._database, on_found)
 
     def n_saves(self) -> int:
         """Commits that the file has counted."""
-        with self._database.reading() as db:
-            return n_saves_of(db)
+        with self._database.read_connection() as db:
+            return commit_count(db)
 
-    def salvage(self, file: Path) -> Salvaged:
+    def salvage(self, file: Path) -> SalvageResult:
         """Brings in what is still readable of a damaged file, which is only read; takes as long as it takes.
 
         Raises:
@@ -165,8 +165,8 @@ class Store:
     def close(self) -> None:
         """Finishes what is queued and closes the file."""
         self._database.close()
-        if self._keep_alive is not None:
-            self._keep_alive.close()
+        if self._memory_connection is not None:
+            self._memory_connection.close()
 
     def __enter__(self) -> "Store":
         return self
@@ -178,14 +178,14 @@ class Store:
     def without_file(cls, path: Path, refusal: StoreError) -> "Store":
         """A store in place of a file that cannot be opened: empty, and every write raises the refusal."""
         address = f"file:{new_id()}?mode=memory&cache=shared"
-        keep_alive = connect(address)
-        migrate(keep_alive)
+        memory_connection = connect(address)
+        migrate(memory_connection)
         store = cls(
             Database(path, address, refusal, utc_now),
             writable=False,
             notice=Notice(refusal.code, refusal.params),
         )
-        store._keep_alive = keep_alive
+        store._memory_connection = memory_connection
         return store
 
 
@@ -209,7 +209,7 @@ def open_store(
     Raises:
         StoreError: the file cannot be used at all; it is untouched.
     """
-    opened = prepare(path, clock(), _mend)
+    opened = prepare(path, clock(), _salvage_into)
     is_full = opened.notice is not None and opened.notice.code == "disk_full_at_start"
     refusal = StoreError("disk_full" if is_full else "database_read_only", path=str(path))
     store = Store(
@@ -222,10 +222,10 @@ def open_store(
     return store
 
 
-def _mend(file: Path, target: Path, now: str) -> Salvaged:
-    from storage.salvage.salvage import mend  # noqa: PLC0415 - few starts need it
+def _salvage_into(file: Path, target: Path, now: str) -> SalvageResult:
+    from storage.salvage.salvage import salvage_into  # noqa: PLC0415 - few starts need it
 
-    return mend(file, target, now)
+    return salvage_into(file, target, now)
 
 
 def open_for_reading(path: Path) -> Store:

@@ -47,7 +47,7 @@ _LATEST_CLOCK_MS = 4_102_444_800_000  # the year 2100: clocks of PCs end with 20
 _ids = _Ids()
 # an id from here on was made up, or follows one that was. The clock is never believed beyond 2100: 30 years of
 # milliseconds are left for ids that follow the last ones of such a clock
-FIRST_MADE_UP_ID = "04979793-8400"  # 2130
+FIRST_IMPLAUSIBLE_ID = "04979793-8400"  # 2130
 _HEX = "[0-9a-f]"
 _ID_PATTERN = "-".join((8 * _HEX, 4 * _HEX, "[78]" + 3 * _HEX, 4 * _HEX, 12 * _HEX))
 # SQL: what a PC makes or somebody makes up; with a letter that no id has it is damaged
@@ -114,16 +114,16 @@ def just_after(moment: str) -> str:
     except (ValueError, OverflowError):
         return ""
     # as texts, as merges compare them: "12:00:00Z" is after "12:00:00.000001Z"
-    later = next(filter(moment.__lt__, map(time_text, steps)), moment)
-    return later if later < f"{LAST_YEAR + 1}" else moment
+    after = next(filter(moment.__lt__, map(time_text, steps)), moment)
+    return after if after < f"{LAST_YEAR + 1}" else moment
 
 
-def dumped(value: object) -> str:
+def to_json(value: object) -> str:
     """JSON in ASCII: a lone surrogate in a pupil's text must not keep the row from being written."""
     return json.dumps(value, separators=(",", ":"), allow_nan=False)
 
 
-def loaded(text: str | None) -> Any:
+def from_json(text: str | None) -> Any:
     """The value of a JSON column, None for NULL."""
     return None if text is None else json.loads(text)
 
@@ -152,7 +152,7 @@ def is_json(octets: bytes) -> bool:
 def readable(text: Any) -> Any:
     """The value of a JSON column; None for NULL and for what is damaged."""
     try:
-        return loaded(text)
+        return from_json(text)
     except (ValueError, TypeError, RecursionError):
         return None
 

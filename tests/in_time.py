@@ -8,10 +8,10 @@ _WORK_S = 0.05
 
 def slowness() -> float:
     """How many times longer work of the processor takes now than on a PC that does nothing else."""
-    began_s, worked_s = time.perf_counter(), time.thread_time()
+    start_s, worked_s = time.perf_counter(), time.thread_time()
     while time.thread_time() - worked_s < _WORK_S:
         pass
-    return max(1.0, (time.perf_counter() - began_s) / _WORK_S)
+    return max(1.0, (time.perf_counter() - start_s) / _WORK_S)
 
 
 def in_time(took_s: float, bound_s: float, slowness: Callable[[], float] = slowness) -> bool:

@@ -3,7 +3,7 @@
 import time
 from typing import Any
 
-from tests.web.browser import Answer, Browser
+from tests.web.browser import ApiResponse, Browser
 
 
 def saved(browser: Browser, document: Any, world: Any = None) -> str:
@@ -17,12 +17,12 @@ def saved(browser: Browser, document: Any, world: Any = None) -> str:
     return version
 
 
-def begun(browser: Browser, version_id: str, world: str = "empty_room") -> str:
+def start_run(browser: Browser, version_id: str, world: str = "empty_room") -> str:
     answer = browser.post("/api/runs", {"version_id": version_id, "world": world})
     assert answer.status == 200, answer.body
     run: str = answer.data["id"]
     return run
 
 
-def command(browser: Browser, run: str, do: str, **more: Any) -> Answer:
+def command(browser: Browser, run: str, do: str, **more: Any) -> ApiResponse:
     return browser.post(f"/api/runs/{run}/commands", {"do": do, **more})

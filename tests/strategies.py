@@ -15,7 +15,7 @@ Document = dict[str, Any]
 Strategy = st.SearchStrategy[Any]
 
 _TURNS = "turns"  # counts the iterations of loops that might not end
-_MOST_TURNS = 12
+_MAX_ITERATIONS = 12
 NUMBERS = st.one_of(
     st.integers(-3, 3), st.floats(-2, 2), st.sampled_from([0, 0.5, -1, 90, 1e300, 1e-9])
 )
@@ -200,7 +200,7 @@ class _Language:
 
 
 def _guard() -> list[Document]:
-    many = _op(">", {"var": _TURNS}, _MOST_TURNS)
+    many = _op(">", {"var": _TURNS}, _MAX_ITERATIONS)
     return [
         {"action": "change_variable", "name": _TURNS, "by": 1},
         {"action": "conditional_execution", "condition": many, "commands": [{"action": "break"}]},

@@ -15,7 +15,7 @@ import pytest
 
 from pinel_desktop.app import App
 from pinel_desktop.errors import PinelError
-from pinel_desktop.instance import AlreadyRunningError, Instance
+from pinel_desktop.instance import AlreadyRunningError, InstanceLock
 from pinel_desktop.paths import data_folder, database_path
 from storage import RunStart, open_store
 from storage.file.backups import make_backup
@@ -66,8 +66,8 @@ def test_the_instance_file_is_for_this_user_alone_and_goes_with_the_app(
 ) -> None:
     app = start_app()
     file = database.with_name("pinel.instance.json")
-    told = json.loads(file.read_text("utf-8"))
-    assert told["pid"] == os.getpid()
+    announced = json.loads(file.read_text("utf-8"))
+    assert announced["pid"] == os.getpid()
     if os.name == "posix":
         assert stat.S_IMODE(file.stat().st_mode) == 0o600
     app.close()
@@ -100,7 +100,7 @@ def test_an_instance_file_that_was_left_behind_is_taken_over(
 def test_a_first_app_that_does_not_answer_is_told_with_a_remedy(
     database: Path, content: str
 ) -> None:
-    first, second = Instance(database), Instance(database)
+    first, second = InstanceLock(database), InstanceLock(database)
     first.acquire()
     database.with_name("pinel.instance.json").write_text(content, "utf-8")
     with pytest.raises(PinelError, match="instance_silent"):
@@ -172,9 +172,9 @@ def test_closing_in_the_middle_of_a_run_is_quick_and_keeps_it(
         run = app._store.runs.begin(start)
         for tick in range(45):
             engine.send(sample(run.id, tick))
-        began = time.perf_counter()
+        start_s = time.perf_counter()
         app.close()
-        elapsed_s = time.perf_counter() - began
+        elapsed_s = time.perf_counter() - start_s
     print(f"closing with a stream and a run took {elapsed_s:.3f} s")
     assert elapsed_s < CLOSE_LIMIT_S
     with open_store(database) as store:
@@ -190,7 +190,7 @@ def test_after_closing_nothing_of_the_app_is_left(
     run = app._store.runs.begin(
         RunStart(link="sim", world="w", world_document={}, seed=0, app_version="1")
     )
-    app._take(ended(run.id, 0, 0))
+    app._on_engine_event(ended(run.id, 0, 0))
     address = app.address
     app.close()
     app.close()

@@ -11,14 +11,14 @@ import cv2
 import pytest
 
 from pinel_desktop.app import App
-from pinel_desktop.camera.recording import read_recording
+from pinel_desktop.camera.landmark_sequence import read_landmark_sequence
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.gestures.training.photos import read_photos
 from pinel_desktop.runs.verification import verify_run
 from storage import open_store
-from tests.camera.taught_hands import packed, shown, write_strange_hand
+from tests.camera.taught_hands import packed, shown, write_unknown_hand
 from tests.in_time import in_time
-from tests.live_runs import begun, command, saved
+from tests.live_runs import command, saved, start_run
 from tests.web.browser import Browser, Stream
 
 pytestmark = pytest.mark.waits
@@ -85,16 +85,16 @@ def test_signs_decide_what_the_robot_draws_and_the_run_is_identical_without_a_ca
     version_id = saved(browser, SIGNS_AND_POLYGONS)
     with browser.stream() as stream:
         stream.next()
-        run = begun(browser, version_id)
+        run = start_run(browser, version_id)
         events = stream.until("gesture_result")
-        app._camera.choose(str(RECORDINGS / "a.npz"))
+        app._camera.set_source(str(RECORDINGS / "a.npz"))
         events += stream.until("run_ended")
-    seen = results(events)
-    assert [(result["result"], result["by"]) for result in seen] == [
+    gestures = results(events)
+    assert [(result["result"], result["by"]) for result in gestures] == [
         ("B", "camera"),
         ("A", "camera"),
     ]
-    assert all(0.5 < result["confidence"] <= 1.0 for result in seen)
+    assert all(0.5 < result["confidence"] <= 1.0 for result in gestures)
     assert events[-1]["state"] == "finished"
     assert events[-1]["n_executed"] == 2 + 4 * 2 + 3 * 2
     app.close()
@@ -105,7 +105,7 @@ def test_signs_decide_what_the_robot_draws_and_the_run_is_identical_without_a_ca
 def test_a_sign_that_the_class_taught_decides_too_and_the_run_is_identical_without_a_camera(
     tmp_path: Path,
 ) -> None:
-    strange = write_strange_hand(tmp_path / "strange.npz")
+    taught_hand = write_unknown_hand(tmp_path / "strange.npz")
     document = {
         "pinel_ir": 1,
         "name": "go",
@@ -118,10 +118,10 @@ def test_a_sign_that_the_class_taught_decides_too_and_the_run_is_identical_witho
             },
         ],
     }
-    with App(tmp_path / "pinel.db", camera=str(strange)) as app:
+    with App(tmp_path / "pinel.db", camera=str(taught_hand)) as app:
         browser = signed_in(app)
         classroom = app._store.classrooms.create("5º B").id
-        hands = [hand for hands in read_recording(strange)[:10] for hand in hands]
+        hands = [hand for hands in read_landmark_sequence(taught_hand)[:10] for hand in hands]
         app._store.taught_signs.add(classroom, "vai", packed(hands))
         group = app._store.groups.create("Onças", classroom_id=classroom)
         program = app._store.programs.create(group.id, "P")
@@ -130,7 +130,7 @@ def test_a_sign_that_the_class_taught_decides_too_and_the_run_is_identical_witho
         version_id = browser.post(path, content).data["id"]
         with browser.stream() as stream:
             stream.next()
-            run = begun(browser, version_id)
+            run = start_run(browser, version_id)
             events = stream.until("run_ended")
     (result,) = results(events)
     assert (result["result"], result["by"]) == ("vai", "taught")
@@ -151,9 +151,9 @@ def test_signs_in_pictures_decide_what_the_robot_draws(tmp_path: Path) -> None:
         version_id = saved(browser, SIGNS_AND_POLYGONS)
         with browser.stream() as stream:
             stream.next()
-            begun(browser, version_id)
+            start_run(browser, version_id)
             events = stream.until("gesture_result")
-            app._camera.choose(str(tmp_path / "A"))
+            app._camera.set_source(str(tmp_path / "A"))
             events += stream.until("run_ended")
     assert [(one["result"], one["by"]) for one in results(events)] == [
         ("B", "camera"),
@@ -165,7 +165,7 @@ def test_person_may_answer_while_the_camera_looks(browser: Browser) -> None:
     version_id = saved(browser, {**SIGNS_AND_POLYGONS, "commands": [capture(20)]})
     with browser.stream() as stream:
         stream.next()
-        run = begun(browser, version_id)
+        run = start_run(browser, version_id)
         stream.until("capture_started")
         command(browser, run, "answer_capture", result="L")
         (result,) = results(stream.until("run_ended"))
@@ -177,18 +177,20 @@ def test_stop_is_not_late_when_the_camera_fails_in_the_middle_of_a_capture(
     app: App, browser: Browser, how: signal.Signals
 ) -> None:
     version_id = saved(browser, {**SIGNS_AND_POLYGONS, "commands": [capture(60)]})
-    app._camera.wake()
+    app._camera.start()
     assert app._camera.wait_until_ready(WAIT_S)
     os.kill(app._camera.pid or 0, how)
-    app._camera.know((("B", 5 * packed(shown("B")[:10]), b""),))  # more than a pipe takes
+    app._camera.set_taught_signs(
+        (("B", 5 * packed(shown("B")[:10]), b""),)
+    )  # more than a pipe takes
     with browser.stream() as stream:
         stream.next()
-        run = begun(browser, version_id)
+        run = start_run(browser, version_id)
         stream.until("capture_started")
-        began_s = time.monotonic()
+        start_s = time.monotonic()
         command(browser, run, "stop")
         assert stream.until("run_ended")[-1]["state"] == "stopped"
-    assert in_time(time.monotonic() - began_s, 1.0)
+    assert in_time(time.monotonic() - start_s, 1.0)
 
 
 def test_capture_without_a_camera_waits_for_a_person(tmp_path: Path) -> None:
@@ -197,7 +199,7 @@ def test_capture_without_a_camera_waits_for_a_person(tmp_path: Path) -> None:
         version_id = saved(browser, {**SIGNS_AND_POLYGONS, "commands": [capture(60)]})
         with browser.stream() as stream:
             stream.next()
-            run = begun(browser, version_id)
+            run = start_run(browser, version_id)
             until_failed(stream)
             command(browser, run, "answer_capture", result="B")
             (result,) = results(stream.until("run_ended"))

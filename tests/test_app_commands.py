@@ -16,7 +16,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
-from storage import Recorder, RunStart, open_store
+from storage import RunRecorder, RunStart, open_store
 from storage.tables.ddl import MIGRATIONS
 from tests.in_time import in_time
 from tests.storage.sample_runs import ended
@@ -37,7 +37,7 @@ def run_ids(database: Path) -> list[str]:
     """Three runs, the oldest first; the last was blocked."""
     with open_store(database) as store:
         ids = [store.runs.begin(START).id for _ in range(3)]
-        recorder = Recorder(store)
+        recorder = RunRecorder(store)
         for run_id in ids[:2]:
             recorder(ended(run_id, 0, 60))
         recorder(ended(ids[2], 0, 60, state="failed", reason="blocked"))
@@ -208,10 +208,10 @@ def test_serve_prints_an_address_and_ends_cleanly(database: Path, number: signal
     with serving(database) as process:
         browser = Browser.signed_in(address_of(process))
         wait_for_engine(browser)
-        began = time.perf_counter()
+        start_s = time.perf_counter()
         process.send_signal(number)
         _, errors = process.communicate(timeout=60)
-        took_s = time.perf_counter() - began
+        took_s = time.perf_counter() - start_s
         print(f"serve ended {took_s:.2f} s after the signal")
         assert in_time(took_s, 2.0)
     assert process.returncode == 0

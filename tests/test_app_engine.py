@@ -15,7 +15,7 @@ from pinel_desktop.app import App
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.web.models.events import StreamEvent
 from tests.in_time import in_time
-from tests.live_runs import begun, command, saved
+from tests.live_runs import command, saved, start_run
 from tests.web.browser import Browser, Stream
 
 pytestmark = pytest.mark.waits
@@ -44,7 +44,7 @@ def events_of(
 ) -> tuple[str, list[dict[str, Any]]]:
     """Runs a version to its end; its id and every event of the stream."""
     assert stream.next()["type"] == "hello"
-    run = begun(browser, version_id)
+    run = start_run(browser, version_id)
     return run, stream.until("run_ended")
 
 
@@ -77,12 +77,14 @@ def test_a_group_s_own_world_is_driven_in(browser: Browser) -> None:
         "walls": [],
         "zones": [{"name": "nosso lugar", "center": [-0.8, 0], "size": [0.1, 1]}],
     }
-    say = {"action": "say", "text": {"sensor": "cell"}}
+    speech = {"action": "say", "text": {"sensor": "cell"}}
     there = {"action": "move_forward", "distance": 0.2}
-    version_id = saved(browser, {"pinel_ir": 1, "name": "n", "commands": [say, there, say]}, world)
+    version_id = saved(
+        browser, {"pinel_ir": 1, "name": "n", "commands": [speech, there, speech]}, world
+    )
     with browser.stream() as stream:
         assert stream.next()["type"] == "hello"
-        run = begun(browser, version_id, "own")
+        run = start_run(browser, version_id, "own")
         events = stream.until("run_ended")
     assert [event["text"] for event in events if event["type"] == "said"] == ["", "nosso lugar"]
     assert browser.get(f"/api/runs/{run}").data["world_document"]["title"] == "A nossa sala"
@@ -121,7 +123,7 @@ def test_a_stopped_run_is_kept_as_stopped(browser: Browser) -> None:
     version_id = saved(browser, SQUARE)
     with browser.stream() as stream:
         stream.next()
-        run = begun(browser, version_id)
+        run = start_run(browser, version_id)
         stream.until("telemetry")
         assert command(browser, run, "stop").status == 200
         end = stream.until("run_ended")[-1]
@@ -133,7 +135,7 @@ def test_a_paused_run_waits_and_goes_on(browser: Browser) -> None:
     version_id = saved(browser, SQUARE)
     with browser.stream() as stream:
         stream.next()
-        run = begun(browser, version_id)
+        run = start_run(browser, version_id)
         stream.until("telemetry")
         command(browser, run, "pause")
         while stream.until("run_state")[-1]["state"] != "paused":
@@ -154,7 +156,7 @@ def test_a_capture_is_answered_by_hand(browser: Browser) -> None:
     version_id = saved(browser, document)
     with browser.stream() as stream:
         stream.next()
-        run = begun(browser, version_id)
+        run = start_run(browser, version_id)
         stream.until("capture_started")
         assert command(browser, run, "answer_capture", result="B").status == 200
         events = stream.until("run_ended")
@@ -170,7 +172,7 @@ def test_an_engine_that_dies_ends_the_run_in_words_and_the_next_run_works(
     assert isinstance(engine, EngineClient)
     with browser.stream() as stream:
         stream.next()
-        run = begun(browser, version_id)
+        run = start_run(browser, version_id)
         while stream.until("telemetry")[-1]["tick"] < OLD_ENOUGH_TICKS:
             pass
         assert engine.pid is not None
@@ -195,11 +197,11 @@ def test_closing_in_the_middle_of_a_live_run_takes_less_than_two_seconds(tmp_pat
         browser = Browser.signed_in(app.address)
         with browser.stream() as stream:
             stream.next()
-            run = begun(browser, saved(browser, SQUARE))
+            run = start_run(browser, saved(browser, SQUARE))
             stream.until("telemetry")
-            began = time.perf_counter()
+            start_s = time.perf_counter()
             app.close()
-            elapsed_s = time.perf_counter() - began
+            elapsed_s = time.perf_counter() - start_s
     print(f"closing during a live run took {elapsed_s:.3f} s")
     assert in_time(elapsed_s, 2.0)
     with App(tmp_path / "pinel.db") as again:

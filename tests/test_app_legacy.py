@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from pinel_desktop.app import App
-from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.robot.robot_profile import BridgeProfile
 from pinel_desktop.runs.verification import verify_run
 from pinel_desktop.web.legacy import open_run
 from pinel_desktop.web.legacy.api import BridgeChoice
@@ -104,7 +104,7 @@ class Bridged:
             thread.join(0.05)
         return answers[0]
 
-    def kept(self, run: str) -> dict[str, Any]:
+    def recorded_run(self, run: str) -> dict[str, Any]:
         """The record of a run that has ended or will soon, with its program, which is written a moment later."""
         until(lambda: self._read(run)["state"] != "running" and self._read(run)["version"])
         return self._read(run)
@@ -122,7 +122,7 @@ class Bridged:
 
 @pytest.fixture(scope="module")
 def app(tmp_path_factory: pytest.TempPathFactory) -> Iterator[App]:
-    choice = BridgeChoice(BridgeRecord(port=free_port()))
+    choice = BridgeChoice(BridgeProfile(port=free_port()))
     database = tmp_path_factory.mktemp("data") / "pinel.db"
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("PINEL_LANG", "en")
@@ -172,7 +172,7 @@ def test_calls_that_follow_one_another_are_one_run_that_can_be_repeated(bridged:
 
 def _check_record(bridged: Bridged, run_id: str, commands: list[dict[str, Any]]) -> None:
     """The page lists and replays it as any other; it is verified with the whole program."""
-    shown = bridged.kept(run_id)
+    shown = bridged.recorded_run(run_id)
     listed = bridged.browser.get(f"/api/groups/{shown['group_id']}/runs").data["runs"]
     assert listed[0]["id"] == run_id
     assert (shown["state"], shown["program_name"], shown["n_executed"]) == (
@@ -247,8 +247,8 @@ def test_a_page_reads_one_object_for_each_command(bridged: Bridged) -> None:
     assert client.as_page("/execute", SIDE) == [{**SIDE, "status": "ok"}]
     sent = {"action": "set_gesture_result", "resultado": "B"}
     assert client.as_page("/execute", sent) == [{**sent, "status": "ok"}]
-    seen = bridged.sign("A", lambda: client.as_page("/execute", {"action": "classificar_gestos"}))
-    assert seen == [{"action": "classificar_gestos", "status": "ok", "resultado": "A"}]
+    result = bridged.sign("A", lambda: client.as_page("/execute", {"action": "classificar_gestos"}))
+    assert result == [{"action": "classificar_gestos", "status": "ok", "resultado": "A"}]
     is_a = {"action": "conditional_execution", "condition": "resultado == 'A'", "commands": [SIDE]}
     unset = {"action": "move_forward", "distance": {"var": "side"}}
     done, broken, never = client.as_page("/execute", is_a, unset, SIDE)
@@ -263,7 +263,7 @@ def test_after_a_stop_nothing_more_of_a_page_s_batch_is_driven(
 ) -> None:
     """The page itself would go on with its next command."""
     client = bridged.client
-    monkeypatch.setattr(open_run, "BATCH_SILENCE_S", 600.0)
+    monkeypatch.setattr(open_run, "BATCH_END_TIMEOUT_S", 600.0)
     assert client.post("/bridge/run_start", None) == (200, {"ok": True})
     thread, answers = bridged.in_background(lambda: client.as_page("/execute", *FAR))
     until(lambda: bridged.live_run() is not None)
@@ -295,8 +295,8 @@ def test_soon_after_the_batch_of_a_page_its_run_has_finished(bridged: Bridged) -
     assert answers == [[{**SIDE, "status": "ok"}]]
     client.post("/bridge/run_end", None)
     until(lambda: bridged.live_run() is None)
-    kept = bridged.kept(run)
-    assert (kept["state"], kept["reason"], kept["n_executed"]) == ("finished", None, 1)
+    recorded = bridged.recorded_run(run)
+    assert (recorded["state"], recorded["reason"], recorded["n_executed"]) == ("finished", None, 1)
 
 
 def test_a_caller_who_hangs_up_stops_the_robot(bridged: Bridged) -> None:
@@ -306,8 +306,8 @@ def test_a_caller_who_hangs_up_stops_the_robot(bridged: Bridged) -> None:
     run = bridged.live_run()
     caller.close()
     assert run
-    kept = bridged.kept(run)
-    assert (kept["state"], kept["reason"]) == ("stopped", "caller_left")
+    recorded = bridged.recorded_run(run)
+    assert (recorded["state"], recorded["reason"]) == ("stopped", "caller_left")
     store = bridged.app._store
     assert verify_run(store, store.runs.get(run)).outcome == "identical"
 
@@ -315,7 +315,7 @@ def test_a_caller_who_hangs_up_stops_the_robot(bridged: Bridged) -> None:
 def test_after_a_minute_of_silence_the_run_has_finished(
     bridged: Bridged, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(open_run, "SILENCE_S", 0.3)
+    monkeypatch.setattr(open_run, "NEXT_CALL_TIMEOUT_S", 0.3)
     bridged.client.execute(SIDE)
     until(lambda: bridged.live_run() is None)
     group = next(
@@ -347,7 +347,7 @@ def test_without_a_camera_the_stream_says_so_and_a_person_can_answer(bridged: Br
 def test_the_camera_answers_a_capture_while_its_picture_shows_the_hand_in_a_box(
     tmp_path: Path,
 ) -> None:
-    choice = BridgeChoice(BridgeRecord(port=free_port()))
+    choice = BridgeChoice(BridgeProfile(port=free_port()))
     with App(tmp_path / "pinel.db", bridge=choice, camera=str(RECORDINGS / "b.npz")) as app:
         address = app.wait_for_bridge()
         assert address
@@ -364,7 +364,7 @@ def test_the_camera_answers_a_capture_while_its_picture_shows_the_hand_in_a_box(
 def test_the_stream_is_a_capture_that_ends_by_itself_and_keeps_its_result(
     tmp_path: Path,
 ) -> None:
-    choice = BridgeChoice(BridgeRecord(port=free_port()))
+    choice = BridgeChoice(BridgeProfile(port=free_port()))
     with App(tmp_path / "pinel.db", bridge=choice, camera=str(RECORDINGS / "b.npz")) as app:
         address = app.wait_for_bridge()
         assert address

@@ -11,12 +11,12 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
-from pinel_desktop.camera.recording import write_recording
-from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.camera.landmark_sequence import write_landmark_sequence
+from pinel_desktop.robot.robot_profile import BridgeProfile
 from pinel_desktop.web.legacy import streams
 from pinel_desktop.web.legacy.api import BridgeChoice
-from pinel_desktop.web.legacy.keeping import Commands
 from pinel_desktop.web.legacy.open_run import OpenRun
+from pinel_desktop.web.legacy.run_store import Commands
 from tests.in_time import in_time
 from tests.links.aurora import Aurora, free_port
 from tests.test_app_legacy import (
@@ -42,7 +42,7 @@ OpenApp = Callable[..., tuple[str, Bridged]]
 def nobody(tmp_path: Path) -> Path:
     """A camera that sees no hand."""
     recording = tmp_path / "nobody.npz"
-    write_recording(recording, [None] * 30)
+    write_landmark_sequence(recording, [None] * 30)
     return recording
 
 
@@ -52,7 +52,7 @@ def open_app(tmp_path: Path) -> Iterator[OpenApp]:
     with ExitStack() as stack:
 
         def open_(camera: Path, robot: str = "sim") -> tuple[str, Bridged]:
-            choice = BridgeChoice(BridgeRecord(port=free_port()), robot)
+            choice = BridgeChoice(BridgeProfile(port=free_port()), robot)
             app = stack.enter_context(App(tmp_path / "pinel.db", bridge=choice, camera=str(camera)))
             address = app.wait_for_bridge()
             assert address
@@ -63,11 +63,11 @@ def open_app(tmp_path: Path) -> Iterator[OpenApp]:
 
 def whole(address: str) -> tuple[float, list[bytes]]:
     """How long a stream takes to its end, and its pictures."""
-    began_s, pictures = time.monotonic(), []
+    start_s, pictures = time.monotonic(), []
     with urllib.request.urlopen(f"{address}/classify_stream", timeout=WAIT_S) as stream:
         while picture := next_picture(stream):
             pictures.append(picture)
-    return time.monotonic() - began_s, pictures
+    return time.monotonic() - start_s, pictures
 
 
 def last_result(address: str) -> Any:
@@ -80,7 +80,7 @@ def n_recorded_captures(bridged: Bridged) -> int:
     """In the program of the only run."""
     (group,) = bridged.browser.get("/api/groups").data["groups"]
     (run,) = bridged.browser.get(f"/api/groups/{group['id']}/runs").data["runs"]
-    commands = bridged.kept(run["id"])["version"]["document"]["commands"]
+    commands = bridged.recorded_run(run["id"])["version"]["document"]["commands"]
     return [one["action"] for one in commands].count("classify_gestures")
 
 
@@ -173,5 +173,5 @@ def test_a_capture_whose_robot_never_comes_is_given_up(
     until(lambda: bridged.live_run() is None)
     (group,) = bridged.browser.get("/api/groups").data["groups"]
     (run,) = bridged.browser.get(f"/api/groups/{group['id']}/runs").data["runs"]
-    kept = bridged.kept(run["id"])
-    assert (kept["state"], kept["reason"]) == ("stopped", "caller_left")
+    recorded = bridged.recorded_run(run["id"])
+    assert (recorded["state"], recorded["reason"]) == ("stopped", "caller_left")

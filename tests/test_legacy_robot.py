@@ -17,7 +17,7 @@ from tests.test_app_legacy import CORNER, FAR, SIDE, WAIT_S, Bridged, Client, un
 pytestmark = pytest.mark.waits
 
 # 0.3 s on a PC at rest, measured by tests/benchmarks/bench_robot_stops.py; other tests may keep this one busy
-STANDS_WITHIN_S = 1.5
+STANDSTILL_WITHIN_S = 1.5
 
 
 class Served:
@@ -40,7 +40,7 @@ class Served:
         self.address = f"http://127.0.0.1:{port}"
         self.client = Client(self.address)
 
-    def told_address(self) -> str:
+    def address_line(self) -> str:
         """The line that says where the bridge stands."""
         assert self.app.stderr is not None
         return next(line for line in self.app.stderr if self.address in line)
@@ -61,22 +61,22 @@ def served(tmp_path: Path) -> Iterator[Served]:
 
 
 def test_aurora_drives_a_corner_in_calls_and_stands_when_the_app_freezes(served: Served) -> None:
-    assert "robot here: bridge" in served.told_address()
+    assert "robot here: bridge" in served.address_line()
     for one in (SIDE, CORNER):
         assert served.client.execute(one) == {"status": "ok", "n_executed": 1}
-    assert max(twist.v_mps for _, twist in served.aurora.heard) > 0.05
-    assert min(twist.omega_radps for _, twist in served.aurora.heard) < -0.5
+    assert max(twist.v_mps for _, twist in served.aurora.received) > 0.05
+    assert min(twist.omega_radps for _, twist in served.aurora.received) < -0.5
 
     thread, answers = Bridged.in_background(lambda: served.client.post("/execute", FAR))
-    n_heard = len(served.aurora.heard)
-    until(lambda: any(twist.v_mps > 0.1 for _, twist in served.aurora.heard[n_heard:]))
+    n_received = len(served.aurora.received)
+    until(lambda: any(twist.v_mps > 0.1 for _, twist in served.aurora.received[n_received:]))
     frozen_s = time.monotonic()
     served.app.send_signal(signal.SIGSTOP)
-    until(lambda: (served.aurora.stood_from_s() or 0.0) > frozen_s)
-    stood_s = served.aurora.stood_from_s()
-    assert stood_s is not None
-    assert stood_s - frozen_s < STANDS_WITHIN_S
+    until(lambda: (served.aurora.standstill_since_s() or 0.0) > frozen_s)
+    standstill_s = served.aurora.standstill_since_s()
+    assert standstill_s is not None
+    assert standstill_s - frozen_s < STANDSTILL_WITHIN_S
     thread.join()
     ((status, answer),) = answers
     assert (status, answer["error"]["code"]) == (504, "bridge_app_silent")
-    assert served.aurora.stood_from_s() == stood_s
+    assert served.aurora.standstill_since_s() == standstill_s

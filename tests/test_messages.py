@@ -13,7 +13,7 @@ from pinel_desktop.messages import (
     describe,
     language_of_system,
 )
-from pinel_desktop.program.signatures import TAKES, range_code
+from pinel_desktop.program.signatures import PARAMETER_SPECS, range_code
 from pinel_desktop.program.translation import WRONG_TYPE
 from storage.text import local_time
 
@@ -70,25 +70,25 @@ def test_a_code_stands_on_one_line() -> None:
 @pytest.mark.parametrize("code", sorted(catalogue(SOURCE_LANGUAGE)))
 def test_every_code_has_words_in_every_language_with_the_same_values(code: str) -> None:
     entry = {language: catalogue(language)[code] for language in LANGUAGES}
-    assert all(words["message"].strip() for words in entry.values())
+    assert all(texts["message"].strip() for texts in entry.values())
     # good news and labels need no remedy, but then in no language
-    assert len({bool(words["remedy"].strip()) for words in entry.values()}) == 1
+    assert len({bool(texts["remedy"].strip()) for texts in entry.values()}) == 1
     used = [set(PLACEHOLDER.findall(w["message"] + w["remedy"])) for w in entry.values()]
     assert all(values == used[0] for values in used)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_thing_is_called_by_its_one_word(language: str) -> None:
-    said = {code: " ".join(words.values()) for code, words in catalogue(language).items()}
+    messages = {code: " ".join(texts.values()) for code, texts in catalogue(language).items()}
     forbidden = FORBIDDEN.get(language, NOTHING)
-    assert {code: text for code, text in said.items() if forbidden.search(text)} == {}
+    assert {code: text for code, text in messages.items() if forbidden.search(text)} == {}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_command_to_type_stands_in_quotation_marks(language: str) -> None:
-    said = {code: " ".join(words.values()) for code, words in catalogue(language).items()}
+    messages = {code: " ".join(texts.values()) for code, texts in catalogue(language).items()}
     bare = re.compile(r"`|(?<!“)\bpinel (?:doctor|export|merge|pin|run|runs|serve)\b")
-    assert {code: text for code, text in said.items() if bare.search(text)} == {}
+    assert {code: text for code, text in messages.items() if bare.search(text)} == {}
 
 
 @pytest.mark.parametrize("language", sorted(TO_ONE))
@@ -118,17 +118,19 @@ def test_every_code_that_the_program_raises_has_words() -> None:
 
 
 def test_every_range_in_the_language_has_words() -> None:
-    bounded = [(name, t) for (_, name), t in TAKES.items() if {t.ge, t.gt, t.le} != {None}]
-    codes = {range_code(name, takes) for name, takes in bounded}
+    bounded = [
+        (name, t) for (_, name), t in PARAMETER_SPECS.items() if {t.ge, t.gt, t.le} != {None}
+    ]
+    codes = {range_code(name, spec) for name, spec in bounded}
     codes |= {f"wrong_type_{kind}" for kind in WRONG_TYPE.values()}
     assert codes <= set(catalogue(SOURCE_LANGUAGE))
 
 
 def test_values_are_put_in_literally_whatever_they_hold() -> None:
     nasty = "{value} {0.__class__} %s {allowed}"
-    words = describe("unknown_action", {"value": nasty, "allowed": ["a", "b"]}, "en")
-    assert nasty in words.message
-    assert "a, b" in words.remedy
+    text = describe("unknown_action", {"value": nasty, "allowed": ["a", "b"]}, "en")
+    assert nasty in text.message
+    assert "a, b" in text.remedy
 
 
 def test_numbers_have_the_decimal_sign_of_their_language_and_long_texts_are_cut() -> None:
@@ -156,7 +158,7 @@ def test_moments_are_written_as_in_their_language(language: str, shown: str) -> 
 @pytest.mark.parametrize("name", ["path", "folder", "file"])
 def test_the_place_of_a_file_is_told_whole(name: str) -> None:
     place = "C:\\Users\\Laboratório de Informática\\" + "Turma 9B\\" * 20 + "programa.json"
-    codes = [code for code, words in catalogue("es").items() if f"{{{name}}}" in words["message"]]
+    codes = [code for code, texts in catalogue("es").items() if f"{{{name}}}" in texts["message"]]
     assert codes
     for code in codes:
         assert place in describe(code, {name: place}, "es").message

@@ -18,7 +18,7 @@ from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.links import open_link
 from pinel_desktop.program.python_text import read_python, write_python
-from pinel_desktop.program.reading import Reading, read_document
+from pinel_desktop.program.reading import ParseResult, read_document
 
 PROGRAMS = Path(__file__).parent / "programs"
 NAMES = sorted(path.stem for path in PROGRAMS.glob("*.json") if not path.stem.endswith(".values"))
@@ -29,11 +29,11 @@ def values_of(name: str) -> dict[str, Any]:
     return values
 
 
-def read(name: str) -> Reading:
+def read(name: str) -> ParseResult:
     return read_document((PROGRAMS / f"{name}.json").read_bytes())
 
 
-def run(reading: Reading, values: dict[str, Any]) -> RunResult:
+def run(reading: ParseResult, values: dict[str, Any]) -> RunResult:
     program = reading.program
     assert program is not None
     link = open_link("sim", world=values.get("world", "empty_room"))
@@ -53,16 +53,16 @@ def measured(result: RunResult) -> dict[str, Any]:
         "heading_deg": math.degrees(ended.pose["yaw_rad"]),
         "x_m": ended.pose["x_m"],
         "y_m": ended.pose["y_m"],
-        "said": result.said,
+        "said": result.shown_texts,
     }
 
 
-def meets(value: Any, wanted: Any) -> bool:
-    if not isinstance(wanted, dict):
-        return bool(value == wanted)
-    low, high = wanted.get("min", -math.inf), wanted.get("max", math.inf)
-    if "equals" in wanted:
-        low, high = wanted["equals"] - wanted["within"], wanted["equals"] + wanted["within"]
+def meets(value: Any, expected: Any) -> bool:
+    if not isinstance(expected, dict):
+        return bool(value == expected)
+    low, high = expected.get("min", -math.inf), expected.get("max", math.inf)
+    if "equals" in expected:
+        low, high = expected["equals"] - expected["within"], expected["equals"] + expected["within"]
     return bool(low <= value <= high)
 
 
@@ -70,13 +70,13 @@ def meets(value: Any, wanted: Any) -> bool:
 def test_program_meets_its_values(name: str) -> None:
     values = values_of(name)
     figures = measured(run(read(name), values))
-    checks = {key: wanted for key, wanted in values.items() if key in figures}
+    checks = {key: expected for key, expected in values.items() if key in figures}
     assert len(checks) >= 2
     assert set(values) <= {*figures, "about", "world", "gestures"}
     missed = {
-        key: (figures[key], wanted)
-        for key, wanted in checks.items()
-        if not meets(figures[key], wanted)
+        key: (figures[key], expected)
+        for key, expected in checks.items()
+        if not meets(figures[key], expected)
     }
     assert missed == {}
 
@@ -92,8 +92,8 @@ def test_program_runs_alike_from_document_python_and_blocks(name: str) -> None:
     values = values_of(name)
     text = (PROGRAMS / "python" / f"{name}.py").read_text("utf-8")
     blocks = json.loads((PROGRAMS / "blocks" / f"{name}.json").read_text("utf-8"))
-    ways = [read(name), read_python(text).reading, read_document(blocks["document"])]
-    endings = [run(way, values).ended for way in ways]
+    variants = [read(name), read_python(text).result, read_document(blocks["document"])]
+    endings = [run(variant, values).ended for variant in variants]
     assert {ending.telemetry_sha256 for ending in endings} == {endings[0].telemetry_sha256}
     assert {(e.state, e.reason, e.n_executed) for e in endings} == {
         (endings[0].state, endings[0].reason, endings[0].n_executed)

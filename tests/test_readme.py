@@ -190,7 +190,7 @@ def test_the_example_of_a_column_has_three_places() -> None:
     assert files == [
         "storage/tables/ddl.py",
         "storage/tables/work.py",
-        "storage/records.py",
+        "storage/row_types.py",
     ]
 
 

@@ -20,7 +20,7 @@ LESSON_MIN, N_LESSONS = 50, 9
 EDITS_A_BURST = 30  # one a second, then the group talks for as long
 RUN_EVERY_MIN, RUN_S = 3, 60
 TICK_HZ = 30
-LARGEST_GROWTH_MB = 12.0
+MAX_GROWTH_MB = 12.0
 
 
 class Day:
@@ -62,8 +62,8 @@ class Day:
 
     def _run(self, version: str) -> None:
         engine: Any = self._app._engine
-        begun = self._browser.post("/api/runs", {"version_id": version, "world": "empty_room"})
-        run, n_samples = begun.data["id"], RUN_S * TICK_HZ
+        response = self._browser.post("/api/runs", {"version_id": version, "world": "empty_room"})
+        run, n_samples = response.data["id"], RUN_S * TICK_HZ
         engine.send(block_started(run, 0))
         for tick in range(n_samples):
             self._now_s += 1 / TICK_HZ
@@ -104,7 +104,7 @@ def test_memory_is_flat_over_a_school_day(tmp_path: Path) -> None:
     page.join()
     print(
         f"\n{day.n_edits} edits, {day.n_runs} runs of {RUN_S} s; resident after each lesson "
-        f"{', '.join(f'{size:.0f}' for size in sizes)} MB, to grow by at most {LARGEST_GROWTH_MB}"
+        f"{', '.join(f'{size:.0f}' for size in sizes)} MB, to grow by at most {MAX_GROWTH_MB}"
     )
     assert len(list_backups(path)) == 1
-    assert sizes[-1] - sizes[0] <= LARGEST_GROWTH_MB
+    assert sizes[-1] - sizes[0] <= MAX_GROWTH_MB

@@ -12,10 +12,10 @@ from pinel_desktop.app import App
 from pinel_desktop.engine.client import EngineClient
 from storage.file import opening
 from storage.sqlite import sqlite3
-from tests.web.browser import Answer, Browser, Stream
+from tests.web.browser import ApiResponse, Browser, Stream
 
 READY_S = 30.0
-PATIENCE_S = 2.0  # the recorder gives the disk a moment before the end is told
+FLUSH_TIMEOUT_S = 2.0  # the recorder gives the disk a moment before the end is told
 SOON_S = 2.0  # the robot has to be measured at rest, too
 # each question and capture keeps the program waiting until it is answered
 TALK: dict[str, Any] = {
@@ -55,7 +55,7 @@ def full_disk(app: App, database: Path, run: str) -> Iterator[None]:
 
 
 @contextmanager
-def gone(app: App, database: Path, run: str) -> Iterator[None]:
+def removed_drive(app: App, database: Path, run: str) -> Iterator[None]:
     """The stick with the file was pulled out: what was open is closed, and there is nothing to open again."""
     idle = app._store._database._idle
     while not idle.empty():
@@ -87,7 +87,7 @@ def browser(app: App) -> Browser:
     return Browser.signed_in(app.address)
 
 
-def begun(browser: Browser, document: dict[str, Any]) -> str:
+def start_run(browser: Browser, document: dict[str, Any]) -> str:
     group = browser.post("/api/groups", {"name": "A"}).data
     program = browser.post(f"/api/groups/{group['id']}/programs", {"name": "P"}).data
     content = {"workspace": {"blocks": {}}, "document": document}
@@ -97,7 +97,7 @@ def begun(browser: Browser, document: dict[str, Any]) -> str:
     return run
 
 
-def command(browser: Browser, run: str, do: str, **more: Any) -> Answer:
+def command(browser: Browser, run: str, do: str, **more: Any) -> ApiResponse:
     return browser.post(f"/api/runs/{run}/commands", {"do": do, **more})
 
 
@@ -121,28 +121,28 @@ def check_that_every_command_arrives(browser: Browser, stream: Stream, run: str)
     send("stop")
     end = stream.until("run_ended")[-1]
     assert (end["state"], end["reason"]) == ("stopped", "stopped_by_person")
-    assert time.monotonic() - pressed < SOON_S + PATIENCE_S
+    assert time.monotonic() - pressed < SOON_S + FLUSH_TIMEOUT_S
 
 
-@pytest.mark.parametrize("trouble", [damaged_row, locked, full_disk, gone])
+@pytest.mark.parametrize("trouble", [damaged_row, locked, full_disk, removed_drive])
 def test_stop_pause_and_answers_reach_the_robot_whatever_becomes_of_the_database(
     app: App, browser: Browser, database: Path, trouble: Trouble
 ) -> None:
     with browser.stream() as stream:
         assert stream.next()["type"] == "hello"
-        run = begun(browser, TALK)
+        run = start_run(browser, TALK)
         stream.until("asked")
         with trouble(app, database, run):
             check_that_every_command_arrives(browser, stream, run)
 
 
-@pytest.mark.parametrize("trouble", [damaged_row, locked, full_disk, gone])
+@pytest.mark.parametrize("trouble", [damaged_row, locked, full_disk, removed_drive])
 def test_a_run_that_is_not_live_is_told_as_that_whatever_becomes_of_the_database(
     app: App, browser: Browser, database: Path, trouble: Trouble
 ) -> None:
     with browser.stream() as stream:
         assert stream.next()["type"] == "hello"
-        run = begun(browser, {**TALK, "commands": []})
+        run = start_run(browser, {**TALK, "commands": []})
         stream.until("run_ended")
         with trouble(app, database, run):
             answer = command(browser, run, "stop")

@@ -9,8 +9,8 @@ from pinel_desktop.activities.checking import (
     check_program,
     judge_run,
 )
-from pinel_desktop.activities.diagnosis import Advice, input_words
-from pinel_desktop.activities.evidence import LogWriter, RunLog
+from pinel_desktop.activities.diagnosis import Advice, input_text
+from pinel_desktop.activities.evidence import RunLog, RunLogBuilder
 from pinel_desktop.activities.examples import (
     EXAMPLES,
     example,
@@ -39,7 +39,7 @@ from pinel_desktop.activities.recorded import (
     case_of_run,
     judging_blockers,
     not_judgeable_notice,
-    not_judged_words,
+    not_judged_text,
     tolerance_of,
 )
 
@@ -54,11 +54,11 @@ __all__ = [
     "CheckStatus",
     "Goal",
     "LiveEvaluation",
-    "LogWriter",
     "Proposal",
     "RecordedRun",
     "Report",
     "RunLog",
+    "RunLogBuilder",
     "Trial",
     "activity_names",
     "activity_titles",
@@ -71,11 +71,11 @@ __all__ = [
     "example_picture",
     "goal_of",
     "initial_check_list",
-    "input_words",
+    "input_text",
     "judge_run",
     "judging_blockers",
     "not_judgeable_notice",
-    "not_judged_words",
+    "not_judged_text",
     "program_of_example",
     "proposal_for",
     "read_activity",

@@ -14,7 +14,7 @@ from pinel_desktop.activities.faults import require_fulfillable
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES
-from pinel_desktop.program.reading import Reading
+from pinel_desktop.program.reading import ParseResult
 from pinel_desktop.program.sources import read_source
 
 
@@ -33,12 +33,12 @@ def check_files(
         ActivityError: no program could pass the activity.
     """
     require_fulfillable(activity)  # before any process starts
-    n_wanted = n_processes or os.cpu_count() or 1
-    if len(files) == 1 or n_wanted == 1:
+    n_requested = n_processes or os.cpu_count() or 1
+    if len(files) == 1 or n_requested == 1:
         for i, file in enumerate(files):
             yield i, _check_file(activity, file)
         return
-    workers = _Workers(activity, files, n_wanted)
+    workers = _Workers(activity, files, n_requested)
     try:
         yield from workers.reports()
     finally:
@@ -48,12 +48,12 @@ def check_files(
 class _Workers:
     """A pool of processes, each a fresh interpreter, which inherits no threads and files."""
 
-    def __init__(self, activity: Activity, files: Sequence[str], n_wanted: int) -> None:
+    def __init__(self, activity: Activity, files: Sequence[str], n_requested: int) -> None:
         self._activity, self._files = activity, files
         self._waiting = list(reversed(range(len(files))))
         self._context = multiprocessing.get_context("spawn")
         self._busy: dict[Connection, tuple[_Worker, int]] = {}
-        for _ in range(min(n_wanted, len(files))):
+        for _ in range(min(n_requested, len(files))):
             self._assign(_Worker(self._context, self._activity))
 
     def reports(self) -> Iterator[tuple[int, Report]]:
@@ -148,5 +148,5 @@ def _check_file(activity: Activity, file: str) -> Report:
         with open(file, "rb") as opened:
             reading = read_source(opened.read(MAX_BYTES + 1), file)
     except (OSError, ValueError):  # ValueError: a null byte in the name
-        reading = Reading(None, (Fault("file_unreadable", params={"path": file}),))
+        reading = ParseResult(None, (Fault("file_unreadable", params={"path": file}),))
     return check_program(activity, reading, file)

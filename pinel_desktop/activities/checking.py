@@ -7,19 +7,19 @@ from typing import Any
 from pinel_desktop.activities.checks import Check
 from pinel_desktop.activities.checks.base import CheckResult, RealRobotTolerance, Value
 from pinel_desktop.activities.diagnosis import Advice, Facts, advice_of, fits
-from pinel_desktop.activities.evidence import Evidence, LogWriter, RunLog
+from pinel_desktop.activities.evidence import Evidence, RunLog, RunLogBuilder
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
-from pinel_desktop.activities.wording import Words, words_of
+from pinel_desktop.activities.wording import TextByLanguage, texts_of
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.program.reading import Reading
-from pinel_desktop.robot import Setting
-from pinel_desktop.runs.spec import CUT_OFF, RunSpec
+from pinel_desktop.program.reading import ParseResult
+from pinel_desktop.robot import SimulationConfig
+from pinel_desktop.runs.spec import INTERRUPTED_REASONS, RunSpec
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
 
@@ -47,7 +47,7 @@ class CheckReport:
     target: Value
     block: str | None
     pointer: str | None
-    words: Words
+    words: TextByLanguage
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +115,7 @@ class RecordedRun:
 
 
 def check_program(
-    activity: Activity, reading: Reading, program: str = "", recorded: RecordedRun | None = None
+    activity: Activity, reading: ParseResult, program: str = "", recorded: RecordedRun | None = None
 ) -> Report:
     """Runs a program in each case of the activity.
 
@@ -130,35 +130,35 @@ def check_program(
         return Report(program, reading.faults, ())
     reports = []
     for number, case in enumerate(activity.cases, 1):
-        seen = recorded if recorded and recorded.case == number else None
-        log = seen.log if seen else run_case(activity, case, reading)
-        tolerance = seen.tolerance if seen else None
-        is_seen, document = seen is not None, reading.document
+        recorded_run = recorded if recorded and recorded.case == number else None
+        log = recorded_run.log if recorded_run else run_case(activity, case, reading)
+        tolerance = recorded_run.tolerance if recorded_run else None
+        is_recorded, document = recorded_run is not None, reading.document
         reports.append(
-            judge_run(activity, number, document, log, recorded=is_seen, tolerance=tolerance)
+            judge_run(activity, number, document, log, recorded=is_recorded, tolerance=tolerance)
         )
         if reports[-1].reason == "too_busy":
             break  # nor would it end in the other cases
     return Report(program, (), tuple(reports))
 
 
-def spec_of(activity: Activity, case: Case, reading: Reading) -> RunSpec:
+def spec_of(activity: Activity, case: Case, reading: ParseResult) -> RunSpec:
     """The run of a program without faults in a case. Raises what `world_of` raises."""
     assert reading.program is not None
     assert reading.document is not None
     return RunSpec(
         document=reading.document,
         world=world_of(activity, case),
-        setting=Setting(activity.model, activity.preset, activity.feedback),
+        setting=SimulationConfig(activity.model, activity.preset, activity.feedback),
         seed=case.seed,
         inputs=ScriptedInputs(case.gestures, case.answers, all_gestures=True),
         program=reading.program,
     )
 
 
-def run_case(activity: Activity, case: Case, reading: Reading) -> RunLog:
+def run_case(activity: Activity, case: Case, reading: ParseResult) -> RunLog:
     """Runs a program without faults in a case, until the activity's limit of time. Raises what `world_of` raises."""
-    writer, control = LogWriter(), RunControl()
+    writer, control = RunLogBuilder(), RunControl()
     last_tick = round(activity.limit_s * TICK_HZ)
 
     def observe(tick: int, event: Event) -> None:
@@ -246,7 +246,7 @@ def _check_report(check: Check, result: CheckResult, evidence: Evidence) -> Chec
         target=result.target,
         block=command.block if command else None,
         pointer=result.pointer,
-        words={} if result.passed else words_of(result.code, result.values, command),
+        words={} if result.passed else texts_of(result.code, result.values, command),
     )
 
 
@@ -261,8 +261,8 @@ def _advice(
     failed = next((report for report in reports if not report.holds), None)
     if failed is None:
         return None
-    if evidence.log.ended.get("reason") in CUT_OFF:  # nothing to learn of the program
-        return Advice(words_of(str(evidence.log.ended["reason"]), {}, None), None, None)
+    if evidence.log.ended.get("reason") in INTERRUPTED_REASONS:  # nothing to learn of the program
+        return Advice(texts_of(str(evidence.log.ended["reason"]), {}, None), None, None)
     facts = Facts(evidence, activity.cases[number - 1], number, checks)
     for index, diagnosis in enumerate(activity.diagnoses):
         if fits(diagnosis, facts):

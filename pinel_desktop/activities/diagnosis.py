@@ -16,9 +16,9 @@ from pinel_desktop.activities.checks.movement.ends_in import EndsIn
 from pinel_desktop.activities.checks.run.any_of import AnyOf
 from pinel_desktop.activities.commands import Command, nesting_of
 from pinel_desktop.activities.drawing import Fit
-from pinel_desktop.activities.evidence import Begun, Evidence
-from pinel_desktop.activities.model import Case, Diagnosis, Wanted
-from pinel_desktop.activities.wording import Words, interpolate, number
+from pinel_desktop.activities.evidence import Evidence, StartedCommand
+from pinel_desktop.activities.model import Case, Diagnosis, ExpectedFact
+from pinel_desktop.activities.wording import TextByLanguage, interpolate, number
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.messages import LANGUAGES, catalogue, describe
 
@@ -36,7 +36,7 @@ class Advice:
         diagnosis: place of the diagnosis in the activity; None for the words of a check.
     """
 
-    words: Words
+    words: TextByLanguage
     block: str | None
     pointer: str | None
     diagnosis: int | None = None
@@ -61,7 +61,7 @@ class Facts:
         if name[:2] == "n_":
             return sum(one.action == name[2:] for one in self._evidence.commands)
         if name[:2] == "x_":
-            return self._evidence.n_begun(name[2:])
+            return self._evidence.n_started(name[2:])
         return _FACTS[name](self) if name in _FACTS else None
 
     def input(self) -> str:
@@ -80,7 +80,7 @@ class Facts:
                 return math.hypot(x - goal[0], y - goal[1])
         return None
 
-    def stopped_motion(self) -> Begun | None:
+    def stopped_motion(self) -> StartedCommand | None:
         """The motion that did not come to its goal, else the one that touched something."""
         running, tick = self._evidence.running, self._evidence.touch_tick
         if running is not None and running.amount is not None:
@@ -119,16 +119,16 @@ class Facts:
 
     def box(self) -> tuple[float, float] | None:
         """How far the box of the activity was pushed, and how far its centre is from that of its zone, in m."""
-        wanted = next((one for one in self._checks if isinstance(one, Pushed)), None)
-        center = self._evidence.zone_center(wanted.zone) if wanted else None
-        if wanted is None or center is None or wanted.box not in self._evidence.boxes:
+        pushed = next((one for one in self._checks if isinstance(one, Pushed)), None)
+        center = self._evidence.zone_center(pushed.zone) if pushed else None
+        if pushed is None or center is None or pushed.box not in self._evidence.boxes:
             return None
-        begin, end = self._evidence.world.boxes[wanted.box].center, self._evidence.boxes[wanted.box]
+        begin, end = self._evidence.world.boxes[pushed.box].center, self._evidence.boxes[pushed.box]
         return math.dist(begin, end), math.dist(end, center)
 
     def axes(self) -> float | None:
-        wanted = next((one for one in self._checks if isinstance(one, Symmetric)), None)
-        return axes_of(self._evidence, wanted.tolerance if wanted else 0.06)
+        symmetric = next((one for one in self._checks if isinstance(one, Symmetric)), None)
+        return axes_of(self._evidence, symmetric.tolerance if symmetric else 0.06)
 
     def templates(self) -> list[Draws]:
         return [check for check in self._checks if isinstance(check, Draws)]
@@ -221,28 +221,28 @@ _FACTS: dict[str, Callable[[Facts], Fact]] = {
 
 def fits(diagnosis: Diagnosis, facts: Facts) -> bool:
     """Whether all facts of a diagnosis are as it says."""
-    return all(_is(name, facts[name], wanted) for name, wanted in diagnosis.when.items())
+    return all(_is(name, facts[name], expected) for name, expected in diagnosis.when.items())
 
 
-def _is(name: str, fact: Fact, wanted: Wanted) -> bool:
+def _is(name: str, fact: Fact, expected: ExpectedFact) -> bool:
     if fact is None:
         return False
-    if isinstance(wanted, str):
-        return _visits(str(fact), wanted) if name == "zones" else fact == wanted
+    if isinstance(expected, str):
+        return _visits(str(fact), expected) if name == "zones" else fact == expected
     assert not isinstance(fact, str)
-    if isinstance(wanted, list):
-        return wanted[0] <= fact <= wanted[1]
+    if isinstance(expected, list):
+        return expected[0] <= fact <= expected[1]
     unit = name.rpartition("_")[2]
-    slack = 0.01 if name in ("end_x", "end_y", "mark_x", "mark_y", "done") else 1e-6
-    return abs(fact - wanted) <= _ROUNDING.get(unit, slack)
+    tolerance = 0.01 if name in ("end_x", "end_y", "mark_x", "mark_y", "done") else 1e-6
+    return abs(fact - expected) <= _ROUNDING.get(unit, tolerance)
 
 
-def _visits(zones: str, wanted: str) -> bool:
+def _visits(zones: str, expected: str) -> bool:
     """Whether zones were visited in that order; "" for none at all."""
-    if not wanted:
+    if not expected:
         return not zones
     rest = iter(zones.split(", "))
-    return all(zone in rest for zone in wanted.split(", "))
+    return all(zone in rest for zone in expected.split(", "))
 
 
 def advice_of(diagnosis: Diagnosis, index: int, facts: Facts) -> Advice:
@@ -250,16 +250,16 @@ def advice_of(diagnosis: Diagnosis, index: int, facts: Facts) -> Advice:
     evidence = facts.evidence
     pointer = _pointer(diagnosis.block, facts)
     command = evidence.command_at(pointer) if pointer else None
-    words = {}
+    texts = {}
     for language in LANGUAGES:
         if diagnosis.say is not None:
             text = diagnosis.say.of(language)
         else:
             text = catalogue(language)[f"diagnosis_{diagnosis.general}"]["message"]
         values = _values(text, diagnosis, facts, command, language)
-        words[language] = interpolate(text, values, language)
+        texts[language] = interpolate(text, values, language)
     block = command.block if command else None
-    return Advice(words, block, pointer, index)
+    return Advice(texts, block, pointer, index)
 
 
 def _pointer(which: str | None, facts: Facts) -> str | None:
@@ -289,7 +289,7 @@ def _worst(facts: Facts) -> str | None:
         drawing = check.drawing(facts.evidence)
         if len(drawing.points):
             fit = check.fit(drawing)
-            motion = facts.evidence.motion_at(int(drawing.places[fit.worst]))
+            motion = facts.evidence.motion_at(int(drawing.indices[fit.worst]))
             if best is None or fit.off_m < best[0]:
                 best = fit.off_m, motion.pointer if motion else None
     return best[1] if best else None
@@ -309,7 +309,7 @@ def _values(
         if name[:2] in ("n_", "x_"):
             values[name] = facts[name]
     if "input" in named:
-        values["input"] = input_words(facts.case, language)
+        values["input"] = input_text(facts.case, language)
     if command is not None:
         values |= _of_block(command, facts)
     return {name: value for name, value in values.items() if value is not None}
@@ -322,19 +322,19 @@ def _names_in(text: str) -> Iterator[str]:
 
 def _of_block(command: Command, facts: Facts) -> dict[str, Any]:
     """The block, how often it repeats, its goal and when it began for the first time."""
-    begun = [one for one in facts.evidence.begun if one.pointer == command.pointer]
+    started = [one for one in facts.evidence.started_commands if one.pointer == command.pointer]
     times = command.data.get("times")
     values: dict[str, Any] = {"block": command}
     if isinstance(times, int | float):
         values["times"] = times
-    if begun:
-        values["at_s"] = begun[0].tick / TICK_HZ
-        if begun[0].amount is not None:
-            values["value"] = abs(begun[0].amount)
+    if started:
+        values["at_s"] = started[0].tick / TICK_HZ
+        if started[0].amount is not None:
+            values["value"] = abs(started[0].amount)
     return values
 
 
-def input_words(case: Case, language: str) -> str:
+def input_text(case: Case, language: str) -> str:
     """What a case gives to the program: signs and answers, or another start."""
     if case.start is not None:
         values = {"x": number(case.start.x_m, language)}

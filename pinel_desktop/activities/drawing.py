@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 Points = NDArray[np.float64]
 STEP_M = 0.02
-_SMALLEST_M = 0.01  # r.m.s. size below which a drawing is a dot
+_MIN_SIZE_M = 0.01  # r.m.s. size below which a drawing is a dot
 _SEARCH_DEG = 3
 _N_SEARCH, _N_FIT, _N_ROUNDS, _N_BEST = 90, 240, 20, 4
 _N_MIRRORED = (16, 60, 240)
@@ -24,7 +24,7 @@ class Sampled:
     """Points of lines, and the place along the lines of each as an index of the recorded samples."""
 
     points: Points
-    places: NDArray[np.int64]
+    indices: NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,13 +83,13 @@ def sampled(
 
 def at_steps(points: Points, step_m: float) -> Points:
     """The points that are a step from the one before, and the last."""
-    kept = [points[0]]
+    retained = [points[0]]
     x, y = float(points[0, 0]), float(points[0, 1])
     for index, (px, py) in enumerate(points.tolist()):
         if (px - x) ** 2 + (py - y) ** 2 >= step_m**2:
-            kept.append(points[index])
+            retained.append(points[index])
             x, y = px, py
-    return np.array([*kept, points[-1]])
+    return np.array([*retained, points[-1]])
 
 
 def length(points: Points) -> float:
@@ -109,19 +109,19 @@ def best_fit(template: Points, drawing: Points, freedom: Freedom) -> Fit:
 
 def _fit(template: Points, drawing: Points, freedom: Freedom) -> Fit:
     middle = template.mean(axis=0) if freedom.move else np.zeros(2)
-    wanted = template - middle
+    centred_template = template - middle
     drawn = drawing - (drawing.mean(axis=0) if freedom.move else 0.0)
-    size, wanted_size = _rms(drawn), _rms(wanted)
-    scale = wanted_size / size if freedom.scale and size > _SMALLEST_M else 1.0
+    size, template_size = _rms(drawn), _rms(centred_template)
+    scale = template_size / size if freedom.scale and size > _MIN_SIZE_M else 1.0
     drawn = drawn * scale
-    starts = _best_turns(wanted, drawn) if freedom.rotate else [0.0]
-    fits = [_refined(wanted, _turned(drawn, turn), freedom, scale) for turn in starts]
+    starts = _best_turns(centred_template, drawn) if freedom.rotate else [0.0]
+    fits = [_refined(centred_template, _turned(drawn, turn), freedom, scale) for turn in starts]
     return min(fits, key=lambda fit: fit.off_m)
 
 
-def _best_turns(wanted: Points, drawn: Points) -> list[float]:
+def _best_turns(template: Points, drawn: Points) -> list[float]:
     """The most promising rotations, in rad."""
-    few, others = _thinned(wanted, _N_SEARCH), _thinned(drawn, _N_SEARCH)
+    few, others = _thinned(template, _N_SEARCH), _thinned(drawn, _N_SEARCH)
     turns = np.radians(np.arange(0, 360, _SEARCH_DEG))
     costs = []
     for turn in turns:
@@ -130,9 +130,9 @@ def _best_turns(wanted: Points, drawn: Points) -> list[float]:
     return [float(turns[i]) for i in np.argsort(costs, kind="stable")[:_N_BEST]]
 
 
-def _refined(wanted: Points, drawn: Points, freedom: Freedom, scale: float) -> Fit:
+def _refined(template: Points, drawn: Points, freedom: Freedom, scale: float) -> Fit:
     """Moves, turns and scales the drawing to its closest points of the template, and back, until it rests."""
-    few, moving = _thinned(wanted, _N_FIT), _thinned(drawn, _N_FIT)
+    few, moving = _thinned(template, _N_FIT), _thinned(drawn, _N_FIT)
     whole = drawn
     for _ in range(_N_ROUNDS):
         far = _distances(few, moving)
@@ -143,7 +143,7 @@ def _refined(wanted: Points, drawn: Points, freedom: Freedom, scale: float) -> F
         scale *= factor
         if abs(turn) + abs(factor - 1.0) + float(np.abs(shift).sum()) < 1e-4:
             break
-    missing, extra, worst = _extremes(wanted, whole)
+    missing, extra, worst = _extremes(template, whole)
     return Fit(missing, extra, worst, scale)
 
 
@@ -164,8 +164,8 @@ def _similarity(sources: Points, targets: Points, freedom: Freedom) -> tuple[flo
     return turn, factor, shift
 
 
-def _extremes(wanted: Points, drawn: Points) -> tuple[float, float, int]:
-    missing, extra = nearest(wanted, drawn), nearest(drawn, wanted)
+def _extremes(template: Points, drawn: Points) -> tuple[float, float, int]:
+    missing, extra = nearest(template, drawn), nearest(drawn, template)
     worst = int(extra.argmax())
     return float(missing.max()), float(extra[worst]), worst
 
@@ -195,7 +195,7 @@ def axes_of_symmetry(drawing: Points, tolerance: float) -> int:
         return 0
     points = drawing - drawing.mean(axis=0)
     size = _rms(points)
-    if size < _SMALLEST_M:
+    if size < _MIN_SIZE_M:
         return 0
     points = points / size
     samples = [_thinned(points, n) for n in _N_MIRRORED]
@@ -220,10 +220,10 @@ def _runs(low: NDArray[np.bool_]) -> int:
     return int(np.count_nonzero(low & ~np.roll(low, 1)))
 
 
-def _thinned(points: Points, n_at_most: int) -> Points:
-    if len(points) <= n_at_most:
+def _thinned(points: Points, max_points: int) -> Points:
+    if len(points) <= max_points:
         return points
-    thinned: Points = points[np.linspace(0, len(points) - 1, n_at_most).astype(int)]
+    thinned: Points = points[np.linspace(0, len(points) - 1, max_points).astype(int)]
     return thinned
 
 

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from pinel_desktop.activities.commands import Command, commands_of
 from pinel_desktop.activities.drawing import Points, Sampled, at_steps, length, sampled
 from pinel_desktop.events.model import Event, RunEnded, Telemetry
-from pinel_desktop.events.types import KEPT
+from pinel_desktop.events.types import RECORDED
 from pinel_desktop.execution.clock import TICK_HZ
-from pinel_desktop.execution.recorder import MEASURED_STEP_M, WAY_STEP_M
+from pinel_desktop.execution.recorder import MEASURED_STEP_M, PATH_STEP_M
 from pinel_desktop.program.model import MOTIONS
 from sim.floor import Disc, Rectangle, Zone
 from sim.world import World
@@ -41,7 +41,7 @@ Wire = Mapping[str, Any]
 Rows = NDArray[np.float64]
 
 
-class Begun(NamedTuple):
+class StartedCommand(NamedTuple):
     """A command that began.
 
     Attributes:
@@ -119,8 +119,8 @@ class RunLog:
         return self.events[-1] if self.is_over else _NO_END
 
 
-class LogWriter:
-    """Makes the log of a run that is being executed; `observe` or `take` must receive all its events.
+class RunLogBuilder:
+    """Makes the log of a run that is being executed; `observe` or `add_event` must receive all its events.
 
     The log may be read at any time, but not while another thread writes.
     """
@@ -133,14 +133,14 @@ class LogWriter:
         """Takes an event of the executor."""
         if type(event) is Telemetry:
             self._add(attrgetter(*COLUMNS)(event))
-        elif event.kept:
-            self._events.append({**event.flat(), "tick": tick})
+        elif event.is_recorded:
+            self._events.append({**event.to_wire(), "tick": tick})
 
-    def take(self, event: Wire) -> None:
+    def add_event(self, event: Wire) -> None:
         """Takes an event as it is on the wire."""
         if event["type"] == Telemetry.type:
             self._add(tuple(event.get(name) for name in COLUMNS))
-        elif event["type"] in KEPT:
+        elif event["type"] in RECORDED:
             self._events.append(event)
 
     def log(self) -> RunLog:
@@ -183,7 +183,7 @@ class Evidence:
     @cached_property
     def path(self) -> Points:
         """The path in the start frame without what is noise, shape (n, 2)."""
-        step_m = WAY_STEP_M if self.log.is_true else MEASURED_STEP_M
+        step_m = PATH_STEP_M if self.log.is_true else MEASURED_STEP_M
         return at_steps(self.log.poses[:, :2], step_m)
 
     @cached_property
@@ -295,39 +295,43 @@ class Evidence:
         return self._of_type("marked")
 
     @cached_property
-    def said(self) -> tuple[str, ...]:
+    def shown_texts(self) -> tuple[str, ...]:
         return tuple(str(event["text"]) for event in self._of_type("said"))
 
     def _of_type(self, kind: str) -> tuple[Wire, ...]:
         return tuple(event for event in self.log.events if event["type"] == kind)
 
     @cached_property
-    def begun(self) -> tuple[Begun, ...]:
+    def started_commands(self) -> tuple[StartedCommand, ...]:
         """The commands that began, in order. Of commands that take no time at most five a second and place are told."""
         open_at: dict[str, int] = {}
-        found: list[Begun] = []
+        found: list[StartedCommand] = []
         for event in self.log.events:
             if event["type"] == "block_started":
                 open_at[event["pointer"]] = len(found)
                 one = (event["pointer"], event["action"], event.get("amount"), event.get("block"))
-                found.append(Begun(event["tick"], *one, None))
+                found.append(StartedCommand(event["tick"], *one, None))
             elif event["type"] == "block_ended" and event["pointer"] in open_at:
                 index = open_at.pop(event["pointer"])
                 found[index] = found[index]._replace(ended=event["tick"])
         return tuple(found)
 
-    def n_begun(self, action: str) -> int:
+    def n_started(self, action: str) -> int:
         """How often a command was begun; exact for what takes time, for texts, marks, questions and signs."""
         counted = {"mark": "marked", "say": "said", "ask": "asked", "beep": "beeped"}
         if action in counted:
             return len(self._of_type(counted[action]))
         if action == "classify_gestures":
             return len(self._of_type("capture_started"))  # with or without a result
-        return sum(one.action == action for one in self.begun)
+        return sum(one.action == action for one in self.started_commands)
 
-    def motion_at(self, tick: int) -> Begun | None:
+    def motion_at(self, tick: int) -> StartedCommand | None:
         """The motion that moved the robot in a tick."""
-        before = [one for one in self.begun if one.action in MOTIONS and one.tick < max(tick, 1)]
+        before = [
+            one
+            for one in self.started_commands
+            if one.action in MOTIONS and one.tick < max(tick, 1)
+        ]
         return before[-1] if before else None
 
     @cached_property
@@ -338,7 +342,7 @@ class Evidence:
 
     def last_pointer_of(self, *actions: str) -> str | None:
         """Pointer of the last command of these kinds that began."""
-        found = [one.pointer for one in self.begun if one.action in actions]
+        found = [one.pointer for one in self.started_commands if one.action in actions]
         return found[-1] if found else None
 
     @cached_property
@@ -348,10 +352,10 @@ class Evidence:
         return int(ticks[0]) if len(ticks) else None
 
     @cached_property
-    def running(self) -> Begun | None:
+    def running(self) -> StartedCommand | None:
         """The command without commands inside that the run ended in; None where it finished."""
         flow = {"conditional_execution", "call", "repeat", "while", "until", "for", "forever"}
-        never = [one for one in self.begun if one.ended is None]
+        never = [one for one in self.started_commands if one.ended is None]
         inner = [one for one in never if one.action not in flow]
         return (inner or never)[-1] if never else None
 
@@ -359,17 +363,17 @@ class Evidence:
         return next((one for one in self.commands if one.pointer == pointer), None)
 
 
-def _swing(values: Sequence[float], least: float) -> float:
-    """How far values go up and down in all, without reversals that are less than `least`."""
+def _swing(values: Sequence[float], min_swing: float) -> float:
+    """How far values go up and down in all, without reversals that are less than `min_swing`."""
     turning_point = extreme = values[0]
     total, direction = 0.0, 0.0
     for value in values:
         beyond = (value - extreme) * (direction or 1.0)
-        if direction == 0.0 and abs(value - extreme) >= least:
+        if direction == 0.0 and abs(value - extreme) >= min_swing:
             direction, extreme = (1.0 if value > extreme else -1.0), value
         elif direction != 0.0 and beyond > 0.0:
             extreme = value
-        elif direction != 0.0 and -beyond >= least:
+        elif direction != 0.0 and -beyond >= min_swing:
             total += abs(extreme - turning_point)
             turning_point, extreme, direction = extreme, value, -direction
     return total + abs(extreme - turning_point)

@@ -6,7 +6,7 @@ from importlib import resources
 from pinel_desktop.activities.goals import GOAL_FILE, Goal
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.program.python_text import read_python
-from pinel_desktop.program.reading import Reading
+from pinel_desktop.program.reading import ParseResult
 
 _CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "example_catalogue"
 
@@ -34,12 +34,12 @@ def example(name: str) -> Activity:
 
 
 @cache
-def program_of_example(name: str, language: str) -> Reading:
+def program_of_example(name: str, language: str) -> ParseResult:
     """The program of an example; words that pupils chose are in the language where it ships so, else in Portuguese."""
     folder = _CATALOGUE / name
     of_language = folder / f"program.{language}.py"
     file = of_language if of_language.is_file() else folder / "program.py"
-    reading = read_python(file.read_text("utf-8")).reading
+    reading = read_python(file.read_text("utf-8")).result
     assert reading.document is not None, f"{file}: {reading.faults}"
     return reading
 

@@ -183,12 +183,12 @@ def _hints(activity: Activity) -> Iterator[Fault]:
 
 
 def _faults_of_diagnosis(place: Path, diagnosis: Diagnosis) -> Iterator[Fault]:
-    for fact, wanted in diagnosis.when.items():
+    for fact, expected in diagnosis.when.items():
         here = pointer((*place, "when", fact))
         if not _is_fact(fact):
             allowed: Params = {"value": fact, "allowed": sorted(NUMBER_FACTS | TEXT_FACTS)}
             yield Fault("activity_unknown_fact", here, None, allowed)
-        elif isinstance(wanted, str) != (fact in TEXT_FACTS):
+        elif isinstance(expected, str) != (fact in TEXT_FACTS):
             kind = "text" if fact in TEXT_FACTS else "number"
             yield Fault(f"wrong_type_{kind}", here, None, {"name": fact})
     if diagnosis.block is not None and not _is_block(diagnosis.block):

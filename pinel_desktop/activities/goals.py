@@ -8,8 +8,8 @@ from pydantic import BaseModel, ConfigDict
 from pinel_desktop.activities.checking import spec_of
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
-from pinel_desktop.events.model import Event, Pen, Telemetry, Things
-from pinel_desktop.program.reading import Reading
+from pinel_desktop.events.model import BoxesMoved, Event, Pen, Telemetry
+from pinel_desktop.program.reading import ParseResult
 from pinel_desktop.robot import Pose2D
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
@@ -18,7 +18,7 @@ from storage.runs.simplify_path import outline_of_trail
 GOAL_FILE = "goal.json"
 _DECIMALS = 2
 
-Place = tuple[float, float, float]
+BoxPose = tuple[float, float, float]
 
 
 class _Model(BaseModel):
@@ -49,7 +49,7 @@ class Goal(_Model):
 
     lines: list[GoalLine]
     zones: list[str]
-    boxes: dict[str, Place]
+    boxes: dict[str, BoxPose]
 
 
 @cache
@@ -59,7 +59,7 @@ def shipped_goal(name: str) -> Goal:
     return Goal.model_validate_json(file.read_text("utf-8"))
 
 
-def goal_of(activity: Activity, solution: Reading | None) -> Goal:
+def goal_of(activity: Activity, solution: ParseResult | None) -> Goal:
     """Runs a program that passes the activity and keeps what it does; without one the zones are the goal.
 
     Cases of a single sign are drawn each, because cases of several only repeat these; otherwise the first case is.
@@ -75,12 +75,12 @@ def goal_of(activity: Activity, solution: Reading | None) -> Goal:
 class _Drive:
     """One case of the activity, driven."""
 
-    def __init__(self, activity: Activity, case: Case, solution: Reading) -> None:
-        self.boxes: dict[str, Place] = {}
+    def __init__(self, activity: Activity, case: Case, solution: ParseResult) -> None:
+        self.boxes: dict[str, BoxPose] = {}
         self._sign = _sign(case)
         self._start = Pose2D(*world_from_document(world_of(activity, case)).start)
         self._pose = self._start
-        self._path = self._begun()
+        self._path = self._position()
         self._strokes: list[tuple[str, list[float]]] = []
         self._is_down = False
         start(spec_of(activity, case, solution), self._observe)
@@ -100,19 +100,19 @@ class _Drive:
         elif type(event) is Pen:
             self._is_down = event.down
             if event.down:
-                self._strokes.append((event.color, self._begun()))
-        elif type(event) is Things:
+                self._strokes.append((event.color, self._position()))
+        elif type(event) is BoxesMoved:
             for index, (x, y, yaw) in event.boxes.items():
                 self.boxes[index] = (_rounded(x), _rounded(y), _rounded(yaw))
 
-    def _begun(self) -> list[float]:
+    def _position(self) -> list[float]:
         return [self._pose.x_m, self._pose.y_m]
 
     def _drive_to(self, pose: Pose2D) -> None:
         self._pose = pose
-        self._path += self._begun()
+        self._path += self._position()
         if self._is_down:
-            self._strokes[-1][1].extend(self._begun())
+            self._strokes[-1][1].extend(self._position())
 
 
 def _sign(case: Case) -> str | None:

@@ -17,7 +17,7 @@ from pinel_desktop.activities.recorded import (
     cases_in,
     judging_blockers,
 )
-from pinel_desktop.robot import Setting
+from pinel_desktop.robot import SimulationConfig
 from sim.world import World, world_from_document
 
 State = Literal["open", "met", "broken"]
@@ -61,7 +61,7 @@ class LiveEvaluation:
         activity: Activity,
         document: Mapping[str, Any],
         world: Mapping[str, Any],
-        setting: Setting,
+        setting: SimulationConfig,
         tolerance: RealRobotTolerance | None = None,
     ) -> None:
         self._activity, self._document = activity, document

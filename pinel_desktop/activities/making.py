@@ -9,7 +9,7 @@ from pinel_desktop.activities.checks import KINDS
 from pinel_desktop.activities.evidence import Evidence
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity
-from pinel_desktop.program.reading import Reading, read_document
+from pinel_desktop.program.reading import ParseResult, read_document
 from pinel_desktop.robot import Preset
 from sim.world import world_from_document
 
@@ -33,7 +33,7 @@ class Proposal:
     checks: list[dict[str, Any]]
 
 
-def proposal_for(activity: Activity, solution: Reading) -> Proposal:
+def proposal_for(activity: Activity, solution: ParseResult) -> Proposal:
     """Runs a program without faults in the activity's first case.
 
     Raises:
@@ -59,13 +59,13 @@ class Trial:
 
     Attributes:
         preset: `ideal`, or `realistic` with the pose of a camera.
-        words: why it does not pass, by language; empty where it passes.
+        texts: why it does not pass, by language; empty where it passes.
     """
 
     program: Who
     preset: Preset
     passed: bool
-    words: Mapping[str, str]
+    texts: Mapping[str, str]
 
     @property
     def is_right(self) -> bool:
@@ -93,5 +93,5 @@ def trials(activity: Activity, presets: tuple[Preset, ...] = ("ideal", "realisti
 def _trial(activity: Activity, who: Who, document: Mapping[str, Any], preset: Preset) -> Trial:
     tried = activity.model_copy(update={"preset": preset, "feedback": "pose"})
     report = check_program(tried, read_document(dict(document)))
-    words = report.advice.words if report.advice else {}
-    return Trial(who, preset, report.passed, words)
+    texts = report.advice.words if report.advice else {}
+    return Trial(who, preset, report.passed, texts)

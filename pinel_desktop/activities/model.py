@@ -59,14 +59,14 @@ NUMBER_FACTS = frozenset(
 TEXT_FACTS = frozenset({"reason", "zones", "end_zone", "input", "nearest", "mirrored"})
 
 
-def _one_or_two(wanted: Any) -> Any:
+def _one_or_two(expected: Any) -> Any:
     """Refuses lists that are no pair of limits."""
-    if isinstance(wanted, list) and len(wanted) != 2:
+    if isinstance(expected, list) and len(expected) != 2:
         raise PydanticCustomError("activity_value_wrong", "a lower and an upper limit")
-    return wanted
+    return expected
 
 
-Wanted = Annotated[float | str | list[float], BeforeValidator(_one_or_two)]
+ExpectedFact = Annotated[float | str | list[float], BeforeValidator(_one_or_two)]
 
 
 class Diagnosis(Model):
@@ -80,7 +80,7 @@ class Diagnosis(Model):
         parts: for the general words `parts`, how many there should be.
     """
 
-    when: Annotated[dict[Name, Wanted], Field(min_length=1, max_length=20)]
+    when: Annotated[dict[Name, ExpectedFact], Field(min_length=1, max_length=20)]
     block: Annotated[str, Field(max_length=80)] | None = None
     say: Texts | None = None
     general: General | None = None

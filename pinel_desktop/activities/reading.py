@@ -32,10 +32,10 @@ def _shipped() -> dict[str, Activity]:
     folders = sorted(entry.name for entry in _CATALOGUE.iterdir() if entry.is_dir())
     texts = [(_CATALOGUE / name / "activity.json").read_text("utf-8") for name in folders]
     activities = [Activity.model_validate_json(text) for text in texts]
-    return {activity.name: activity for activity in sorted(activities, key=_place)}
+    return {activity.name: activity for activity in sorted(activities, key=_catalogue_order)}
 
 
-def _place(activity: Activity) -> tuple[int, list[int], str]:
+def _catalogue_order(activity: Activity) -> tuple[int, list[int], str]:
     """The place of an activity among all: by path and number; those of no path come last."""
     path = len(PATHS) if activity.path is None else PATHS.index(activity.path)
     return path, [int(part) for part in (activity.number or "").split(".") if part], activity.name
@@ -59,7 +59,7 @@ def solution_of(activity_name: str) -> dict[str, Any] | None:
     file = _CATALOGUE / activity_name / "solution.py"
     if activity_name not in _shipped() or not file.is_file():
         return None
-    return read_python(file.read_text("utf-8")).reading.document
+    return read_python(file.read_text("utf-8")).result.document
 
 
 def activity_titles(language: str) -> dict[str, str]:

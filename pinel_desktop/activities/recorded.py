@@ -18,8 +18,8 @@ from pinel_desktop.activities.reading import solution_of
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 from pinel_desktop.program.sensors import SENSORS
-from pinel_desktop.robot import Setting
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot import SimulationConfig
+from pinel_desktop.robot.robot_profile import RobotProfile
 from sim.world import Wall, World, WorldError, world_from_document
 
 # Beside what a check needs: walls within the world's edge, readings of what stands in it, different starts in it.
@@ -39,7 +39,7 @@ _PATH = 0.06
 _TOLERANCES = ("move_tolerance_m", "turn_tolerance_deg")
 
 
-def cases_in(activity: Activity, world: Mapping[str, Any], setting: Setting) -> list[int]:
+def cases_in(activity: Activity, world: Mapping[str, Any], setting: SimulationConfig) -> list[int]:
     """Numbers from 1 of the cases that have this world, start and robot.
 
     Args:
@@ -49,7 +49,9 @@ def cases_in(activity: Activity, world: Mapping[str, Any], setting: Setting) -> 
         PinelError: what `world_of` raises.
     """
     floor = _floor(world)
-    if floor is None or setting != Setting(activity.model, activity.preset, activity.feedback):
+    if floor is None or setting != SimulationConfig(
+        activity.model, activity.preset, activity.feedback
+    ):
         return []
     cases = enumerate(activity.cases, 1)
     return [number for number, case in cases if floor == _floor(world_of(activity, case))]
@@ -62,7 +64,7 @@ def begins_like(case: Case, log: RunLog) -> bool:
 
 
 def case_of_run(
-    activity: Activity, world: Mapping[str, Any], setting: Setting, log: RunLog
+    activity: Activity, world: Mapping[str, Any], setting: SimulationConfig, log: RunLog
 ) -> int | None:
     """Number from 1 of the case whose world, start, robot and inputs a run had; None for a run of another kind.
 
@@ -114,9 +116,9 @@ def _typed(answer: object) -> str:
         return str(answer)
 
 
-def _begins(wanted: Sequence[str], given: Sequence[str]) -> bool:
+def _begins(expected: Sequence[str], given: Sequence[str]) -> bool:
     """Whether a run was given the beginning of what a case gives."""
-    return [_typed(one) for one in wanted[: len(given)]] == [_typed(one) for one in given]
+    return [_typed(one) for one in expected[: len(given)]] == [_typed(one) for one in given]
 
 
 class JudgingBlocker(NamedTuple):
@@ -148,22 +150,22 @@ def judging_blockers(activity: Activity) -> tuple[JudgingBlocker, ...]:
     return tuple(JudgingBlocker(one, tuple(found[one])) for one in _ORDER if one in found)
 
 
-def not_judged_words(reason: str, language: str) -> str:
+def not_judged_text(reason: str, language: str) -> str:
     """Why a run on a real robot is not judged, and what to do; that of a newer release says only that it was not."""
     if reason not in get_args(Reason):
         reason = "failed"
     if reason in _ORDER:
         what = describe(f"not_judged_{reason}", {}, language).message
-        said = describe("not_judged_on_robot", {"what": what}, language)
+        description = describe("not_judged_on_robot", {"what": what}, language)
     else:
-        said = describe(f"not_judged_{reason}", {}, language)
-    return f"{said.message} {said.remedy}".strip()
+        description = describe(f"not_judged_{reason}", {}, language)
+    return f"{description.message} {description.remedy}".strip()
 
 
 def not_judgeable_notice(activity: Activity, language: str) -> str | None:
     """What a group reads before the run if it will not be judged; None if it can be."""
     found = judging_blockers(activity)
-    return not_judged_words(found[0].missing, language) if found else None
+    return not_judged_text(found[0].missing, language) if found else None
 
 
 def tolerance_of(parameters: Mapping[str, Any]) -> RealRobotTolerance | None:
@@ -176,7 +178,7 @@ def tolerance_of(parameters: Mapping[str, Any]) -> RealRobotTolerance | None:
     if not isinstance(robot, Mapping):
         return None
     try:
-        record = RobotRecord.model_validate(
+        record = RobotProfile.model_validate(
             {name: robot[name] for name in _TOLERANCES if name in robot}
         )
     except ValidationError as error:

@@ -20,7 +20,7 @@ from pinel_desktop.messages import (
 )
 from pinel_desktop.program.model import action_names
 
-Words = dict[str, str]
+TextByLanguage = dict[str, str]
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _UNITS = ("_m", "_deg", "_s")
 _QUOTED = re.compile('[“«"]([^”»"]+)[”»"]')
@@ -76,7 +76,7 @@ def formatted_values(values: Mapping[str, Any], language: str) -> dict[str, Any]
     texts: dict[str, Any] = {}
     for name, value in values.items():
         if isinstance(value, Command):
-            texts[name] = block_words(value, language)
+            texts[name] = block_label(value, language)
         elif name == "name":
             texts[name] = short_name(str(value), language)
         elif isinstance(value, bool) or not isinstance(value, int | float):
@@ -107,7 +107,7 @@ def short_name(action: str, language: str) -> str:
     return describe(key, {}, language).remedy
 
 
-def block_words(command: Command, language: str) -> str:
+def block_label(command: Command, language: str) -> str:
     """The label of a block with its values; its short name where one of them is worked out in the run."""
     data, action = command.data, command.action
     if action == "pen":
@@ -116,9 +116,11 @@ def block_words(command: Command, language: str) -> str:
     if key not in catalogue(language):
         return action
     values = _parameters(data, language)
-    words = describe(key, values, language)
-    wanted = _PLACEHOLDER.findall(catalogue(language)[key]["message"])
-    return words.message if all(name in values for name in wanted) else words.remedy
+    description = describe(key, values, language)
+    placeholders = _PLACEHOLDER.findall(catalogue(language)[key]["message"])
+    return (
+        description.message if all(name in values for name in placeholders) else description.remedy
+    )
 
 
 def _parameters(data: Mapping[str, Any], language: str) -> dict[str, str]:
@@ -138,16 +140,16 @@ def _parameters(data: Mapping[str, Any], language: str) -> dict[str, str]:
     if data.get("action") == "pen":
         color = f"block_color_{data.get('color') or 'blue'}"
         values["color"] = describe(color, {}, language).message
-    condition = expression_words(data.get("condition"), language)
+    condition = expression_label(data.get("condition"), language)
     if condition is not None:
         values["condition"] = condition
     if data.get("action") in ("go_to", "go_to_place"):
-        way = "block_around" if data.get("avoid") else "block_straight"
-        values["way"] = describe(way, {}, language).message
+        route = "block_around" if data.get("avoid") else "block_straight"
+        values["way"] = describe(route, {}, language).message
     return values
 
 
-def expression_words(value: Any, language: str) -> str | None:
+def expression_label(value: Any, language: str) -> str | None:
     """An expression as it reads on its blocks; None for one that would be too long for a sentence."""
     if isinstance(value, bool) or not isinstance(value, dict | int | float | str):
         return None
@@ -160,26 +162,28 @@ def expression_words(value: Any, language: str) -> str | None:
     if "gesture" in value:
         return describe("value_gesture", {}, language).message
     if "sensor" in value:
-        return _sensor_words(value, language)
-    return _operation_words(value, language) if "op" in value else None
+        return _sensor_label(value, language)
+    return _operation_label(value, language) if "op" in value else None
 
 
-def _sensor_words(value: Mapping[str, Any], language: str) -> str | None:
+def _sensor_label(value: Mapping[str, Any], language: str) -> str | None:
     code = f"value_{value['sensor']}"
     if code not in catalogue(language):
         return None
-    way = str(value.get("direction", ""))
-    way_code = f"value_{way}" if way in ("front", "back") else f"block_{way}"
-    return describe(code, {"way": describe(way_code, {}, language).message}, language).message
+    direction = str(value.get("direction", ""))
+    direction_code = (
+        f"value_{direction}" if direction in ("front", "back") else f"block_{direction}"
+    )
+    return describe(code, {"way": describe(direction_code, {}, language).message}, language).message
 
 
-def _operation_words(value: Mapping[str, Any], language: str) -> str | None:
+def _operation_label(value: Mapping[str, Any], language: str) -> str | None:
     op, args = str(value["op"]), list(value.get("args", ()))
     is_of_floor = any(isinstance(one, dict) and one.get("sensor") == "floor" for one in args)
     parts = [
         describe(f"block_color_{one}", {}, language).message
         if is_of_floor and f"block_color_{one}" in catalogue(language)
-        else expression_words(one, language)
+        else expression_label(one, language)
         for one in args
         if isinstance(one, str | dict | int | float)
     ]
@@ -194,17 +198,17 @@ def _operation_words(value: Mapping[str, Any], language: str) -> str | None:
     return f"{parts[0]} {_SIGNS[op]} {parts[1]}" if op in _SIGNS else None
 
 
-def words_of(code: str, values: Mapping[str, Any], command: Command | None) -> Words:
+def texts_of(code: str, values: Mapping[str, Any], command: Command | None) -> TextByLanguage:
     """The words of a code in every language, and which block to look at."""
-    words: Words = {}
+    texts: TextByLanguage = {}
     for language in LANGUAGES:
-        said = describe(code, formatted_values(values, language), language)
-        remedy = said.remedy
+        description = describe(code, formatted_values(values, language), language)
+        remedy = description.remedy
         if command is not None:
-            block = block_words(command, language)
+            block = block_label(command, language)
             remedy = describe("check_look_at", {"block": block}, language).message
-        words[language] = f"{said.message} {remedy}".strip()
-    return words
+        texts[language] = f"{description.message} {remedy}".strip()
+    return texts
 
 
 def interpolate(text: str, values: Mapping[str, Any], language: str) -> str:
@@ -236,13 +240,13 @@ def blocks_named(texts: dict[str, str]) -> dict[str, str]:
 
 def _first(text: str, language: str) -> Iterator[tuple[str, str]]:
     """The action whose name a text begins with: of several the longest, as “repeat until” is not “repeat”."""
-    begun = [
+    candidates = [
         (len(name), action, name)
         for action, name in _names(language)
         if re.match(rf"{re.escape(name)}\b", text, re.IGNORECASE)
     ]
-    if begun:
-        _, action, name = max(begun)
+    if candidates:
+        _, action, name = max(candidates)
         yield action, name
 
 

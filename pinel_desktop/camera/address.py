@@ -5,14 +5,14 @@ from pathlib import Path
 from pinel_desktop.errors import PinelError
 
 PICTURE_ENDINGS = (".bmp", ".jpeg", ".jpg", ".png", ".webp")
-_MOST_DIGITS = 3
+_MAX_DIGITS = 3
 
 
 def number_of(source: str) -> int | None:
     """The number of a webcam, 0 is the first; None for a path. Raises PinelError `camera_missing` beyond 999."""
     if not source.isdecimal():
         return None
-    if len(source) > _MOST_DIGITS:
+    if len(source) > _MAX_DIGITS:
         raise PinelError("camera_missing", number=source)
     return int(source)
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass, fields, replace
 from itertools import count
 from typing import Any, Literal
 
+from pinel_desktop.camera.desired_state import DesiredState
 from pinel_desktop.camera.preview import Preview
 from pinel_desktop.camera.sample_recording import SampleRecording
-from pinel_desktop.camera.wanted import Wanted
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import CameraSight
 from pinel_desktop.execution.inputs import Capture
@@ -27,11 +27,11 @@ CameraMode = Literal["off", "opening", "on", "failed"]
 WireEvent = dict[str, Any]
 Taught = tuple[tuple[str, bytes, bytes], ...]
 
-LINGER_S = 20.0  # the camera stays on so long after its last use: the next capture finds it open
+IDLE_OFF_S = 20.0  # the camera stays on so long after its last use: the next capture finds it open
 # It answers probes between two frames; drivers and libraries may use the processor while it hangs.
 _TIMEOUTS = HangTimeouts(hang_timeout_s=5.0, busy_timeout_s=5.0)
-_TEND_S = 0.5
-_NO_PICTURE_S = 5.0
+_WATCHDOG_PERIOD_S = 0.5
+_PREVIEW_TIMEOUT_S = 5.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +42,8 @@ class CameraState:
     problem: PinelError | None = None
 
 
-class Camera:
-    """The camera as the app sees it; thread-safe. Its process starts with `wake`, the camera itself with `use`.
+class CameraClient:
+    """The camera as the app sees it; thread-safe. Its process starts with `start`, the camera itself with `switch_on`.
 
     Args:
         source: as `camera.frames.open_reader` takes it.
@@ -52,7 +52,7 @@ class Camera:
         answer: takes the id of a live run and what the camera saw for its capture; may raise PinelError when the run
             has ended.
         command: starts the process.
-        linger_s: how long the camera stays on after its last use.
+        idle_off_s: how long the camera stays on after its last use.
         timeouts: of a process that hangs, which is replaced.
     """
 
@@ -63,10 +63,10 @@ class Camera:
         on_change: Callable[[CameraState], None],
         answer: Callable[[str, Capture], object],
         command: Sequence[str] | None = None,
-        linger_s: float = LINGER_S,
+        idle_off_s: float = IDLE_OFF_S,
         timeouts: HangTimeouts = _TIMEOUTS,
     ) -> None:
-        self._source, self._linger_s = source, linger_s
+        self._source, self._idle_off_s = source, idle_off_s
         self._publish, self._on_change, self._answer = publish, on_change, answer
         self._process = Supervisor(
             "camera",
@@ -74,15 +74,15 @@ class Camera:
             "camera_process_died",
             on_message=self._receive,
             on_death=self._died,
-            on_ready=self._tell_all,
+            on_ready=self._send_all,
             on_lost=self._lost,
             timeouts=timeouts,
         )
         self._lock = threading.RLock()
-        self._wanted = Wanted()
+        self._desired = DesiredState()
         self._state = CameraState("off")
         self._used_s = 0.0
-        self._tender: threading.Thread | None = None
+        self._watchdog: threading.Thread | None = None
         self._closing = threading.Event()
         self._numbers = count()
         self._run: str | None = None
@@ -103,36 +103,38 @@ class Camera:
         """Id of the process; None before its start."""
         return self._process.pid
 
-    def wake(self) -> None:
+    def start(self) -> None:
         """Starts the process, so that it is warm at the first capture; the camera stays off."""
         with self._lock:
             if self._closing.is_set():
                 return
-            if self._tender is None:
-                self._tender = threading.Thread(target=self._tend, name="camera", daemon=True)
-                self._tender.start()
+            if self._watchdog is None:
+                self._watchdog = threading.Thread(
+                    target=self._watchdog_loop, name="camera", daemon=True
+                )
+                self._watchdog.start()
             self._process.start()
 
     def wait_until_ready(self, timeout_s: float) -> bool:
         """Waits for the process, which `wake` starts; False when it is not ready after `timeout_s`."""
         return self._process.wait_until_ready(timeout_s)
 
-    def use(self) -> None:
+    def switch_on(self) -> None:
         """Switches the camera on, or keeps it on for a while."""
-        self.wake()
+        self.start()
         with self._lock:
             self._used_s = time.monotonic()
-            if self._wanted.source != self._source:
-                self._want(source=self._source)
+            if self._desired.source != self._source:
+                self._update_desired(source=self._source)
 
-    def choose(self, source: str) -> None:
+    def set_source(self, source: str) -> None:
         """Looks through another camera from now on."""
         with self._lock:
             self._source = source
-            if self._wanted.source is not None:
-                self._want(source=source)
+            if self._desired.source is not None:
+                self._update_desired(source=source)
 
-    def know(self, taught: Taught) -> None:
+    def set_taught_signs(self, taught: Taught) -> None:
         """Knows these signs besides the letters that ship, from now on.
 
         Args:
@@ -141,7 +143,7 @@ class Camera:
         with self._lock:
             if taught != self._taught:
                 self._taught = taught
-                self._tell_taught()
+                self._send_taught()
 
     def record(
         self,
@@ -160,14 +162,14 @@ class Camera:
         self.stop_recording()
         with self._lock:
             self._recording = SampleRecording(n_samples, on_samples, on_stop)
-            self._want(record=str(next(self._numbers)), record_moving=is_moving)
-        self.use()
+            self._update_desired(record=str(next(self._numbers)), record_moving=is_moving)
+        self.switch_on()
 
     def stop_recording(self) -> None:
         """Gives up the recording that goes on, if there is one."""
         with self._lock:
             recording, self._recording = self._recording, None
-            self._want(record=None)
+            self._update_desired(record=None)
         if recording:
             recording.on_stop()
 
@@ -175,7 +177,7 @@ class Camera:
         """To be called with every event of a live run: captures switch the camera on and are answered."""
         kind, run = event["type"], event["run"]
         if kind == "capture_started":
-            self.use()
+            self.switch_on()
             self._begin_capture(run)
         elif kind == "run_state" and run == self._run:
             self._hold(is_paused=event["state"] == "paused")
@@ -189,62 +191,62 @@ class Camera:
             annotated: with the hands and their signs drawn into them; the page draws them itself.
         """
         preview = self._annotated if annotated else self._preview
-        wanted = "annotated" if annotated else "preview"
-        self.use()
+        flag = "annotated" if annotated else "preview"
+        self.switch_on()
         try:
             with self._lock:  # held while counting: one who leaves takes the picture from nobody
-                self._want(**{wanted: preview.enter()})
-            for picture in preview.pictures(_NO_PICTURE_S):
-                self.use()
+                self._update_desired(**{flag: preview.enter()})
+            for picture in preview.pictures(_PREVIEW_TIMEOUT_S):
+                self.switch_on()
                 yield picture
         finally:
             with self._lock:
-                self._want(**{wanted: preview.leave()})
+                self._update_desired(**{flag: preview.leave()})
 
     def caption(self, text: str) -> None:
         """What stands in annotated pictures from now on; "" for nothing."""
         with self._lock:
-            self._want(caption=text)
+            self._update_desired(caption=text)
 
     def close(self) -> None:
         """Ends the process and all previews."""
         self._closing.set()
-        self._preview.wake()
-        self._annotated.wake()
+        self._preview.notify_closing()
+        self._annotated.notify_closing()
         self._process.close()
-        if self._tender:
-            self._tender.join()
+        if self._watchdog:
+            self._watchdog.join()
 
     def _begin_capture(self, run: str) -> None:
         with self._lock:
             self._run = run
-            self._want(capture=str(next(self._numbers)))
+            self._update_desired(capture=str(next(self._numbers)))
 
     def _hold(self, *, is_paused: bool) -> None:
         """A paused run takes no answer of the camera."""
         with self._lock:
-            self._want(capture=None if is_paused else str(next(self._numbers)))
+            self._update_desired(capture=None if is_paused else str(next(self._numbers)))
 
     def _end_capture(self) -> None:
         with self._lock:
             self._run = None
-            self._want(capture=None)
+            self._update_desired(capture=None)
 
-    def _want(self, **changes: Any) -> None:
+    def _update_desired(self, **changes: Any) -> None:
         """Tells the process what changed; called with the lock held."""
-        wanted = replace(self._wanted, **changes)
-        if wanted != self._wanted:
-            self._wanted = wanted
-            self._tell_wanted()
+        desired = replace(self._desired, **changes)
+        if desired != self._desired:
+            self._desired = desired
+            self._send_desired()
 
-    def _tell_all(self) -> None:
+    def _send_all(self) -> None:
         """A process that has just started knows nothing."""
         with self._lock:
             if self._taught:
-                self._tell_taught()
-            self._tell_wanted()
+                self._send_taught()
+            self._send_desired()
 
-    def _tell_taught(self) -> None:
+    def _send_taught(self) -> None:
         if self._process.state == "ready":
             signs = [
                 {"sign": sign, "samples": _base64(samples), "movements": _base64(movements)}
@@ -252,27 +254,27 @@ class Camera:
             ]
             self._process.send({"type": "signs", "signs": signs})
 
-    def _tell_wanted(self) -> None:
+    def _send_desired(self) -> None:
         if self._process.state == "ready":
-            self._process.send(self._wanted.as_message())
+            self._process.send(self._desired.as_message())
 
     def _receive(self, message: Message) -> None:
         try:
-            self._take(message)
+            self._handle(message)
         except (KeyError, TypeError, ValueError):
             _log.warning(
                 "the camera process sent what is no message: %.200s", message, exc_info=True
             )
 
-    def _take(self, message: Message) -> None:
+    def _handle(self, message: Message) -> None:
         match message.get("type"):
             case "camera_state":
                 code = message["code"]
                 problem = PinelError(code, **message["params"]) if code else None
                 self._change(CameraState(message["state"], problem))
             case "sight":
-                told = {field.name: message[field.name] for field in fields(CameraSight)}
-                self._publish(CameraSight(**told).flat())
+                values = {field.name: message[field.name] for field in fields(CameraSight)}
+                self._publish(CameraSight(**values).to_wire())
             case "recognised":
                 self._recognised(message)
             case "sample":
@@ -285,7 +287,7 @@ class Camera:
     def _recognised(self, message: Message) -> None:
         with self._lock:
             run = self._run
-            if run is None or message["id"] != self._wanted.capture:
+            if run is None or message["id"] != self._desired.capture:
                 return  # a person answered, or the run was paused, while the message was on its way
             self._end_capture()
         capture = Capture(message["label"], message["by"], message["confidence"], message["second"])
@@ -295,12 +297,12 @@ class Camera:
     def _sampled(self, message: Message) -> None:
         with self._lock:
             recording = self._recording
-            if recording is None or message["id"] != self._wanted.record:
+            if recording is None or message["id"] != self._desired.record:
                 return  # it was stopped while the message was on its way
             samples = recording.add(base64.b64decode(message["hand"]))
             if recording.is_complete:
                 self._recording = None
-                self._want(record=None)
+                self._update_desired(record=None)
         recording.on_samples(samples)
 
     def _change(self, state: CameraState) -> None:
@@ -315,13 +317,13 @@ class Camera:
     def _lost(self) -> None:
         self._change(CameraState("failed", PinelError("camera_process_lost")))
 
-    def _tend(self) -> None:
+    def _watchdog_loop(self) -> None:
         """Switches the camera off after its last use; gives up a recording without a hand."""
-        while not self._closing.wait(_TEND_S):
+        while not self._closing.wait(_WATCHDOG_PERIOD_S):
             with self._lock:
                 is_used = self._run is not None or self._recording is not None
-                if not is_used and time.monotonic() - self._used_s > self._linger_s:
-                    self._want(source=None)
+                if not is_used and time.monotonic() - self._used_s > self._idle_off_s:
+                    self._update_desired(source=None)
                 is_given_up = self._recording is not None and self._recording.is_given_up
             if is_given_up:
                 self.stop_recording()

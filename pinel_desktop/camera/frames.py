@@ -10,20 +10,24 @@ from typing import Protocol
 import numpy as np
 
 from pinel_desktop.camera.address import number_of, path_of, pictures_of
-from pinel_desktop.camera.recording import RECORDING_ENDING, RecordedHand, read_recording
+from pinel_desktop.camera.landmark_sequence import (
+    SEQUENCE_ENDING,
+    RecordedHand,
+    read_landmark_sequence,
+)
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.opencv import cv2
-from pinel_desktop.gestures.pictures import SHORTEST_SIDE, Picture, read_picture
+from pinel_desktop.gestures.pictures import MIN_SIDE, Picture, read_picture
 
 WIDTH, HEIGHT = 640, 480
 _PICTURE_S = 1.5  # how long a folder shows each picture
 _FRAMES_HZ = 15.0
-_LONGEST_SIDE = 1280  # px; larger frames cost time and show no more of a hand
+_MAX_SIDE = 1280  # px; larger frames cost time and show no more of a hand
 _TO_RGB = {1: cv2.COLOR_GRAY2RGB, 3: cv2.COLOR_BGR2RGB, 4: cv2.COLOR_BGRA2RGB}
 
 
 @dataclass(frozen=True, slots=True)
-class Shot:
+class RawFrame:
     """What a camera gives at once: a picture (height, width, 3), RGB; of a recording also the hands in it."""
 
     picture: Picture
@@ -39,7 +43,7 @@ class FrameReader(Protocol):
 
     is_live: bool
 
-    def read(self) -> Shot | None:
+    def read(self) -> RawFrame | None:
         """The next frame; None when there is none just now. May block."""
         ...
 
@@ -63,7 +67,7 @@ def open_reader(source: str) -> FrameReader:
     path = path_of(source)
     if path.is_dir():
         return PictureFolder(path)
-    return HandRecording(path) if path.suffix == RECORDING_ENDING else VideoFile(path)
+    return LandmarkSequence(path) if path.suffix == SEQUENCE_ENDING else VideoFile(path)
 
 
 class Webcam:
@@ -80,9 +84,9 @@ class Webcam:
         self._device.set(cv2.CAP_PROP_FRAME_HEIGHT, HEIGHT)
         self._device.set(cv2.CAP_PROP_BUFFERSIZE, 1)  # a frame that waited shows the past
 
-    def read(self) -> Shot | None:
+    def read(self) -> RawFrame | None:
         is_there, frame = self._device.read()
-        return _shot(as_rgb(frame)) if is_there else None
+        return _raw_frame(as_rgb(frame)) if is_there else None
 
     def close(self) -> None:
         self._device.release()
@@ -102,13 +106,13 @@ class VideoFile:
         self._frame_s = 1.0 / rate_hz if 1.0 <= rate_hz <= 120.0 else 1.0 / 30.0
         self._due_s = time.monotonic()
 
-    def read(self) -> Shot | None:
+    def read(self) -> RawFrame | None:
         self._due_s = _wait_until(self._due_s) + self._frame_s
         is_there, frame = self._video.read()
         if not is_there:
             self._video.set(cv2.CAP_PROP_POS_FRAMES, 0)
             is_there, frame = self._video.read()
-        return _shot(as_rgb(frame)) if is_there else None
+        return _raw_frame(as_rgb(frame)) if is_there else None
 
     def close(self) -> None:
         self._video.release()
@@ -123,9 +127,9 @@ class PictureFolder:
         self._frames = self._endless(pictures_of(path))
         self._due_s = time.monotonic()
 
-    def read(self) -> Shot | None:
+    def read(self) -> RawFrame | None:
         self._due_s = _wait_until(self._due_s) + 1.0 / _FRAMES_HZ
-        return _shot(next(self._frames))
+        return _raw_frame(next(self._frames))
 
     def close(self) -> None:
         return
@@ -138,26 +142,26 @@ class PictureFolder:
                 yield picture
 
 
-class HandRecording:
+class LandmarkSequence:
     """Hands that were recorded before, at 15 frames a second, again and again; the pictures are plain grey."""
 
     is_live = False
 
     def __init__(self, path: Path) -> None:
-        self._frames = cycle(read_recording(path))
+        self._frames = cycle(read_landmark_sequence(path))
         self._picture = np.full((HEIGHT, WIDTH, 3), 128, np.uint8)
         self._due_s = time.monotonic()
 
-    def read(self) -> Shot | None:
+    def read(self) -> RawFrame | None:
         self._due_s = _wait_until(self._due_s) + 1.0 / _FRAMES_HZ
-        return Shot(self._picture, next(self._frames))
+        return RawFrame(self._picture, next(self._frames))
 
     def close(self) -> None:
         return
 
 
-def _shot(picture: Picture | None) -> Shot | None:
-    return None if picture is None else Shot(picture)
+def _raw_frame(picture: Picture | None) -> RawFrame | None:
+    return None if picture is None else RawFrame(picture)
 
 
 def _picture_or_none(file: Path) -> Picture | None:
@@ -177,7 +181,7 @@ def as_rgb(frame: object) -> Picture | None:
     if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8 or frame.ndim not in (2, 3):
         return None
     channels = frame.shape[2] if frame.ndim == 3 else 1
-    if min(frame.shape[:2]) < SHORTEST_SIDE or channels not in _TO_RGB:
+    if min(frame.shape[:2]) < MIN_SIDE or channels not in _TO_RGB:
         return None
     small = _reduced(np.asarray(frame, np.uint8))
     return None if small is None else np.asarray(cv2.cvtColor(small, _TO_RGB[channels]), np.uint8)
@@ -185,8 +189,8 @@ def as_rgb(frame: object) -> Picture | None:
 
 def _reduced(picture: Picture) -> Picture | None:
     """The picture with at most 1280 px a side; None where the shorter side would be too short."""
-    scale = min(1.0, _LONGEST_SIDE / max(picture.shape[:2]))
-    if scale * min(picture.shape[:2]) < SHORTEST_SIDE:
+    scale = min(1.0, _MAX_SIDE / max(picture.shape[:2]))
+    if scale * min(picture.shape[:2]) < MIN_SIDE:
         return None
     small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
     return np.asarray(small, np.uint8)

@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from pinel_desktop.camera.address import check_address
-from pinel_desktop.camera.client import Camera, CameraState
+from pinel_desktop.camera.client import CameraClient, CameraState
 from pinel_desktop.errors import PinelError
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import CaptureStarted, Event, GestureResult, RunEnded, RunState
-from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.inputs import Capture, PersonInput, ScriptedInputs
 
 _READY_S = 20.0
@@ -40,12 +40,12 @@ class CameraInputs:
         self.gestures = PersonInput[Capture]()
         self.answers = ScriptedInputs(answers=answers).answers
         self._source, self._on_change = source, on_change
-        self._camera = Camera(source, lambda event: None, self._change, self._answer)
+        self._camera = CameraClient(source, lambda event: None, self._change, self._answer)
         self._is_tried = threading.Event()
 
     def attach(self, control: object) -> Callable[[int, Event], None]:
         """Gives what must observe the run."""
-        stamp = EventStamp("run")
+        stamp = EventSequencer("run")
 
         def observe(tick: int, event: Event) -> None:
             if isinstance(event, _OF_INTEREST):
@@ -67,9 +67,9 @@ class CameraInputs:
         self._camera.close()
 
     def _open(self) -> None:
-        self._camera.wake()
+        self._camera.start()
         self._camera.wait_until_ready(_READY_S)
-        self._camera.use()
+        self._camera.switch_on()
         self._is_tried.wait(_OPEN_S)
         problem = self._as_typed(self._camera.state).problem
         if problem and problem.code in WRONG_SOURCE:

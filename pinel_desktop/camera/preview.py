@@ -29,7 +29,7 @@ class Preview:
             self._picture, self._number = picture, self._number + 1
             self._changed.notify_all()
 
-    def wake(self) -> None:
+    def notify_closing(self) -> None:
         """Lets all who wait see that the app ends."""
         with self._changed:
             self._changed.notify_all()
@@ -41,11 +41,11 @@ class Preview:
             yield picture
             number, picture = self._next(number, timeout_s)
 
-    def _next(self, seen: int, timeout_s: float) -> tuple[int, bytes | None]:
+    def _next(self, last_number: int, timeout_s: float) -> tuple[int, bytes | None]:
         """The picture after the one of that number, and its own number; None where there is none."""
         with self._changed:
             self._changed.wait_for(
-                lambda: self._number != seen or self._closing.is_set(), timeout_s
+                lambda: self._number != last_number or self._closing.is_set(), timeout_s
             )
-            is_new = self._number != seen and not self._closing.is_set()
+            is_new = self._number != last_number and not self._closing.is_set()
             return self._number, self._picture if is_new else None

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-_PATIENCE_S = 15.0  # without a hand at rest, or without a movement
+_TIMEOUT_S = 15.0  # without a hand at rest, or without a movement
 
 
 class SampleRecording:
@@ -33,7 +33,7 @@ class SampleRecording:
     @property
     def is_given_up(self) -> bool:
         """Nothing was recorded for too long."""
-        return time.monotonic() - self._added_s > _PATIENCE_S
+        return time.monotonic() - self._added_s > _TIMEOUT_S
 
     def add(self, sample: bytes) -> tuple[bytes, ...]:
         """Adds one; returns all."""

@@ -13,25 +13,27 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from pinel_desktop.camera.annotation import annotated
-from pinel_desktop.camera.learning import Learner, MovementTaker, SampleTaker
-from pinel_desktop.camera.sight import SeenSign, Sight
-from pinel_desktop.camera.source import CameraSource, Frame
-from pinel_desktop.camera.wanted import Wanted
+from pinel_desktop.camera.desired_state import DesiredState
+from pinel_desktop.camera.frame_analyzer import DetectedSign, FrameAnalyzer
+from pinel_desktop.camera.sign_training import MovementCollector, SampleCollector, SignTrainer
+from pinel_desktop.camera.source import CameraSource, StampedFrame
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
-from pinel_desktop.gestures.sign_watch import SignWatch
-from pinel_desktop.gestures.vote import Ballot, Decision
+from pinel_desktop.gestures.sign_spotter import SignSpotter
+from pinel_desktop.gestures.stability import Decision, FramePrediction
 from pinel_desktop.processes.messages import PING, PONG, Message, read_messages, write_message
 
 _END: Message = {"type": "end"}
 _log = logging.getLogger(__name__)
-_LOOK_HZ = 15.0
-_TOLD_HZ = 10.0
+_ANALYSIS_HZ = 15.0
+_PUBLISH_HZ = 10.0
 _PREVIEW_SIDE = 480  # px, of the longer side
 _JPEG_QUALITY = 70
 _IDLE_S = 0.1
-_MOVED_S = 1.2  # so long a sign that moved is told: an event may be lost, and people look up late
+_MOVING_SIGN_REPEAT_S = (
+    1.2  # so long a sign that moved is told: an event may be lost, and people look up late
+)
 
 
 class CameraServer:
@@ -41,11 +43,11 @@ class CameraServer:
         self,
         messages: BinaryIO,
         events: BinaryIO,
-        make_sight: Callable[[], Sight],
+        make_analyzer: Callable[[], FrameAnalyzer],
         open_source: Callable[[str], CameraSource] = CameraSource,
     ) -> None:
         self._messages, self._events = messages, events
-        self._make_sight, self._open_source = make_sight, open_source
+        self._make_analyzer, self._open_source = make_analyzer, open_source
         self._orders: queue.SimpleQueue[Message] = queue.SimpleQueue()
 
     def serve(self) -> None:
@@ -67,20 +69,20 @@ class CameraServer:
 
     def _work(self) -> None:
         try:
-            sight = self._make_sight()  # loads the networks: warm before the first capture
+            analyzer = self._make_analyzer()  # loads the networks: warm before the first capture
         except PinelError as error:
             self._refuse(error)
             return
-        session = _Session(sight, self._send, self._open_source)
+        session = _Session(analyzer, self._send, self._open_source)
         self._send({"type": "camera_ready"})
         while (order := self._next_order(session)) is not _END:
             if order == PING:
                 self._send(PONG)
             elif order:
-                _obey(session, order)
+                _handle(session, order)
             else:
-                session.look()
-        session.want(Wanted())
+                session.poll_frame()
+        session.apply(DesiredState())
 
     def _refuse(self, error: PinelError) -> None:
         """Answers every order with the reason why nothing can be recognised."""
@@ -108,157 +110,167 @@ class _Session:
 
     def __init__(
         self,
-        sight: Sight,
+        analyzer: FrameAnalyzer,
         send: Callable[[Message], None],
         open_source: Callable[[str], CameraSource],
     ) -> None:
-        self._sight, self._send, self._open_source = sight, send, open_source
+        self._analyzer, self._send, self._open_source = analyzer, send, open_source
         self._source: CameraSource | None = None
-        self._wanted = Wanted()
-        self._signs = SignWatch()
-        self._learner = Learner(sight.classifier)
-        self._hand_taker, self._movement_taker = SampleTaker(), MovementTaker()
+        self._desired = DesiredState()
+        self._spotter = SignSpotter()
+        self._trainer = SignTrainer(analyzer.classifier)
+        self._sample_collector, self._movement_collector = SampleCollector(), MovementCollector()
         self._moved: Decision | None = None
         self._moved_s = float("-inf")
-        self._seen_s = self._told_s = 0.0
+        self._last_frame_s = self._last_publish_s = 0.0
         self._state: Message = _state("off")
 
     @property
     def is_on(self) -> bool:
         return self._source is not None
 
-    def obey(self, order: Message) -> None:
+    def handle(self, order: Message) -> None:
         """Does what a message says."""
         if order["type"] == "signs":
-            self._learner.learn(order["signs"])
+            self._trainer.train(order["signs"])
         else:
-            self.want(Wanted.of(order))
+            self.apply(DesiredState.of(order))
 
-    def want(self, wanted: Wanted) -> None:
+    def apply(self, desired: DesiredState) -> None:
         """Does what is wanted from now on."""
-        if wanted.source != self._wanted.source:
-            self._change_source(wanted.source)
-        if wanted.capture != self._wanted.capture:
-            self._signs.begin_anew()
-        if wanted.record != self._wanted.record:
-            self._hand_taker.begin_anew()
-            self._movement_taker.begin_anew()
-        self._wanted = wanted
+        if desired.source != self._desired.source:
+            self._change_source(desired.source)
+        if desired.capture != self._desired.capture:
+            self._spotter.reset()
+        if desired.record != self._desired.record:
+            self._sample_collector.reset()
+            self._movement_collector.reset()
+        self._desired = desired
 
-    def look(self) -> None:
+    def poll_frame(self) -> None:
         """Looks at the next frame, if there is one soon."""
         if self._source is None:
             return
-        frame = self._source.next_frame(self._seen_s, _IDLE_S)
-        self._tell_how_it_is(self._source)
+        frame = self._source.next_frame(self._last_frame_s, _IDLE_S)
+        self._send_source_state(self._source)
         if frame is None:
             return
-        rest_s = self._seen_s + 1.0 / _LOOK_HZ - time.monotonic()
-        self._seen_s = frame.time_s
-        self._see(frame)
+        rest_s = self._last_frame_s + 1.0 / _ANALYSIS_HZ - time.monotonic()
+        self._last_frame_s = frame.time_s
+        self._process_frame(frame)
         time.sleep(min(max(rest_s, 0.0), _IDLE_S))
 
     def _change_source(self, address: str | None) -> None:
         if self._source:
             self._source.close()
         self._source = self._open_source(address) if address is not None else None
-        self._sight.begin_anew()
-        self._signs.begin_anew()
-        self._tell_state(_state("opening" if self._source else "off"))
+        self._analyzer.reset()
+        self._spotter.reset()
+        self._send_state(_state("opening" if self._source else "off"))
 
-    def _tell_how_it_is(self, source: CameraSource) -> None:
+    def _send_source_state(self, source: CameraSource) -> None:
         if problem := source.problem:
-            self._tell_state(_state("failed", problem))
+            self._send_state(_state("failed", problem))
         elif source.is_open:
-            self._tell_state(_state("on"))
+            self._send_state(_state("on"))
 
-    def _see(self, frame: Frame) -> None:
-        if learnt := self._learner.take():
-            self._sight.know(learnt.classifier, learnt.taught)
-            self._signs.know(learnt.moving)
-        hands = self._sight.look(frame.shot)
+    def _process_frame(self, frame: StampedFrame) -> None:
+        if trained := self._trainer.pop_result():
+            self._analyzer.set_classifier(trained.classifier, trained.taught)
+            self._spotter.set_moving_signs(trained.moving)
+        hands = self._analyzer.analyze(frame.raw)
         self._record(frame, hands)
-        decision = self._signs.see(*_ballot(frame, hands))
+        decision = self._spotter.update(*_frame_prediction(frame, hands))
         if decision and decision.is_moving:
             self._moved, self._moved_s = decision, frame.time_s
-        if self._wanted.capture and decision and not self._learner.is_busy:
+        if self._desired.capture and decision and not self._trainer.is_busy:
             taught = decision.is_moving or any(
-                hand.is_taught for hand in hands if hand.reading.best == decision.label
+                hand.is_taught for hand in hands if hand.prediction.best == decision.label
             )
             self._send(
                 {
                     "type": "recognised",
-                    "id": self._wanted.capture,
+                    "id": self._desired.capture,
                     "label": decision.label,
                     "by": "taught" if taught else "camera",
                     "confidence": decision.confidence,
                     "second": decision.second,
                 }
             )
-            self._wanted = replace(self._wanted, capture=None)
-        if frame.time_s - self._told_s >= 1.0 / _TOLD_HZ:
-            self._told_s = frame.time_s
-            self._tell(frame.shot.picture, hands)
+            self._desired = replace(self._desired, capture=None)
+        if frame.time_s - self._last_publish_s >= 1.0 / _PUBLISH_HZ:
+            self._last_publish_s = frame.time_s
+            self._send_sight(frame.raw.picture, hands)
 
-    def _record(self, frame: Frame, hands: list[SeenSign]) -> None:
-        number = self._wanted.record
-        taker = self._movement_taker if self._wanted.record_moving else self._hand_taker
-        if number and (sample := taker.take(frame.time_s, hands)):
+    def _record(self, frame: StampedFrame, hands: list[DetectedSign]) -> None:
+        number = self._desired.record
+        collector = (
+            self._movement_collector if self._desired.record_moving else self._sample_collector
+        )
+        if number and (sample := collector.update(frame.time_s, hands)):
             self._send({"type": "sample", "id": number, "hand": sample})
 
-    def _tell(self, picture: Picture, hands: list[SeenSign]) -> None:
+    def _send_sight(self, picture: Picture, hands: list[DetectedSign]) -> None:
         height, width = picture.shape[:2]
-        told = [_as_message(hand, width, height, mirror=self._wanted.mirror) for hand in hands]
-        moved = self._moved if self._told_s - self._moved_s < _MOVED_S else None
+        hand_messages = [
+            _as_message(hand, width, height, mirror=self._desired.mirror) for hand in hands
+        ]
+        moved = (
+            self._moved if self._last_publish_s - self._moved_s < _MOVING_SIGN_REPEAT_S else None
+        )
         self._send(
             {
                 "type": "sight",
-                "hands": told,
-                "label": self._signs.label,
-                "progress": round(self._signs.progress, 2),
+                "hands": hand_messages,
+                "label": self._spotter.label,
+                "progress": round(self._spotter.progress, 2),
                 "moved": moved.label if moved else "",
                 "moved_confidence": moved.confidence if moved else 0.0,
                 "aspect": round(width / height, 4),
             }
         )
-        if self._wanted.preview:
+        if self._desired.preview:
             self._send({"type": "preview", "jpeg": _base64(self._shown(picture))})
-        if self._wanted.annotated:
-            shown = annotated(self._shown(picture), told, self._wanted.caption)
+        if self._desired.annotated:
+            shown = annotated(self._shown(picture), hand_messages, self._desired.caption)
             self._send({"type": "annotated", "jpeg": _base64(shown)})
 
     def _shown(self, picture: Picture) -> Picture:
         """The picture as people see it: small, and as in a mirror."""
         scale = min(1.0, _PREVIEW_SIDE / max(picture.shape[:2]))
         small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
-        return np.asarray(small[:, ::-1] if self._wanted.mirror else small, np.uint8)
+        return np.asarray(small[:, ::-1] if self._desired.mirror else small, np.uint8)
 
-    def _tell_state(self, state: Message) -> None:
+    def _send_state(self, state: Message) -> None:
         if state != self._state:
             self._state = state
             self._send(state)
 
 
-def _obey(session: _Session, order: Message) -> None:
+def _handle(session: _Session, order: Message) -> None:
     try:
-        session.obey(order)
+        session.handle(order)
     except (KeyError, TypeError):
         _log.warning("what the app wants is not understood: %.200s", order, exc_info=True)
 
 
-def _ballot(frame: Frame, hands: list[SeenSign]) -> tuple[Ballot, bool]:
+def _frame_prediction(
+    frame: StampedFrame, hands: list[DetectedSign]
+) -> tuple[FramePrediction, bool]:
     """What the frame says, nothing where two hands show different signs; and whether the hand is a left one."""
     if not hands:
-        return Ballot(frame.time_s, None), False
-    sure = [hand for hand in hands if hand.reading.sign is not None]
+        return FramePrediction(frame.time_s, None), False
+    sure = [hand for hand in hands if hand.prediction.sign is not None]
     first = sure[0] if sure else hands[0]
-    reading = first.reading
-    label = reading.sign if len({hand.reading.sign for hand in sure}) == 1 else None
-    ballot = Ballot(frame.time_s, label, reading.confidence, reading.second, first.points)
-    return ballot, first.handedness == "left"
+    prediction = first.prediction
+    label = prediction.sign if len({hand.prediction.sign for hand in sure}) == 1 else None
+    frame_prediction = FramePrediction(
+        frame.time_s, label, prediction.confidence, prediction.second, first.points
+    )
+    return frame_prediction, first.handedness == "left"
 
 
-def _as_message(hand: SeenSign, width: int, height: int, *, mirror: bool) -> dict[str, Any]:
+def _as_message(hand: DetectedSign, width: int, height: int, *, mirror: bool) -> dict[str, Any]:
     """Landmarks as fractions of the picture's width and height, mirrored as the preview is."""
     points = hand.points / np.array([width, height], np.float32)
     if mirror:
@@ -266,10 +278,10 @@ def _as_message(hand: SeenSign, width: int, height: int, *, mirror: bool) -> dic
     return {
         "points": [[round(float(x), 3), round(float(y), 3)] for x, y in points],
         "handedness": hand.handedness,
-        "best": hand.reading.best,
-        "confidence": round(hand.reading.confidence, 3),
-        "second": hand.reading.second,
-        "sure": hand.reading.sign is not None,
+        "best": hand.prediction.best,
+        "confidence": round(hand.prediction.confidence, 3),
+        "second": hand.prediction.second,
+        "sure": hand.prediction.sign is not None,
     }
 
 

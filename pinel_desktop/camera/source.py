@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pinel_desktop.camera.frames import FrameReader, Shot, open_reader
+from pinel_desktop.camera.frames import FrameReader, RawFrame, open_reader
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.pictures import Picture
 
@@ -24,10 +24,10 @@ OpenReader = Callable[[str], FrameReader]
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class StampedFrame:
     """What the camera gave, and when, by the monotonic clock."""
 
-    shot: Shot
+    raw: RawFrame
     time_s: float
 
 
@@ -43,25 +43,25 @@ class CameraSource:
         self.address = address
         self._open_reader = open_reader
         self._changed = threading.Condition()
-        self._frame: Frame | None = None
+        self._frame: StampedFrame | None = None
         self._problem: PinelError | None = None
         self._is_open = False
         self._closing = threading.Event()
-        self._began_s = time.monotonic()
-        self._watch = _PictureWatch(is_live=False)
+        self._opened_s = time.monotonic()
+        self._quality_monitor = _ImageQualityMonitor(is_live=False)
         threading.Thread(target=self._read, name="camera-reader", daemon=True).start()
 
-    def next_frame(self, after_s: float, timeout_s: float) -> Frame | None:
+    def next_frame(self, after_s: float, timeout_s: float) -> StampedFrame | None:
         """The newest frame if it is later than `after_s`; waits for one up to `timeout_s`, else None."""
         with self._changed:
-            self._changed.wait_for(lambda: self._is_later(after_s), timeout_s)
-            return self._frame if self._is_later(after_s) else None
+            self._changed.wait_for(lambda: self._is_newer(after_s), timeout_s)
+            return self._frame if self._is_newer(after_s) else None
 
     @property
     def problem(self) -> PinelError | None:
         """What keeps the camera from being of use; None when all is well or it is being opened."""
         with self._changed:
-            last_s = self._frame.time_s if self._frame else self._began_s
+            last_s = self._frame.time_s if self._frame else self._opened_s
             if self._problem:
                 return self._problem
             if self._is_open and time.monotonic() - last_s > NO_FRAME_S:
@@ -78,7 +78,7 @@ class CameraSource:
         """Gives the camera back as soon as the driver lets go of the reading thread; does not wait for it."""
         self._closing.set()
 
-    def _is_later(self, after_s: float) -> bool:
+    def _is_newer(self, after_s: float) -> bool:
         return self._frame is not None and self._frame.time_s > after_s
 
     def _read(self) -> None:
@@ -86,7 +86,7 @@ class CameraSource:
             try:
                 reader = self._open_reader(self.address)
                 try:
-                    self._read_until_gone(reader)
+                    self._read_until_disconnected(reader)
                 finally:
                     reader.close()
             except PinelError as error:
@@ -99,25 +99,25 @@ class CameraSource:
         self._set_problem(error)
         self._closing.wait(_RETRY_S)
 
-    def _read_until_gone(self, reader: FrameReader) -> None:
+    def _read_until_disconnected(self, reader: FrameReader) -> None:
         with self._changed:
-            self._is_open, self._began_s = True, time.monotonic()
-        self._watch = _PictureWatch(is_live=reader.is_live)
+            self._is_open, self._opened_s = True, time.monotonic()
+        self._quality_monitor = _ImageQualityMonitor(is_live=reader.is_live)
         last_s = time.monotonic()
         while not self._closing.is_set():
-            shot = reader.read()
+            raw = reader.read()
             now_s = time.monotonic()
-            if shot is not None:
+            if raw is not None:
                 last_s = now_s
-                self._take(Frame(shot, now_s))
+                self._set_frame(StampedFrame(raw, now_s))
             elif now_s - last_s > NO_FRAME_S:
                 self._set_problem(PinelError("camera_no_picture"))
                 return
             else:
                 self._closing.wait(0.02)  # a reader that has nothing must not keep the PC busy
 
-    def _take(self, frame: Frame) -> None:
-        problem = self._watch.problem(frame)
+    def _set_frame(self, frame: StampedFrame) -> None:
+        problem = self._quality_monitor.problem(frame)
         with self._changed:
             self._frame, self._problem = frame, problem
             self._changed.notify_all()
@@ -127,24 +127,24 @@ class CameraSource:
             self._problem, self._is_open = error, False
 
 
-class _PictureWatch:
+class _ImageQualityMonitor:
     """Says what is wrong with the pictures: black, too dark, always the same. Looks twice a second."""
 
     def __init__(self, *, is_live: bool) -> None:
         self._is_live = is_live
-        self._looked_s = float("-inf")
+        self._checked_s = float("-inf")
         self._problem: PinelError | None = None
         self._last: Picture | None = None
         self._changed_s = float("inf")
 
-    def problem(self, frame: Frame) -> PinelError | None:
-        if frame.time_s - self._looked_s >= _CHECK_S:
-            self._looked_s = frame.time_s
-            self._problem = self._look(frame)
+    def problem(self, frame: StampedFrame) -> PinelError | None:
+        if frame.time_s - self._checked_s >= _CHECK_S:
+            self._checked_s = frame.time_s
+            self._problem = self._check(frame)
         return self._problem
 
-    def _look(self, frame: Frame) -> PinelError | None:
-        small = frame.shot.picture[::8, ::8]
+    def _check(self, frame: StampedFrame) -> PinelError | None:
+        small = frame.raw.picture[::8, ::8]
         if self._last is None or not np.array_equal(small, self._last):
             self._last, self._changed_s = small.copy(), frame.time_s
         brightness = float(small.mean())

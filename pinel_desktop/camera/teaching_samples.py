@@ -4,14 +4,14 @@ import base64
 import time
 from pathlib import Path
 
-from pinel_desktop.camera.learning import MovementTaker, SampleTaker, pack
-from pinel_desktop.camera.sight import Sight
+from pinel_desktop.camera.frame_analyzer import FrameAnalyzer
+from pinel_desktop.camera.sign_training import MovementCollector, SampleCollector, pack
 from pinel_desktop.camera.source import CameraSource
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.pictures import read_picture
 from pinel_desktop.gestures.recognition import Recogniser
 
-_PATIENCE_S = 15.0  # without a sample
+_TIMEOUT_S = 15.0  # without a sample
 _FRAME_S = 0.5
 
 
@@ -24,8 +24,8 @@ def sample_of_picture(recogniser: Recogniser, path: Path, aspect: float | None) 
     Raises:
         PinelError: of a picture that cannot be read; `teach_hand_missing` where it shows no hand, or two.
     """
-    seen = recogniser.read(read_picture(path, aspect))
-    packed = pack(seen[0].features) if len(seen) == 1 else None
+    hands = recogniser.read(read_picture(path, aspect))
+    packed = pack(hands[0].features) if len(hands) == 1 else None
     if packed is None:
         raise PinelError("teach_hand_missing", file=str(path))
     return base64.b64decode(packed)
@@ -41,25 +41,25 @@ def samples_of_camera(source: str, n_samples: int, *, is_moving: bool) -> list[b
         PinelError: what is wrong with the camera; `sign_recording_stopped` or `movement_recording_stopped` where
             nothing was seen for too long.
     """
-    sight = Sight(Recogniser())
-    taker = MovementTaker() if is_moving else SampleTaker()
+    analyzer = FrameAnalyzer(Recogniser())
+    collector = MovementCollector() if is_moving else SampleCollector()
     camera = CameraSource(source)
     samples: list[bytes] = []
-    seen_s, taken_s = 0.0, time.monotonic()
+    last_frame_s, last_sample_s = 0.0, time.monotonic()
     try:
         while len(samples) < n_samples:
             if problem := camera.problem:
                 raise problem
-            if time.monotonic() - taken_s > _PATIENCE_S:
+            if time.monotonic() - last_sample_s > _TIMEOUT_S:
                 kind = "movement" if is_moving else "sign"
                 raise PinelError(f"{kind}_recording_stopped")
-            frame = camera.next_frame(seen_s, _FRAME_S)
+            frame = camera.next_frame(last_frame_s, _FRAME_S)
             if frame is None:
                 continue
-            seen_s = frame.time_s
-            if sample := taker.take(frame.time_s, sight.look(frame.shot)):
+            last_frame_s = frame.time_s
+            if sample := collector.update(frame.time_s, analyzer.analyze(frame.raw)):
                 samples.append(base64.b64decode(sample))
-                taken_s = time.monotonic()
+                last_sample_s = time.monotonic()
     finally:
         camera.close()
     return samples

@@ -21,7 +21,7 @@ import click
 
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.errors import PinelError
-from pinel_desktop.instance import Instance
+from pinel_desktop.instance import InstanceLock
 from pinel_desktop.paths import database_path
 from pinel_desktop.settings import Settings
 from pinel_desktop.web.early_server import EarlyServer
@@ -62,7 +62,7 @@ def _serve(
         send(type="address", address=server.guard.fresh_link())
         app = _started(database, camera, server, send)
     if app is not None:
-        _answer(app, messages, send)
+        _serve_requests(app, messages, send)
 
 
 @contextlib.contextmanager
@@ -90,7 +90,7 @@ def _started(
     app = App(
         database,
         early_server=server,
-        instance=Instance.of_parent(database),
+        instance=InstanceLock.of_parent(database),
         engine_after_s=_ENGINE_AFTER_S,
         on_show=lambda: send(type="show"),
         camera=camera,
@@ -104,16 +104,16 @@ def _started(
     return app
 
 
-def _answer(app: "App", messages: Iterator[Message], send: Callable[..., None]) -> None:
+def _serve_requests(app: "App", messages: Iterator[Message], send: Callable[..., None]) -> None:
     with contextlib.closing(app):
-        _tell_notice(app)
+        _print_notice(app)
         send(type="ready", language=app.language)
         for message in messages:
             if message == {"do": "address"}:
                 send(type="address", address=app.address)
 
 
-def _tell_notice(app: "App") -> None:
+def _print_notice(app: "App") -> None:
     if app.notice is not None:
         print_problem(app.notice, app.language)
 

@@ -15,12 +15,12 @@ from pinel_desktop.activities import (
     choose_activity,
 )
 from pinel_desktop.commands.printing import print_problem
-from pinel_desktop.commands.program_file import place_of, print_faults
+from pinel_desktop.commands.program_file import location_of, print_faults
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain, language_of_system
 
-_MOST_FAULTS = 5
-_MOST_FAULTS_OF_ACTIVITY = 50
+_MAX_FAULTS = 5
+_MAX_FAULTS_OF_ACTIVITY = 50
 _PASSED, _NOT_PASSED, _UNUSABLE, _INTERRUPTED = 0, 1, 2, 130
 
 
@@ -47,7 +47,7 @@ def command(
     try:
         reports, is_whole = _checked(choose_activity(activity), files, processes)
     except PinelError as error:
-        _say(error, language)
+        _print_error(error, language)
         ctx.exit(_UNUSABLE)
     for report in reports:
         if as_json:
@@ -64,10 +64,10 @@ def command(
     ctx.exit(_PASSED if n_passed == len(reports) else _NOT_PASSED)
 
 
-def _say(error: PinelError, language: str) -> None:
+def _print_error(error: PinelError, language: str) -> None:
     print_problem(error, language)
     if isinstance(error, ActivityError):
-        print_faults(error.faults[:_MOST_FAULTS_OF_ACTIVITY], language)
+        print_faults(error.faults[:_MAX_FAULTS_OF_ACTIVITY], language)
 
 
 def _checked(
@@ -106,11 +106,11 @@ def _in_language(advice: dict[str, Any], language: str) -> dict[str, Any]:
 def _lines(report: Report, language: str) -> list[str]:
     """The report of one program as text: only the checks that fail."""
     lines = [f"{'+' if report.passed else '-'} {report.program}"]
-    for fault in report.faults[:_MOST_FAULTS]:
-        place = place_of(fault.pointer, fault.params, language)
+    for fault in report.faults[:_MAX_FAULTS]:
+        place = location_of(fault.pointer, fault.params, language)
         lines.append(f"    {place}: {explain(fault, language).line}")
-    if len(report.faults) > _MOST_FAULTS:
-        lines.append(f"    … (+{len(report.faults) - _MOST_FAULTS})")
+    if len(report.faults) > _MAX_FAULTS:
+        lines.append(f"    … (+{len(report.faults) - _MAX_FAULTS})")
     for i, case in enumerate(report.cases):
         where = f"{i + 1}. " if len(report.cases) > 1 else ""
         lines += [f"    {where}{one.words[language]}" for one in case.checks if not one.holds]

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Protocol
 
 from pinel_desktop.commands.printing import Failure
+from pinel_desktop.database_locations import is_location_missing
 from pinel_desktop.errors import PinelError
-from pinel_desktop.known_places import is_place_missing
 from storage import Store, StoreError, open_for_reading, open_store
 from storage.text import name_key
 
@@ -25,7 +25,7 @@ class Named(Protocol):
 def opened_for_reading(path: Path) -> Iterator[Store]:
     """The store of an existing file, read-only."""
     with _failures():
-        require_place(path)
+        require_location(path)
         _require(path)
         with open_for_reading(path) as store:
             yield store
@@ -39,22 +39,26 @@ def opened_store(path: Path, *, may_be_new: bool) -> Iterator[Store]:
         may_be_new: create the file if it does not exist.
     """
     with _failures():
-        require_place(path)
+        require_location(path)
         if _has_content(path):
-            _require_sound(path)
+            _require_intact(path)
         elif not may_be_new:
             _require(path)
         with open_store(path) as store:
             yield store
 
 
-def key_of(wanted: str, rows: Sequence[Named]) -> str:
+def key_of(name_or_key: str, rows: Sequence[Named]) -> str:
     """The key of the one row of that name or key. Raises PinelError `export_unknown`, `export_ambiguous`."""
-    ids = [row.id for row in rows if wanted == row.id or name_key(row.name) == name_key(wanted)]
+    ids = [
+        row.id
+        for row in rows
+        if name_or_key == row.id or name_key(row.name) == name_key(name_or_key)
+    ]
     if not ids:
-        raise PinelError("export_unknown", name=wanted, known=[row.name for row in rows])
+        raise PinelError("export_unknown", name=name_or_key, known=[row.name for row in rows])
     if len(ids) > 1:
-        raise PinelError("export_ambiguous", name=wanted, ids=ids)
+        raise PinelError("export_ambiguous", name=name_or_key, ids=ids)
     return ids[0]
 
 
@@ -70,9 +74,9 @@ def _has_content(path: Path) -> bool:
     return path.is_file() and path.stat().st_size > 0
 
 
-def require_place(path: Path) -> None:
+def require_location(path: Path) -> None:
     """Raises PinelError `database_place_missing`: a stick that is away is no reason to begin another file there."""
-    if is_place_missing(path):
+    if is_location_missing(path):
         raise PinelError("database_place_missing", path=str(path), folder=str(path.parent))
 
 
@@ -81,7 +85,7 @@ def _require(path: Path) -> None:
         raise PinelError("database_missing", path=str(path))
 
 
-def _require_sound(path: Path) -> None:
+def _require_intact(path: Path) -> None:
     try:
         open_for_reading(path).close()
     except StoreError as error:

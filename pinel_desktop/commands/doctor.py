@@ -7,7 +7,7 @@ import click
 
 from pinel_desktop import __version__
 from pinel_desktop.commands.options import chosen_database, database_option
-from pinel_desktop.doctor.examination import Finding, Level, examine
+from pinel_desktop.doctor.examination import HealthCheckResult, Level, examine
 from pinel_desktop.messages import describe, explain, language_of_system
 
 _COLOURS: dict[Level, str] = {"ok": "green", "warn": "yellow", "fail": "red"}
@@ -43,28 +43,28 @@ def command(ctx: click.Context, as_json: bool) -> None:
     ctx.exit(int(failed))
 
 
-def _verdict(findings: list[Finding]) -> str:
+def _verdict(findings: list[HealthCheckResult]) -> str:
     levels = {finding.level for finding in findings}
     if "fail" in levels:
         return "doctor_failures"
     return "doctor_warnings" if "warn" in levels else "doctor_all_well"
 
 
-def _print(finding: Finding, language: str) -> None:
-    words = explain(finding, language)
+def _print(finding: HealthCheckResult, language: str) -> None:
+    text = explain(finding, language)
     mark = describe(f"doctor_{finding.level}", {}, language).message
-    click.echo(click.style(f"[{mark}]", fg=_COLOURS[finding.level]) + f" {words.message}")
-    if words.remedy:
-        click.echo(f"    {words.remedy}")
+    click.echo(click.style(f"[{mark}]", fg=_COLOURS[finding.level]) + f" {text.message}")
+    if text.remedy:
+        click.echo(f"    {text.remedy}")
 
 
-def _as_object(finding: Finding, language: str) -> dict[str, Any]:
-    words = explain(finding, language)
+def _as_object(finding: HealthCheckResult, language: str) -> dict[str, Any]:
+    text = explain(finding, language)
     return {
         "about": finding.about,
         "level": finding.level,
         "code": finding.code,
-        "message": words.message,
-        "remedy": words.remedy,
+        "message": text.message,
+        "remedy": text.remedy,
         "params": dict(finding.params),
     }

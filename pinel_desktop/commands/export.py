@@ -42,17 +42,17 @@ def command(
     anonymous: bool,
     parquet: bool,
     as_json: bool,
-    **wanted: str | None,
+    **selection: str | None,
 ) -> None:
     """Write all work into one file for another PC, which reads it with `pinel merge`.
 
     DEST is a folder or a file name. An existing file is not replaced; the new one gets a number.
     """
-    named = [name for name in wanted.values() if name is not None]
+    named = [name for name in selection.values() if name is not None]
     if len(named) > 1:
         raise click.UsageError("--class, --group and --program cannot be combined")
     with opened_store(chosen_database(ctx), may_be_new=False) as store:
-        scope = _scope(store, **wanted)
+        scope = _scope(store, **selection)
         computer = _computer(store)
         nameless = describe("file_without_names", {}, language_of_system()).message
         name = nameless if anonymous else "-".join([computer[1], *named])
@@ -66,7 +66,7 @@ def command(
             anonymous=shipped_texts() if anonymous else None,
         )
     click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _as_text(info))
-    _say_left_out(info)
+    _print_left_out(info)
 
 
 def _scope(store: Store, *, classroom: str | None, group: str | None, program: str | None) -> Scope:
@@ -105,7 +105,7 @@ def _as_text(info: BundleInfo) -> str:
     return describe("exported", {"path": str(info.path), **info.counts}, language).message
 
 
-def _say_left_out(info: BundleInfo) -> None:
+def _print_left_out(info: BundleInfo) -> None:
     """On standard error, as what the file lacks must not be lost among what it has."""
     if info.left_out:
         missing = describe("export_left_out", info.left_out_params, language_of_system())

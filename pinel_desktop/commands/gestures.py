@@ -20,8 +20,8 @@ from storage.limits import MAX_TAUGHT_SAMPLES
 
 if TYPE_CHECKING:
     from pinel_desktop.gestures.recognition import Recogniser
+    from pinel_desktop.gestures.training.photo_features import PhotoFeatures
     from pinel_desktop.gestures.training.photos import Photo
-    from pinel_desktop.gestures.training.recordings import Recordings
     from storage import Store
 
 _UNUSABLE = 2
@@ -71,7 +71,7 @@ def classify(ctx: click.Context, images: tuple[Path, ...], aspect: float | None)
     right, bottom in pixels of the picture as it is without stretch; `handedness` counts for a picture that is not
     mirrored. Exit status: 0 all were read, 2 one could not be.
     """
-    with _told():
+    with _exit_on_error():
         from pinel_desktop.gestures.recognition import Recogniser  # noqa: PLC0415 - slow to import
 
         recogniser = Recogniser()
@@ -107,7 +107,7 @@ def evaluate(
     DIR holds sources.csv, or lies beside it. Without --leave-one-source-out the letters that ship are measured; they
     learnt from these people, so the figures say nothing about others.
     """
-    with _told():
+    with _exit_on_error():
         from pinel_desktop.gestures import weights_file  # noqa: PLC0415 - slow to import
         from pinel_desktop.gestures.training import evaluation, photos  # noqa: PLC0415
 
@@ -139,16 +139,18 @@ def evaluate(
 @_recordings_option
 def train(folder: Path, output: Path | None, seed: int | None, recordings: Path | None) -> None:
     """Learn the letters from the labelled pictures of DIR (with sources.csv), and write them."""
-    with _told():
+    with _exit_on_error():
         from pinel_desktop.gestures import weights_file  # noqa: PLC0415 - slow to import
-        from pinel_desktop.gestures.training import learning, photos  # noqa: PLC0415
+        from pinel_desktop.gestures.training import letter_training, photos  # noqa: PLC0415
 
         recorded = _recorded(photos.read_photos(folder), recordings)
-        learnt = learning.train(recorded, learning.SEED if seed is None else seed)
+        letters = letter_training.train(recorded, letter_training.SEED if seed is None else seed)
         target = output or weights_file.LETTERS
-        weights_file.save(learnt, target)
+        weights_file.save(letters, target)
     size = target.stat().st_size
-    click.echo(f"{target}: {len(learnt.signs)} letters, {len(learnt.points)} samples, {size} bytes")
+    click.echo(
+        f"{target}: {len(letters.signs)} letters, {len(letters.points)} samples, {size} bytes"
+    )
 
 
 @command.command()
@@ -188,7 +190,7 @@ def teach(
     with opened_store(chosen_database(ctx), may_be_new=False) as store:
         found = key_of(classroom, store.classrooms.all())
         sign = store.taught_signs.name_to_teach(found, name, is_moving=moving)
-        with _told():
+        with _exit_on_error():
             samples = (
                 _samples_of_camera(source, is_moving=moving)
                 if source
@@ -196,8 +198,8 @@ def teach(
             )
         if samples:
             store.taught_signs.add(found, sign, b"".join(samples), is_moving=moving)
-            told = _taught(store, found, sign, len(samples), is_moving=moving)
-            click.echo(json.dumps(told, ensure_ascii=False))
+            report = _taught(store, found, sign, len(samples), is_moving=moving)
+            click.echo(json.dumps(report, ensure_ascii=False))
     ctx.exit(0 if source or len(samples) == len(images) else _UNUSABLE)
 
 
@@ -237,7 +239,7 @@ def _taught(
 
 
 @contextmanager
-def _told() -> Iterator[None]:
+def _exit_on_error() -> Iterator[None]:
     """A PinelError inside ends the command with its words."""
     try:
         yield
@@ -245,11 +247,11 @@ def _told() -> Iterator[None]:
         raise Failure(error) from error
 
 
-def _recorded(found: "list[Photo]", kept: Path | None) -> "Recordings":
-    from pinel_desktop.gestures.training.recordings import recorded  # noqa: PLC0415 - slow to import
+def _recorded(found: "list[Photo]", recordings_file: Path | None) -> "PhotoFeatures":
+    from pinel_desktop.gestures.training.photo_features import load_photo_features  # noqa: PLC0415 - slow to import
 
     with click.progressbar(length=len(found), file=sys.stderr) as progress:
-        return recorded(found, kept, lambda: progress.update(1))
+        return load_photo_features(found, recordings_file, lambda: progress.update(1))
 
 
 def _classified(recogniser: "Recogniser", image: Path, aspect: float | None) -> dict[str, Any]:
@@ -259,20 +261,20 @@ def _classified(recogniser: "Recogniser", image: Path, aspect: float | None) -> 
 
     picture = read_picture(image, aspect)
     started = time.perf_counter()
-    seen = clearest(recogniser.read(picture))
+    clearest_hand = clearest(recogniser.read(picture))
     ms = round(1000 * (time.perf_counter() - started), 1)
     nothing = dict.fromkeys(("letter", "best", "confidence", "second", "box", "handedness"))
-    if seen is None:
+    if clearest_hand is None:
         return {"file": str(image), **nothing, "ms": ms}
-    reading = seen.reading
+    reading = clearest_hand.prediction
     return {
         "file": str(image),
         "letter": reading.sign,
         "best": reading.best,
         "confidence": round(reading.confidence, 3),
         "second": reading.second,
-        "box": [round(side) for side in seen.hand.box],
-        "handedness": seen.hand.handedness,
+        "box": [round(side) for side in clearest_hand.hand.box],
+        "handedness": clearest_hand.hand.handedness,
         "ms": ms,
     }
 

@@ -69,7 +69,9 @@ def command(
     with opened_store(chosen_database(ctx), may_be_new=True) as store:
         outcomes = []
         for file in _all(files):
-            outcomes.append(_merged(store, file, delete=delete, newer=not delete_newer, kept=kept))
+            outcomes.append(
+                _merged(store, file, delete=delete, newer=not delete_newer, retained=kept)
+            )
             lesson = _opened(store, outcomes[-1]) if open_lesson else None
             if not as_json:
                 click.echo("\n".join(filter(None, (_as_text(outcomes[-1]), lesson))))
@@ -90,13 +92,15 @@ def _all(files: Iterable[Path]) -> Iterator[Path]:
 
 
 def _merged(
-    store: Store, file: Path, *, delete: bool, newer: bool, kept: tuple[str, ...]
+    store: Store, file: Path, *, delete: bool, newer: bool, retained: tuple[str, ...]
 ) -> _Outcome:
     try:
         if file.is_dir():
             raise StoreError("bundles_none", path=str(file))
         merge = store.exchange.merge
-        return _Outcome(file, merge(file, delete=delete, kept=kept, keep_newer=newer), None)
+        return _Outcome(
+            file, merge(file, delete=delete, retained=retained, retain_newer=newer), None
+        )
     except StoreError as error:
         return _Outcome(file, None, error)
 
@@ -112,8 +116,8 @@ def _opened(store: Store, outcome: _Outcome) -> str | None:
 def _as_text(outcome: _Outcome) -> str:
     report, error = outcome.report, outcome.error
     if error is not None:
-        words = explain(error)
-        return f"{words.message}\n{words.remedy}"
+        text = explain(error)
+        return f"{text.message}\n{text.remedy}"
     assert report is not None
     params: dict[str, Any] = {"file": outcome.file.name, "computer": report.info.computer_name}
     for table in ("groups", "programs", "versions", "runs"):
@@ -129,21 +133,21 @@ def _as_text(outcome: _Outcome) -> str:
         lines.append(describe("merged_unconfirmed", params, language_of_system()).message)
     if report.would_delete is not None:
         lines += _would_delete(report.would_delete)
-    lines += [_about("merge_kept", one) for one in report.kept]
+    lines += [_about("merge_kept", one) for one in report.retained]
     if report.left_in:
-        kept = {"files": report.left_in}
-        lines.append(describe("merge_deleted_kept", kept, language_of_system()).message)
+        retained = {"files": report.left_in}
+        lines.append(describe("merge_deleted_kept", retained, language_of_system()).message)
     return "\n".join(lines)
 
 
 def _would_delete(pending: PendingDeletion) -> list[str]:
-    words = describe("merge_would_delete", asdict(pending), language_of_system())
+    text = describe("merge_would_delete", asdict(pending), language_of_system())
     newer = [
         _about("merge_moved_group" if one.is_moved else f"merge_newer_{one.kind}", one)
         for one in pending.work
         if one.is_newer
     ]
-    return [words.message, *newer, words.remedy]
+    return [text.message, *newer, text.remedy]
 
 
 def _about(code: str, one: PendingWork) -> str:
@@ -165,8 +169,8 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
     report, error = outcome.report, outcome.error
     if report is None:
         assert error is not None
-        words = explain(error)
-        text = {"code": error.code, "message": words.message, "remedy": words.remedy}
+        explanation = explain(error)
+        text = {"code": error.code, "message": explanation.message, "remedy": explanation.remedy}
         detail = error.params.get("problem")  # text of the library or the check, untranslated
         return {"file": str(outcome.file), "error": {**text, "detail": detail}}
     counts = {name: getattr(report, name) for name in ("added", "changed", "skipped", "removed")}
@@ -179,7 +183,7 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
         "n_unconfirmed": report.n_unconfirmed,
         "nothing_new": report.nothing_new,
         **_pending(report.would_delete),
-        "kept": [asdict(one) for one in report.kept],
+        "kept": [asdict(one) for one in report.retained],
         "still_in": report.left_in,
         **counts,
     }

@@ -7,7 +7,7 @@ import click
 from pinel_desktop.paths import database_path
 
 
-def _keep(ctx: click.Context, _option: click.Parameter, file: str | None) -> None:
+def _store_choice(ctx: click.Context, _option: click.Parameter, file: str | None) -> None:
     if file is not None:
         ctx.ensure_object(dict)["db"] = file
 
@@ -17,7 +17,7 @@ database_option = click.option(
     "--db",
     type=click.Path(dir_okay=False),
     expose_value=False,
-    callback=_keep,
+    callback=_store_choice,
     help="Database file instead of the user's own.",
 )
 

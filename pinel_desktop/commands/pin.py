@@ -26,19 +26,19 @@ def command(ctx: click.Context, forget: bool) -> None:
             sessions.remove_pin()
         else:
             sessions.set_pin(_prompt_twice())
-    click.echo("\n".join(_words("pin_taken_away" if forget else "pin_chosen")))
+    click.echo("\n".join(_message_lines("pin_taken_away" if forget else "pin_chosen")))
 
 
 def _prompt_twice() -> str:
     """Prompts for a PIN twice. Raises PinelError `pin_format` or `pin_different`."""
-    first = click.prompt(_words("pin_prompt")[0], hide_input=True)
+    first = click.prompt(_message_lines("pin_prompt")[0], hide_input=True)
     check_format(first)
-    again = click.prompt(_words("pin_prompt_again")[0], hide_input=True)
+    again = click.prompt(_message_lines("pin_prompt_again")[0], hide_input=True)
     if first != again:
         raise PinelError("pin_different")
     return str(first)
 
 
-def _words(code: str) -> Sequence[str]:
-    words = describe(code, {}, language_of_system())
-    return [line for line in (words.message, words.remedy) if line]
+def _message_lines(code: str) -> Sequence[str]:
+    text = describe(code, {}, language_of_system())
+    return [line for line in (text.message, text.remedy) if line]

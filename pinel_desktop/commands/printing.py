@@ -15,8 +15,8 @@ class Failure(click.ClickException):
     """Ends a command with the message of a problem and, on the next line, its remedy."""
 
     def __init__(self, problem: Problem) -> None:
-        words = explain(problem)
-        super().__init__(f"{words.message}\n{words.remedy}")
+        text = explain(problem)
+        super().__init__(f"{text.message}\n{text.remedy}")
 
     def show(self, file: IO[Any] | None = None) -> None:
         click.echo(self.message, file=file, err=file is None)
@@ -27,7 +27,7 @@ def print_problem(problem: Problem, language: str | None = None, *, place: str =
     click.echo(f"{place}: " * bool(place) + explain(problem, language).line, err=True)
 
 
-def figure_lines(summary: Mapping[str, Any]) -> list[str]:
+def metric_lines(summary: Mapping[str, Any]) -> list[str]:
     """The figures of a run's summary (`execution.summary`) as lines; none of a run that never began."""
     pose = summary["pose"]
     if pose is None:

@@ -11,11 +11,11 @@ import click
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.messages import describe
-from pinel_desktop.robot.record import RECORDS, BridgeRecord, RobotRecord, record_from
+from pinel_desktop.robot.robot_profile import PROFILES, BridgeProfile, RobotProfile, profile_from
 
 # the options of `chosen_robot`
 ROBOT_OPTIONS = ("robot", "robot_settings", "bridge", "bridge_key")
-_BRIDGE = BridgeRecord.link
+_BRIDGE = BridgeProfile.link
 
 
 def robot_options(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -45,7 +45,7 @@ def robot_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 def chosen_robot(
     robot: str, robot_settings: tuple[str, ...], bridge: str | None, bridge_key: str | None
-) -> RobotRecord | None:
+) -> RobotProfile | None:
     """The record of a real robot; None for the simulator.
 
     Args:
@@ -63,7 +63,7 @@ def chosen_robot(
         if robot != _BRIDGE:
             raise PinelError("bridge_option_alone")
         fields |= _address(bridge) | ({} if bridge_key is None else {"key": bridge_key})
-    return record_from(fields) if robot in RECORDS else None
+    return profile_from(fields) if robot in PROFILES else None
 
 
 def _set(fields: dict[str, Any], typed: str) -> None:
@@ -96,7 +96,7 @@ def _value(typed: str) -> Any:
 
 
 @contextlib.contextmanager
-def stopped_by_signals(robot: RobotRecord | None, control: RunControl) -> Iterator[None]:
+def stopped_by_signals(robot: RobotProfile | None, control: RunControl) -> Iterator[None]:
     """Ctrl+C and SIGTERM stop a real robot; without this they would end the process, and the robot would drive on."""
     if robot is None:
         yield
@@ -112,8 +112,8 @@ def stopped_by_signals(robot: RobotRecord | None, control: RunControl) -> Iterat
             signal.signal(number, handler)
 
 
-def tell_waiting(robot: RobotRecord | None, language: str) -> None:
+def announce_waiting(robot: RobotProfile | None, language: str) -> None:
     """Says on standard error where the client of the bridge is waited for."""
-    if isinstance(robot, BridgeRecord):
+    if isinstance(robot, BridgeProfile):
         values = {"host": robot.url_host, "port": robot.port, "seconds": robot.wait_s}
         click.echo(describe("bridge_waiting", values, language).line, err=True)

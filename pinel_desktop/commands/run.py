@@ -12,39 +12,39 @@ import click
 from pinel_desktop import __version__
 from pinel_desktop.camera.client import CameraState
 from pinel_desktop.camera.inputs import WRONG_SOURCE, CameraInputs
-from pinel_desktop.commands.database import require_place
+from pinel_desktop.commands.database import require_location
 from pinel_desktop.commands.options import chosen_database, database_option
-from pinel_desktop.commands.printing import figure_lines, print_problem
-from pinel_desktop.commands.program_file import place_of, read_file
+from pinel_desktop.commands.printing import metric_lines, print_problem
+from pinel_desktop.commands.program_file import location_of, read_file
 from pinel_desktop.commands.real_robot import (
     ROBOT_OPTIONS,
+    announce_waiting,
     chosen_robot,
     robot_options,
     stopped_by_signals,
-    tell_waiting,
 )
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import Event
-from pinel_desktop.events.stamp import EventStamp
-from pinel_desktop.events.types import KEPT, URGENT
+from pinel_desktop.events.types import RECORDED, URGENT
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_object
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import describe, explain, language_of_system
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.program.reading import Reading
-from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
-from pinel_desktop.robot.record import ROOM, RobotRecord
+from pinel_desktop.program.reading import ParseResult
+from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, SimulationConfig
+from pinel_desktop.robot.robot_profile import ROOM, RobotProfile
 from pinel_desktop.runs.plotting import Curves, draw, plot_format
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.robot_checks import missing_on_model, missing_on_real_robots
 from pinel_desktop.runs.spec import RunInputs, RunSpec
 from pinel_desktop.runs.start import all_of, start
-from storage import Recorder, RunStart, Store, StoreError, open_store
+from storage import RunRecorder, RunStart, Store, StoreError, open_store
 
-_LONGEST_VALUE = 200  # of a variable in the text output; --json has the full value
+_MAX_VALUE_LENGTH = 200  # of a variable in the text output; --json has the full value
 _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
 _INVALID_REASONS = (
     "invalid_program",
@@ -151,7 +151,7 @@ def command(
     if faults:
         summary = _faulty(faults, language)
     elif wrong is not None:
-        summary = _not_begun(wrong, language)
+        summary = _start_failure_object(wrong, language)
     else:
         for warning in reading.warnings:
             print_problem(warning, language, place=warning.pointer)
@@ -179,7 +179,7 @@ def _status(summary: dict[str, Any]) -> int:
     return _FINISHED if summary["state"] == "finished" else _NOT_FINISHED
 
 
-def _faults_on(link: str, model: str, reading: Reading) -> Sequence[Fault]:
+def _faults_on(link: str, model: str, reading: ParseResult) -> Sequence[Fault]:
     """What a program asks of a robot that this one cannot tell."""
     if link == "sim":
         return missing_on_model(reading.document, ROBOTS[model])
@@ -194,19 +194,19 @@ def _faulty(faults: Sequence[Fault], language: str) -> dict[str, Any]:
 
 
 def _fault_object(fault: Fault, language: str) -> dict[str, Any]:
-    words = explain(fault, language)
+    text = explain(fault, language)
     return {
         "code": fault.code,
         "pointer": fault.pointer,
         "block": fault.block,
-        "message": words.message,
-        "remedy": words.remedy,
+        "message": text.message,
+        "remedy": text.remedy,
         "params": fault.params,
     }
 
 
 def _run(
-    reading: Reading, recording: "_Recording | None", language: str, **options: Any
+    reading: ParseResult, recording: "_Recording | None", language: str, **options: Any
 ) -> dict[str, Any]:
     curves = Curves() if options["plot"] else None
     try:
@@ -216,12 +216,12 @@ def _run(
         with _inputs(options, language) as inputs, stopped_by_signals(robot, control):
             spec = _spec(reading, world, robot, options, inputs)
             if recording is not None:
-                recording.will_keep(_record(spec, world, options))
-            tell_waiting(robot, language)
+                recording.expect(_record(spec, world, options))
+            announce_waiting(robot, language)
             observers = (part.observe for part in (recording, curves) if part is not None)
             result = start(spec, all_of(*observers), control)
     except PinelError as error:
-        return _not_begun(error, language)
+        return _start_failure_object(error, language)
     ended = result.ended
     if curves is not None:
         _draw(curves, options["plot"], reading.program.name if reading.program else "", language)
@@ -230,7 +230,7 @@ def _run(
     return run_object(result, run_id, message)
 
 
-def _world(robot: RobotRecord | None, options: dict[str, Any]) -> ChosenWorld:
+def _world(robot: RobotProfile | None, options: dict[str, Any]) -> ChosenWorld:
     """The simulator's world, or the room of a real robot."""
     if robot is not None:
         return ChosenWorld(ROOM, robot.room.as_world())
@@ -243,17 +243,17 @@ def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContex
     if options["camera"] is None:
         return contextlib.nullcontext(ScriptedInputs(_results(options["gestures"]), answers))
 
-    def tell(state: CameraState) -> None:
+    def print_camera_problem(state: CameraState) -> None:
         if state.problem:
             print_problem(state.problem, language, place="pinel")
 
-    return CameraInputs(options["camera"], answers, tell)
+    return CameraInputs(options["camera"], answers, print_camera_problem)
 
 
 def _spec(
-    reading: Reading,
+    reading: ParseResult,
     world: ChosenWorld,
-    robot: RobotRecord | None,
+    robot: RobotProfile | None,
     options: dict[str, Any],
     inputs: RunInputs,
 ) -> RunSpec:
@@ -263,7 +263,7 @@ def _spec(
         world=world.document,
         link=options["robot"],
         robot=robot,
-        setting=Setting(options["model"], options["preset"], options["feedback"]),
+        setting=SimulationConfig(options["model"], options["preset"], options["feedback"]),
         seed=options["seed"],
         inputs=inputs,
         pace=options["pace"],
@@ -287,7 +287,7 @@ def _draw(curves: Curves, file: str, title: str, language: str) -> None:
         print_problem(error, language, place="pinel")
 
 
-def _not_begun(error: PinelError, language: str) -> dict[str, Any]:
+def _start_failure_object(error: PinelError, language: str) -> dict[str, Any]:
     faults = error.faults if isinstance(error, WorldFileError) else ()
     return unbegun_object(
         error.code,
@@ -316,11 +316,11 @@ class _Recording:
 
     def __init__(self, store: Store, language: str) -> None:
         self._store, self._language = store, language
-        self._recorder: Recorder | None = None
-        self._stamp = EventStamp("")
+        self._recorder: RunRecorder | None = None
+        self._stamp = EventSequencer("")
         self._start: RunStart | None = None
 
-    def will_keep(self, start: RunStart) -> None:
+    def expect(self, start: RunStart) -> None:
         """Records the run from its first event; a run that cannot begin leaves no record."""
         self._start = start
 
@@ -333,11 +333,11 @@ class _Recording:
 
     def _begin(self, start: RunStart) -> None:
         try:
-            self._stamp = EventStamp(self._store.runs.begin(start).id)
+            self._stamp = EventSequencer(self._store.runs.begin(start).id)
         except StoreError as error:
             print_problem(error, self._language, place="pinel")
             return
-        self._recorder = Recorder(self._store, kept=KEPT, urgent=URGENT)
+        self._recorder = RunRecorder(self._store, recorded=RECORDED, urgent=URGENT)
 
     def close(self) -> str | None:
         """Finishes writing. Returns the run's id, None if it could not be recorded."""
@@ -350,7 +350,7 @@ class _Recording:
 
 def _open_recording(database: Path, language: str) -> _Recording | None:
     try:
-        require_place(database)
+        require_location(database)
         store = open_store(database)
     except (PinelError, StoreError) as error:
         print_problem(error, language, place="pinel")
@@ -367,7 +367,7 @@ def _lines(summary: dict[str, Any], language: str) -> list[str]:
     if summary["message"]:
         lines.append(f"                {summary['message']}")
     for fault in summary["faults"]:
-        place = place_of(fault["pointer"], fault["params"], language)
+        place = location_of(fault["pointer"], fault["params"], language)
         lines.append(f"fault           {place}: {fault['message']} {fault['remedy']}")
     lines += [f"said            {text}" for text in summary["said"]]
     for mark in summary["marks"]:
@@ -378,9 +378,9 @@ def _lines(summary: dict[str, Any], language: str) -> list[str]:
         lines.append(f"beeped          {summary['n_beeps']} times")
     for name, value in summary["variables"].items():
         lines.append(f"variable        {name} = {_short(value)}")
-    return lines + figure_lines(summary)
+    return lines + metric_lines(summary)
 
 
 def _short(value: Any) -> str:
     text = json.dumps(value, ensure_ascii=False)
-    return text if len(text) <= _LONGEST_VALUE else text[:_LONGEST_VALUE] + "…"
+    return text if len(text) <= _MAX_VALUE_LENGTH else text[:_MAX_VALUE_LENGTH] + "…"

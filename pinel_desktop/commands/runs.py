@@ -14,10 +14,10 @@ from pinel_desktop.messages import describe, explain, language_of_system
 from storage import RunRow, Store, StoreError
 
 if TYPE_CHECKING:
-    from pinel_desktop.runs.verification import Verdict
+    from pinel_desktop.runs.verification import VerificationResult
 
 _ID = re.compile(r"[0-9a-f-]+")
-_FIGURES = (
+_METRICS = (
     ("program_name", "program"),
     ("link", "link"),
     ("world", "world"),
@@ -89,15 +89,15 @@ def verify(ctx: click.Context, run: str, as_json: bool) -> None:
     else:
         code, params = _as_text(verdict, row)
         language = language_of_system()
-        words = describe(code, params, language)
-        click.echo(f"{row.id}  {verdict.outcome}\n{words.message}")
+        text = describe(code, params, language)
+        click.echo(f"{row.id}  {verdict.outcome}\n{text.message}")
         for part in verdict.parts:
             click.echo(f"- {explain(part, language).message}")
-        click.echo(words.remedy)
+        click.echo(text.remedy)
     ctx.exit(1 if verdict.outcome in ("different", "altered") else 0)
 
 
-def _as_text(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
+def _as_text(verdict: "VerificationResult", row: RunRow) -> tuple[str, dict[str, Any]]:
     first = verdict.difference
     if verdict.outcome == "equal" and not verdict.whole:
         return "verified_cut_off", {"ticks": verdict.n_ticks}
@@ -114,22 +114,22 @@ def _as_text(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
 
 
 def _found(store: Store, run: str) -> RunRow:
-    wanted = run.strip().lower()
-    ids = store.runs.ids_beginning_with(wanted) if _ID.fullmatch(wanted) else []
+    prefix = run.strip().lower()
+    ids = store.runs.ids_beginning_with(prefix) if _ID.fullmatch(prefix) else []
     if not ids:
         raise StoreError("run_not_found", id=run)
-    if len(ids) > 1 and wanted not in ids:
+    if len(ids) > 1 and prefix not in ids:
         raise PinelError("run_ambiguous", id=run, ids=ids)
-    return store.runs.get(wanted if wanted in ids else ids[0])
+    return store.runs.get(prefix if prefix in ids else ids[0])
 
 
 def _as_object(row: RunRow) -> dict[str, Any]:
-    words = describe(row.reason, row.params, language_of_system()) if row.reason else None
+    text = describe(row.reason, row.params, language_of_system()) if row.reason else None
     return {
         **asdict(row),
         "estimated_closing_error_m": row.estimated_closing_error_m,
-        "message": words and words.message,
-        "remedy": words and words.remedy,
+        "message": text and text.message,
+        "remedy": text and text.remedy,
     }
 
 
@@ -142,11 +142,11 @@ def _line(row: RunRow) -> str:
 
 
 def _details(row: RunRow) -> list[str]:
-    figures = {label: getattr(row, name) for name, label in _FIGURES}
+    figures = {label: getattr(row, name) for name, label in _METRICS}
     if row.estimated_closing_error_m is None:  # what an earlier release recorded is the estimate
         figures["estimated_closing_error_m"] = figures.pop("closing_error_m")
     lines = [f"  {label}: {value}" for label, value in figures.items() if value is not None]
     if row.reason:
-        words = describe(row.reason, row.params, language_of_system())
-        lines.append(f"  {row.reason}: {words.line}")
+        text = describe(row.reason, row.params, language_of_system())
+        lines.append(f"  {row.reason}: {text.line}")
     return lines

@@ -17,7 +17,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import describe
-from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.robot.robot_profile import BridgeProfile
 
 if TYPE_CHECKING:
     from pinel_desktop.web.legacy.api import BridgeChoice
@@ -99,7 +99,7 @@ def _bridge(
     from pinel_desktop.web.legacy.api import BridgeChoice  # noqa: PLC0415 - for who wants one
 
     record = chosen_robot("bridge", (), bridge, key)
-    assert isinstance(record, BridgeRecord)
+    assert isinstance(record, BridgeProfile)
     return BridgeChoice(record, robot, file_pages)
 
 
@@ -110,8 +110,8 @@ def _serve(app: App, choice: "BridgeChoice | None") -> None:
         click.echo(describe("serving", {}, app.language).line, err=True)
         click.echo(app.address)
         if choice is not None:
-            told = {"address": app.wait_for_bridge(), "robot": choice.robot}
-            click.echo(describe("bridge_serving", told, app.language).line, err=True)
+            values = {"address": app.wait_for_bridge(), "robot": choice.robot}
+            click.echo(describe("bridge_serving", values, app.language).line, err=True)
             if choice.file_pages:
                 click.echo(describe("bridge_file_pages", {}, app.language).line, err=True)
         signals.recv(1)

@@ -51,9 +51,9 @@ def open_app(db: str | None) -> int:
 def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int:
     # while the other process is loading
     from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
-    from pinel_desktop.instance import AlreadyRunningError, Instance  # noqa: PLC0415
+    from pinel_desktop.instance import AlreadyRunningError, InstanceLock  # noqa: PLC0415
 
-    instance = Instance(database_path(db))
+    instance = InstanceLock(database_path(db))
     try:
         instance.acquire()
     except AlreadyRunningError as first:
@@ -63,7 +63,7 @@ def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int
         return 0
     try:
         app.start()
-        presenter = Presenter(app.address, app.language, say=_print_error, give=_print)
+        presenter = Presenter(app.address, app.language, print_text=_print_error, give=_print)
         presenters.append(presenter)
         _end_at_signal(presenter)
         presenter.run()

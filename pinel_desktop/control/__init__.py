@@ -6,9 +6,9 @@ from pinel_desktop.control.profile import s_curve
 from pinel_desktop.control.tracking import (
     DEFAULT_GAINS,
     SLIPPING_GAINS,
-    Arc,
+    ArcTracker,
     Gains,
-    Line,
+    LineTracker,
     hold_position,
 )
 from pinel_desktop.control.trim import Trim
@@ -17,11 +17,11 @@ __all__ = [
     "DEFAULT_GAINS",
     "SLIPPING_GAINS",
     "ApproachCheck",
-    "Arc",
+    "ArcTracker",
     "Breakaway",
     "Gains",
     "GoalCheck",
-    "Line",
+    "LineTracker",
     "ProgressCheck",
     "Trim",
     "hold_position",

@@ -14,13 +14,13 @@ class Breakaway:
 
     Args:
         goal: when the motion has arrived.
-        most: the greatest addition, in m/s or rad/s; 0 for wheels that never stick.
+        max_added: the greatest addition, in m/s or rad/s; 0 for wheels that never stick.
         tick_s: control period.
     """
 
-    def __init__(self, goal: GoalCheck, most: float, tick_s: float) -> None:
-        self._goal, self._most = goal, most
-        self._step = most * tick_s / _GROWS_S
+    def __init__(self, goal: GoalCheck, max_added: float, tick_s: float) -> None:
+        self._goal, self._max_added = goal, max_added
+        self._step = max_added * tick_s / _GROWS_S
         self._added = 0.0
         self._towards = 0.0
         self._n_passed = 0
@@ -33,7 +33,7 @@ class Breakaway:
 
     def more(self, error: float, twist: Twist2D, ticks_past_end: int) -> float:
         """The addition towards the goal; asked at every tick."""
-        if not self._most or ticks_past_end <= 0:
+        if not self._max_added or ticks_past_end <= 0:
             return 0.0
         if not at_rest(twist) or abs(error) <= self._tolerance:
             self._added = 0.0
@@ -42,7 +42,7 @@ class Breakaway:
             self._n_passed += 1
             self._added = 0.0
         self._towards = error
-        self._added = min(self._added + self._step, self._most)
+        self._added = min(self._added + self._step, self._max_added)
         return self._added if error > 0.0 else -self._added
 
     @property

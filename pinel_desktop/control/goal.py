@@ -27,13 +27,13 @@ class GoalCheck:
     fine: float
     near: float
     coarse: float
-    patience: int = 15
+    settle_ticks: int = 15
 
     def arrived(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
         """`error` in the unit of the motion; `ticks_past_end` counts ticks since the last set-point."""
-        if ticks_past_end <= self.patience:
+        if ticks_past_end <= self.settle_ticks:
             return abs(error) <= self.fine and at_rest(twist)
-        tolerance = self.near if ticks_past_end <= 2 * self.patience else self.coarse
+        tolerance = self.near if ticks_past_end <= 2 * self.settle_ticks else self.coarse
         trembles = abs(twist.v_mps) < _TREMBLES_MPS and abs(twist.omega_radps) < _TREMBLES_RADPS
         return abs(error) <= tolerance and trembles
 
@@ -67,29 +67,29 @@ GOALS = Goals()
 
 
 class ProgressCheck:
-    """Detects a motion that progresses by less than `step` (m or rad) in `patience` ticks."""
+    """Detects a motion that progresses by less than `step` (m or rad) in `timeout_ticks` ticks."""
 
-    def __init__(self, step: float, patience: int) -> None:
-        self._step, self._patience = step, patience
-        self._mark: float | None = None
+    def __init__(self, step: float, timeout_ticks: int) -> None:
+        self._step, self._timeout_ticks = step, timeout_ticks
+        self._reference: float | None = None
         self._due = 0
 
     def stuck(self, done: float, tick: int) -> bool:
         """`done` is the progress of the motion in m or rad, of either sign; `tick` is the current tick's number."""
-        if self._mark is None or abs(done - self._mark) >= self._step:
-            self._mark, self._due = done, tick + self._patience
+        if self._reference is None or abs(done - self._reference) >= self._step:
+            self._reference, self._due = done, tick + self._timeout_ticks
         return tick >= self._due
 
 
 class ApproachCheck:
-    """Detects a motion whose distance to its goal shrinks by less than `step` (m) in `patience` ticks.
+    """Detects a motion whose distance to its goal shrinks by less than `step` (m) in `timeout_ticks` ticks.
 
     Attributes:
         nearest_m: the smallest distance so far.
     """
 
-    def __init__(self, step: float, patience: int) -> None:
-        self._progress = ProgressCheck(step, patience)
+    def __init__(self, step: float, timeout_ticks: int) -> None:
+        self._progress = ProgressCheck(step, timeout_ticks)
         self.nearest_m = math.inf
 
     def stuck(self, distance_m: float, tick: int) -> bool:

@@ -138,7 +138,7 @@ class _Grid:
         goal_row, goal_column = divmod(goal, width)
         steps = [(dy * width + dx, length * cell / 2.0) for dx, dy, length in _STEPS]
         cost, came_from = {self._start: 0.0}, {self._start: self._start}
-        waiting, done, n_seen = [(0.0, self._start)], set[int](), 0
+        waiting, done, n_expanded = [(0.0, self._start)], set[int](), 0
         while waiting:
             _, here = heapq.heappop(waiting)
             if here == goal:
@@ -146,8 +146,8 @@ class _Grid:
             if here in done:
                 continue
             done.add(here)
-            n_seen += 1
-            if n_seen % _CELLS_PER_YIELD == 0:
+            n_expanded += 1
+            if n_expanded % _CELLS_PER_YIELD == 0:
                 yield
             for offset, half in steps:
                 there = here + offset
@@ -181,8 +181,8 @@ def _pull_string(
         while step:
             further = min(there + step, len(points) - 1)
             leg = [points[here], points[further]]
-            wanted = max(float(room[here : further + 1].min()) - CELL_M / 2.0, tight)
-            if further > there and path_clearance(leg, obstacles) >= wanted:
+            min_clearance = max(float(room[here : further + 1].min()) - CELL_M / 2.0, tight)
+            if further > there and path_clearance(leg, obstacles) >= min_clearance:
                 there, step = further, step * 2
             else:
                 step //= 2

@@ -41,7 +41,7 @@ _CREEP_MPS = 0.015
 _SMALL_RADIUS_M = 0.1
 
 
-class Line:
+class LineTracker:
     """Tracks a set-point on the straight line through `start` along its yaw. Poses in the frame of `start`.
 
     Control law: Y. Kanayama et al., "A stable tracking control method for an autonomous mobile robot" (1990), with a
@@ -82,12 +82,12 @@ class Line:
         along, across, turn, integral = self.gains
         omega = turn * yaw_error - across * v_mps * across_m
         if integral:
-            self._trim.learn(across_m, v_mps * TICK_S, integral)
+            self._trim.integrate(across_m, v_mps * TICK_S, integral)
             omega += v_mps * self._trim.per_m
         return Twist2D(v_mps + along * error_m, omega)
 
 
-class Arc:
+class ArcTracker:
     """Tracks a set-point on the circular arc from `start`, given as the angle turned so far. Same law as `Line`.
 
     The arc changes the heading by `angle_rad`. The robot drives it forwards for a positive radius and backwards for a
@@ -150,7 +150,7 @@ class Arc:
         v = self._radius * omega_radps
         omega = omega_radps + turn * yaw_error + across * v * across_m
         if integral:
-            self._trim.learn(-across_m, v * TICK_S, integral)
+            self._trim.integrate(-across_m, v * TICK_S, integral)
             omega += v * self._trim.per_m
         return Twist2D(v + along * along_m, omega)
 

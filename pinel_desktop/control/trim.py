@@ -15,8 +15,8 @@ class Trim:
     def __init__(self) -> None:
         self.per_m = 0.0
 
-    def learn(self, across_m: float, way_m: float, gain: float) -> None:
-        """Integrates an error of `across_m` (left of the line) over `way_m` driven; `gain` in rad/m per m²."""
+    def integrate(self, across_m: float, driven_m: float, gain: float) -> None:
+        """Integrates an error of `across_m` (left of the line) over `driven_m` driven; `gain` in rad/m per m²."""
         if abs(across_m) <= _MAX_ERROR_M:
-            learned = self.per_m - gain * across_m * abs(way_m)
+            learned = self.per_m - gain * across_m * abs(driven_m)
             self.per_m = min(max(learned, -_MAX_TRIM_RAD_PER_M), _MAX_TRIM_RAD_PER_M)

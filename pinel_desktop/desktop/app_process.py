@@ -42,7 +42,7 @@ class AppProcess:
         """
         self._on_show = on_show
         self._on_lost = on_lost
-        self._answers: queue.Queue[str] = queue.Queue()
+        self._responses: queue.Queue[str] = queue.Queue()
         self._asking = threading.Lock()
         self._has_asked = False
         self._ready = threading.Event()
@@ -90,7 +90,7 @@ class AppProcess:
                 self._send({"do": "address"})
             self._has_asked = True
             try:
-                answer = self._answers.get(timeout=_START_S)
+                answer = self._responses.get(timeout=_START_S)
             except queue.Empty:
                 answer = ""
         if self._failure is not None or not answer:
@@ -122,20 +122,20 @@ class AppProcess:
         assert self._process.stdout is not None
         with self._process.stdout as lines:
             for line in lines:
-                self._take(json.loads(line))
+                self._handle(json.loads(line))
         if not self._closing:
             self._failure = self._failure or PinelError("app_lost")
             self._ready.set()
-            self._answers.put("")
+            self._responses.put("")
             self._on_lost()
 
-    def _take(self, message: dict[str, Any]) -> None:
+    def _handle(self, message: dict[str, Any]) -> None:
         match message["type"]:
             case "ready":
                 self._language = message["language"]
                 self._ready.set()
             case "address":
-                self._answers.put(message["address"])
+                self._responses.put(message["address"])
             case "show":
                 self._on_show()
             case "failed":

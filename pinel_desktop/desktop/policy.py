@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from typing import Literal
 from urllib.parse import urlsplit
 
-Verdict = Literal["show", "save", "refuse"]
+NavigationDecision = Literal["show", "save", "refuse"]
 
-SMALLEST = (1024, 640)
-LARGEST = (1600, 1000)
+MIN_SIZE = (1024, 640)
+MAX_SIZE = (1600, 1000)
 # on screens up to this size, such as 1366 x 768, the window is maximised
 _MAXIMIZE_UP_TO = (1440, 900)
 
@@ -18,7 +18,7 @@ class Size:
 
     width: int
     height: int
-    smallest: tuple[int, int]
+    min_size: tuple[int, int]
     maximized: bool
 
 
@@ -31,7 +31,7 @@ def may_open(address: str, own: str) -> bool:
         return False
 
 
-def verdict_on(address: str, own: str) -> Verdict:
+def decide_navigation(address: str, own: str) -> NavigationDecision:
     """What to do with a navigation to `address`: show the page, save files created by it, refuse all else."""
     if address == "about:blank" or may_open(address, own):
         return "show"
@@ -41,10 +41,10 @@ def verdict_on(address: str, own: str) -> Verdict:
 
 def fitted_size(screen_width: int, screen_height: int) -> Size:
     """The window's size on a screen given in pixels: all of a small screen, most of a large one."""
-    smallest = (min(SMALLEST[0], screen_width), min(SMALLEST[1], screen_height))
+    min_size = (min(MIN_SIZE[0], screen_width), min(MIN_SIZE[1], screen_height))
     maximized = screen_width <= _MAXIMIZE_UP_TO[0] or screen_height <= _MAXIMIZE_UP_TO[1]
     if maximized:
-        return Size(screen_width, screen_height, smallest, maximized)
-    width = min(LARGEST[0], screen_width * 85 // 100)
-    height = min(LARGEST[1], screen_height * 85 // 100)
-    return Size(width, height, smallest, maximized)
+        return Size(screen_width, screen_height, min_size, maximized)
+    width = min(MAX_SIZE[0], screen_width * 85 // 100)
+    height = min(MAX_SIZE[1], screen_height * 85 // 100)
+    return Size(width, height, min_size, maximized)

@@ -19,7 +19,7 @@ USABLE = (
     "!!document.querySelector('.blocklyDraggable') && !!document.querySelector('[data-testid=run]')"
 )
 # not worth a message: Qt is optional
-_SILENT_PROBLEMS = ("window_qt_missing",)
+_UNREPORTED_PROBLEMS = ("window_qt_missing",)
 
 
 class OpenWindow(Protocol):
@@ -38,7 +38,7 @@ class Presenter:
     Args:
         fresh_address: gives an address that works once, for each backend tried; may block until the app answers.
         language: the language of messages; may block likewise. `run` raises what these two raise.
-        say: prints a line for people.
+        print_text: prints a line for people.
         give: prints the address, if no window can be shown.
         on_open: called when a native window has opened.
     """
@@ -48,13 +48,13 @@ class Presenter:
         fresh_address: Callable[[], str],
         language: Callable[[], str],
         *,
-        say: Callable[[str], None],
+        print_text: Callable[[str], None],
         give: Callable[[str], None],
         pc: Pc | None = None,
         on_open: Callable[[], None] | None = None,
     ) -> None:
         self._fresh_address = fresh_address
-        self._say = say
+        self._print_text = print_text
         self._give = give
         self._language = language
         self._pc = pc or Pc()
@@ -66,7 +66,7 @@ class Presenter:
     def run(self) -> None:
         """Shows the page; returns when it was closed, or after `close`."""
         if not self._pc.has_screen:
-            self._say_message("window_no_screen", {})
+            self._print_message("window_no_screen", {})
         for backend in backends(self._pc):
             if self._closed.is_set() or self._try(backend):
                 return
@@ -94,8 +94,8 @@ class Presenter:
             else:
                 self._show_in_window(backend.name)
         except NoWindowError as error:
-            if error.code not in _SILENT_PROBLEMS:
-                self._say_message(error.code, error.params)
+            if error.code not in _UNREPORTED_PROBLEMS:
+                self._print_message(error.code, error.params)
             return False
         finally:
             self._window = None
@@ -124,16 +124,16 @@ class Presenter:
         """The last resort: prints the address for the person to open; returns only after `close`."""
         self.backend = "address"
         address = self._fresh_address()
-        words = describe("window_address", {}, self._language())
-        self._say(words.message)
+        text = describe("window_address", {}, self._language())
+        self._print_text(text.message)
         self._give(address)
-        self._say(words.remedy)
+        self._print_text(text.remedy)
         if self._pc.has_screen:
             webbrowser.open(address)
         # with a timeout, because Windows handles Ctrl+C only between waits
         while not self._closed.wait(0.5):
             pass
 
-    def _say_message(self, code: str, params: Mapping[str, object]) -> None:
-        words = describe(code, params, self._language())
-        self._say(words.line)
+    def _print_message(self, code: str, params: Mapping[str, object]) -> None:
+        text = describe(code, params, self._language())
+        self._print_text(text.line)

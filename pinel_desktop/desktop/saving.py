@@ -4,18 +4,18 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 
-def install_save_dialog(context: Any, parent: Any, words: Callable[[], Mapping[str, str]]) -> None:
+def install_save_dialog(context: Any, parent: Any, texts: Callable[[], Mapping[str, str]]) -> None:
     """Shows a save dialog for each download of the web view's `context`.
 
     Args:
-        words: texts by pywebview's keys, in the chosen language.
+        texts: texts by pywebview's keys, in the chosen language.
     """
 
     def start(_context: Any, download: Any) -> None:
         download.connect("decide-destination", decide)
 
     def decide(download: Any, suggested: str) -> bool:
-        path = ask_for_path(parent, suggested, words())
+        path = ask_for_path(parent, suggested, texts())
         if path is None:
             download.cancel()
         else:
@@ -26,17 +26,17 @@ def install_save_dialog(context: Any, parent: Any, words: Callable[[], Mapping[s
     context.connect("download-started", start)
 
 
-def ask_for_path(parent: Any, suggested: str, words: Mapping[str, str]) -> str | None:
+def ask_for_path(parent: Any, suggested: str, texts: Mapping[str, str]) -> str | None:
     """The path that the person chooses for a file; None if cancelled."""
     from gi.repository import GLib, Gtk  # noqa: PLC0415 - optional, see backends.gtk_problem
 
     dialog = Gtk.FileChooserDialog(
-        title=words["global.saveFile"], parent=parent, action=Gtk.FileChooserAction.SAVE
+        title=texts["global.saveFile"], parent=parent, action=Gtk.FileChooserAction.SAVE
     )
     dialog.add_buttons(
-        words["global.cancel"],
+        texts["global.cancel"],
         Gtk.ResponseType.CANCEL,
-        words["global.saveFile"],
+        texts["global.saveFile"],
         Gtk.ResponseType.ACCEPT,
     )
     folder = GLib.get_user_special_dir(GLib.UserDirectory.DIRECTORY_DOWNLOAD)

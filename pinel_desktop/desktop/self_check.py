@@ -23,7 +23,7 @@ from pinel_desktop.desktop.backends import Pc, Toolkit, backends
 from pinel_desktop.desktop.presenter import TITLE, USABLE
 from pinel_desktop.desktop.screen import any_screen
 from pinel_desktop.errors import PinelError
-from pinel_desktop.instance import Instance
+from pinel_desktop.instance import InstanceLock
 from pinel_desktop.messages import describe, language_of_system
 from storage import StoreError, open_store
 from storage.sqlite import sqlite3
@@ -46,9 +46,9 @@ SQUARE: Json = {
     ],
 }
 MISSION: Json = {"world": "empty_room", "preset": "ideal", "feedback": "pose", "activity": "square"}
-SIGNS_SEEN = ["B", "A"]
+EXPECTED_SIGNS = ["B", "A"]
 RECORDED_SIGNS = Path(__file__).parents[1] / "camera" / "recordings" / "b_a.npz"
-LARGEST_CLOSING_ERROR_M = 1e-4
+MAX_CLOSING_ERROR_M = 1e-4
 _READY_S = 60.0
 _RUN_S = 60.0
 _PAUSE_S = 0.05
@@ -77,21 +77,21 @@ def check(database: Path | None) -> Json:
 
 
 def _as_text(code: str, params: Mapping[str, object]) -> Json:
-    words = describe(code, params, language_of_system())
-    return {"code": code, "message": words.message, "remedy": words.remedy}
+    text = describe(code, params, language_of_system())
+    return {"code": code, "message": text.message, "remedy": text.remedy}
 
 
 def _is_well(result: Json) -> bool:
     run, store = result["run"], result["store"]
-    drove = run["state"] == "finished" and run["closing_error_m"] <= LARGEST_CLOSING_ERROR_M
-    kept = store["telemetry_sha256"] == run["telemetry_sha256"] and store["ticks"] > 0
-    return bool(drove and kept and result["judged"] and result["signs"] == SIGNS_SEEN)
+    drove = run["state"] == "finished" and run["closing_error_m"] <= MAX_CLOSING_ERROR_M
+    is_stored = store["telemetry_sha256"] == run["telemetry_sha256"] and store["ticks"] > 0
+    return bool(drove and is_stored and result["judged"] and result["signs"] == EXPECTED_SIGNS)
 
 
 @contextlib.contextmanager
 def _app(database: Path) -> Iterator[AppProcess]:
     """The app in a process of its own, as for the window."""
-    instance = Instance(database)
+    instance = InstanceLock(database)
     instance.acquire()
     app = AppProcess(
         database, on_show=lambda: None, on_lost=lambda: None, camera=str(RECORDED_SIGNS)
@@ -196,7 +196,7 @@ def _saved(client: Client, program: str, document: Json, setup: Json | None = No
 def _signed_polygons() -> Json:
     """A program that waits for B and draws a square, then waits for A and draws a triangle."""
     commands: list[Json] = []
-    for sign, n_sides in zip(SIGNS_SEEN, (4, 3), strict=True):
+    for sign, n_sides in zip(EXPECTED_SIGNS, (4, 3), strict=True):
         wait = {"action": "classify_gestures", "timeout": 5}
         side = [
             {"action": "move_forward", "distance": 0.1},
@@ -213,8 +213,8 @@ def _sign(client: Client, program: str) -> list[str]:
     """Runs a program that recorded signs decide; returns the signs that the camera saw, each once."""
     run = _drive(client, _saved(client, program, _signed_polygons()), speed=10.0)
     events = client.get(f"/api/runs/{run['id']}/events")["events"]
-    seen = [event["result"] for event in events if event.get("by") == "camera"]
-    return list(dict.fromkeys(seen))
+    signs = [event["result"] for event in events if event.get("by") == "camera"]
+    return list(dict.fromkeys(signs))
 
 
 def _judged(client: Client, run: str) -> bool:
@@ -229,7 +229,7 @@ def _drive(client: Client, version: str, speed: float = 1.0) -> Json:
     run = client.post("/api/runs", {"version_id": version, "world": "empty_room", "speed": speed})
     _wait_for(lambda: client.get(f"/api/runs/{run['id']}")["ended_at"] is not None, _RUN_S)
     ended = client.get(f"/api/runs/{run['id']}")
-    kept = (
+    keys = (
         "id",
         "state",
         "reason",
@@ -238,7 +238,7 @@ def _drive(client: Client, version: str, speed: float = 1.0) -> Json:
         "n_executed",
         "telemetry_sha256",
     )
-    return {key: ended[key] for key in kept}
+    return {key: ended[key] for key in keys}
 
 
 def _wait_for(reached: Any, timeout_s: float) -> None:

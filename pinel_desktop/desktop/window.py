@@ -12,12 +12,12 @@ from webview.guilib import initialize
 
 from pinel_desktop.desktop import saving
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_problem
-from pinel_desktop.desktop.policy import Verdict, fitted_size, verdict_on
+from pinel_desktop.desktop.policy import NavigationDecision, decide_navigation, fitted_size
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
 # pywebview's keys of dialog texts, and our message codes
-_DIALOG_WORDS = {
+_DIALOG_TEXTS = {
     "global.quitConfirmation": "dialog_quit",
     "global.ok": "dialog_ok",
     "global.quit": "dialog_leave",
@@ -121,7 +121,7 @@ class NativeWindow:
             self._origin,
             width=size.width,
             height=size.height,
-            min_size=size.smallest,
+            min_size=size.min_size,
             maximized=size.maximized,
             background_color=_BACKGROUND,
             text_select=True,
@@ -135,14 +135,14 @@ class NativeWindow:
     def _guard(self) -> None:
         """Installs the navigation policy; runs on the window's thread before the page loads."""
         if self._window is not None and webview.renderer == "gtkwebkit2":
-            _guard_gtk(self._window, lambda address: verdict_on(address, self._origin))
+            _guard_gtk(self._window, lambda address: decide_navigation(address, self._origin))
 
     def _open(self) -> None:
         """Runs on a thread of its own once the window is open."""
         self._opened.set()
         try:
             if self._window is not None and not self._closing:
-                self._window.localization.update(_dialog_words(self._language()))
+                self._window.localization.update(_dialog_texts(self._language()))
         except BaseException as failure:
             self._failure = failure
             self.close()
@@ -153,8 +153,8 @@ class NativeWindow:
             self._on_open()
 
 
-def _dialog_words(language: str) -> dict[str, str]:
-    return {key: describe(code, {}, language).message for key, code in _DIALOG_WORDS.items()}
+def _dialog_texts(language: str) -> dict[str, str]:
+    return {key: describe(code, {}, language).message for key, code in _DIALOG_TEXTS.items()}
 
 
 def _require_gtk_screen() -> None:
@@ -169,7 +169,7 @@ def _require_gtk_screen() -> None:
         raise NoWindowError("window_no_screen")
 
 
-def _guard_gtk(window: webview.Window, judge: Callable[[str], Verdict]) -> None:
+def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision]) -> None:
     """Sets up GTK's web view: navigation policy, local storage, save dialog, and closing at a signal."""
     from gi.repository import GLib, WebKit2  # noqa: PLC0415
     from webview.platforms.gtk import BrowserView  # noqa: PLC0415

@@ -19,7 +19,8 @@ from pathlib import Path
 from typing import Literal
 
 from pinel_desktop import __version__
-from pinel_desktop.camera.client import Camera, CameraState
+from pinel_desktop.camera.client import CameraClient, CameraState
+from pinel_desktop.database_locations import is_location_missing
 from pinel_desktop.desktop.backends import (
     Backend,
     NoWindowError,
@@ -31,17 +32,16 @@ from pinel_desktop.desktop.backends import (
 from pinel_desktop.desktop.trial import window_problem
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
-from pinel_desktop.known_places import is_place_missing
 from storage.errors import StoreError
-from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
+from storage.exchange.backup_share import COPIES_BACKUPS, SHARED_FOLDER
 from storage.file import log
 from storage.file.backups import damage_of, folder_of, list_backups, time_of
-from storage.file.mark import Remembered, remembered
+from storage.file.commit_counter import CommitRecord, read_counter
 from storage.file.opening import prepare_reading
-from storage.file.replacing import was_there
-from storage.file.share_copies import noted
+from storage.file.replacing import is_lost_file
+from storage.file.share_copies import read_manifest
 from storage.sqlite import has_wal_fault, sqlite3
-from storage.text import loaded, local_time
+from storage.text import from_json, local_time
 
 Level = Literal["ok", "warn", "fail"]
 
@@ -55,7 +55,7 @@ _ROS_FOLDER = Path("/opt/ros")
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class HealthCheckResult:
     """One line of the report: the subject, its level, and the code and parameters of the message."""
 
     about: str
@@ -64,7 +64,7 @@ class Finding:
     params: Mapping[str, object] = field(default_factory=dict)
 
 
-def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
+def examine(database: Path, pc: Pc | None = None) -> Iterator[HealthCheckResult]:
     """Yields the findings one by one, the most important subjects first."""
     yield _version()
     yield from _page()
@@ -73,14 +73,14 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
     yield from _disk(database.parent)
     yield _sqlite()
     yield _database(database)
-    yield from _set_aside(database)
+    yield from _damaged_copies(database)
     yield _backups(database)
     yield from _copies(database)
     yield from _signs(Path("/dev"))
     yield _ros(os.environ, _ROS_FOLDER)
 
 
-def size_words(n_bytes: int) -> str:
+def size_text(n_bytes: int) -> str:
     """A size such as 1500 MB or 83 GB; without decimals, whose sign depends on the language."""
     for unit, factor in (("GB", 10**9), ("MB", 10**6), ("kB", 10**3)):
         if n_bytes >= 10 * factor:
@@ -88,9 +88,9 @@ def size_words(n_bytes: int) -> str:
     return f"{n_bytes} B"
 
 
-def _version() -> Finding:
+def _version() -> HealthCheckResult:
     about = {"version": __version__, "python": platform.python_version(), "system": _system_name()}
-    return Finding("program", "ok", "doctor_version_ok", about)
+    return HealthCheckResult("program", "ok", "doctor_version_ok", about)
 
 
 def _system_name() -> str:
@@ -100,34 +100,34 @@ def _system_name() -> str:
         return f"{platform.system()} {platform.release()}"
 
 
-def _page() -> Iterator[Finding]:
+def _page() -> Iterator[HealthCheckResult]:
     """Missing only in a fresh clone; wheels and packages contain the page."""
     if (resources.files("pinel_desktop.web") / "static" / "index.html").is_file():
-        yield Finding("page", "ok", "doctor_page_ok")
+        yield HealthCheckResult("page", "ok", "doctor_page_ok")
     else:
-        yield Finding("page", "fail", "doctor_page_missing")
+        yield HealthCheckResult("page", "fail", "doctor_page_missing")
 
 
 def _window(
     pc: Pc, window_problem: Callable[[Toolkit], NoWindowError | None] = window_problem
-) -> Iterator[Finding]:
+) -> Iterator[HealthCheckResult]:
     """The backend that the window will use, which is tried, and what is wrong with better ones."""
     if not pc.has_screen:
-        yield Finding("window", "warn", "doctor_window_none")
+        yield HealthCheckResult("window", "warn", "doctor_window_none")
         return
     problems = []
     for backend in backends(pc):
         problem = _problem_of(backend, window_problem)
         if problem is None and backend.name != "browser":
-            yield Finding("window", "ok", "doctor_window_ok", {"backend": backend.name})
+            yield HealthCheckResult("window", "ok", "doctor_window_ok", {"backend": backend.name})
             return
         if problem is None:
             program = Path(find_browser(pc) or "").name
-            yield Finding("window", "warn", "doctor_window_browser", {"program": program})
+            yield HealthCheckResult("window", "warn", "doctor_window_browser", {"program": program})
             break
-        problems.append(Finding("window", "warn", problem.code, problem.params))
+        problems.append(HealthCheckResult("window", "warn", problem.code, problem.params))
     else:
-        yield Finding("window", "warn", "doctor_window_address")
+        yield HealthCheckResult("window", "warn", "doctor_window_address")
     yield from problems
 
 
@@ -140,7 +140,7 @@ def _problem_of(
     return None if backend.name == "browser" else window_problem(backend.name)
 
 
-def _engine() -> Finding:
+def _engine() -> HealthCheckResult:
     started = time.monotonic()
     engine = EngineClient(lambda event: None)
     engine.start()
@@ -149,7 +149,7 @@ def _engine() -> Finding:
     finally:
         engine.close()
     seconds = {"seconds": round(time.monotonic() - started, 1)}
-    return Finding(
+    return HealthCheckResult(
         "engine",
         "ok" if ready else "fail",
         "doctor_engine_ok" if ready else "doctor_engine_lost",
@@ -157,64 +157,68 @@ def _engine() -> Finding:
     )
 
 
-def _disk(folder: Path) -> Iterator[Finding]:
+def _disk(folder: Path) -> Iterator[HealthCheckResult]:
     """Free space and write permission of the folder, or of its nearest existing parent."""
     while not folder.exists():
         folder = folder.parent
     free = shutil.disk_usage(folder).free
-    params = {"free": size_words(free), "folder": str(folder), "free_bytes": free}
+    params = {"free": size_text(free), "folder": str(folder), "free_bytes": free}
     if free >= _LITTLE_SPACE:
-        yield Finding("disk", "ok", "doctor_disk_ok", params)
+        yield HealthCheckResult("disk", "ok", "doctor_disk_ok", params)
     else:
-        yield Finding(
+        yield HealthCheckResult(
             "disk", "warn" if free >= _TOO_LITTLE_SPACE else "fail", "doctor_disk_low", params
         )
     if not os.access(folder, os.W_OK):
-        yield Finding("disk", "fail", "doctor_folder_closed", {"folder": str(folder)})
+        yield HealthCheckResult("disk", "fail", "doctor_folder_closed", {"folder": str(folder)})
 
 
-def _sqlite(version: str = sqlite3.sqlite_version) -> Finding:
+def _sqlite(version: str = sqlite3.sqlite_version) -> HealthCheckResult:
     """The SQLite that the store uses: the system's may have a fault by which a write can be lost."""
     if has_wal_fault(version):
-        return Finding("sqlite", "warn", "doctor_sqlite_old", {"version": version})
-    return Finding("sqlite", "ok", "doctor_sqlite_ok", {"version": version})
+        return HealthCheckResult("sqlite", "warn", "doctor_sqlite_old", {"version": version})
+    return HealthCheckResult("sqlite", "ok", "doctor_sqlite_ok", {"version": version})
 
 
-def _database(path: Path) -> Finding:
+def _database(path: Path) -> HealthCheckResult:
     if absent := _absent(path):
         return absent
     params: dict[str, object] = {"path": str(path)}
-    known = remembered(path)
+    known = read_counter(path)
     size = path.stat().st_size
-    params |= {"size": size_words(size), "size_bytes": size}
+    params |= {"size": size_text(size), "size_bytes": size}
     if problem := _damage(path):
-        return Finding("database", "fail", "doctor_database_damaged", params | {"problem": problem})
+        return HealthCheckResult(
+            "database", "fail", "doctor_database_damaged", params | {"problem": problem}
+        )
     if refusal := _refusal(path):
-        return Finding("database", "fail", refusal, params)
+        return HealthCheckResult("database", "fail", refusal, params)
     if not os.access(path, os.W_OK):
-        return Finding("database", "fail", "doctor_database_read_only", params)
+        return HealthCheckResult("database", "fail", "doctor_database_read_only", params)
     if incomplete := _incomplete(path, known):
         return incomplete
     if n_rows := _query(path, "SELECT count(*) FROM pragma_foreign_key_check"):
         params |= {"n_rows": n_rows}
-        return Finding("database", "warn", "doctor_database_inconsistent", params)
+        return HealthCheckResult("database", "warn", "doctor_database_inconsistent", params)
     if n_values := _damaged_values(path):
-        return Finding("database", "warn", "doctor_values_damaged", params | {"n_rows": n_values})
-    return Finding("database", "ok", "doctor_database_ok", params)
+        return HealthCheckResult(
+            "database", "warn", "doctor_values_damaged", params | {"n_rows": n_values}
+        )
+    return HealthCheckResult("database", "ok", "doctor_database_ok", params)
 
 
-def _absent(path: Path) -> Finding | None:
+def _absent(path: Path) -> HealthCheckResult | None:
     """What stands for the file where none is there."""
     params = {"path": str(path)}
-    if is_place_missing(path):
+    if is_location_missing(path):
         about = params | {"folder": str(path.parent)}
-        return Finding("database", "fail", "database_place_missing", about)
+        return HealthCheckResult("database", "fail", "database_place_missing", about)
     is_there = path.exists()
     if is_there and not path.is_file():  # a folder, a pipe: reading it would have no end
-        return Finding("database", "fail", "database_foreign", params)
-    if (not is_there or not path.stat().st_size) and was_there(path, by_log=True):
-        return Finding("database", "fail", "doctor_database_gone", params)
-    return None if is_there else Finding("database", "ok", "doctor_database_new", params)
+        return HealthCheckResult("database", "fail", "database_foreign", params)
+    if (not is_there or not path.stat().st_size) and is_lost_file(path, by_log=True):
+        return HealthCheckResult("database", "fail", "doctor_database_gone", params)
+    return None if is_there else HealthCheckResult("database", "ok", "doctor_database_new", params)
 
 
 def _refusal(path: Path) -> str | None:
@@ -233,26 +237,26 @@ def _damaged_values(path: Path) -> object:
     return 0
 
 
-def _incomplete(path: Path, known: Remembered | None) -> Finding | None:
+def _incomplete(path: Path, known: CommitRecord | None) -> HealthCheckResult | None:
     """Work that was saved and is not in the file; None where all of it is there, as far as can be told."""
     n_missing = known.n_saves - int(str(_query(path, "PRAGMA user_version"))) if known else 0
     if known is not None and n_missing <= 0:
         return None
     params: dict[str, object] = {"path": str(path), "name": log.path_of(path).name}
-    if log.cut_off(path):
-        return Finding("database", "fail", "doctor_database_end", params)
+    if log.lost_commits(path):
+        return HealthCheckResult("database", "fail", "doctor_database_end", params)
     if known is None:
         return None
     params |= {"time": local_time(known.at), "n_saves": n_missing}
-    return Finding("database", "warn", "doctor_database_earlier", params)
+    return HealthCheckResult("database", "warn", "doctor_database_earlier", params)
 
 
-def _set_aside(path: Path) -> Iterator[Finding]:
+def _damaged_copies(path: Path) -> Iterator[HealthCheckResult]:
     """Damaged files that lie beside the database since an earlier start."""
     found = sorted(path.parent.glob(f"{path.stem}.damaged-*{path.suffix}"))
     if found:
         params = {"folder": str(path.parent), "files": ", ".join(one.name for one in found)}
-        yield Finding("database", "warn", "doctor_database_aside", params)
+        yield HealthCheckResult("database", "warn", "doctor_database_aside", params)
 
 
 def _damage(path: Path) -> str | None:
@@ -273,86 +277,88 @@ def _query(path: Path, sql: str) -> object:
         return found
 
 
-def _backups(path: Path) -> Finding:
+def _backups(path: Path) -> HealthCheckResult:
     """The number of backups, whether the newest is sound, and whether it is recent."""
     found = list_backups(path)
     params: dict[str, object] = {"n_backups": len(found), "folder": str(folder_of(path))}
     if not found:
-        return Finding("backups", "warn" if path.exists() else "ok", "doctor_backups_none", params)
+        return HealthCheckResult(
+            "backups", "warn" if path.exists() else "ok", "doctor_backups_none", params
+        )
     newest = found[0]
     params |= {"time": local_time(newest.made_at), "name": newest.path.name}
     if damage_of(newest.path) is not None:
-        return Finding("backups", "warn", "doctor_backups_bad", params)
+        return HealthCheckResult("backups", "warn", "doctor_backups_bad", params)
     # compared with the last change, not with today: holidays are no cause for a warning
     behind_s = path.stat().st_mtime - newest.made_at.timestamp() if path.exists() else 0.0
     if behind_s > _BACKUPS_BEHIND_S:
-        return Finding("backups", "warn", "doctor_backups_old", params)
-    return Finding("backups", "ok", "doctor_backups_ok", params)
+        return HealthCheckResult("backups", "warn", "doctor_backups_old", params)
+    return HealthCheckResult("backups", "ok", "doctor_backups_ok", params)
 
 
-def _copies(path: Path) -> Iterator[Finding]:
+def _copies(path: Path) -> Iterator[HealthCheckResult]:
     """Whether copies of the backups go to the school's folder, and of when the newest is; without a look at it."""
     if not path.exists():
         return
-    shared = _setting(path, TAKES_BACKUPS) and _setting(path, SHARED_FOLDER)
+    shared = _setting(path, COPIES_BACKUPS) and _setting(path, SHARED_FOLDER)
     if not shared:
-        yield Finding("backups", "ok", "doctor_copies_off")
+        yield HealthCheckResult("backups", "ok", "doctor_copies_off")
         return
-    found = noted(path)
+    found = read_manifest(path)
     if found is None or found.finished is None:
-        yield Finding("backups", "warn", "doctor_copies_none", {"folder": shared})
+        yield HealthCheckResult("backups", "warn", "doctor_copies_none", {"folder": shared})
         return
     made_at = local_time(time_of(found.finished))
     params = {"time": made_at, "folder": str(found.finished.parent)}
-    yield Finding("backups", "ok", "doctor_copies_ok", params)
+    yield HealthCheckResult("backups", "ok", "doctor_copies_ok", params)
 
 
 def _setting(path: Path, key: str) -> object:
     """None where nothing was chosen, or where the file cannot be read."""
     with contextlib.suppress(sqlite3.Error, TypeError, ValueError):
-        return loaded(str(_query(path, f"SELECT value FROM settings WHERE key = '{key}'")))
+        return from_json(str(_query(path, f"SELECT value FROM settings WHERE key = '{key}'")))
     return None
 
 
-def _signs(folder: Path, source: str = "0") -> Iterator[Finding]:
+def _signs(folder: Path, source: str = "0") -> Iterator[HealthCheckResult]:
     """Whether signs can be recognised, and whether the camera, by default the first one, gives pictures."""
     states: queue.SimpleQueue[CameraState] = queue.SimpleQueue()
-    camera = Camera(source, lambda event: None, states.put, lambda run, capture: None)
+    camera = CameraClient(source, lambda event: None, states.put, lambda run, capture: None)
     started = time.monotonic()
     try:
-        camera.wake()
+        camera.start()
         yield _recognition(camera, started)
         without = _no_camera(folder)
         if without:
             yield without
         elif not camera.state.problem:
-            camera.use()
+            camera.switch_on()
             yield _camera(folder, states)
     finally:
         camera.close()
 
 
-def _recognition(camera: Camera, started: float) -> Finding:
+def _recognition(camera: CameraClient, started: float) -> HealthCheckResult:
     ready = camera.wait_until_ready(_CAMERA_TIMEOUT_S)
     if problem := camera.state.problem:
-        return Finding("signs", "warn", problem.code, problem.params)
+        return HealthCheckResult("signs", "warn", problem.code, problem.params)
     seconds = {"seconds": round(time.monotonic() - started, 1)}
     code = "doctor_signs_ok" if ready else "doctor_signs_lost"
-    return Finding("signs", "ok" if ready else "warn", code, seconds)
+    return HealthCheckResult("signs", "ok" if ready else "warn", code, seconds)
 
 
-def _no_camera(folder: Path) -> Finding | None:
+def _no_camera(folder: Path) -> HealthCheckResult | None:
     """What is wrong where no camera can be opened; None where one may be."""
     devices = sorted(folder.glob("video*"))
     if not devices:
-        return Finding("camera", "warn", "doctor_camera_none")
+        return HealthCheckResult("camera", "warn", "doctor_camera_none")
     if not any(os.access(device, os.R_OK | os.W_OK) for device in devices):
         params = {"devices": _names(devices), "user": _user()}
-        return Finding("camera", "warn", "doctor_camera_closed", params)
+        return HealthCheckResult("camera", "warn", "doctor_camera_closed", params)
     return None
 
 
-def _camera(folder: Path, states: "queue.SimpleQueue[CameraState]") -> Finding:
+def _camera(folder: Path, states: "queue.SimpleQueue[CameraState]") -> HealthCheckResult:
     """What the camera does within a few seconds of being opened."""
     deadline, problem = time.monotonic() + _CAMERA_TIMEOUT_S, PinelError("camera_no_picture")
     while (left_s := deadline - time.monotonic()) > 0.0:
@@ -360,9 +366,9 @@ def _camera(folder: Path, states: "queue.SimpleQueue[CameraState]") -> Finding:
             state = states.get(timeout=left_s)
             if state.mode == "on":
                 devices = _names(sorted(folder.glob("video*")))
-                return Finding("camera", "ok", "doctor_camera_ok", {"devices": devices})
+                return HealthCheckResult("camera", "ok", "doctor_camera_ok", {"devices": devices})
             problem = state.problem or problem
-    return Finding("camera", "warn", problem.code, problem.params)
+    return HealthCheckResult("camera", "warn", problem.code, problem.params)
 
 
 def _names(devices: Sequence[Path]) -> str:
@@ -380,7 +386,7 @@ def _ros(
     environ: Mapping[str, str],
     folder: Path,
     find: Callable[[str], object | None] = importlib.util.find_spec,
-) -> Finding:
+) -> HealthCheckResult:
     """ROS of this terminal, a ROS installation on the disk, or the DDS library, which needs no ROS."""
     found = []
     if find("rclpy") is not None:
@@ -388,8 +394,10 @@ def _ros(
     if find("cyclonedds") is not None:
         found.append("Cyclone DDS")
     if found:
-        return Finding("ros", "ok", "doctor_ros_ok", {"found": ", ".join(found)})
+        return HealthCheckResult("ros", "ok", "doctor_ros_ok", {"found": ", ".join(found)})
     installed = sorted(folder.glob("*/setup.bash"))
     if installed:
-        return Finding("ros", "warn", "doctor_ros_unsourced", {"path": str(installed[-1].parent)})
-    return Finding("ros", "ok", "doctor_ros_none")
+        return HealthCheckResult(
+            "ros", "warn", "doctor_ros_unsourced", {"path": str(installed[-1].parent)}
+        )
+    return HealthCheckResult("ros", "ok", "doctor_ros_none")

@@ -7,26 +7,26 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from pinel_desktop.engine.commands import (
-    ALIVE,
-    ALIVE_PERIOD_S,
+    KEEPALIVE,
+    KEEPALIVE_PERIOD_S,
     Command,
     Evaluate,
     Stop,
 )
 from pinel_desktop.errors import PinelError
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import RunEnded
-from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.processes import own_command
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.processes.supervisor import ProcessState, Supervisor
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot.robot_profile import RobotProfile
 from pinel_desktop.runs.robots import AT_START, HALT, JOG, ROBOT_STATE, WATCH
 from pinel_desktop.runs.spec import RunSpec
 
 EventSink = Callable[[dict[str, Any]], None]
 
-_ANSWER_TIMEOUT_S = 2.0
+_RESPONSE_TIMEOUT_S = 2.0
 # A Stop is confirmed within milliseconds; a person who presses it must not wait long for the truth.
 _CONFIRM_S = 1.0
 # A Run right after an engine was replaced waits for the next one.
@@ -124,14 +124,14 @@ class EngineClient:
             self._live, self._next_seq, self._tick = run_id, 0, 0
             self._is_real = spec.robot is not None
         if spec.robot is not None:
-            threading.Thread(target=self._stay_heard, args=(run_id,), daemon=True).start()
+            threading.Thread(target=self._send_keepalives, args=(run_id,), daemon=True).start()
 
-    def _stay_heard(self, run_id: str) -> None:
+    def _send_keepalives(self, run_id: str) -> None:
         """Tells the engine that the app is not frozen and a page is open, as long as a run drives a real robot."""
         while self._live == run_id:
             if self._is_watched():
-                self._process.send(ALIVE)
-            time.sleep(ALIVE_PERIOD_S)
+                self._process.send(KEEPALIVE)
+            time.sleep(KEEPALIVE_PERIOD_S)
 
     def command(self, run_id: str, command: Command) -> Any:
         """Sends a command to the live run; gives the value of `Evaluate` as plain data, None for all others.
@@ -152,7 +152,7 @@ class EngineClient:
 
     def _evaluate(self, run_id: str, command: Evaluate) -> Any:
         try:
-            return self._request(run_id, command, _ANSWER_TIMEOUT_S)
+            return self._request(run_id, command, _RESPONSE_TIMEOUT_S)
         except TimeoutError as error:  # the run went on before the request's turn came
             raise PinelError("run_not_paused") from error
 
@@ -174,7 +174,7 @@ class EngineClient:
             raise PinelError("run_not_live")
         return self._process.request({"run": run_id, "command": dict(command)}, timeout_s)
 
-    def contact(self, robot: RobotRecord) -> dict[str, Any]:
+    def contact(self, robot: RobotProfile) -> dict[str, Any]:
         """What a robot tells of itself (`runs.contact.Contact`).
 
         Raises PinelError `run_in_progress`, `engine_not_ready`, and what connecting with it raises.
@@ -187,7 +187,7 @@ class EngineClient:
         found: dict[str, Any] = self._ask("contact", robot, _CONTACT_TIMEOUT_S)
         return found
 
-    def find(self, robot: RobotRecord) -> list[dict[str, Any]]:
+    def find(self, robot: RobotProfile) -> list[dict[str, Any]]:
         """The robots in the domain of a record (`links.dds.finding.FoundRobot`).
 
         Raises PinelError `engine_not_ready`, `network_missing`, `peer_unknown`.
@@ -197,20 +197,20 @@ class EngineClient:
         found: list[dict[str, Any]] = self._ask("find", robot, _FIND_TIMEOUT_S)
         return found
 
-    def _ask(self, what: str, robot: RobotRecord, timeout_s: float) -> Any:
+    def _ask(self, what: str, robot: RobotProfile, timeout_s: float) -> Any:
         """Asks the engine about a robot, and waits for the answer."""
         try:
             return self._process.request({"type": what, "robot": robot.as_message()}, timeout_s)
         except TimeoutError as error:
             raise PinelError("engine_not_ready") from error
 
-    def keep_bridge(self, listen: Message, on_message: Callable[[Message], None]) -> None:
+    def set_bridge(self, listen: Message, on_message: Callable[[Message], None]) -> None:
         """Has every engine from now on keep a bridge (`runs.bridge`); `on_message` takes what it tells and asks."""
         self._bridge = listen, on_message
         if self.state == "ready":
             self._process.send(listen)
 
-    def tell_bridge(self, message: Message) -> None:
+    def send_to_bridge(self, message: Message) -> None:
         """Sends the bridge a message."""
         self._process.send(message)
 
@@ -218,11 +218,11 @@ class EngineClient:
         if self._bridge is not None:
             self._process.send(self._bridge[0])
 
-    def watch(self, robot: RobotRecord) -> None:
+    def watch(self, robot: RobotProfile) -> None:
         """Lets the engine listen to a robot for some seconds longer; does nothing while it is not ready."""
-        self._tell_of_robot(WATCH, robot)
+        self._send_robot_message(WATCH, robot)
 
-    def jog(self, robot: RobotRecord, drive: float, turn: float, sent_s: float) -> None:
+    def jog(self, robot: RobotProfile, drive: float, turn: float, sent_s: float) -> None:
         """Moves a robot slowly for a fifth of a second. `drive` and `turn` from -1 to 1, `sent_s` by the PC's clock.
 
         Raises PinelError `run_in_progress`.
@@ -232,17 +232,17 @@ class EngineClient:
                 raise PinelError("run_in_progress")
             if drive or turn:
                 self._held_s = time.monotonic()
-            self._tell_of_robot(JOG, robot, drive=drive, turn=turn, sent_s=sent_s)
+            self._send_robot_message(JOG, robot, drive=drive, turn=turn, sent_s=sent_s)
 
-    def halt(self, robot: RobotRecord) -> None:
+    def halt(self, robot: RobotProfile) -> None:
         """Stops a robot that is moved by keys."""
-        self._tell_of_robot(HALT, robot)
+        self._send_robot_message(HALT, robot)
 
-    def stand_at_start(self, robot: RobotRecord) -> None:
+    def set_start_here(self, robot: RobotProfile) -> None:
         """The robot stands at the start of its room."""
-        self._tell_of_robot(AT_START, robot)
+        self._send_robot_message(AT_START, robot)
 
-    def _tell_of_robot(self, kind: str, robot: RobotRecord, **more: Any) -> None:
+    def _send_robot_message(self, kind: str, robot: RobotProfile, **more: Any) -> None:
         if self.state == "ready":
             self._process.send({"type": kind, "robot": robot.as_message(), **more})
 
@@ -257,9 +257,9 @@ class EngineClient:
         elif message.get("type") == ROBOT_STATE:
             self._on_robot(message)
         else:
-            self._hand_on(message)
+            self._forward(message)
 
-    def _hand_on(self, event: dict[str, Any]) -> None:
+    def _forward(self, event: dict[str, Any]) -> None:
         with self._lock:
             self._next_seq, self._tick = event["seq"] + 1, event["tick"]
             if event["type"] == "run_ended" and event["run"] == self._live:
@@ -273,5 +273,5 @@ class EngineClient:
             self._live = None
         if lost_run is not None:
             reason = "real_engine_lost" if self._is_real else "engine_lost"
-            ended = RunEnded.cut_off(reason, tick / TICK_HZ)
-            self._on_event(EventStamp(lost_run, seq).wire(tick, ended))
+            ended = RunEnded.interrupted(reason, tick / TICK_HZ)
+            self._on_event(EventSequencer(lost_run, seq).wire(tick, ended))

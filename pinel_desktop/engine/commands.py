@@ -11,8 +11,8 @@ from pydantic import BaseModel, ConfigDict, Field, RootModel
 from pinel_desktop.events.model import CaptureBy
 from pinel_desktop.execution.control import (
     CALLER_LEFT,
-    GREATEST_SPEED,
-    LEAST_SPEED,
+    MAX_SPEED,
+    MIN_SPEED,
     Reply,
     RunControl,
     StepMode,
@@ -20,15 +20,15 @@ from pinel_desktop.execution.control import (
 from pinel_desktop.execution.inputs import Capture
 
 # The app's start imports this module; a model is built when it is first used.
-_LATER = ConfigDict(defer_build=True, frozen=True)
+_LAZY = ConfigDict(defer_build=True, frozen=True)
 
 # What the app says 20 times a second while a real robot drives: nobody could stop it in an app that is frozen, or
 # without a page.
-ALIVE = {"type": "app_alive"}
-ALIVE_PERIOD_S = 0.05
+KEEPALIVE = {"type": "app_alive"}
+KEEPALIVE_PERIOD_S = 0.05
 
 BlockIds = Annotated[list[Annotated[str, Field(max_length=100)]], Field(max_length=1000)]
-SpeedFactor = Annotated[float, Field(ge=LEAST_SPEED, le=GREATEST_SPEED)]
+SpeedFactor = Annotated[float, Field(ge=MIN_SPEED, le=MAX_SPEED)]
 Sign = Annotated[str, Field(max_length=100)]
 Ring = Literal["sonar", "lidar"]
 
@@ -36,7 +36,7 @@ Ring = Literal["sonar", "lidar"]
 class _Command(BaseModel):
     """Base of all commands; `do` tells them apart. Unknown keys are refused."""
 
-    model_config = _LATER | ConfigDict(extra="forbid")
+    model_config = _LAZY | ConfigDict(extra="forbid")
 
     def apply(self, control: RunControl, reply: Reply) -> None:
         """Does it to the run, from the engine's reading thread; `reply` takes the value of what asks for one."""
@@ -203,7 +203,7 @@ COMMANDS: dict[str, type[PageCommand]] = {
 class LiveCommand(RootModel[Any]):
     """One command of a page to a live run."""
 
-    model_config = _LATER
+    model_config = _LAZY
 
     # in the brackets of RootModel it would be built at once, whatever the configuration says
     root: Annotated[PageCommand, Field(discriminator="do")]
@@ -212,6 +212,6 @@ class LiveCommand(RootModel[Any]):
 class EngineCommand(RootModel[Any]):
     """One command of the app to a live run."""
 
-    model_config = _LATER
+    model_config = _LAZY
 
     root: Annotated[Command, Field(discriminator="do")]

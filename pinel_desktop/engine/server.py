@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 from pydantic import ValidationError
 
-from pinel_desktop.engine.commands import ALIVE, Command, EngineCommand
+from pinel_desktop.engine.commands import KEEPALIVE, Command, EngineCommand
 from pinel_desktop.errors import PinelError
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import Event, RunEnded
-from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.processes.messages import (
     PING,
@@ -22,14 +22,14 @@ from pinel_desktop.processes.messages import (
     response,
     write_message,
 )
-from pinel_desktop.robot.record import RobotRecord, record_from
+from pinel_desktop.robot.robot_profile import RobotProfile, profile_from
 from pinel_desktop.runs.robots import ROBOT_MESSAGES
 from pinel_desktop.runs.spec import spec_from
 from pinel_desktop.runs.start import start
 
 if TYPE_CHECKING:
-    from pinel_desktop.runs.bridge import OwnedBridge
-    from pinel_desktop.runs.robots.service import Robots
+    from pinel_desktop.runs.bridge import BridgeController
+    from pinel_desktop.runs.robots.service import RobotService
 
 _log = logging.getLogger(__name__)
 _EMPTY_SHA256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
@@ -44,10 +44,10 @@ class _LiveRun:
         self.id = str(message["run"])
         self.control = RunControl()
         self._message, self._engine, self._former = message, engine, former
-        self._stamp = EventStamp(self.id)
+        self._sequencer = EventSequencer(self.id)
         self.thread = threading.Thread(target=self._work, name=f"run-{self.id}", daemon=True)
         if message["spec"].get("robot"):
-            self.control.hear_app()  # from now on the robot drives only while the app is heard
+            self.control.record_keepalive()  # from now on the robot drives only while the app is heard
         for command in message.get("commands", ()):
             self.apply(EngineCommand.model_validate(command).root, None)
 
@@ -77,15 +77,15 @@ class _LiveRun:
             with self._engine.robots.reserved(spec.robot) as follow:
                 start(spec, self._observe, self.control, on_link=follow)
         except PinelError as error:  # before the first tick: unknown world, faults in the document
-            self._observe(0, _never_began(error))
+            self._observe(0, _start_failure(error))
         except OSError:
             _log.warning("the pipe for the events of run %s is closed", self.id)
 
     def _observe(self, tick: int, event: Event) -> None:
-        self._engine.send(self._stamp.wire(tick, event))
+        self._engine.send(self._sequencer.wire(tick, event))
 
 
-def _never_began(error: PinelError) -> RunEnded:
+def _start_failure(error: PinelError) -> RunEnded:
     return RunEnded(
         state="failed",
         reason=error.code,
@@ -107,21 +107,21 @@ class Engine:
     def __init__(self, messages: BinaryIO, events: BinaryIO) -> None:
         self._messages, self._events = messages, events
         self._writing = threading.Lock()
-        self._answers: SimpleQueue[Message] = SimpleQueue()
+        self._responses: SimpleQueue[Message] = SimpleQueue()
         self._live: _LiveRun | None = None
-        self._bridge: OwnedBridge | None = None
+        self._bridge: BridgeController | None = None
         self._making = threading.Lock()
-        self._robots: Robots | None = None
+        self._robots: RobotService | None = None
         # what the app asks about a real robot
-        self._about_robots = {"contact": self._contact, "find": self._find}
+        self._robot_queries = {"contact": self._contact, "find": self._find}
 
     @property
-    def robots(self) -> "Robots":
+    def robots(self) -> "RobotService":
         """The real robots; what they need is imported with the first of them."""
-        from pinel_desktop.runs.robots.service import Robots  # noqa: PLC0415 - for real robots only
+        from pinel_desktop.runs.robots.service import RobotService  # noqa: PLC0415 - for real robots only
 
         with self._making:
-            self._robots = self._robots or Robots(self.send)
+            self._robots = self._robots or RobotService(self.send)
             return self._robots
 
     def send(self, message: Message) -> None:
@@ -131,17 +131,17 @@ class Engine:
 
     def respond(self, request: int, value: Any = None, error: PinelError | None = None) -> None:
         """Answers a request of the app, without waiting for an app that does not read."""
-        self._answers.put(response(request, value, error))
+        self._responses.put(response(request, value, error))
 
-    def _send_answers(self) -> None:
+    def _send_responses(self) -> None:
         """On a thread of its own: the reading thread must find Stop whatever becomes of the other pipe."""
         with contextlib.suppress(OSError):  # the app has gone
             while True:
-                self.send(self._answers.get())
+                self.send(self._responses.get())
 
     def serve(self) -> None:
         """Works until the messages end; then stops the robot."""
-        threading.Thread(target=self._send_answers, name="answers", daemon=True).start()
+        threading.Thread(target=self._send_responses, name="answers", daemon=True).start()
         EngineCommand.model_rebuild()  # now, so that the first Stop is not late
         self.send({"type": "engine_ready"})
         try:
@@ -157,19 +157,21 @@ class Engine:
     def _handle(self, message: Message) -> None:
         live, kind = self._live, str(message.get("type"))
         if message == PING:
-            self._answers.put(PONG)
+            self._responses.put(PONG)
             return
         if "spec" in message:
             self._begin(message)
             return
-        if kind in self._about_robots:
-            threading.Thread(target=self._tell_of, args=(message,), daemon=True).start()
+        if kind in self._robot_queries:
+            threading.Thread(
+                target=self._respond_to_robot_query, args=(message,), daemon=True
+            ).start()
             return
         if kind in ROBOT_MESSAGES:
             self.robots.handle(message)
             return
-        if live is not None and kind == ALIVE["type"]:
-            live.control.hear_app()
+        if live is not None and kind == KEEPALIVE["type"]:
+            live.control.record_keepalive()
             return
         if kind.startswith("bridge_"):
             self._steer_bridge(message)
@@ -188,30 +190,30 @@ class Engine:
 
     def _steer_bridge(self, message: Message) -> None:
         if self._bridge is None:
-            from pinel_desktop.runs.bridge import OwnedBridge  # noqa: PLC0415 - for who wants one
+            from pinel_desktop.runs.bridge import BridgeController  # noqa: PLC0415 - for who wants one
 
-            self._bridge = OwnedBridge(self.send)
-        self._bridge.take(message)
+            self._bridge = BridgeController(self.send)
+        self._bridge.handle(message)
 
-    def _tell_of(self, message: Message) -> None:
+    def _respond_to_robot_query(self, message: Message) -> None:
         """Answers a request about real robots, on a thread of its own."""
         try:
-            found = self._about_robots[message["type"]](record_from(message["robot"]))
+            found = self._robot_queries[message["type"]](profile_from(message["robot"]))
         except PinelError as error:
             self.respond(message["request"], error=error)
         else:
             self.respond(message["request"], found)
 
-    def _contact(self, record: RobotRecord) -> Message:
-        from pinel_desktop.runs.contact import contact  # noqa: PLC0415 - for real robots only
+    def _contact(self, record: RobotProfile) -> Message:
+        from pinel_desktop.runs.contact import probe_robot  # noqa: PLC0415 - for real robots only
 
         with self.robots.reserved(record):
-            return contact(record).as_message()
+            return probe_robot(record).as_message()
 
-    def _find(self, record: RobotRecord) -> list[Message]:
-        from pinel_desktop.runs.contact import robots_near  # noqa: PLC0415 - for real robots only
+    def _find(self, record: RobotProfile) -> list[Message]:
+        from pinel_desktop.runs.contact import robots_in_domain  # noqa: PLC0415 - for real robots only
 
-        return robots_near(record)
+        return robots_in_domain(record)
 
     def _begin(self, message: Message) -> None:
         # The app asks for one run at a time; should an old one still be winding down, it goes first.

@@ -37,7 +37,7 @@ class Notice(StreamEvent):
     remedy: str
 
 
-class CheckLine(TypedDict):
+class CheckProgress(TypedDict):
     """How a run stands with one check of its activity.
 
     Attributes:
@@ -52,7 +52,7 @@ class CheckLine(TypedDict):
 
 
 @dataclass(frozen=True, slots=True)
-class ChecksStand(StreamEvent):
+class CheckStatusChanged(StreamEvent):
     """How a run that goes on, or has just ended, stands with the checks of its activity. Told when that changes.
 
     Attributes:
@@ -62,7 +62,7 @@ class ChecksStand(StreamEvent):
 
     type: ClassVar[str] = "checks_stand"
     run: str
-    checks: list[CheckLine]
+    checks: list[CheckProgress]
 
 
 class JudgedCase(TypedDict):
@@ -120,7 +120,7 @@ class ProgramChanged(StreamEvent):
     deleted_at: str | None
 
 
-class SeenSign(TypedDict):
+class DetectedHand(TypedDict):
     """A hand that the camera sees, and what it looks like.
 
     Attributes:
@@ -155,7 +155,7 @@ class CameraSight(StreamEvent):
 
     type: ClassVar[str] = "camera_sight"
     lossy: ClassVar[bool] = True
-    hands: list[SeenSign]
+    hands: list[DetectedHand]
     label: str
     progress: float
     moved: str
@@ -184,7 +184,7 @@ class CameraChanged(StreamEvent):
 
 
 @dataclass(frozen=True, slots=True)
-class RobotStateTold(StreamEvent):
+class RobotStateChanged(StreamEvent):
     """A real robot that a page asks about, when what is known of it changes, at most twice a second.
 
     Attributes:

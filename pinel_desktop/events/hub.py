@@ -34,7 +34,7 @@ class Subscription:
         """Adds an event; where too many lossy events wait, the oldest of them is dropped."""
         with self._changed:
             if not self._closed:
-                self._make_room(event)
+                self._drop_surplus(event)
             if not self._closed:
                 self._waiting.append(event)
             self._changed.notify()
@@ -51,7 +51,7 @@ class Subscription:
 
     def close(self) -> None:
         """Wakes the reader; what waits may still be read."""
-        self._hub.forget(self)
+        self._hub.unsubscribe(self)
         with self._changed:
             self._closed = True
             self._changed.notify_all()
@@ -67,7 +67,7 @@ class Subscription:
     ) -> None:
         self.close()
 
-    def _make_room(self, event: Event) -> None:
+    def _drop_surplus(self, event: Event) -> None:
         self._n_lossy += _is_lossy(event)
         if self._n_lossy > self._capacity:
             self._waiting.remove(next(filter(_is_lossy, self._waiting)))
@@ -105,7 +105,7 @@ class Hub:
         for reader in self._readers:
             reader.put(event)
 
-    def forget(self, reader: Subscription) -> None:
+    def unsubscribe(self, reader: Subscription) -> None:
         """Takes a reader out."""
         with self._lock:
             self._readers = tuple(other for other in self._readers if other is not reader)

@@ -15,17 +15,17 @@ class StreamEvent:
 
     The class attributes say what is done with every event of the type:
 
-    - `kept`: it is stored, merged between PCs, and compared when a run is verified;
+    - `is_recorded`: it is stored, merged between PCs, and compared when a run is verified;
     - `lossy`: it may be dropped for a page that reads too slowly;
     - `urgent`: it is written to the disk at once, since nothing may follow it for long.
     """
 
     type: ClassVar[str]
-    kept: ClassVar[bool] = False
+    is_recorded: ClassVar[bool] = False
     lossy: ClassVar[bool] = False
     urgent: ClassVar[bool] = False
 
-    def flat(self) -> dict[str, Any]:
+    def to_wire(self) -> dict[str, Any]:
         """The event as a flat JSON object."""
         return {"type": self.type, **asdict(self)}
 
@@ -34,16 +34,16 @@ class StreamEvent:
 class Event(StreamEvent):
     """Base of what a run reports; poses are in the start frame, metres and radians, unless the field says otherwise."""
 
-    kept: ClassVar[bool] = True
+    is_recorded: ClassVar[bool] = True
 
 
-class UnknownWhenCutOff:
+class NullIfInterrupted:
     """Marks a field that is null on the wire when nobody saw the end of the run: power cut, engine lost."""
 
 
 PauseCause = Literal["person", "breakpoint", "step"]
 CaptureBy = Literal["camera", "taught", "person", "list"]
-_CutOff: Final = UnknownWhenCutOff()
+_NULL_IF_INTERRUPTED: Final = NullIfInterrupted()
 
 
 class StackEntry(TypedDict):
@@ -154,7 +154,7 @@ class GestureResult(Event):
 
 
 @dataclass(frozen=True, slots=True)
-class Said(Event):
+class TextShown(Event):
     """The program says something to the group.
 
     Attributes:
@@ -305,7 +305,7 @@ class Telemetry(Event):
 
 
 @dataclass(frozen=True, slots=True)
-class Things(Event):
+class BoxesMoved(Event):
     """Movable boxes have moved: at most ten times a second, and once at the end.
 
     Attributes:
@@ -326,7 +326,7 @@ class Countdown(Event):
     """
 
     type: ClassVar[str] = "countdown"
-    kept: ClassVar[bool] = False
+    is_recorded: ClassVar[bool] = False
     lossy: ClassVar[bool] = True
     left_s: float
 
@@ -341,7 +341,7 @@ class Ranges(Event):
     """
 
     type: ClassVar[str] = "ranges"
-    kept: ClassVar[bool] = False
+    is_recorded: ClassVar[bool] = False
     lossy: ClassVar[bool] = True
     sonar: list[float] | None
     lidar: list[float] | None
@@ -357,7 +357,7 @@ class CommandsAwaited(Event):
     """
 
     type: ClassVar[str] = "commands_awaited"
-    kept: ClassVar[bool] = False
+    is_recorded: ClassVar[bool] = False
     n_executed: int
     result: str
 
@@ -391,16 +391,16 @@ class RunEnded(Event):
     reason: str | None
     params: dict[str, Any]
     block: str | None
-    n_executed: Annotated[int, _CutOff]
-    duration_s: Annotated[float, _CutOff]
-    path_length_m: Annotated[float, _CutOff]
+    n_executed: Annotated[int, _NULL_IF_INTERRUPTED]
+    duration_s: Annotated[float, _NULL_IF_INTERRUPTED]
+    path_length_m: Annotated[float, _NULL_IF_INTERRUPTED]
     closing_error_m: float | None
     pose: Pose | None
-    telemetry_sha256: Annotated[str, _CutOff]
+    telemetry_sha256: Annotated[str, _NULL_IF_INTERRUPTED]
     estimated_closing_error_m: float | None = None
 
     @classmethod
-    def cut_off(cls, reason: str, duration_s: float) -> Self:
+    def interrupted(cls, reason: str, duration_s: float) -> Self:
         """The end of a run that nobody saw: what is known without it, null for the rest."""
         unknown: dict[str, Any] = dict.fromkeys(one.name for one in fields(cls))
         known = {"state": "failed", "reason": reason, "params": {}, "duration_s": duration_s}

@@ -15,11 +15,11 @@ RUN_EVENTS: dict[str, type[Event]] = _declared(Event)
 APP_EVENTS: dict[str, type[StreamEvent]] = _declared(StreamEvent)
 
 
-def _types_that_are(trait: Literal["kept", "lossy", "urgent"]) -> frozenset[str]:
+def _types_that_are(trait: Literal["is_recorded", "lossy", "urgent"]) -> frozenset[str]:
     declared = RUN_EVENTS | APP_EVENTS
     return frozenset(name for name, cls in declared.items() if getattr(cls, trait))
 
 
-KEPT = _types_that_are("kept")
+RECORDED = _types_that_are("is_recorded")
 LOSSY = _types_that_are("lossy")
 URGENT = _types_that_are("urgent")

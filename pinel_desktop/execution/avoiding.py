@@ -34,12 +34,12 @@ class Obstacles:
         self._map = as_array(
             [_in_start_frame(s, context.origin) for s in context.sensors.obstacles()]
         )
-        self._seen: dict[tuple[int, int], Point] = {}
-        self._sees = True
+        self._scanned: dict[tuple[int, int], Point] = {}
+        self._has_range_sensors = True
 
     def obstacles(self) -> Array:
         """All obstacles, mapped and scanned."""
-        points = as_array([(*point, *point) for point in self._seen.values()])
+        points = as_array([(*point, *point) for point in self._scanned.values()])
         return points if not len(self._map) else as_array([*self._map, *points])
 
     def blocks(self, path: list[Point]) -> bool:
@@ -57,13 +57,13 @@ class Obstacles:
         far = clearances(as_array(hits)[:, :2], self._map) > _KNOWN_M
         new = [hit for hit, is_new in zip(hits, far, strict=True) if is_new]
         fresh = {(round(x / CELL_M), round(y / CELL_M)): (x, y) for x, y, *_ in new}
-        fresh = {cell: point for cell, point in fresh.items() if cell not in self._seen}
-        self._seen |= fresh
+        fresh = {cell: point for cell, point in fresh.items() if cell not in self._scanned}
+        self._scanned |= fresh
         return as_array([(*point, *point) for point in fresh.values()])
 
     def _hits(self) -> list[tuple[float, float, float, float]]:
         """Where beams hit: those of the scanner, or of the sonars without a scanner; empty without both."""
-        if not self._sees:
+        if not self._has_range_sensors:
             return []
         pose = self._context.pose
         yaw = pose.yaw_rad
@@ -75,7 +75,7 @@ class Obstacles:
                 py = y + distance * math.sin(yaw + angle)
                 hits.append((px, py, px, py))
         except PinelError:  # a robot without range sensors has only the map
-            self._sees = False
+            self._has_range_sensors = False
         return hits
 
     def _beams(self) -> list[tuple[Point, float, float]]:
@@ -85,13 +85,13 @@ class Obstacles:
             scan = [(angle, sensors.lidar(angle)) for angle in _BEAMS_RAD]
         except PinelError:
             sonars = [(*sonar.ray, sonar.angle_rad) for sonar in robot.sonars]
-            seen = [sensors.sonar(index) for index in range(len(sonars))]
+            measured = [sensors.sonar(index) for index in range(len(sonars))]
             reach = robot.sonar_range_m * _NEAR
-            beams = zip(sonars, seen, strict=True)
+            beams = zip(sonars, measured, strict=True)
             return [(start, a, along + one) for (start, along, a), one in beams if one < reach]
         place = (robot.laser.x_m, robot.laser.y_m) if robot.laser else (0.0, 0.0)
         reach = robot.lidar_range_m * _NEAR
-        return [(place, angle, seen) for angle, seen in scan if seen < reach]
+        return [(place, angle, distance) for angle, distance in scan if distance < reach]
 
 
 def drive_around(context: RunContext, x_m: float, y_m: float) -> Routine:
@@ -123,7 +123,7 @@ def _planned(
         except StopIteration as end:
             path: list[Point] | None = end.value
             return path
-        yield Preempt.TAKEN
+        yield Preempt.YIELD
 
 
 def _follow(context: RunContext, known: Obstacles, path: list[Point]) -> Routine:

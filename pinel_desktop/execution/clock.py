@@ -27,7 +27,7 @@ class Clock(Protocol):
         """Returns when the next tick is due."""
 
 
-class MaxClock:
+class UnpacedClock:
     """Never waits: headless runs and tests."""
 
     def wait_for_tick(self) -> None:

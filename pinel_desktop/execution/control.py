@@ -10,9 +10,9 @@ from pinel_desktop.events.model import PauseCause
 from pinel_desktop.execution.inputs import LiveInputs
 
 StepMode = Literal["into", "over", "out"]
-LEAST_SPEED, GREATEST_SPEED = 0.1, 10.0
+MIN_SPEED, MAX_SPEED = 0.1, 10.0
 # with a tick and the way to the robot it stands within 0.3 s
-APP_SILENT_S = 0.2
+KEEPALIVE_TIMEOUT_S = 0.2
 # reasons of runs that were stopped
 BY_PERSON, CALLER_LEFT = "stopped_by_person", "caller_left"
 
@@ -57,17 +57,17 @@ class RunControl:
         self.inputs = LiveInputs()
         self.is_open = False
         self._more: SimpleQueue[list[Any]] = SimpleQueue()
-        self._app_heard_s: float | None = None
+        self._last_keepalive_s: float | None = None
 
-    def hear_app(self) -> None:
+    def record_keepalive(self) -> None:
         """The app is there. From the first call on, the run of a real robot stands still while the app is silent."""
-        self._app_heard_s = time.monotonic()
+        self._last_keepalive_s = time.monotonic()
 
     @property
-    def app_is_silent(self) -> bool:
+    def keepalive_expired(self) -> bool:
         """Whether an app that was heard has not been heard for a moment."""
-        heard_s = self._app_heard_s
-        return heard_s is not None and time.monotonic() - heard_s > APP_SILENT_S
+        last_s = self._last_keepalive_s
+        return last_s is not None and time.monotonic() - last_s > KEEPALIVE_TIMEOUT_S
 
     @property
     def pace(self) -> float:
@@ -94,7 +94,7 @@ class RunControl:
 
     def set_speed(self, speed: float) -> None:
         """Sets the speed factor, clamped to LEAST_SPEED..GREATEST_SPEED."""
-        self.speed = min(max(speed, LEAST_SPEED), GREATEST_SPEED)
+        self.speed = min(max(speed, MIN_SPEED), MAX_SPEED)
 
     def append(self, commands: list[Any]) -> None:
         """Commands, as document data, for the end of the program; the run is an open one from then on."""

@@ -17,17 +17,17 @@ from pinel_desktop.events.model import (
     RunState,
     Telemetry,
 )
-from pinel_desktop.execution.clock import TICK_HZ, TICK_S, WALL_TIME, Clock, MaxClock, WallTime
+from pinel_desktop.execution.clock import TICK_HZ, TICK_S, WALL_TIME, Clock, UnpacedClock, WallTime
 from pinel_desktop.execution.context import RunContext, RunFailureError, Sources
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.debug.debugger import Debugger
-from pinel_desktop.execution.debug.inspection import answer_evaluations
+from pinel_desktop.execution.debug.inspection import process_evaluations
 from pinel_desktop.execution.debug.sensor_stream import SensorStream
 from pinel_desktop.execution.debug.variable_watch import VariableWatch
 from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.execution.open_end import MOVED_BY_HAND_M, await_commands
-from pinel_desktop.execution.recorder import Recorder
+from pinel_desktop.execution.recorder import TelemetryRecorder
 from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.execution.stack import ProgramStack
 from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
@@ -54,9 +54,9 @@ class RunResult:
     """Outcome of a run: the closing event, and further values that `pinel run` prints; variables as JSON data."""
 
     ended: RunEnded
-    telemetry: Recorder
+    telemetry: TelemetryRecorder
     gesture_result: str
-    said: list[str]
+    shown_texts: list[str]
     marks: list[Marked]
     n_beeps: int
     variables: dict[str, Any]
@@ -81,7 +81,7 @@ class RunOptions:
     """
 
     observer: Observer | None = None
-    clock: Clock = field(default_factory=MaxClock)
+    clock: Clock = field(default_factory=UnpacedClock)
     control: RunControl = field(default_factory=RunControl)
     wall: WallTime = WALL_TIME
     inputs: Inputs = field(default_factory=ScriptedInputs)
@@ -106,7 +106,7 @@ class _Run:
     def __init__(self, program: Program, link: RobotLink, options: RunOptions) -> None:
         self._link, self._observer = link, options.observer
         self._clock, self._wall, self._control = options.clock, options.wall, options.control
-        self._recorder = Recorder()
+        self._recorder = TelemetryRecorder()
         self._origin: Pose2D | None = None
         self._tick = 0
         self._context = RunContext(
@@ -140,7 +140,7 @@ class _Run:
         self._watch()
         block = self._stack.block if state != "finished" else None
         self._stack.close()
-        reason, params = self._stand_still(reason, params)
+        reason, params = self._end_at_standstill(reason, params)
         if self._sensor_stream is not None:
             self._sensor_stream.report_boxes()
         self._link.close()
@@ -150,8 +150,8 @@ class _Run:
         self._emit(ended)
         result, output = self._context.gesture_result, self._context.output
         variables = self._context.variables.global_values()
-        told = (output.said, output.marks, output.n_beeps)
-        return RunResult(ended, self._recorder, result, *told, variables)
+        outputs = (output.shown_texts, output.marks, output.n_beeps)
+        return RunResult(ended, self._recorder, result, *outputs, variables)
 
     def _outcome(self) -> tuple[Outcome, str | None, dict[str, Any]]:
         try:
@@ -188,12 +188,12 @@ class _Run:
 
     def _run(self) -> None:
         control, stack, clock = self._control, self._stack, self._clock
-        watcher, stop_wanted = self._watcher, self._stop_requested
+        watcher, stop_requested = self._watcher, self._stop_requested
         while True:
-            if control.pause_requested or control.app_is_silent:
-                self._hold()
+            if control.pause_requested or control.keepalive_expired:
+                self._pause_before_tick()
             stack.is_open = control.is_open
-            time_needed = stack.run_until_time(MAX_STEPS_PER_TICK, stop_wanted)
+            time_needed = stack.run_until_time(MAX_STEPS_PER_TICK, stop_requested)
             if stack.awaits_commands:
                 if not self._await_commands():
                     return
@@ -201,7 +201,7 @@ class _Run:
             self._report()
             if watcher is not None:
                 watcher.report()
-            self._require_going_on()
+            self._raise_if_stopped()
             if stack.is_paused:
                 continue  # the debugger has requested a pause
             if stack.awaits_person:
@@ -212,14 +212,14 @@ class _Run:
             elif stack.finished:
                 return
 
-    def _hold(self) -> None:
+    def _pause_before_tick(self) -> None:
         """A pause between two calls of an open run holds the first tick of the next one: it is repeated there, too."""
         if self._control.pause_requested and not self._stack.awaits_commands:
             self._pause()
-        if self._control.app_is_silent and not self._link.simulated:
+        if self._control.keepalive_expired and not self._link.simulated:
             self._wait_for_app()
 
-    def _require_going_on(self) -> None:
+    def _raise_if_stopped(self) -> None:
         """Raises _Stopped, or RunFailureError `too_busy`."""
         if self._control.stop_requested:
             raise _Stopped
@@ -289,29 +289,29 @@ class _Run:
         self._watch()
         if self._control.pause_requested:
             return
-        began_s = self._wall.now()
+        start_s = self._wall.now()
         if self._link.simulated:
-            self._stand_a_moment()
+            self._idle_in_real_time()
         else:
             self._clock.wait_for_tick()
             self._pass_tick()
-        self._context.waited_s += self._wall.now() - began_s
+        self._context.waited_s += self._wall.now() - start_s
 
     def _await_commands(self) -> bool:
         """At the end of an open run's program; False when it ends there."""
         context, simulated = self._context, self._link.simulated
         self._emit(CommandsAwaited(self._stack.n_executed, context.gesture_result))
-        wait = self._stand_a_moment if simulated else self._stand_a_tick
+        wait = self._idle_in_real_time if simulated else self._idle_one_tick
         return await_commands(self._stack, context, self._control, wait, simulated=simulated)
 
-    def _stand_a_moment(self) -> None:
+    def _idle_in_real_time(self) -> None:
         """Robot time stands still."""
         self._wall.sleep(TICK_S)
         if self._sensor_stream is not None:
             self._sensor_stream.report_new_subscriptions()
 
-    def _stand_a_tick(self) -> None:
-        if self._control.app_is_silent:
+    def _idle_one_tick(self) -> None:
+        if self._control.keepalive_expired:
             self._wait_for_app()
         self._context.command = STANDSTILL
         self._clock.wait_for_tick()
@@ -323,13 +323,13 @@ class _Run:
         self._watch()
         self._debugger.paused()
         debugger = self._debugger
-        self._emit(RunState("paused", debugger.cause, self._stack.next_block, debugger.n_begun))
+        self._emit(RunState("paused", debugger.cause, self._stack.next_block, debugger.n_started))
         context.command = STANDSTILL
-        self._rest()
+        self._settle()
         before = context.pose
         while self._control.pause_requested and not self._control.stop_requested:
             self._clock.wait_for_tick()
-            answer_evaluations(self._control, context)
+            process_evaluations(self._control, context)
             if self._sensor_stream is not None:
                 self._sensor_stream.report_new_subscriptions()
             self._link.command(STANDSTILL)
@@ -349,7 +349,7 @@ class _Run:
     def _wait_for_app(self) -> None:
         """Holds the robot while the app is frozen: nobody could stop it there. Raises RunFailureError `app_silent`."""
         context, due_s = self._context, self._wall.now() + _APP_LOST_S
-        while self._control.app_is_silent and not self._control.stop_requested:
+        while self._control.keepalive_expired and not self._control.stop_requested:
             if self._wall.now() > due_s:
                 raise RunFailureError("app_silent")
             self._link.command(STANDSTILL)
@@ -357,14 +357,14 @@ class _Run:
             self._update_state(self._link.read())
         context.n_resumed += 1  # a motion plans its remainder anew
 
-    def _rest(self) -> None:
+    def _settle(self) -> None:
         for _ in range(_REST_TICKS):
             self._clock.wait_for_tick()
             self._pass_tick()
             if at_rest(self._context.twist):
                 return
 
-    def _stand_still(
+    def _end_at_standstill(
         self, reason: str | None, params: dict[str, Any]
     ) -> tuple[str | None, dict[str, Any]]:
         """Commands zero velocity at the end of every run, even before the first motion."""
@@ -372,7 +372,7 @@ class _Run:
         try:
             self._link.command(STANDSTILL)
             if 0 < self._tick < _MAX_TICKS and reason not in _WITHOUT_REST:
-                self._rest()
+                self._settle()
         except PinelError as error:
             return reason or error.code, params or error.params
         return reason, params

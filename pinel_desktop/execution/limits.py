@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 MAX_MEMORY = 10_000_000  # characters and items in all variables and parameters together
-MAX_SAID = 1_000
+MAX_SHOWN_TEXTS = 1_000
 MAX_MARKS = 1_000
 MAX_BEEPS = 1_000
 MAX_QUESTIONS = 1_000

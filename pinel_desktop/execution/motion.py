@@ -5,9 +5,9 @@ from collections.abc import Callable
 
 from pinel_desktop.control import (
     ApproachCheck,
-    Arc,
+    ArcTracker,
     Breakaway,
-    Line,
+    LineTracker,
     ProgressCheck,
     hold_position,
     s_curve,
@@ -28,9 +28,9 @@ _OFF_LINE_M = 0.1  # cross-track error of a straight motion that was pushed off 
 _ALREADY_THERE_M = 1e-6
 # Beyond the speed at which wheels stick: 0.03 m/s of a robot that was never oiled.
 _BREAKAWAY_MPS, _BREAKAWAY_RADPS = 0.1, 0.6
-_SLOWEST = 1e-6  # m/s, rad/s; such a motion ends as blocked
-_LONGEST_S = MAX_RUN_S + 60.0
-_KEPT_S = 120.0
+_MIN_SPEED = 1e-6  # m/s, rad/s; such a motion ends as blocked
+_MAX_PROFILE_S = MAX_RUN_S + 60.0
+_MAX_CACHED_S = 120.0
 
 
 def _never() -> bool:
@@ -79,13 +79,13 @@ class _Setpoints:
         return self._points[min(max(index, 0), self._last)]
 
 
-class _Sliding:
+class _SlideDetector:
     """Whether an obstacle has pushed a straight motion off its line, and it comes no nearer to its goal.
 
     Sliding along a wall makes way along the line, too, and ends beside the goal or beyond it.
     """
 
-    def __init__(self, context: RunContext, line: Line, distance_m: float) -> None:
+    def __init__(self, context: RunContext, line: LineTracker, distance_m: float) -> None:
         self._context, self._line, self._distance_m = context, line, distance_m
         self._goal = line.point(distance_m)
         self._start()
@@ -122,7 +122,7 @@ def drive_straight(
     Ends early, at rest and without a reference, when `interrupted()`, which is polled at every tick, is true.
     Raises RunFailureError `blocked`, also where the robot slides along an obstacle and does not get to its goal.
     """
-    line = Line(_begin(context), context.gains, context.trim)
+    line = LineTracker(_begin(context), context.gains, context.trim)
     robot = context.robot
 
     def plan(rest_m: float) -> tuple[float, ...]:
@@ -130,8 +130,8 @@ def drive_straight(
 
     setpoints = _Setpoints(context, distance_m, plan)
     progress = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
-    sliding = _Sliding(context, line, distance_m)
-    breakaway = Breakaway(context.goals.move, _most(context, _BREAKAWAY_MPS), TICK_S)
+    sliding = _SlideDetector(context, line, distance_m)
+    breakaway = Breakaway(context.goals.move, _breakaway_limit(context, _BREAKAWAY_MPS), TICK_S)
     while True:
         along = line.along(context.pose)
         expected, speed, past_end = setpoints.next(along)
@@ -176,7 +176,7 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
 
     setpoints = _Setpoints(context, angle_rad, plan)
     progress = ProgressCheck(_TURN_STEP_RAD, _BLOCKED_TICKS)
-    breakaway = Breakaway(context.goals.turn, _most(context, _BREAKAWAY_RADPS), TICK_S)
+    breakaway = Breakaway(context.goals.turn, _breakaway_limit(context, _BREAKAWAY_RADPS), TICK_S)
     turned, yaw = 0.0, start.yaw_rad
     while True:
         turned += wrap_angle(context.pose.yaw_rad - yaw)
@@ -206,7 +206,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
     velocities. Raises RunFailureError `blocked` or `blocked_beside`.
     """
     yield from rest_first(context)
-    arc = Arc(_begin(context), radius_m, angle_rad, context.gains, context.trim)
+    arc = ArcTracker(_begin(context), radius_m, angle_rad, context.gains, context.trim)
     robot, length = context.robot, abs(radius_m)
 
     def plan(rest_rad: float) -> tuple[float, ...]:
@@ -218,9 +218,9 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
 
     setpoints = _Setpoints(context, angle_rad, plan)
     progress = ProgressCheck(_TURN_STEP_RAD, _BLOCKED_TICKS)
-    way = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
-    move = Breakaway(context.goals.move, _most(context, _BREAKAWAY_MPS), TICK_S)
-    turn = Breakaway(context.goals.turn, _most(context, _BREAKAWAY_RADPS), TICK_S)
+    path_progress = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
+    move = Breakaway(context.goals.move, _breakaway_limit(context, _BREAKAWAY_MPS), TICK_S)
+    turn = Breakaway(context.goals.turn, _breakaway_limit(context, _BREAKAWAY_RADPS), TICK_S)
     while True:
         done = arc.done(context.pose)
         expected, speed, past_end = setpoints.next(done)
@@ -232,7 +232,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
             and abs(across_m) <= _BESIDE_M
         ):
             break
-        stuck = progress.stuck(done, context.tick), way.stuck(done * length, context.tick)
+        stuck = progress.stuck(done, context.tick), path_progress.stuck(done * length, context.tick)
         if all(stuck) or move.is_hopeless or turn.is_hopeless:
             raise _blocked_arc(context, arc, done, angle_rad)
         v, omega = arc.correct(context.pose, expected, speed)
@@ -245,7 +245,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
     return None
 
 
-def _most(context: RunContext, breakaway: float) -> float:
+def _breakaway_limit(context: RunContext, breakaway: float) -> float:
     """Nothing is added to the speed of a simulated robot, whose wheels do not stick."""
     return breakaway if context.goals.sticks else 0.0
 
@@ -300,11 +300,11 @@ def _profile(
 
     Stop has to wait while a profile is computed, so a long slow motion must not take seconds to plan.
     """
-    speed = max(speed, _SLOWEST)
-    longest = speed * _LONGEST_S
+    speed = max(speed, _MIN_SPEED)
+    max_rest = speed * _MAX_PROFILE_S
     # long plans are not cached: they are large and rarely repeated
-    curve = s_curve if abs(rest) < speed * _KEPT_S else s_curve.__wrapped__
-    return curve(min(max(rest, -longest), longest), speed, acceleration, smoothing_s, TICK_S)
+    curve = s_curve if abs(rest) < speed * _MAX_CACHED_S else s_curve.__wrapped__
+    return curve(min(max(rest, -max_rest), max_rest), speed, acceleration, smoothing_s, TICK_S)
 
 
 def rest_first(context: RunContext) -> Routine:
@@ -334,7 +334,7 @@ def _blocked_turn(turned_rad: float, angle_rad: float) -> RunFailureError:
 
 
 def _blocked_arc(
-    context: RunContext, arc: Arc, done_rad: float, angle_rad: float
+    context: RunContext, arc: ArcTracker, done_rad: float, angle_rad: float
 ) -> RunFailureError:
     """An arc whose angle is nearly done but whose end is far was pushed off its circle: reports that distance."""
     away_m = context.pose.distance_to(arc.point(angle_rad))

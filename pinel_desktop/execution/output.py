@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from typing import Literal
 
-from pinel_desktop.events.model import Beeped, Event, Marked, Pen, Said
+from pinel_desktop.events.model import Beeped, Event, Marked, Pen, TextShown
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.limits import MAX_BEEPS, MAX_MARKS, MAX_QUESTIONS, MAX_SAID
+from pinel_desktop.execution.limits import MAX_BEEPS, MAX_MARKS, MAX_QUESTIONS, MAX_SHOWN_TEXTS
 
 DEFAULT_COLOR = "blue"
 
@@ -18,7 +18,7 @@ class Output:
     """
 
     def __init__(self, emit: Callable[[Event], None]) -> None:
-        self.said: list[str] = []
+        self.shown_texts: list[str] = []
         self.marks: list[Marked] = []
         self._emit = emit
         self.n_beeps = 0
@@ -27,12 +27,12 @@ class Output:
         self._reported_pen = self._pen
         self._pen_block: str | None = None
 
-    def say(self, block: str | None, text: str) -> None:
+    def show_text(self, block: str | None, text: str) -> None:
         """Shows a text. Raises RunFailureError `too_many_said`."""
-        if len(self.said) >= MAX_SAID:
-            raise RunFailureError("too_many_said", max=MAX_SAID)
-        self.said.append(text)
-        self._emit(Said(block, text))
+        if len(self.shown_texts) >= MAX_SHOWN_TEXTS:
+            raise RunFailureError("too_many_said", max=MAX_SHOWN_TEXTS)
+        self.shown_texts.append(text)
+        self._emit(TextShown(block, text))
 
     def mark(self, block: str | None, symbol: Literal["X", "O"], x_m: float, y_m: float) -> None:
         """Marks a point of the floor, in the start frame. Raises RunFailureError `too_many_marks`."""

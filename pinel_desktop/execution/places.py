@@ -46,14 +46,14 @@ class MarkedPlaces:
     """The marks of a run by place; one outside of all places of the world counts where it is."""
 
     _by_place: dict[str, str] = field(default_factory=dict)
-    _elsewhere: list[tuple[Pose2D, str]] = field(default_factory=list)
+    _outside_places: list[tuple[Pose2D, str]] = field(default_factory=list)
 
     def put(self, symbol: str, place: str, pose: Pose2D) -> None:
         """Records a mark; `pose` is in the start frame."""
         if place:
             self._by_place[place] = symbol
         else:
-            self._elsewhere.append((pose, symbol))
+            self._outside_places.append((pose, symbol))
 
     def here(self, place: str, pose: Pose2D) -> str:
         """The last mark of a place, "" without one."""
@@ -61,7 +61,7 @@ class MarkedPlaces:
             return self._by_place.get(place, "")
         near = (
             symbol
-            for marked, symbol in reversed(self._elsewhere)
+            for marked, symbol in reversed(self._outside_places)
             if marked.distance_to(pose) <= _SAME_PLACE_M
         )
         return next(near, "")

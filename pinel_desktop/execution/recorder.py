@@ -8,10 +8,10 @@ from collections.abc import Callable, Sequence
 from operator import sub
 from typing import NamedTuple
 
-from pinel_desktop.execution.semantics import MEASURES_THE_TRUE_END
+from pinel_desktop.execution.semantics import TRUE_CLOSING_ERROR_SINCE
 from pinel_desktop.robot import Pose2D
 
-WAY_STEP_M = 0.002  # of true poses; a shorter motion is the wheels' slip in a turn
+PATH_STEP_M = 0.002  # of true poses; a shorter motion is the wheels' slip in a turn
 MEASURED_STEP_M = 0.02  # of poses that a robot measures; a shorter motion is noise
 
 
@@ -23,7 +23,7 @@ class Distances(NamedTuple):
     estimated_closing_error_m: float | None
 
 
-class Recorder:
+class TelemetryRecorder:
     """Collects one row of float64 per tick: tick, x, y, yaw, v, w, commanded v, commanded w (start frame, SI).
 
     Attributes:
@@ -44,10 +44,10 @@ class Recorder:
     def distances(self, *, simulated: bool, semantics: int) -> Distances:
         """What a run reports at its end, with the meaning of a version (`semantics.py`)."""
         estimated_m = self.estimated_closing_error_m()
-        way_m = self.true_way_m() if simulated else self.measured_way_m()
-        if semantics < MEASURES_THE_TRUE_END:
-            return Distances(way_m, estimated_m, None)
-        return Distances(way_m, self.true_closing_error_m(), estimated_m)
+        length_m = self.true_path_length_m() if simulated else self.measured_path_length_m()
+        if semantics < TRUE_CLOSING_ERROR_SINCE:
+            return Distances(length_m, estimated_m, None)
+        return Distances(length_m, self.true_closing_error_m(), estimated_m)
 
     def estimated_closing_error_m(self) -> float:
         """Distance of the last pose from the start, as the robot estimates it."""
@@ -64,15 +64,15 @@ class Recorder:
             else self.estimated_closing_error_m()
         )
 
-    def true_way_m(self) -> float:
+    def true_path_length_m(self) -> float:
         """Length of the true way where it was recorded, else that of the robot's own path."""
         if not self._true:
             return self.path_length_m()
-        return _way_m(self._true[::2], self._true[1::2], WAY_STEP_M)
+        return _path_length_m(self._true[::2], self._true[1::2], PATH_STEP_M)
 
-    def measured_way_m(self) -> float:
+    def measured_path_length_m(self) -> float:
         """Length of the way of a real robot by its own poses, without their noise."""
-        return _way_m(*self._positions(), MEASURED_STEP_M)
+        return _path_length_m(*self._positions(), MEASURED_STEP_M)
 
     def path_length_m(self) -> float:
         """Length of the path through the start and all recorded positions."""
@@ -97,11 +97,11 @@ class Recorder:
         return hashlib.sha256(rows).hexdigest()
 
 
-def _way_m(xs: Sequence[float], ys: Sequence[float], least_m: float) -> float:
-    """Length of the way in steps of at least `least_m`, and to the last position."""
-    way, x, y = 0.0, xs[0], ys[0]
+def _path_length_m(xs: Sequence[float], ys: Sequence[float], min_step_m: float) -> float:
+    """Length of the way in steps of at least `min_step_m`, and to the last position."""
+    length_m, x, y = 0.0, xs[0], ys[0]
     for new_x, new_y in zip(xs, ys, strict=True):
         step = math.hypot(new_x - x, new_y - y)
-        if step >= least_m:
-            way, x, y = way + step, new_x, new_y
-    return way + math.hypot(xs[-1] - x, ys[-1] - y)
+        if step >= min_step_m:
+            length_m, x, y = length_m + step, new_x, new_y
+    return length_m + math.hypot(xs[-1] - x, ys[-1] - y)

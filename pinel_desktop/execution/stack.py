@@ -139,17 +139,17 @@ class ProgramStack:
         if self._reported and self._context.tick >= self._forget_at:
             self._reported.clear()
             self._forget_at = self._context.tick + _REPORT_TICKS
-        goes_on, self.awaits_commands = self.awaits_commands, False
+        is_resumed, self.awaits_commands = self.awaits_commands, False
         self.is_paused = self.awaits_person = False
         timed = self._timed
         if (
             timed is not None
         ):  # fast path: the command that needed the last tick mostly needs the next one
             self._timed = None
-            if self._go_on(self._frames[-1], timed):
+            if self._resume(self._frames[-1], timed):
                 return True
         context = self._context
-        if not goes_on:  # else no tick has passed: the run equals one of the whole program
+        if not is_resumed:  # else no tick has passed: the run equals one of the whole program
             self._last_step = self.n_steps + max_steps + context.n_evaluated // _PARTS_A_STEP
         while self.n_steps + context.n_evaluated // _PARTS_A_STEP < self._last_step:
             self.n_steps += 1
@@ -191,30 +191,30 @@ class ProgramStack:
                 return True
             self._finish_function(None)
             return False
-        return self._go_on(frame, frame.routine)
+        return self._resume(frame, frame.routine)
 
-    def _go_on(self, frame: _Frame, routine: Routine) -> bool:
+    def _resume(self, frame: _Frame, routine: Routine) -> bool:
         """Resumes the routine of a frame; True when it needs time to pass."""
         value, frame.value = frame.value, None
         try:
-            wanted = routine.send(value)
+            request = routine.send(value)
         except StopIteration as end:
             self._pop(frame)
             if end.value is not None:
                 self._jump(end.value)
             return False
-        if wanted is None or wanted is Pending.PERSON:
+        if request is None or request is Pending.PERSON:
             self._timed = routine
-            self.awaits_person = wanted is not None
+            self.awaits_person = request is not None
             if frame.entry is not None and not frame.entry.reported:
                 self._report_late()
             return True
-        if isinstance(wanted, Body):
+        if isinstance(request, Body):
             entry = frame.entry
-            frame.commands, frame.index = wanted.commands, 0
-            frame.pointer = (entry.pointer if entry else "") + wanted.path
-        elif isinstance(wanted, Invoke):
-            self._invoke(wanted)
+            frame.commands, frame.index = request.commands, 0
+            frame.pointer = (entry.pointer if entry else "") + request.path
+        elif isinstance(request, Invoke):
+            self._invoke(request)
         return False
 
     def _pop(self, frame: _Frame) -> None:
@@ -280,12 +280,14 @@ class ProgramStack:
             frame.routine.close()
         self._pop(frame)
 
-    def _invoke(self, wanted: Invoke) -> None:
+    def _invoke(self, request: Invoke) -> None:
         if len(self.calls) >= MAX_RECURSION:
-            raise RunFailureError("recursion_too_deep", function=wanted.function, max=MAX_RECURSION)
-        function, pointer = self._functions[wanted.function]
+            raise RunFailureError(
+                "recursion_too_deep", function=request.function, max=MAX_RECURSION
+            )
+        function, pointer = self._functions[request.function]
         frame = _Frame(function.commands, pointer)
-        frame.outer = self._context.variables.enter(wanted.arguments)
+        frame.outer = self._context.variables.enter(request.arguments)
         frame.function = function.name
         self.calls.append({"function": function.name, "block": self.block})
         self.n_calls += 1

@@ -19,7 +19,7 @@ def run_object(result: RunResult, run_id: str | None, message: str | None) -> di
         "path_length_m": ended.path_length_m,
         "closing_error_m": ended.closing_error_m,
         "estimated_closing_error_m": ended.estimated_closing_error_m,
-        "said": result.said,
+        "said": result.shown_texts,
         "marks": [{"symbol": m.symbol, "x_m": m.x_m, "y_m": m.y_m} for m in result.marks],
         "n_beeps": result.n_beeps,
         "variables": result.variables,

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 NO_SIGN = ""
 N_AXES = 200
-_REACH = 0.6  # kernel exp(-0.6 d²), where d² is 2 between two random samples
+_KERNEL_GAMMA = 0.6  # kernel exp(-0.6 d²), where d² is 2 between two random samples
 _RIDGE = 0.01
 # hands that show no sign lie between those that do: they must not be kept at a distance too exactly
 _RIDGE_OF_NO_SIGN = 0.1
@@ -40,24 +40,24 @@ class Samples:
 
     def where(self, chosen: NDArray[np.bool_]) -> "Samples":
         """Those for which `chosen` (n,) holds."""
-        signs = tuple(sign for sign, kept in zip(self.signs, chosen, strict=True) if kept)
+        signs = tuple(sign for sign, is_chosen in zip(self.signs, chosen, strict=True) if is_chosen)
         return Samples(self.features[chosen], signs)
 
 
 @dataclass(frozen=True)
-class Doubt:
+class RejectThresholds:
     """What an answer needs: score and distance to the second sign's score at least, strangeness at most."""
 
-    score: float = 0.5
-    margin: float = 0.2
-    strangeness: float = 1.15
+    min_score: float = 0.5
+    min_margin: float = 0.2
+    max_novelty: float = 1.15
 
 
-USUAL_DOUBT = Doubt()
+DEFAULT_THRESHOLDS = RejectThresholds()
 
 
 @dataclass(frozen=True)
-class Judgement:
+class ClassScores:
     """What is thought of n hands.
 
     scores (n, k): about 1 for the sign that is shown, about 0 for the others. strangeness (n,): how much farther away
@@ -65,7 +65,7 @@ class Judgement:
     """
 
     scores: Array
-    strangeness: Array
+    novelty: Array
 
     @property
     def best(self) -> NDArray[np.int64]:
@@ -73,11 +73,11 @@ class Judgement:
         numbers: NDArray[np.int64] = self.scores.argmax(1)
         return numbers
 
-    def is_clear(self, doubt: Doubt = USUAL_DOUBT) -> NDArray[np.bool_]:
+    def is_clear(self, thresholds: RejectThresholds = DEFAULT_THRESHOLDS) -> NDArray[np.bool_]:
         """Whether it is enough for an answer, (n,)."""
         second, best = np.sort(self.scores, axis=1)[:, -2:].T
-        is_sure = (best >= doubt.score) & (best - second >= doubt.margin)
-        clear: NDArray[np.bool_] = is_sure & (self.strangeness <= doubt.strangeness)
+        is_sure = (best >= thresholds.min_score) & (best - second >= thresholds.min_margin)
+        clear: NDArray[np.bool_] = is_sure & (self.novelty <= thresholds.max_novelty)
         return clear
 
 
@@ -98,7 +98,7 @@ class Calibration:
 
 
 @dataclass(frozen=True)
-class Reading:
+class SignPrediction:
     """What a hand shows: `sign` is None in doubt; `best` and `second` are the likeliest, with their probabilities."""
 
     sign: str | None
@@ -155,47 +155,49 @@ class SignClassifier:
         signs = tuple(sorted({sign for sign in samples.signs if sign != NO_SIGN}))
         points = stored(projection(samples.features))
         members = _numbers(samples.signs, signs)
-        return cls(signs, projection, points, members, _solved(points, members, len(signs)))
+        return cls(signs, projection, points, members, _ridge_weights(points, members, len(signs)))
 
-    def teach(self, samples: Samples) -> "SignClassifier":
+    def with_samples(self, samples: Samples) -> "SignClassifier":
         """The same with samples more, of signs that it knows and of new ones; about 0.3 s."""
         new = sorted({*samples.signs} - {*self.signs, NO_SIGN})
         signs = (*self.signs, *new)
         points = np.concatenate([self.points, stored(self.projection(samples.features))])
         members = np.concatenate([self.members, _numbers(samples.signs, signs)])
-        weights = _solved(points, members, len(signs))
+        weights = _ridge_weights(points, members, len(signs))
         return replace(self, signs=signs, points=points, members=members, weights=weights)
 
-    def forget(self, sign: str) -> "SignClassifier":
+    def without_sign(self, sign: str) -> "SignClassifier":
         """The same without one sign and all its samples."""
         i = self.signs.index(sign)
-        kept = self.members != i
-        signs, members = self.signs[:i] + self.signs[i + 1 :], self.members[kept]
+        retained = self.members != i
+        signs, members = self.signs[:i] + self.signs[i + 1 :], self.members[retained]
         members = members - (members > i)
-        points = self.points[kept]
-        weights = _solved(points, members, len(signs))
+        points = self.points[retained]
+        weights = _ridge_weights(points, members, len(signs))
         return replace(self, signs=signs, points=points, members=members, weights=weights)
 
-    def judge(self, features: Features) -> Judgement:
+    def score(self, features: Features) -> ClassScores:
         """What is thought of n hands (n, d)."""
         points = self.projection(features)
         scores: Array = _kernel(points, self.points) @ self.weights
-        return Judgement(scores, self._strangeness(points, scores.argmax(1)))
+        return ClassScores(scores, self._novelty(points, scores.argmax(1)))
 
-    def read(self, features: Features, doubt: Doubt = USUAL_DOUBT) -> Reading:
+    def predict(
+        self, features: Features, thresholds: RejectThresholds = DEFAULT_THRESHOLDS
+    ) -> SignPrediction:
         """What one hand (d,) shows."""
-        judgement = self.judge(features[None])
-        shares = self.calibration.probabilities(judgement.scores)[0]
-        second, best = np.argsort(judgement.scores[0], kind="stable")[-2:]
-        return Reading(
-            sign=self.signs[best] if judgement.is_clear(doubt)[0] else None,
+        class_scores = self.score(features[None])
+        shares = self.calibration.probabilities(class_scores.scores)[0]
+        second, best = np.argsort(class_scores.scores[0], kind="stable")[-2:]
+        return SignPrediction(
+            sign=self.signs[best] if class_scores.is_clear(thresholds)[0] else None,
             best=self.signs[best],
             confidence=float(shares[best]),
             second=self.signs[second],
             second_confidence=float(shares[second]),
         )
 
-    def _strangeness(self, points: Array, best: NDArray[np.int64]) -> Array:
+    def _novelty(self, points: Array, best: NDArray[np.int64]) -> Array:
         """Squared distance to the mean of the best sign less that to the mean of all, both relative to their spread."""
         from_sign = (points - self._means[best]) @ self._within
         from_all = (points - self._shown.mean(0)) @ self._overall
@@ -211,29 +213,29 @@ class SignClassifier:
     def _means(self) -> Array:
         """Of each sign, (k, m)."""
         members = self.members[self.members >= 0]
-        sums = np.zeros((len(self.signs), self.points.shape[1]))
-        np.add.at(sums, members, self._shown)
-        means: Array = sums / np.bincount(members, minlength=len(self.signs))[:, None]
+        totals = np.zeros((len(self.signs), self.points.shape[1]))
+        np.add.at(totals, members, self._shown)
+        means: Array = totals / np.bincount(members, minlength=len(self.signs))[:, None]
         return means
 
     @cached_property
     def _within(self) -> Array:
         """Evens out how hands that show the same sign differ, (m, m)."""
-        return _evening(self._shown - self._means[self.members[self.members >= 0]])
+        return _whitening(self._shown - self._means[self.members[self.members >= 0]])
 
     @cached_property
     def _overall(self) -> Array:
         """Evens out how hands differ, (m, m)."""
-        return _evening(self._shown - self._shown.mean(0))
+        return _whitening(self._shown - self._shown.mean(0))
 
 
-def _evening(deviations: Array) -> Array:
+def _whitening(deviations: Array) -> Array:
     """The matrix (m, m) after which deviations (n, m) have a spread of 1 along each axis."""
     covariance = deviations.T @ deviations / len(deviations)
     ball = np.eye(len(covariance)) * np.trace(covariance) / len(covariance)
     mixed = (1 - _SHRINKAGE) * covariance + _SHRINKAGE * ball
-    evening: Array = np.linalg.inv(np.linalg.cholesky(mixed)).T
-    return evening
+    whitening: Array = np.linalg.inv(np.linalg.cholesky(mixed)).T
+    return whitening
 
 
 def calibrated(scores: Array, numbers: NDArray[np.int64]) -> Calibration:
@@ -257,7 +259,7 @@ def _numbers(names: Sequence[str], signs: tuple[str, ...]) -> NDArray[np.int64]:
     return np.array([signs.index(name) if name != NO_SIGN else -1 for name in names], np.int64)
 
 
-def _solved(points: Array, members: NDArray[np.int64], n_signs: int) -> Array:
+def _ridge_weights(points: Array, members: NDArray[np.int64], n_signs: int) -> Array:
     """Weights that give each point 1 for its sign and 0 for the others, smoothed by the ridge."""
     targets = (members[:, None] == np.arange(n_signs)).astype(np.float64)
     system = _kernel(points, points)
@@ -268,18 +270,18 @@ def _solved(points: Array, members: NDArray[np.int64], n_signs: int) -> Array:
 
 def _kernel(a: Array, b: Array) -> Array:
     """exp(-0.6 d²) for all pairs of points: (n, m), (p, m) -> (n, p)."""
-    near: Array = np.exp(-_REACH * _squared_distances(a, b))
+    near: Array = np.exp(-_KERNEL_GAMMA * _squared_distances(a, b))
     return near
 
 
 def _squared_distances(a: Array, b: Array) -> Array:
     squared = (a * a).sum(1)[:, None] + (b * b).sum(1) - 2 * a @ b.T
-    apart: Array = np.maximum(squared, 0)
-    return apart
+    distances: Array = np.maximum(squared, 0)
+    return distances
 
 
 def _signed(axes: Array) -> Array:
     """Axes (d, m) with the largest part of each positive: the sign of an eigenvector is arbitrary."""
-    largest = np.abs(axes).argmax(0)
-    turned: Array = axes * np.sign(axes[largest, np.arange(axes.shape[1])])
+    max_rows = np.abs(axes).argmax(0)
+    turned: Array = axes * np.sign(axes[max_rows, np.arange(axes.shape[1])])
     return turned

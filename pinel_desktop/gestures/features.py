@@ -14,10 +14,10 @@ from pinel_desktop.gestures.landmarks import SIZE, Hand
 
 Array = NDArray[np.float64]
 
-N_SHAPE, N_SEEN = 852, 896
-N_FEATURES = N_SHAPE + N_SEEN
+N_SHAPE, N_ACTIVATIONS = 852, 896
+N_FEATURES = N_SHAPE + N_ACTIVATIONS
 # a block's features count equally, and so do both blocks
-BLOCKS = (slice(0, N_SHAPE), slice(N_SHAPE, N_SHAPE + N_SEEN))
+BLOCKS = (slice(0, N_SHAPE), slice(N_SHAPE, N_SHAPE + N_ACTIVATIONS))
 
 # each landmark but the wrist is the end of a bone that begins at its parent
 _ENDS = np.arange(1, 21)
@@ -34,13 +34,13 @@ _THUMB_TIP, _FINGERS = 4, slice(5, 21)
 _INDEX_JOINTS, _MIDDLE_JOINTS = [8, 7, 6], [12, 11, 10]
 _PAIRS = np.triu_indices(21, 1)
 # thumb, index and middle finger, which make most of the letters' differences
-_SEEN_AT = [2, 3, 4, 6, 7, 8, 11, 12]
+_ACTIVATION_LANDMARKS = [2, 3, 4, 6, 7, 8, 11, 12]
 
 
 def features(hand: Hand) -> NDArray[np.float32]:
     """All numbers of a hand, (1748,)."""
     shape = [np.ravel(part) for part in _shape(hand)]
-    return np.concatenate([*shape, _seen(hand)]).astype(np.float32)
+    return np.concatenate([*shape, _sampled_activations(hand)]).astype(np.float32)
 
 
 def _shape(hand: Hand) -> Iterator[Array | list[float]]:
@@ -103,11 +103,11 @@ def _distances(points: Array) -> Array:
     return distances
 
 
-def _seen(hand: Hand) -> Array:
+def _sampled_activations(hand: Hand) -> Array:
     """The network's inner map read between its cells (bilinearly) at 8 landmarks, (896,)."""
     grid = hand.activations
     cells = grid.shape[0]
-    at = np.clip(hand.in_crop[_SEEN_AT, :2] * cells / SIZE - 0.5, 0, cells - 1.001)
+    at = np.clip(hand.in_crop[_ACTIVATION_LANDMARKS, :2] * cells / SIZE - 0.5, 0, cells - 1.001)
     column, row = at.astype(int).T
     right, down = (at % 1).T[..., None]
     upper = grid[row, column] * (1 - right) + grid[row, column + 1] * right

@@ -14,8 +14,8 @@ from pinel_desktop.gestures.regions import around_hand
 
 Picture = NDArray[np.uint8]
 
-MOST_HANDS = 2
-LEAST_PRESENCE = 0.5
+MAX_HANDS = 2
+MIN_PRESENCE = 0.5
 _LOST_PRESENCE = 0.3  # a hand that is being followed may be seen worse for a while
 _PADDINGS = (1, 1.5, 2, 3)
 _PALM_SCORES = (0.5, 0.3)
@@ -23,7 +23,7 @@ _CERTAINLY_OTHER = 0.3
 _SAME_HAND = 0.5  # of the smaller hand's size
 
 
-class HandFinder:
+class HandDetector:
     """Finds the hands of single pictures."""
 
     def __init__(self, folder: Path = FOLDER) -> None:
@@ -32,27 +32,29 @@ class HandFinder:
         self._palms = PalmDetector(Network(PALM, folder))
         self.landmarks = LandmarkNetwork(Network(HAND, folder))
 
-    def find(
+    def detect(
         self,
         picture: Picture,
         *,
         accepts: Callable[[Palm], bool] = lambda palm: True,
-        patient: bool = True,
+        exhaustive: bool = True,
     ) -> list[Hand]:
         """The hands of an RGB picture, at most two, the best first.
 
         Close hands need a smaller picture, faint ones a lower score: these are tried until one hand is found. If none
-        is certain, the best guess is given with its presence. `accepts` passes over palms; `patient=False` tries once.
+        is certain, the best guess is given with its presence. `accepts` passes over palms; `exhaustive=False` tries once.
         """
         guess: Hand | None = None
-        for least_score in _PALM_SCORES[: None if patient else 1]:
-            for padding in _PADDINGS[: None if patient else 1]:
-                palms = self._palms(picture, padding=padding, least_score=least_score)
-                seen = [self.landmarks(picture, palm.region) for palm in palms if accepts(palm)]
-                hands = different([hand for hand in seen if hand.presence > LEAST_PRESENCE])
+        for min_score in _PALM_SCORES[: None if exhaustive else 1]:
+            for padding in _PADDINGS[: None if exhaustive else 1]:
+                palms = self._palms(picture, padding=padding, min_score=min_score)
+                detected = [self.landmarks(picture, palm.region) for palm in palms if accepts(palm)]
+                hands = without_duplicates(
+                    [hand for hand in detected if hand.presence > MIN_PRESENCE]
+                )
                 if hands:
                     return [self._refined(picture, hand) for hand in hands]
-                guess = max([*seen, *([guess] if guess else [])], key=_presence, default=None)
+                guess = max([*detected, *([guess] if guess else [])], key=_presence, default=None)
         return [self._refined(picture, guess)] if guess else []
 
     def _refined(self, picture: Picture, hand: Hand) -> Hand:
@@ -65,36 +67,36 @@ class HandFinder:
 class HandTracker:
     """Follows the hands of a video: one pass of the landmark network for each hand and frame."""
 
-    def __init__(self, finder: HandFinder) -> None:
-        self._finder = finder
+    def __init__(self, detector: HandDetector) -> None:
+        self._detector = detector
         self._hands: list[Hand] = []
         self._n_empty = 0
 
     def update(self, picture: Picture) -> list[Hand]:
         """The hands of the next frame. Where all are lost, palms are looked for again."""
-        followed = different([self._follow(picture, hand) for hand in self._hands])
+        followed = without_duplicates([self._follow(picture, hand) for hand in self._hands])
         self._hands = [hand for hand in followed if hand.presence > _LOST_PRESENCE]
         if not self._hands:
-            found = self._finder.find(picture)
-            self._hands = [hand for hand in found if hand.presence > LEAST_PRESENCE]
+            found = self._detector.detect(picture)
+            self._hands = [hand for hand in found if hand.presence > MIN_PRESENCE]
         return self._hands
 
     def _follow(self, picture: Picture, hand: Hand) -> Hand:
         """A hand that looks like the other one, as when it turned or another came, is mirrored from here on."""
         region = around_hand(hand.points)
-        seen = self._finder.landmarks(picture, region, mirrored=hand.mirrored)
-        if seen.chirality < _CERTAINLY_OTHER:
-            return self._finder.landmarks(picture, region, mirrored=not hand.mirrored)
-        return seen
+        tracked = self._detector.landmarks(picture, region, mirrored=hand.mirrored)
+        if tracked.chirality < _CERTAINLY_OTHER:
+            return self._detector.landmarks(picture, region, mirrored=not hand.mirrored)
+        return tracked
 
 
-def different(hands: list[Hand]) -> list[Hand]:
+def without_duplicates(hands: list[Hand]) -> list[Hand]:
     """The best of these, without those that are the same hand twice; at most two."""
-    kept: list[Hand] = []
+    unique: list[Hand] = []
     for hand in sorted(hands, key=_presence, reverse=True):
-        if not any(_is_same(hand, other) for other in kept):
-            kept.append(hand)
-    return kept[:MOST_HANDS]
+        if not any(_is_same(hand, other) for other in unique):
+            unique.append(hand)
+    return unique[:MAX_HANDS]
 
 
 def _presence(hand: Hand) -> float:
@@ -103,6 +105,6 @@ def _presence(hand: Hand) -> float:
 
 def _is_same(a: Hand, b: Hand) -> bool:
     """Whether the landmarks of two hands lie on each other: on average nearer than half of the smaller one."""
-    apart = np.linalg.norm(a.points[:, :2] - b.points[:, :2], axis=1).mean()
+    distance = np.linalg.norm(a.points[:, :2] - b.points[:, :2], axis=1).mean()
     size = min(np.ptp(hand.points[:, :2], axis=0).max() for hand in (a, b))
-    return bool(apart < _SAME_HAND * size)
+    return bool(distance < _SAME_HAND * size)

@@ -15,21 +15,21 @@ Points = NDArray[np.float32]
 Movement = NDArray[np.float32]
 
 N_FRAMES, N_NUMBERS = 38, 46
-SHAPE, WAY, GROWTH, TIME = slice(0, 42), slice(42, 44), 44, 45
+SHAPE, PATH, GROWTH, TIME = slice(0, 42), slice(42, 44), 44, 45
 
 BEGINS_HZ = 0.9  # hand sizes a second from which a hand moves
 RESTS_HZ = 0.7  # and below which it rests
 REST_S = 0.25  # so long it must rest; the corners of a Z are shorter
-LEAST_S, MOST_S = 0.25, 4.0  # of a movement
-LEAST_WAY = 0.2  # hand sizes, of the landmarks from where they were
+MIN_DURATION_S, MAX_DURATION_S = 0.25, 4.0  # of a movement
+MIN_DISPLACEMENT = 0.2  # hand sizes, of the landmarks from where they were
 _SPAN_S = 0.18  # speed is measured over it: from frame to frame the landmarks tremble
-_LEAST_FRAMES = 4
+_MIN_FRAMES = 4
 _GAP_S = 0.3  # a hand that was not seen for so long is another one
 _PALM = [0, 1, 5, 9, 13, 17]
 
 
 @dataclass(frozen=True, slots=True)
-class Glimpse:
+class HandObservation:
     """A hand in one frame: when, its landmarks (21, 2) in px, whether it is a left one."""
 
     time_s: float
@@ -37,11 +37,11 @@ class Glimpse:
     is_left: bool
 
 
-def movement(glimpses: list[Glimpse]) -> Movement:
+def movement(observations: list[HandObservation]) -> Movement:
     """At least two frames, the earliest first, as a movement (38, 46)."""
-    times = np.array([one.time_s for one in glimpses]) - glimpses[0].time_s
-    points = np.array([one.points for one in glimpses], np.float64)
-    if 2 * sum(one.is_left for one in glimpses) > len(glimpses):
+    times = np.array([one.time_s for one in observations]) - observations[0].time_s
+    points = np.array([one.points for one in observations], np.float64)
+    if 2 * sum(one.is_left for one in observations) > len(observations):
         points[..., 0] *= -1
     points = _smoothed(points)
     middles = points[:, _PALM].mean(1)
@@ -49,7 +49,7 @@ def movement(glimpses: list[Glimpse]) -> Movement:
     size = float(np.median(sizes)) + 1e-6
     numbers = np.empty((len(times), N_NUMBERS))
     numbers[:, SHAPE] = ((points - middles[:, None]) / size).reshape(len(times), -1)
-    numbers[:, WAY] = (middles - middles[0]) / size
+    numbers[:, PATH] = (middles - middles[0]) / size
     numbers[:, GROWTH] = np.log((sizes + 1e-6) / size)
     numbers[:, TIME] = times
     at = np.linspace(0.0, times[-1], N_FRAMES)
@@ -67,15 +67,15 @@ def shape(points: Points, *, is_left: bool) -> NDArray[np.float64]:
     return numbers
 
 
-class MovementWatch:
+class MovementSegmenter:
     """Cuts movements out of a video, frame by frame: from a hand at rest to the same hand at rest again."""
 
     def __init__(self) -> None:
-        self.begin_anew()
+        self.reset()
 
-    def begin_anew(self) -> None:
+    def reset(self) -> None:
         """Forgets the frames so far."""
-        self._glimpses: deque[Glimpse] = deque()
+        self._observations: deque[HandObservation] = deque()
         self._is_moving = False
         self._has_rested = False
         self._rests_since_s: float | None = None
@@ -84,11 +84,11 @@ class MovementWatch:
     def is_moving(self) -> bool:
         return self._is_moving
 
-    def see(self, glimpse: Glimpse) -> Movement | None:
+    def update(self, observation: HandObservation) -> Movement | None:
         """Takes the next frame with a hand; gives the movement that has just come to rest."""
-        if self._glimpses and glimpse.time_s - self._glimpses[-1].time_s > _GAP_S:
-            self.begin_anew()
-        self._glimpses.append(glimpse)
+        if self._observations and observation.time_s - self._observations[-1].time_s > _GAP_S:
+            self.reset()
+        self._observations.append(observation)
         speed = self._speed()
         if speed is None:
             return None
@@ -97,47 +97,51 @@ class MovementWatch:
             return None
         if speed >= RESTS_HZ:
             self._rests_since_s = None
-            if glimpse.time_s - self._glimpses[0].time_s > MOST_S:
+            if observation.time_s - self._observations[0].time_s > MAX_DURATION_S:
                 self._has_rested = False  # too long ago
-                self._glimpses.popleft()
+                self._observations.popleft()
             return None
         if self._rests_since_s is None:
-            self._rests_since_s = glimpse.time_s
-        return self._ended() if glimpse.time_s - self._rests_since_s >= REST_S else None
+            self._rests_since_s = observation.time_s
+        return self._ended() if observation.time_s - self._rests_since_s >= REST_S else None
 
     def _wait(self, speed: float) -> None:
         """Until the hand moves, no more is kept than what its speed is measured by."""
         self._has_rested = self._has_rested or speed < RESTS_HZ
         self._is_moving = speed >= BEGINS_HZ
-        oldest_s = self._glimpses[-1].time_s - 2 * _SPAN_S
-        while not self._is_moving and self._glimpses[0].time_s < oldest_s:
-            self._glimpses.popleft()
+        oldest_s = self._observations[-1].time_s - 2 * _SPAN_S
+        while not self._is_moving and self._observations[0].time_s < oldest_s:
+            self._observations.popleft()
 
     def _ended(self) -> Movement | None:
         """The frames until the hand came to rest, if they are a movement at all."""
         rests_since_s = self._rests_since_s or 0.0
-        frames = [one for one in self._glimpses if one.time_s <= rests_since_s]
-        kept = [one for one in self._glimpses if one.time_s > rests_since_s]
+        frames = [one for one in self._observations if one.time_s <= rests_since_s]
+        remaining = [one for one in self._observations if one.time_s > rests_since_s]
         has_rested = self._has_rested
-        self.begin_anew()
-        self._glimpses.extend(kept)
+        self.reset()
+        self._observations.extend(remaining)
         lasted_s = frames[-1].time_s - frames[0].time_s if frames else 0.0
-        if not has_rested or len(frames) < _LEAST_FRAMES or not LEAST_S <= lasted_s <= MOST_S:
+        if (
+            not has_rested
+            or len(frames) < _MIN_FRAMES
+            or not MIN_DURATION_S <= lasted_s <= MAX_DURATION_S
+        ):
             return None
-        farthest = max(_apart(frames[0].points, one.points) for one in frames)
-        return movement(frames) if farthest >= LEAST_WAY else None
+        farthest = max(_displacement(frames[0].points, one.points) for one in frames)
+        return movement(frames) if farthest >= MIN_DISPLACEMENT else None
 
     def _speed(self) -> float | None:
         """Hand sizes a second over the last moment; None when the hand has just come."""
-        now = self._glimpses[-1]
-        for before in reversed(self._glimpses):
+        now = self._observations[-1]
+        for before in reversed(self._observations):
             elapsed_s = now.time_s - before.time_s
             if elapsed_s >= _SPAN_S:
-                return _apart(before.points, now.points) / elapsed_s
+                return _displacement(before.points, now.points) / elapsed_s
         return None
 
 
-def _apart(before: Points, now: Points) -> float:
+def _displacement(before: Points, now: Points) -> float:
     """How far the landmarks moved, root mean square, in sizes of the hand."""
     size = float(np.ptp(now, axis=0).max()) + 1e-6
     return float(np.sqrt(((now - before) ** 2).sum(axis=1).mean())) / size

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.gestures import movements, warping
-from pinel_desktop.gestures.movements import GROWTH, N_FRAMES, SHAPE, TIME, WAY, Movement
+from pinel_desktop.gestures.movements import GROWTH, N_FRAMES, PATH, SHAPE, TIME, Movement
 
 Array = NDArray[np.float64]
 
@@ -22,8 +22,10 @@ N_NEAREST = 2
 NEAR, FAR, _SPREAD = 0.55, 0.6, 1.4
 _CLEAR = 0.85  # of the distance to the second sign
 # the way alone must be near too: people's hands differ more than their movements, and one's own hand hides a wrong way
-_WAY_NEAR = 0.27
-_WAY_AT_LEAST = 1.5  # sizes of the hand: shorter ways are not stretched to the length of the others
+_MAX_PATH_DISTANCE = 0.27
+_MIN_PATH_EXTENT = (
+    1.5  # sizes of the hand: shorter ways are not stretched to the length of the others
+)
 _DIRECTION = 0.2  # weight, for the way of a whole movement in a unit of its time
 _PACES = (0.35, 2.8)  # how long a movement takes, relative to the median of the examples
 _N_SHAPE = 42
@@ -32,7 +34,7 @@ _SHARPNESS = 12.0
 
 
 @dataclass(frozen=True, slots=True)
-class MovingReading:
+class MovingSignPrediction:
     """What a movement shows: `sign` is None in doubt; `best` and `second` are the likeliest signs, "" for none.
 
     confidence: from 0 to 1, higher for a nearer movement; not calibrated.
@@ -44,7 +46,7 @@ class MovingReading:
     second: str
 
 
-class MovingSigns:
+class MovingSignClassifier:
     """Knows signs by n movements of each, (n, 38, 46); without any, no movement is a sign."""
 
     def __init__(self, examples: Mapping[str, NDArray[np.float32]]) -> None:
@@ -56,25 +58,25 @@ class MovingSigns:
         self._beginnings = _beginnings(np.concatenate(shown)) if shown else np.empty((0, 42))
         self._thresholds = self._calibrated()
 
-    def read(self, movement: Movement) -> MovingReading:
+    def predict(self, movement: Movement) -> MovingSignPrediction:
         """What a movement (38, 46) shows."""
         if self._sequences is None:
-            return MovingReading(None, "", 0.0, "")
+            return MovingSignPrediction(None, "", 0.0, "")
         sequence = _sequences(movement[None].astype(np.float64))[0]
-        apart = self._apart(sequence)
-        order = np.argsort(apart, kind="stable")
+        distances = self._distances(sequence)
+        order = np.argsort(distances, kind="stable")
         best, second = int(order[0]), int(order[1]) if len(order) > 1 else None
         pace = float(movement[-1, TIME]) / (self._paces[best] + 1e-6)
         is_sign = (
-            apart[best] <= self._thresholds[best]
-            and self._way_apart(sequence, best) <= _WAY_NEAR
-            and (second is None or apart[best] <= _CLEAR * apart[second])
+            distances[best] <= self._thresholds[best]
+            and self._path_distance(sequence, best) <= _MAX_PATH_DISTANCE
+            and (second is None or distances[best] <= _CLEAR * distances[second])
             and _PACES[0] <= pace <= _PACES[1]
         )
-        return MovingReading(
+        return MovingSignPrediction(
             self.signs[best] if is_sign else None,
             self.signs[best],
-            self._confidence(apart, best),
+            self._confidence(distances, best),
             "" if second is None else self.signs[second],
         )
 
@@ -82,34 +84,34 @@ class MovingSigns:
         """Whether a hand at rest, landmarks (21, 2) in px, looks like the beginning of one of the signs."""
         if not len(self._beginnings):
             return False
-        apart = self._beginnings - movements.shape(points, is_left=is_left)
-        return bool((np.sqrt((apart**2).sum(1) / 21) <= _BEGINS_AS).any())
+        offsets = self._beginnings - movements.shape(points, is_left=is_left)
+        return bool((np.sqrt((offsets**2).sum(1) / 21) <= _BEGINS_AS).any())
 
-    def _apart(self, sequence: Array, but: int | None = None) -> Array:
+    def _distances(self, sequence: Array, but: int | None = None) -> Array:
         """Of each sign the mean distance of its nearest examples, (k,); without example `but`."""
         assert self._sequences is not None
-        distances = warping.distances(sequence, self._sequences)
+        distances = warping.dtw_distances(sequence, self._sequences)
         if but is not None:
             distances[but] = np.inf
         return np.array(
             [_mean_of_nearest(distances[self._owners == k]) for k in range(len(self.signs))]
         )
 
-    def _way_apart(self, sequence: Array, k: int) -> float:
+    def _path_distance(self, sequence: Array, k: int) -> float:
         """The same of one sign, without the hand's shape."""
         assert self._sequences is not None
         examples = self._sequences[self._owners == k]
-        ways = warping.distances(sequence[:, _N_SHAPE:], examples[..., _N_SHAPE:])
-        return _mean_of_nearest(ways)
+        distances = warping.dtw_distances(sequence[:, _N_SHAPE:], examples[..., _N_SHAPE:])
+        return _mean_of_nearest(distances)
 
     def _calibrated(self) -> Array:
         """Of each sign, from which distance on a movement is none of it any more, (k,)."""
         thresholds = np.full(len(self.signs), NEAR)
         if self._sequences is None:
             return thresholds
-        apart = np.array([self._apart(one, i) for i, one in enumerate(self._sequences)])
+        distances = np.array([self._distances(one, i) for i, one in enumerate(self._sequences)])
         for k in range(len(self.signs)):
-            own = apart[self._owners == k]
+            own = distances[self._owners == k]
             spread = np.median(own[:, k])
             if np.isfinite(spread):  # there are two examples at least
                 thresholds[k] = np.clip(_SPREAD * spread, NEAR, FAR)
@@ -118,10 +120,10 @@ class MovingSigns:
                 thresholds[k] = min(thresholds[k], float(np.median(others.min(1))))
         return thresholds
 
-    def _confidence(self, apart: Array, best: int) -> float:
+    def _confidence(self, distances: Array, best: int) -> float:
         """The share of the best sign, beside the others and "none" at the threshold."""
         none = self._thresholds[best] + 0.1
-        shares = np.exp(-_SHARPNESS * (np.append(apart, none) - apart[best]))
+        shares = np.exp(-_SHARPNESS * (np.append(distances, none) - distances[best]))
         return float(1.0 / shares.sum())
 
 
@@ -132,11 +134,11 @@ def _mean_of_nearest(distances: Array) -> float:
 
 def _sequences(shown: Array) -> Array:
     """Movements (n, 38, 46) as what is compared, (n, 38, d): shape, way, direction and growth, weighted."""
-    way = shown[..., WAY] - shown[:, :1, WAY]
-    reach = np.maximum(np.linalg.norm(way, axis=2).max(1), _WAY_AT_LEAST)[:, None, None]
-    direction = np.gradient(way, axis=1) * N_FRAMES * _DIRECTION
+    path = shown[..., PATH] - shown[:, :1, PATH]
+    reach = np.maximum(np.linalg.norm(path, axis=2).max(1), _MIN_PATH_EXTENT)[:, None, None]
+    direction = np.gradient(path, axis=1) * N_FRAMES * _DIRECTION
     growth = shown[..., GROWTH] - shown[:, :3, GROWTH].mean(1, keepdims=True)
-    parts = [shown[..., SHAPE] / np.sqrt(21), way / reach, direction / reach, growth[..., None]]
+    parts = [shown[..., SHAPE] / np.sqrt(21), path / reach, direction / reach, growth[..., None]]
     return np.concatenate(parts, axis=2)
 
 

@@ -13,8 +13,8 @@ Array = NDArray[np.float64]
 
 _SIZE = 192
 _WRIST, _MIDDLE_BASE = 0, 2  # among the seven key points
-_MOST = 4
-_LARGEST_OVERLAP = 0.3
+_MAX_PALMS = 4
+_MAX_OVERLAP = 0.3
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class PalmDetector:
         self._anchors = _anchors()
 
     def __call__(
-        self, picture: NDArray[np.uint8], *, padding: float, least_score: float
+        self, picture: NDArray[np.uint8], *, padding: float, min_score: float
     ) -> list[Palm]:
         """At most 4 palms of an RGB picture, the best first.
 
@@ -55,14 +55,14 @@ class PalmDetector:
         scale = _SIZE / (max(height, width) * padding)
         boxes, logits = self._network(_letterboxed(picture, scale))
         score = 1 / (1 + np.exp(-np.clip(logits[:, 0].astype(np.float64), -100, 100)))
-        likely = np.flatnonzero(score >= least_score)
+        likely = np.flatnonzero(score >= min_score)
         likely = likely[np.argsort(-score[likely], kind="stable")]
         found: list[Palm] = []
         for i in likely:
             palm = _palm(float(score[i]), boxes[i], self._anchors[i], scale, (width, height))
-            if all(_overlap(palm.box, other.box) <= _LARGEST_OVERLAP for other in found):
+            if all(_overlap(palm.box, other.box) <= _MAX_OVERLAP for other in found):
                 found.append(palm)
-            if len(found) == _MOST:
+            if len(found) == _MAX_PALMS:
                 break
         return found
 

@@ -12,9 +12,9 @@ from pinel_desktop.gestures.opencv import cv2
 
 Picture = NDArray[np.uint8]
 
-SHORTEST_SIDE = 16
-_LONGEST_SIDE = 16384  # cv2 cuts no crops out of pictures twice as large
-_LARGEST_FILE = 100_000_000
+MIN_SIDE = 16
+_MAX_SIDE = 16384  # cv2 cuts no crops out of pictures twice as large
+_MAX_FILE_BYTES = 100_000_000
 
 
 def read_picture(path: Path, aspect: float | None = None) -> Picture:
@@ -39,9 +39,9 @@ def _content(path: Path) -> bytes:
     """The bytes of a file; b"" for a device or a pipe, which may have no end, and for what is too large."""
     with open(path, "rb", opener=_open_without_waiting) as file:
         status = os.fstat(file.fileno())
-        if not stat.S_ISREG(status.st_mode) or status.st_size > _LARGEST_FILE:
+        if not stat.S_ISREG(status.st_mode) or status.st_size > _MAX_FILE_BYTES:
             return b""
-        return file.read(_LARGEST_FILE) or b""  # it may grow meanwhile
+        return file.read(_MAX_FILE_BYTES) or b""  # it may grow meanwhile
 
 
 def _open_without_waiting(path: str, flags: int) -> int:
@@ -53,10 +53,10 @@ def _check_sides(path: Path, picture: Picture) -> None:
     """Raises PinelError `picture_too_small`, `picture_too_large`."""
     height, width = picture.shape[:2]
     sides = {"file": str(path), "width": width, "height": height}
-    if min(width, height) < SHORTEST_SIDE:
-        raise PinelError("picture_too_small", **sides, min=SHORTEST_SIDE)
-    if max(width, height) > _LONGEST_SIDE:
-        raise PinelError("picture_too_large", **sides, max=_LONGEST_SIDE)
+    if min(width, height) < MIN_SIDE:
+        raise PinelError("picture_too_small", **sides, min=MIN_SIDE)
+    if max(width, height) > _MAX_SIDE:
+        raise PinelError("picture_too_large", **sides, max=_MAX_SIDE)
 
 
 def unstretched(picture: Picture, aspect: float) -> Picture:

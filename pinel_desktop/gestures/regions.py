@@ -23,16 +23,16 @@ _STABLE = [0, 1, 2, 3, 5, 6, 9, 10, 13, 14, 17, 18]
 
 @dataclass(frozen=True)
 class Region:
-    """A square around (x, y) with sides of `side` pixels, turned clockwise by `turn` radians."""
+    """A square around (x, y) with sides of `side` pixels, turned clockwise by `angle_rad` radians."""
 
     x: float
     y: float
     side: float
-    turn: float
+    angle_rad: float
 
     def to_picture(self, size: int, *, mirrored: bool) -> Array:
         """The matrix (2 x 3) that takes a pixel of the crop, `size` pixels wide, to the picture."""
-        cos, sin = math.cos(self.turn), math.sin(self.turn)
+        cos, sin = math.cos(self.angle_rad), math.sin(self.angle_rad)
         turned = np.array([[cos, -sin], [sin, cos]]) * self.side / size
         if mirrored:
             turned[:, 0] *= -1

@@ -12,7 +12,7 @@ _BEGINNING = struct.Struct(f"<{2 * (_N_BENEATH + 1)}e")
 Landmarks = list[list[float]]
 
 
-def typical_landmarks(samples: Iterable[bytes]) -> Landmarks:
+def medoid_landmarks(samples: Iterable[bytes]) -> Landmarks:
     """The landmarks (21, 3) of the sample that is nearest to the mean of all.
 
     Args:

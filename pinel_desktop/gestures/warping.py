@@ -12,16 +12,16 @@ Array = NDArray[np.float64]
 BAND = 6  # frames
 
 
-def distances(sequence: Array, others: Array, band: int = BAND) -> Array:
+def dtw_distances(sequence: Array, others: Array, band: int = BAND) -> Array:
     """Of a sequence (n, d) from m others of the same length (m, n, d), (m,)."""
     n = len(sequence)
     before = np.full((n + 1, len(others)), np.inf)
     before[0] = 0.0
     for i in range(n):
         first, last = max(0, i - band), min(n, i + band + 1)
-        apart = np.sqrt(((others[:, first:last] - sequence[i]) ** 2).sum(2)).T
+        costs = np.sqrt(((others[:, first:last] - sequence[i]) ** 2).sum(2)).T
         now = np.full((n + 1, len(others)), np.inf)
-        for cost, j in zip(apart, range(first, last), strict=True):
+        for cost, j in zip(costs, range(first, last), strict=True):
             aside = np.minimum(before[j + 1], now[j]) + cost
             now[j + 1] = np.minimum(before[j] + 2 * cost, aside)
         before = now

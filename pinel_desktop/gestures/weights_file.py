@@ -54,8 +54,8 @@ def load(path: Path = LETTERS) -> SignClassifier:
     """The classifier in a file. Raises PinelError: `gesture_model_missing`, `gesture_model_damaged`."""
     try:
         content = path.read_bytes()
-        with np.load(io.BytesIO(content), allow_pickle=False) as kept:
-            arrays = {name: kept[name] for name in _ARRAYS}
+        with np.load(io.BytesIO(content), allow_pickle=False) as archive:
+            arrays = {name: archive[name] for name in _ARRAYS}
     except FileNotFoundError as error:
         raise PinelError("gesture_model_missing", file=str(path)) from error
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.app_events import CheckLine
-from pinel_desktop.judge.messages import Question, Told, Verdict
+from pinel_desktop.events.app_events import CheckProgress
+from pinel_desktop.judge.messages import JudgeRequest, RunUpdate, Verdict
 from pinel_desktop.processes import own_command
 from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.processes.messages import Message
@@ -19,7 +19,7 @@ _RESPONSE_TIMEOUT_S = 90.0
 
 
 class JudgeClient:
-    """Keeps the judge's process; thread-safe. `wake` starts it, before the first question is there.
+    """Keeps the judge's process; thread-safe. `start` starts it, before the first question is there.
 
     Args:
         command: starts the process.
@@ -37,29 +37,29 @@ class JudgeClient:
         """Id of the process; None before its start."""
         return self._process.pid
 
-    def wake(self) -> None:
+    def start(self) -> None:
         """Starts the process, and once more one that is lost; returns at once."""
         self._process.start()
 
-    def judge(self, question: Question) -> Verdict:
+    def judge(self, request: JudgeRequest) -> Verdict:
         """Waits for the verdict.
 
         Raises:
             PinelError: `judge_lost` if the process dies, hangs or does not start, and what judging raises.
         """
-        return Verdict(**self._ask(question.as_message()))
+        return Verdict(**self._ask(request.as_message()))
 
-    def follow(self, told: Told) -> list[CheckLine] | None:
+    def evaluate_live(self, run_update: RunUpdate) -> list[CheckProgress] | None:
         """How a run that goes on stands with the checks of its activity; None where they are not about it.
 
         Raises:
             PinelError: as `judge`.
         """
-        checks: list[CheckLine] | None = self._ask(told.as_message())
+        checks: list[CheckProgress] | None = self._ask(run_update.as_message())
         return checks
 
     def _ask(self, message: Message) -> Any:
-        self.wake()
+        self.start()
         if not self._process.wait_until_ready(_START_S):
             raise PinelError("judge_lost")
         try:

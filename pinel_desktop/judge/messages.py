@@ -13,7 +13,7 @@ from pinel_desktop.events.app_events import JudgedCase
 
 
 @dataclass(frozen=True, slots=True)
-class SeenRun:
+class ObservedRun:
     """A run that a group saw.
 
     Attributes:
@@ -35,28 +35,28 @@ class SeenRun:
         return {**plain, "columns": columns, "events": [dict(event) for event in self.events]}
 
     @classmethod
-    def from_message(cls, message: Mapping[str, Any]) -> "SeenRun":
+    def from_message(cls, message: Mapping[str, Any]) -> "ObservedRun":
         """The run in plain data."""
         columns = {name: _unpacked(text) for name, text in message["columns"].items()}
         return cls(message["world"], message["parameters"], columns, tuple(message["events"]))
 
 
 @dataclass(frozen=True, slots=True)
-class Question:
+class JudgeRequest:
     """A program to be judged.
 
     Attributes:
         activity: the activity as JSON.
         document: the program's document.
         world: name of the world in which the group ran it.
-        seen: that run; None where it is no evidence, as one that was stopped.
+        observed: that run; None where it is no evidence, as one that was stopped.
         language: of the words for the group.
     """
 
     activity: str
     document: Mapping[str, Any]
     world: str
-    seen: SeenRun | None
+    observed: ObservedRun | None
     language: str
 
     def as_message(self) -> dict[str, Any]:
@@ -65,16 +65,16 @@ class Question:
             "activity": self.activity,
             "document": dict(self.document),
             "world": self.world,
-            "seen": self.seen.as_message() if self.seen else None,
+            "seen": self.observed.as_message() if self.observed else None,
             "language": self.language,
         }
 
     @classmethod
-    def from_message(cls, message: Mapping[str, Any]) -> "Question":
+    def from_message(cls, message: Mapping[str, Any]) -> "JudgeRequest":
         """The question in plain data."""
-        seen = SeenRun.from_message(message["seen"]) if message["seen"] else None
+        observed = ObservedRun.from_message(message["seen"]) if message["seen"] else None
         activity, document = message["activity"], message["document"]
-        return cls(activity, document, message["world"], seen, message["language"])
+        return cls(activity, document, message["world"], observed, message["language"])
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +99,7 @@ class Verdict:
 
 
 @dataclass(frozen=True, slots=True)
-class BegunRun:
+class RunStartInfo:
     """A run to follow, and to judge in the end.
 
     Attributes:
@@ -116,39 +116,44 @@ class BegunRun:
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class RunUpdate:
     """What a run has told since the last question about it.
 
     Attributes:
         run: its id.
-        begun: the run itself, in the first question about it.
+        start_info: the run itself, in the first question about it.
         events: all of them, as they are on the wire.
         language: of the words for the group.
     """
 
     run: str
-    begun: BegunRun | None
+    start_info: RunStartInfo | None
     events: Sequence[Mapping[str, Any]]
     language: str
 
     def as_message(self) -> dict[str, Any]:
         """The question as plain data."""
-        begun = None
-        if self.begun is not None:
-            begun = {
-                "activity": self.begun.activity,
-                "document": dict(self.begun.document),
-                "world": dict(self.begun.world),
-                "parameters": dict(self.begun.parameters),
+        start_info = None
+        if self.start_info is not None:
+            start_info = {
+                "activity": self.start_info.activity,
+                "document": dict(self.start_info.document),
+                "world": dict(self.start_info.world),
+                "parameters": dict(self.start_info.parameters),
             }
         events = [dict(event) for event in self.events]
-        return {"follow": self.run, "begun": begun, "events": events, "language": self.language}
+        return {
+            "follow": self.run,
+            "begun": start_info,
+            "events": events,
+            "language": self.language,
+        }
 
     @classmethod
-    def from_message(cls, message: Mapping[str, Any]) -> "Told":
+    def from_message(cls, message: Mapping[str, Any]) -> "RunUpdate":
         """The question in plain data."""
-        begun = BegunRun(**message["begun"]) if message["begun"] else None
-        return cls(message["follow"], begun, message["events"], message["language"])
+        start_info = RunStartInfo(**message["begun"]) if message["begun"] else None
+        return cls(message["follow"], start_info, message["events"], message["language"])
 
 
 def _packed(column: NDArray[np.float64]) -> str:

@@ -9,21 +9,21 @@ from pinel_desktop.activities import (
     Activity,
     CheckStatus,
     LiveEvaluation,
-    LogWriter,
     RecordedRun,
     Report,
     RunLog,
+    RunLogBuilder,
     case_of_real_run,
     case_of_run,
     check_program,
-    input_words,
+    input_text,
     judging_blockers,
     tolerance_of,
     world_title,
 )
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import JudgedCase
-from pinel_desktop.judge.messages import BegunRun, Question, SeenRun, Told, Verdict
+from pinel_desktop.judge.messages import JudgeRequest, ObservedRun, RunStartInfo, RunUpdate, Verdict
 from pinel_desktop.messages import describe
 from pinel_desktop.processes.messages import (
     PING,
@@ -34,8 +34,8 @@ from pinel_desktop.processes.messages import (
     write_message,
 )
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import setting_from
-from pinel_desktop.robot.record import ROOM
+from pinel_desktop.robot import simulation_config_from
+from pinel_desktop.robot.robot_profile import ROOM
 
 _log = logging.getLogger(__name__)
 
@@ -43,59 +43,59 @@ _log = logging.getLogger(__name__)
 class Judge:
     """Answers the questions of one pipe with verdicts on another, until the first one ends."""
 
-    def __init__(self, questions: BinaryIO, verdicts: BinaryIO) -> None:
-        self._questions, self._verdicts = questions, verdicts
-        self._followed = Followed()
+    def __init__(self, requests: BinaryIO, verdicts: BinaryIO) -> None:
+        self._requests, self._verdicts = requests, verdicts
+        self._evaluator = LiveRunEvaluator()
 
     def serve(self) -> None:
         """Works until the questions end."""
         write_message(self._verdicts, {"type": "judge_ready"})
-        for message in read_messages(self._questions):
-            answer = PONG if message == PING else _answer(message, self._followed)
+        for message in read_messages(self._requests):
+            answer = PONG if message == PING else _respond(message, self._evaluator)
             write_message(self._verdicts, answer)
 
 
-class Followed:
+class LiveRunEvaluator:
     """The run that goes on, with all that it has told; there is never more than one."""
 
     def __init__(self) -> None:
         self._run = ""
         self._evaluation: LiveEvaluation | None = None
-        self._writer = LogWriter()
+        self._writer = RunLogBuilder()
 
-    def stand(self, told: Told) -> list[CheckStatus] | None:
+    def update(self, run_update: RunUpdate) -> list[CheckStatus] | None:
         """Status of each check of its activity; None where they are not about it, or its beginning is unknown.
 
         Raises:
             PinelError: what `LiveEvaluation` raises.
         """
-        if told.begun is not None:
-            self._begin(told.run, told.begun)
-        if told.run != self._run or self._evaluation is None:
+        if run_update.start_info is not None:
+            self._begin(run_update.run, run_update.start_info)
+        if run_update.run != self._run or self._evaluation is None:
             return None
-        for event in told.events:
-            self._writer.take(event)
-        return self._evaluation.evaluate(self._writer.log(), told.language)
+        for event in run_update.events:
+            self._writer.add_event(event)
+        return self._evaluation.evaluate(self._writer.log(), run_update.language)
 
-    def _begin(self, run: str, begun: BegunRun) -> None:
+    def _begin(self, run: str, start_info: RunStartInfo) -> None:
         evaluation = LiveEvaluation(
-            _read(begun.activity),
-            begun.document,
-            begun.world,
-            setting_from(begun.parameters),
-            tolerance_of(begun.parameters),
+            _read(start_info.activity),
+            start_info.document,
+            start_info.world,
+            simulation_config_from(start_info.parameters),
+            tolerance_of(start_info.parameters),
         )
-        self._run, self._writer = run, LogWriter()
+        self._run, self._writer = run, RunLogBuilder()
         self._evaluation = evaluation if evaluation.applies else None
 
 
-def _answer(message: Message, followed: Followed) -> Message:
+def _respond(message: Message, evaluator: LiveRunEvaluator) -> Message:
     number = message["request"]
     try:
         if "follow" in message:
-            lines = followed.stand(Told.from_message(message))
+            lines = evaluator.update(RunUpdate.from_message(message))
             return response(number, None if lines is None else [asdict(line) for line in lines])
-        return response(number, asdict(verdict_on(Question.from_message(message))))
+        return response(number, asdict(verdict_on(JudgeRequest.from_message(message))))
     except PinelError as error:
         return response(number, error=error)
     except Exception as error:
@@ -111,7 +111,7 @@ def _read(activity: str) -> Activity:
     return Activity.model_validate_json(activity)
 
 
-def verdict_on(question: Question) -> Verdict:
+def verdict_on(request: JudgeRequest) -> Verdict:
     """Judges a program: the run that was seen where it was a case of the activity, the other cases in the simulator.
 
     A run on a real robot is judged by its own telemetry, or not at all.
@@ -119,17 +119,17 @@ def verdict_on(question: Question) -> Verdict:
     Raises:
         PinelError: what `check_program`, `case_of_run` and `judging_blockers` raise.
     """
-    activity = _read(question.activity)
-    seen = _recorded(activity, question.seen) if question.seen else None
-    if question.seen and tolerance_of(question.seen.parameters):
+    activity = _read(request.activity)
+    recorded_run = _recorded(activity, request.observed) if request.observed else None
+    if request.observed and tolerance_of(request.observed.parameters):
         found = judging_blockers(activity)
-        reason = found[0].missing if found else None if seen else "inputs"
+        reason = found[0].missing if found else None if recorded_run else "inputs"
         if reason is not None:
             return Verdict(None, None, [], not_judged=reason)
-    report = check_program(activity, read_document(dict(question.document)), recorded=seen)
-    missing, block = (None, None) if report.passed else _missing(activity, question, report)
+    report = check_program(activity, read_document(dict(request.document)), recorded=recorded_run)
+    missing, block = (None, None) if report.passed else _missing(activity, request, report)
     cases = [asdict(case) for case in report.cases]
-    tried = _tried(activity, report, question.language)
+    tried = _tried(activity, report, request.language)
     return Verdict(report.passed, missing, cases, block, tried)
 
 
@@ -137,32 +137,34 @@ def _tried(activity: Activity, report: Report, language: str) -> list[JudgedCase
     """What was tried, where an activity has several cases."""
     if len(activity.cases) == 1:
         return []
-    given = [input_words(case, language) for case in activity.cases]
+    given = [input_text(case, language) for case in activity.cases]
     return [
         JudgedCase(given=given[one.case - 1], seen=one.recorded, passed=one.passed)
         for one in report.cases
     ]
 
 
-def _recorded(activity: Activity, seen: SeenRun) -> RecordedRun | None:
-    log = RunLog.of_columns(lambda name: seen.columns[name], seen.events)
-    tolerance = tolerance_of(seen.parameters)
+def _recorded(activity: Activity, observed: ObservedRun) -> RecordedRun | None:
+    log = RunLog.of_columns(lambda name: observed.columns[name], observed.events)
+    tolerance = tolerance_of(observed.parameters)
     if tolerance is None:
-        case = case_of_run(activity, seen.world, setting_from(seen.parameters), log)
+        case = case_of_run(
+            activity, observed.world, simulation_config_from(observed.parameters), log
+        )
     else:
         case = case_of_real_run(activity, log)
     return None if case is None else RecordedRun(log, case, tolerance)
 
 
 def _missing(
-    activity: Activity, question: Question, report: Report
+    activity: Activity, request: JudgeRequest, report: Report
 ) -> tuple[str | None, str | None]:
     """What to tell the group, and the block to look at.
 
     A run in another world comes first: the group has not seen what the checks are about.
     """
-    language, title = question.language, world_title(activity, question.language)
-    is_elsewhere = question.world not in (activity.world, ROOM)
-    if title is not None and is_elsewhere:
+    language, title = request.language, world_title(activity, request.language)
+    is_other_world = request.world not in (activity.world, ROOM)
+    if title is not None and is_other_world:
         return describe("check_other_world", {"world": title}, language).message, None
     return (report.advice.words[language], report.advice.block) if report.advice else (None, None)

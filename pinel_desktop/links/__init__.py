@@ -7,8 +7,8 @@ import importlib
 from typing import Any, cast
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.robot import RobotLink, Setting
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot import RobotLink, SimulationConfig
+from pinel_desktop.robot.robot_profile import RobotProfile
 
 _BACKENDS = {
     "sim": ("pinel_desktop.links.sim", "SimLink"),
@@ -17,16 +17,16 @@ _BACKENDS = {
     "ros2": ("pinel_desktop.links.ros2.transport", "ros2_link"),
 }
 LINK_NAMES = tuple(_BACKENDS)
-_DEFAULT_SETTING = Setting()
+_DEFAULT_SETTING = SimulationConfig()
 
 
 def open_link(
     name: str,
     *,
     world: str | dict[str, Any],
-    setting: Setting = _DEFAULT_SETTING,
+    setting: SimulationConfig = _DEFAULT_SETTING,
     seed: int = 0,
-    robot: RobotRecord | None = None,
+    robot: RobotProfile | None = None,
 ) -> RobotLink:
     """A new link of the backend `name`, not yet connected.
 

@@ -15,10 +15,10 @@ _PAUSE_S = (
 )
 # Measured poses beyond are nonsense, and squares of them overflow nothing.
 _FARTHEST_M = 1e5
-_FASTEST_MPS, _FASTEST_RADPS = 20.0, 100.0
+_MAX_V_MPS, _MAX_OMEGA_RADPS = 20.0, 100.0
 # Between poses whose difference tells a velocity: poses come over a network, some ms early or late.
 _WINDOW_S = 0.1
-_SHORTEST_S = 0.01
+_MIN_WINDOW_S = 0.01
 _N_GAPS = 5  # whose median is the period of the messages
 
 
@@ -37,7 +37,7 @@ class OdometryFilter:
     Attributes:
         state: the newest state; None before the first valid message.
         arrived_s: when it arrived, by this PC's monotonic clock.
-        n_taken: valid messages.
+        n_valid: valid messages.
         n_invalid: messages with impossible values since the newest valid one, passed over.
         invalid_s: when the newest of them arrived.
         n_late: messages whose time runs backwards, passed over.
@@ -46,7 +46,7 @@ class OdometryFilter:
     def __init__(self) -> None:
         self.state: RobotState | None = None
         self.arrived_s = self.invalid_s = -math.inf
-        self.n_taken = self.n_invalid = self.n_late = 0
+        self.n_valid = self.n_invalid = self.n_late = 0
         self._stamp_s: float | None = None
         self._frame: str | None = None
         self._reach = CommandedReach()
@@ -56,7 +56,7 @@ class OdometryFilter:
         )  # of the last `_WINDOW_S`, with their times
 
     @property
-    def knows_period(self) -> bool:
+    def is_period_known(self) -> bool:
         """Whether enough messages have come for `period_s` to be that of the robot."""
         return len(self._arrivals) > _N_GAPS
 
@@ -72,7 +72,7 @@ class OdometryFilter:
         """The robot is commanded this velocity from `now_s` on; before the first, anybody may drive it."""
         self._reach.command(twist, now_s)
 
-    def take(self, message: Odometry, now_s: float) -> None:
+    def add(self, message: Odometry, now_s: float) -> None:
         """Takes a message that arrived at `now_s`. Raises PinelError `reference_lost`, `odometry_frame_changed`."""
         if not _is_possible(message):
             self.n_invalid += 1
@@ -87,7 +87,7 @@ class OdometryFilter:
         if now_s - self.arrived_s > _PAUSE_S:
             self._trail.clear()
         twist = self._twist(message, pose, now_s)
-        self.n_taken += 1
+        self.n_valid += 1
         self.n_invalid = 0
         self._arrivals.append(now_s)
         self.state, self.arrived_s, self._stamp_s = RobotState(pose, twist), now_s, message.stamp_s
@@ -119,12 +119,12 @@ class OdometryFilter:
         trail = self._trail
         while len(trail) > 1 and now_s - trail[1][0] >= _WINDOW_S:
             trail.popleft()
-        if not trail or now_s - trail[-1][0] >= _SHORTEST_S:
+        if not trail or now_s - trail[-1][0] >= _MIN_WINDOW_S:
             trail.append((now_s, pose))
-        begun_s, begin = trail[0]
-        if now_s - begun_s < _SHORTEST_S:
+        started_s, begin = trail[0]
+        if now_s - started_s < _MIN_WINDOW_S:
             return Twist2D(0.0, 0.0)
-        moved, took_s = pose.relative_to(begin), now_s - begun_s
+        moved, took_s = pose.relative_to(begin), now_s - started_s
         return Twist2D(moved.x_m / took_s, moved.yaw_rad / took_s)
 
 
@@ -134,7 +134,7 @@ def _is_possible(message: Odometry) -> bool:
         abs(message.x_m) < _FARTHEST_M
         and abs(message.y_m) < _FARTHEST_M
         and math.isfinite(message.yaw_rad)
-        and abs(v) < _FASTEST_MPS
-        and abs(omega) < _FASTEST_RADPS
+        and abs(v) < _MAX_V_MPS
+        and abs(omega) < _MAX_OMEGA_RADPS
         and (message.stamp_s is None or math.isfinite(message.stamp_s))
     )

@@ -10,21 +10,21 @@ from typing import Any
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.odometry import OdometryFilter
 from pinel_desktop.links.robot_lock import RobotLock
-from pinel_desktop.links.sending import Sender
 from pinel_desktop.links.transport import Odometry, Transport
-from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Setting, Twist2D
-from pinel_desktop.robot.record import RobotRecord, Room
+from pinel_desktop.links.velocity_publisher import VelocityPublisher
+from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, SimulationConfig, Twist2D
+from pinel_desktop.robot.robot_profile import RobotProfile, Room
 
-SILENT_S = 1.0
+ODOMETRY_TIMEOUT_S = 1.0
 _FIRST_ODOMETRY_S = 5.0
 _POLL_S = 0.05
 # Looks for a message before a robot counts as silent: what came while this PC paused still waits to be taken.
-_LAST_LOOKS = 4
+_MAX_POLLS = 4
 # How long the period of the odometry is listened for.
 _LISTEN_S = 1.0
 _PAUSE_S = 0.4  # a robot that is silent for longer tells nothing about its period
 # From a command until it is seen to work: what is taken for it before the robot is heard, and the most.
-_DELAY_S, _LONGEST_DELAY_S = 0.1, 0.3
+_DELAY_S, _MAX_DELAY_S = 0.1, 0.3
 # Of it, what does not show in how often the robot reports: network and drives (tests/links/test_late_robot.py).
 _REACTS_S = 0.08
 
@@ -44,14 +44,16 @@ class RealLink:
     slips = True
     command_delay_s = _DELAY_S
 
-    def __init__(self, record: RobotRecord, setting: Setting, transport: Transport) -> None:
+    def __init__(
+        self, record: RobotProfile, setting: SimulationConfig, transport: Transport
+    ) -> None:
         robot = record.limited(setting.robot)
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._edge = _Edge(record.room, robot.radius_m)
         self._robot_lock = RobotLock(record)
         self._transport = transport
         self.sensors = transport.sensors
-        self._sender = Sender(transport.send)
+        self._publisher = VelocityPublisher(transport.send)
         self._lock = threading.Lock()
         self._odometry = OdometryFilter()
         self._start: Pose2D | None = None
@@ -69,18 +71,18 @@ class RealLink:
     def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
         self._robot_lock.acquire()
         self._transport.open(self, cancelled)
-        self._sender.start()
+        self._publisher.start()
         self._command(STANDSTILL)
         due_s = time.monotonic() + _FIRST_ODOMETRY_S
         while self._odometry.state is None and not cancelled():
             if self._problem is not None:
                 raise self._problem
             if time.monotonic() > due_s:
-                raise self._silent()
+                raise self._timeout_problem()
             time.sleep(_POLL_S)
         if self._odometry.state is None:
             return
-        self._learn_delay(cancelled)
+        self._estimate_delay(cancelled)
         if self._start is None:
             self._start = self._odometry.state.pose
 
@@ -88,31 +90,31 @@ class RealLink:
         """Before `connect`: where the robot stood, in its odometry frame, when it stood at the room's start."""
         self._start = pose
 
-    def _learn_delay(self, cancelled: Callable[[], bool]) -> None:
+    def _estimate_delay(self, cancelled: Callable[[], bool]) -> None:
         """Learns how often the robot reports, and from it how late it follows."""
         due_s = time.monotonic() + _LISTEN_S
-        while not self._odometry.knows_period and time.monotonic() < due_s and not cancelled():
+        while not self._odometry.is_period_known and time.monotonic() < due_s and not cancelled():
             if self.age_s > _PAUSE_S:
                 break
             time.sleep(_POLL_S / 5)
         self.command_delay_s = delay_s(self._odometry.period_s)
 
     def read(self) -> RobotState:
-        if self._odometry.state is not None and self.age_s > SILENT_S:
-            self._look_again()
+        if self._odometry.state is not None and self.age_s > ODOMETRY_TIMEOUT_S:
+            self._poll_again()
         with self._lock:
             state, age_s = self._odometry.state, self.age_s
         if self._problem is not None:
             raise self._problem
-        if state is None or age_s > SILENT_S:
-            raise self._silent()
+        if state is None or age_s > ODOMETRY_TIMEOUT_S:
+            raise self._timeout_problem()
         return state
 
-    def _look_again(self) -> None:
+    def _poll_again(self) -> None:
         """Lets the thread that hears the robot catch up with the clock; the robot stands meanwhile."""
         self._command(STANDSTILL)
-        for _ in range(_LAST_LOOKS):
-            if self._problem is not None or self.age_s <= SILENT_S:
+        for _ in range(_MAX_POLLS):
+            if self._problem is not None or self.age_s <= ODOMETRY_TIMEOUT_S:
                 return
             time.sleep(_POLL_S)
 
@@ -138,19 +140,19 @@ class RealLink:
         return time.monotonic() - self._odometry.arrived_s
 
     @property
-    def n_heard(self) -> int:
+    def n_odometry(self) -> int:
         """How many valid messages about its pose have come."""
-        return self._odometry.n_taken
+        return self._odometry.n_valid
 
     def bumper(self) -> bool:
         return self._transport.bumper()
 
-    def things(self) -> dict[int, Pose2D]:
+    def movable_boxes(self) -> dict[int, Pose2D]:
         return {}
 
     def command(self, twist: Twist2D) -> None:
         v, omega = twist
-        if not (math.isfinite(v) and math.isfinite(omega)) or self.age_s > SILENT_S:
+        if not (math.isfinite(v) and math.isfinite(omega)) or self.age_s > ODOMETRY_TIMEOUT_S:
             v = omega = 0.0
         v = min(max(v, -self._max_v), self._max_v)
         omega = min(max(omega, -self._max_omega), self._max_omega)
@@ -160,7 +162,7 @@ class RealLink:
         with self._lock:
             self._odometry.command(twist, time.monotonic())
         with self._commanding:
-            self._sender.command(STANDSTILL if self._problem else twist)
+            self._publisher.command(STANDSTILL if self._problem else twist)
 
     def advance(self, dt_s: float) -> None:
         """Does nothing: the time of a real robot passes by itself."""
@@ -169,7 +171,7 @@ class RealLink:
         if self._closed:
             return
         self._closed = True
-        self._sender.close()
+        self._publisher.close()
         # the robot stands; what fails now is of no use to anybody
         with contextlib.suppress(Exception):
             self._transport.close()
@@ -178,7 +180,7 @@ class RealLink:
     def on_odometry(self, odometry: Odometry) -> None:
         try:
             with self._lock:
-                self._odometry.take(odometry, time.monotonic())
+                self._odometry.add(odometry, time.monotonic())
             self._require_inside()
         except PinelError as problem:
             self.on_problem(problem)
@@ -197,12 +199,12 @@ class RealLink:
     def on_problem(self, problem: PinelError) -> None:
         with self._commanding:
             self._problem = self._problem or problem
-            self._sender.command(STANDSTILL)
+            self._publisher.command(STANDSTILL)
 
-    def _silent(self) -> PinelError:
+    def _timeout_problem(self) -> PinelError:
         """What is wrong with a robot that has reported nothing valid for the time-out."""
         odometry = self._odometry
-        timeout_s = SILENT_S if odometry.state else _FIRST_ODOMETRY_S
+        timeout_s = ODOMETRY_TIMEOUT_S if odometry.state else _FIRST_ODOMETRY_S
         if time.monotonic() - odometry.invalid_s <= timeout_s:
             return PinelError("odometry_invalid", count=odometry.n_invalid)
         return PinelError("link_lost" if odometry.state else "robot_silent")
@@ -215,7 +217,7 @@ def delay_s(period_s: float | None) -> float:
     """
     if period_s is None:
         return _DELAY_S
-    return min(period_s + _REACTS_S, _LONGEST_DELAY_S)
+    return min(period_s + _REACTS_S, _MAX_DELAY_S)
 
 
 class _Edge:
@@ -234,7 +236,7 @@ class _Edge:
 
 
 def real_link(
-    make: Callable[[Any], Transport], setting: Setting, robot: RobotRecord | None
+    make: Callable[[Any], Transport], setting: SimulationConfig, robot: RobotProfile | None
 ) -> RealLink:
     """A link over the transport that `make` builds from the robot's record. Raises PinelError `robot_not_set_up`."""
     if robot is None:

@@ -8,7 +8,7 @@ import tempfile
 from filelock import FileLock, Timeout
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot.robot_profile import RobotProfile
 
 # For another attempt where the one who drove removes the file at this very moment.
 _ACQUIRE_TIMEOUT_S, _POLL_INTERVAL_S = 0.1, 0.02
@@ -17,7 +17,7 @@ _ACQUIRE_TIMEOUT_S, _POLL_INTERVAL_S = 0.1, 0.02
 class RobotLock:
     """The lock on the robot of a record; every thread of the process that acquired it may release it."""
 
-    def __init__(self, record: RobotRecord) -> None:
+    def __init__(self, record: RobotProfile) -> None:
         self._address = record.address
         name = hashlib.sha256(f"{record.link} {record.address}".encode()).hexdigest()[:16]
         self._path = os.path.join(tempfile.gettempdir(), f"pinel-robot-{name}.lock")

@@ -11,24 +11,24 @@ from pinel_desktop.robot import RobotModel, Sensors
 from pinel_desktop.robot.sensors import missing
 
 # An older reading says nothing about what is ahead of the robot now.
-_SILENT_S = 1.0
+_MAX_AGE_S = 1.0
 _NUMBER = re.compile(r"(\d+)(?!.*\d)")
 
 
 @dataclass(frozen=True, slots=True)
-class Scan:
+class LidarScan:
     """One turn of a laser scanner (sensor_msgs/LaserScan).
 
     Attributes:
         first_rad, step_rad: angle of the first reading from the heading, and from one reading to the next.
-        shortest_m, longest_m: what the scanner can measure.
+        min_range_m, max_range_m: what the scanner can measure.
         ranges_m: its readings; what lies beyond its bounds, or is no number, found nothing.
     """
 
     first_rad: float
     step_rad: float
-    shortest_m: float
-    longest_m: float
+    min_range_m: float
+    max_range_m: float
     ranges_m: Sequence[float]
     arrived_s: float = field(default_factory=time.monotonic)
 
@@ -44,8 +44,8 @@ class Scan:
     def _checked(self, range_m: float, reach_m: float) -> float:
         """REP 117: minus infinity is too near to be measured, infinity and everything impossible is nothing found."""
         if range_m == -math.inf:
-            return min(self.shortest_m, reach_m)
-        is_measured = self.shortest_m <= range_m <= self.longest_m and range_m > 0.0
+            return min(self.min_range_m, reach_m)
+        is_measured = self.min_range_m <= range_m <= self.max_range_m and range_m > 0.0
         return min(range_m, reach_m) if is_measured else reach_m
 
 
@@ -58,7 +58,7 @@ class RosSensors(Sensors):
     def __init__(self, robot: RobotModel) -> None:
         self._robot = robot
         self._offered: set[str] = set()
-        self._scan: Scan | None = None
+        self._scan: LidarScan | None = None
         self._sonars: dict[int, tuple[float, float]] = {}  # index: m from the hull, arrived (s)
         self._bumper: bool | None = None
 
@@ -75,18 +75,18 @@ class RosSensors(Sensors):
         else:
             self._bumper = None
 
-    def on_scan(self, scan: Scan) -> None:
+    def on_scan(self, scan: LidarScan) -> None:
         self._scan = scan
 
-    def on_range(self, frame: str, range_m: float, longest_m: float) -> None:
+    def on_range(self, frame: str, range_m: float, max_range_m: float) -> None:
         """A reading of one sonar, whose number is the last one in the name of its frame; 0 without any."""
         number = _NUMBER.search(frame)
-        self._take_sonar(int(number[1]) if number else 0, range_m, longest_m)
+        self._update_sonar(int(number[1]) if number else 0, range_m, max_range_m)
 
     def on_points(self, points: Sequence[tuple[float, float]]) -> None:
         """Where each sonar found something, in the robot's frame in m, as RosAria publishes them."""
         for index, (x, y) in enumerate(points):
-            self._take_sonar(index, math.hypot(x, y) - self._robot.radius_m, math.inf)
+            self._update_sonar(index, math.hypot(x, y) - self._robot.radius_m, math.inf)
 
     def on_bumper(self, pressed: bool) -> None:
         self._bumper = pressed
@@ -125,16 +125,16 @@ class RosSensors(Sensors):
             raise PinelError("sensor_silent", sensor="bumper")
         return self._bumper
 
-    def _take_sonar(self, index: int, range_m: float, longest_m: float) -> None:
+    def _update_sonar(self, index: int, range_m: float, max_range_m: float) -> None:
         reach_m = self._robot.sonar_range_m
-        is_measured = math.isfinite(range_m) and range_m < longest_m
+        is_measured = math.isfinite(range_m) and range_m < max_range_m
         found_m = min(max(range_m, 0.0), reach_m) if is_measured else reach_m
         if range_m == -math.inf:
             found_m = 0.0
         if index < len(self._robot.sonars):
             self._sonars = {**self._sonars, index: (found_m, time.monotonic())}
 
-    def _fresh_scan(self) -> Scan:
+    def _fresh_scan(self) -> LidarScan:
         self._require("lidar")
         if self._scan is None:
             raise PinelError("sensor_silent", sensor="lidar")
@@ -147,5 +147,5 @@ class RosSensors(Sensors):
 
 
 def _require_fresh(sensor: str, arrived_s: float) -> None:
-    if time.monotonic() - arrived_s > _SILENT_S:
+    if time.monotonic() - arrived_s > _MAX_AGE_S:
         raise PinelError("sensor_silent", sensor=sensor)

@@ -13,11 +13,11 @@ from pinel_desktop.robot import (
     RobotState,
     Segment,
     Sensors,
-    Setting,
+    SimulationConfig,
     Twist2D,
     wrap_angle,
 )
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot.robot_profile import RobotProfile
 from pinel_desktop.robot.sensors import missing
 from sim.realistic import REALISTIC, MeasurementNoise, RealisticDrive
 from sim.simulator import TICK_S, Simulator
@@ -49,9 +49,13 @@ class SimSensors(Sensors):
         return max(0.0, min(distance - along, self._robot.sonar_range_m))
 
     def sonars(self) -> list[float]:
-        longest, rays = self._robot.sonar_range_m, zip(self._rays, self._reaches, strict=True)
+        max_range_m, rays = self._robot.sonar_range_m, zip(self._rays, self._reaches, strict=True)
         return [
-            0.0 if (found := part * reach - along) < 0.0 else longest if found > longest else found
+            0.0
+            if (found := part * reach - along) < 0.0
+            else max_range_m
+            if found > max_range_m
+            else found
             for part, ((_, along, _), reach) in zip(self._sonar_parts(), rays, strict=True)
         ]
 
@@ -152,9 +156,9 @@ class SimLink:
         self,
         *,
         world: str | dict[str, Any],
-        setting: Setting,
+        setting: SimulationConfig,
         seed: int,
-        robot: RobotRecord | None = None,
+        robot: RobotProfile | None = None,
     ) -> None:
         try:
             read = load_world if isinstance(world, str) else world_from_document
@@ -172,7 +176,7 @@ class SimLink:
         if self.slips:
             self._make_realistic(model, setting, seed)
 
-    def _make_realistic(self, robot: RobotModel, setting: Setting, seed: int) -> None:
+    def _make_realistic(self, robot: RobotModel, setting: SimulationConfig, seed: int) -> None:
         self._drive = RealisticDrive(self.simulator, robot.track_m, seed)
         self._measuring = MeasurementNoise(seed)
         self._uses_odometry = setting.feedback == "odometry"
@@ -201,7 +205,7 @@ class SimLink:
     def bumper(self) -> bool:
         return self.simulator.touching()
 
-    def things(self) -> dict[int, Pose2D]:
+    def movable_boxes(self) -> dict[int, Pose2D]:
         return {
             index: Pose2D(x, y, wrap_angle(yaw))
             for index, (x, y, yaw) in self.simulator.boxes().items()

@@ -26,8 +26,10 @@ LANGUAGES = (
 )
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 # written by `storage.text.local_time`
-_MOMENT_PARAMS = frozenset({"made_at", "time"})
-_MOMENT = re.compile(r"(?P<year>\d{4})-(?P<month>\d\d)-(?P<day>\d\d) (?P<hour>\d\d:\d\d)", re.ASCII)
+_TIME_PARAMS = frozenset({"made_at", "time"})
+_TIMESTAMP = re.compile(
+    r"(?P<year>\d{4})-(?P<month>\d\d)-(?P<day>\d\d) (?P<hour>\d\d:\d\d)", re.ASCII
+)
 _MAX_LENGTH = 80
 # paths are cut later than other values: their end tells them apart, and a person may have to type them
 _PATH_PARAMS = frozenset({"file", "files", "folder", "path"})
@@ -83,21 +85,21 @@ def decimal_sign(language: str) -> str:
 def describe(code: str, params: Mapping[str, object], language: str) -> LocalizedMessage:
     """The message for `code` with its placeholders filled; for an unknown code, the code itself."""
     unknown = {"message": code, "remedy": ""}
-    words = catalogue(language).get(code) or catalogue(SOURCE_LANGUAGE).get(code) or unknown
+    texts = catalogue(language).get(code) or catalogue(SOURCE_LANGUAGE).get(code) or unknown
     params = _without_sides(params)
 
     def fill(match: re.Match[str]) -> str:
         name = match[1]
         if name not in params:
             return match[0]
-        if name in _MOMENT_PARAMS and (moment := _MOMENT.fullmatch(str(params[name]))):
+        if name in _TIME_PARAMS and (moment := _TIMESTAMP.fullmatch(str(params[name]))):
             form = catalogue(language)["moment"]["message"]
             return _PLACEHOLDER.sub(lambda part: moment[part[1]], form)
         return _show(params[name], language, name in _PATH_PARAMS)
 
     return LocalizedMessage(
-        message=_PLACEHOLDER.sub(fill, words["message"]),
-        remedy=_PLACEHOLDER.sub(fill, words.get("remedy", "")),
+        message=_PLACEHOLDER.sub(fill, texts["message"]),
+        remedy=_PLACEHOLDER.sub(fill, texts.get("remedy", "")),
     )
 
 
@@ -124,5 +126,5 @@ def _show(value: object, language: str, is_path: bool = False) -> str:
     if isinstance(value, list | tuple):
         return ", ".join(_show(item, language, is_path) for item in value)
     text = str(value)
-    longest = _MAX_PATH_LENGTH if is_path else _MAX_LENGTH
-    return text if len(text) <= longest else text[: longest - 1] + "…"
+    max_length = _MAX_PATH_LENGTH if is_path else _MAX_LENGTH
+    return text if len(text) <= max_length else text[: max_length - 1] + "…"

@@ -32,7 +32,7 @@ class HangTimeouts:
 TIMEOUTS = HangTimeouts()
 
 
-class SilenceCounter:
+class ResponseTimer:
     """Counts how long a process has been silent while the app ran on time."""
 
     def __init__(self, beat_s: float, now_s: float) -> None:
@@ -54,10 +54,10 @@ class SilenceCounter:
         return self._n_beats * self._beat_s
 
 
-Doing = Literal["nothing", "something", "traced"]
+SampleResult = Literal["nothing", "something", "traced"]
 
 
-class ProcessUse:
+class ProcessSampler:
     """What a process does while it is silent, as the system tells it."""
 
     def __init__(self) -> None:
@@ -67,7 +67,7 @@ class ProcessUse:
         """Another silence begins."""
         self._used_s = None
 
-    def sample(self, pid: int) -> Doing:
+    def sample(self, pid: int) -> SampleResult:
         """What it has done since the first sample of this silence; nothing where it has exited."""
         import psutil  # noqa: PLC0415 - for a process that is silent only
 
@@ -86,18 +86,20 @@ class ProcessUse:
         return "something" if works or used_s > self._used_s else "nothing"
 
 
-def hangs(silent_s: float, timeouts: HangTimeouts, *, is_ready: bool, doing: Doing) -> bool:
+def is_hung(
+    unresponsive_s: float, timeouts: HangTimeouts, *, is_ready: bool, doing: SampleResult
+) -> bool:
     """Whether a process is to be replaced; one that a debugger holds never is."""
     if doing == "traced":
         return False
     if not is_ready:
-        return silent_s >= timeouts.start_timeout_s
+        return unresponsive_s >= timeouts.start_timeout_s
     is_busy = doing == "something"
-    return silent_s >= (timeouts.busy_timeout_s if is_busy else timeouts.hang_timeout_s)
+    return unresponsive_s >= (timeouts.busy_timeout_s if is_busy else timeouts.hang_timeout_s)
 
 
 @dataclass(frozen=True, slots=True)
-class Snapshot:
+class ProcessSnapshot:
     """What the app knows of its process at a beat."""
 
     pid: int | None
@@ -117,14 +119,14 @@ class Heartbeat:
 
     def __init__(
         self,
-        snapshot: Callable[[], Snapshot],
+        snapshot: Callable[[], ProcessSnapshot],
         probe: Callable[[], object],
         kill: Callable[[int], object],
         timeouts: HangTimeouts,
     ) -> None:
         self._snapshot, self._probe, self._kill, self._timeouts = snapshot, probe, kill, timeouts
         self._closing = threading.Event()
-        self._use = ProcessUse()
+        self._sampler = ProcessSampler()
 
     def start(self, name: str) -> None:
         threading.Thread(target=self._beat, name=name, daemon=True).start()
@@ -135,20 +137,22 @@ class Heartbeat:
 
     def _beat(self) -> None:
         beat_s, pid = self._timeouts.beat_s, None
-        silence = SilenceCounter(beat_s, time.monotonic())
+        response_timer = ResponseTimer(beat_s, time.monotonic())
         while not self._closing.wait(beat_s):
             now = self._snapshot()
             if now.pid != pid:  # the next one has its time too
-                pid, silence = now.pid, SilenceCounter(beat_s, time.monotonic())
-            silent_s = silence.beat(time.monotonic(), now.n_received, is_app_busy=now.is_app_busy)
-            if pid is not None and self._hangs(pid, silent_s, now):
+                pid, response_timer = now.pid, ResponseTimer(beat_s, time.monotonic())
+            unresponsive_s = response_timer.beat(
+                time.monotonic(), now.n_received, is_app_busy=now.is_app_busy
+            )
+            if pid is not None and self._is_hung(pid, unresponsive_s, now):
                 self._kill(pid)
             elif now.is_ready:
                 self._probe()
 
-    def _hangs(self, pid: int, silent_s: float, now: Snapshot) -> bool:
-        if not silent_s:
-            self._use.reset()
+    def _is_hung(self, pid: int, unresponsive_s: float, now: ProcessSnapshot) -> bool:
+        if not unresponsive_s:
+            self._sampler.reset()
             return False
-        doing = self._use.sample(pid)
-        return hangs(silent_s, self._timeouts, is_ready=now.is_ready, doing=doing)
+        doing = self._sampler.sample(pid)
+        return is_hung(unresponsive_s, self._timeouts, is_ready=now.is_ready, doing=doing)

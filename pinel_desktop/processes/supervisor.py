@@ -10,7 +10,7 @@ from itertools import count
 from typing import Any, BinaryIO, Literal, cast
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts, Heartbeat, Snapshot
+from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts, Heartbeat, ProcessSnapshot
 from pinel_desktop.processes.messages import PING, PONG, RESPONSE, Message, encoded, read_messages
 from pinel_desktop.processes.outbox import Outbox
 
@@ -19,8 +19,8 @@ ProcessState = Literal["starting", "ready", "lost"]
 _log = logging.getLogger(__name__)
 _CLOSE_TIMEOUT_S = 4.0
 # A process that dies sooner than this after its start, so often in a row, is not started again by itself.
-_SHORT_LIFE_S = 3.0
-_SHORT_LIVES = 3
+_MIN_UPTIME_S = 3.0
+_MAX_FAST_FAILURES = 3
 
 
 def _ignore(*_: object) -> None:
@@ -65,7 +65,7 @@ class Supervisor:
         self._outbox = Outbox()
         self._state: ProcessState = "starting"
         self._closing = False
-        self._n_short_lives = 0
+        self._n_fast_failures = 0
         self._ready = threading.Event()
         self._n_received, self._is_receiving = 0, False
         self._numbers = count(1)
@@ -177,11 +177,11 @@ class Supervisor:
                 _log.error("the %s hangs and is ended", self._name)
                 self._process.kill()
 
-    def _snapshot(self) -> Snapshot:
+    def _snapshot(self) -> ProcessSnapshot:
         with self._lock:
             is_ready = self._state == "ready"
             pid = None if self._state == "lost" else self.pid
-            return Snapshot(pid, self._n_received, is_ready, self._is_receiving)
+            return ProcessSnapshot(pid, self._n_received, is_ready, self._is_receiving)
 
     def _read(self, process: subprocess.Popen[bytes]) -> None:
         born = time.monotonic()
@@ -194,7 +194,7 @@ class Supervisor:
         messages.close()
         process.wait()
         if not self._closing:
-            self._replace(short_life=time.monotonic() - born < _SHORT_LIFE_S)
+            self._replace(is_fast_failure=time.monotonic() - born < _MIN_UPTIME_S)
 
     def _receive(self, message: Message) -> None:
         if message.get("type") == f"{self._name}_ready":
@@ -223,7 +223,7 @@ class Supervisor:
         for answer in unanswered:
             answer.set_exception(PinelError(self._lost_code))
 
-    def _replace(self, *, short_life: bool) -> None:
+    def _replace(self, *, is_fast_failure: bool) -> None:
         with self._lock:
             self._state = "starting"
             if not self._closing:
@@ -232,8 +232,8 @@ class Supervisor:
         _log.error("the %s died", self._name)
         self._fail_requests()
         self._on_death()
-        self._n_short_lives = self._n_short_lives + 1 if short_life else 0
-        if self._n_short_lives >= _SHORT_LIVES:
+        self._n_fast_failures = self._n_fast_failures + 1 if is_fast_failure else 0
+        if self._n_fast_failures >= _MAX_FAST_FAILURES:
             self._give_up()
         else:
             self._launch()

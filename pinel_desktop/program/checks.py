@@ -7,10 +7,10 @@ ignored here and reported by the models.
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from pinel_desktop.program.expression_checks import Expressions
+from pinel_desktop.program.expression_checks import ExpressionChecker
 from pinel_desktop.program.functions import parameters_of, signatures
 from pinel_desktop.program.limits import MAX_COMMANDS, MAX_NESTING, MAX_VARIABLES
-from pinel_desktop.program.pointers import LONGEST_PATH, Finding, Path
+from pinel_desktop.program.pointers import MAX_PATH, Path, PathFault
 from pinel_desktop.program.signatures import COMMAND_SIGNATURES, CommandSignature
 
 
@@ -27,14 +27,14 @@ class SemanticCheck:
     """Result of the semantic checks.
 
     Attributes:
-        findings: faults, in no order.
+        faults: faults, in no order.
         warnings: findings about what is valid, but can hardly be meant, in no order.
         is_large: True if there may be too many commands or levels; `shape.check_shape` decides.
         n_keys: number of keys in all objects; in a malformed document possibly fewer, never more.
     """
 
-    findings: list[Finding] = field(default_factory=list)
-    warnings: list[Finding] = field(default_factory=list)
+    faults: list[PathFault] = field(default_factory=list)
+    warnings: list[PathFault] = field(default_factory=list)
     is_large: bool = False
     n_keys: int = 0
 
@@ -56,10 +56,10 @@ class _Checker:
         functions = document.get("functions")
         self._functions = functions if isinstance(functions, list) else []
         self._signatures, self.found = signatures(self._functions)
-        self._expressions = Expressions(self._signatures, self._variables, self.found)
+        self._expressions = ExpressionChecker(self._signatures, self._variables, self.found)
 
     @property
-    def warnings(self) -> list[Finding]:
+    def warnings(self) -> list[PathFault]:
         return self._expressions.warnings
 
     @property
@@ -111,22 +111,22 @@ class _Checker:
                 continue
             for key in signature.variables:
                 note(command.get(key))
-            for key, wanted in signature.expressions:  # mostly literals, which the models check
+            for key, expected in signature.expressions:  # mostly literals, which the models check
                 value = command.get(key)
-                if value.__class__ is dict and not (near and is_obviously_valid(value, wanted)):
-                    check(value, (*path, i, key), wanted)
+                if value.__class__ is dict and not (near and is_obviously_valid(value, expected)):
+                    check(value, (*path, i, key), expected)
         self._n_keys += n_keys
 
     def _command(
         self, command: dict[str, Any], signature: CommandSignature, path: Path, context: _Context
     ) -> None:
         self._deepest = max(self._deepest, len(path))
-        if len(path) > LONGEST_PATH:
+        if len(path) > MAX_PATH:
             return
-        for key, wanted in signature.expressions:
+        for key, expected in signature.expressions:
             value = command.get(key)
             if value.__class__ is dict or key == "condition":
-                self._expressions.check(value, (*path, key), wanted)
+                self._expressions.check(value, (*path, key), expected)
         for key in signature.variables:
             self._expressions.name(command.get(key))
         if signature.role is not None:

@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 
 from pinel_desktop.program.base import Model, annotations
 from pinel_desktop.program.conditions import ConditionError, parse_condition
-from pinel_desktop.program.expressions import AnyNode, Expression, Takes, Text
+from pinel_desktop.program.expressions import AnyNode, Expression, ParameterSpec, Text
 from pinel_desktop.program.faults import encodable
 from pinel_desktop.program.limits import (
     MAX_ANGLE_DEG,
@@ -21,20 +21,24 @@ from pinel_desktop.program.limits import (
 )
 
 Number = float | AnyNode
-Distance = Annotated[Number, Takes("number", ge=0, le=MAX_DISTANCE_M, unit="m")]
-Place = Annotated[Number, Takes("number", ge=-MAX_DISTANCE_M, le=MAX_DISTANCE_M, unit="m")]
-Angle = Annotated[Number, Takes("number", ge=-MAX_ANGLE_DEG, le=MAX_ANGLE_DEG, unit="degrees")]
-AnyNumber = Annotated[Number, Takes("number")]
-MetresPerSecond = Annotated[Number, Takes("number", unit="m/s")]
-DegreesPerSecond = Annotated[Number, Takes("number", unit="degrees/s")]
-Speed = Annotated[Number, Takes("number", gt=0, unit="m/s")]
-TurningSpeed = Annotated[Number, Takes("number", gt=0, unit="degrees/s")]
-Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S, unit="s")]
-Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S, unit="s")]
-Count = Annotated[Number, Takes("number", ge=0, le=MAX_REPEATS, whole=True)]
-Position = Annotated[Number, Takes("number", ge=1, le=MAX_LIST, whole=True)]
-TextValue = Annotated[str | AnyNode, Takes("text")]
-Symbol = Annotated[str | AnyNode, Takes("text", choices=("X", "O"))]
+Distance = Annotated[Number, ParameterSpec("number", ge=0, le=MAX_DISTANCE_M, unit="m")]
+Coordinate = Annotated[
+    Number, ParameterSpec("number", ge=-MAX_DISTANCE_M, le=MAX_DISTANCE_M, unit="m")
+]
+Angle = Annotated[
+    Number, ParameterSpec("number", ge=-MAX_ANGLE_DEG, le=MAX_ANGLE_DEG, unit="degrees")
+]
+AnyNumber = Annotated[Number, ParameterSpec("number")]
+MetresPerSecond = Annotated[Number, ParameterSpec("number", unit="m/s")]
+DegreesPerSecond = Annotated[Number, ParameterSpec("number", unit="degrees/s")]
+Speed = Annotated[Number, ParameterSpec("number", gt=0, unit="m/s")]
+TurningSpeed = Annotated[Number, ParameterSpec("number", gt=0, unit="degrees/s")]
+Seconds = Annotated[Number, ParameterSpec("number", ge=0, le=MAX_WAIT_S, unit="s")]
+Timeout = Annotated[Number, ParameterSpec("number", gt=0, le=MAX_WAIT_S, unit="s")]
+Count = Annotated[Number, ParameterSpec("number", ge=0, le=MAX_REPEATS, whole=True)]
+Position = Annotated[Number, ParameterSpec("number", ge=1, le=MAX_LIST, whole=True)]
+TextValue = Annotated[str | AnyNode, ParameterSpec("text")]
+Symbol = Annotated[str | AnyNode, ParameterSpec("text", choices=("X", "O"))]
 
 
 def _parsed(condition: Any) -> Any:
@@ -54,7 +58,7 @@ def _parsed(condition: Any) -> Any:
 Condition = Annotated[Expression, BeforeValidator(_parsed)]
 
 
-class AnyCommand(Model):
+class CommandBase(Model):
     """Base of all commands, with their common optional keys.
 
     The docstring of a command describes what the robot does, for docs/program-document.md and docs/python-text.md.
@@ -70,12 +74,12 @@ class AnyCommand(Model):
     comment: Text | None = None
 
 
-def parameters_of(model: type[AnyCommand]) -> dict[str, Any]:
+def parameters_of(model: type[CommandBase]) -> dict[str, Any]:
     """The parameters of a command with their annotations."""
-    of_all = {"action", *annotations(AnyCommand)}
+    of_all = {"action", *annotations(CommandBase)}
     return {key: kind for key, kind in annotations(model).items() if key not in of_all}
 
 
-def action_of(model: type[AnyCommand]) -> str:
+def action_of(model: type[CommandBase]) -> str:
     """The action of a model in COMMANDS."""
     return str(annotations(model)["action"].__args__[0])

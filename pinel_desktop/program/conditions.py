@@ -25,7 +25,7 @@ _TOKEN = re.compile(
     )""",
     re.VERBOSE,
 )
-_WORDS = {"and": "and", "or": "or", "not": "not", "&&": "and", "||": "or", "!": "not"}
+_LOGIC_OPERATORS = {"and": "and", "or": "or", "not": "not", "&&": "and", "||": "or", "!": "not"}
 _COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
 
 
@@ -59,7 +59,7 @@ def _tokens(text: str) -> list[_Token]:
             start = position + len(text[position:]) - len(text[position:].lstrip(" \t"))
             raise ConditionError(start + 1, text[start : start + 20])
         value = match[match.lastgroup]
-        kind = "logic" if value in _WORDS else match.lastgroup
+        kind = "logic" if value in _LOGIC_OPERATORS else match.lastgroup
         tokens.append(_Token(kind, value, match.start(match.lastgroup) + 1))
         position = match.end()
     tokens.append(_Token("end", "", end + 1))
@@ -82,7 +82,7 @@ class _Parser:
     def _next(self) -> _Token:
         return self._tokens[self._index]
 
-    def _take(self) -> _Token:
+    def _advance(self) -> _Token:
         token = self._next
         self._index += 1
         return token
@@ -90,21 +90,21 @@ class _Parser:
     def _unexpected(self) -> ConditionError:
         return ConditionError(self._next.position, self._next.value)
 
-    def _at_logic(self, word: str) -> bool:
-        return self._next.kind == "logic" and _WORDS[self._next.value] == word
+    def _at_logic(self, operator: str) -> bool:
+        return self._next.kind == "logic" and _LOGIC_OPERATORS[self._next.value] == operator
 
-    def _joined(self, word: str) -> Tree:
-        parts = [self._joined("and") if word == "or" else self._negated()]
-        while self._at_logic(word):
-            self._take()
-            parts.append(self._joined("and") if word == "or" else self._negated())
-        return parts[0] if len(parts) == 1 else {"op": word, "args": parts}
+    def _joined(self, operator: str) -> Tree:
+        parts = [self._joined("and") if operator == "or" else self._negated()]
+        while self._at_logic(operator):
+            self._advance()
+            parts.append(self._joined("and") if operator == "or" else self._negated())
+        return parts[0] if len(parts) == 1 else {"op": operator, "args": parts}
 
     def _negated(self) -> Tree:
         if not self._at_logic("not"):
             return self._comparison()
         self._enter()
-        self._take()
+        self._advance()
         tree: Tree = {"op": "not", "args": [self._negated()]}
         self._depth -= 1
         return tree
@@ -113,17 +113,17 @@ class _Parser:
         left = self._operand()
         if self._next.kind != "sign" or self._next.value not in _COMPARISONS:
             return left
-        sign = self._take().value
+        sign = self._advance().value
         return {"op": sign, "args": [left, self._operand()]}
 
     def _operand(self) -> Tree:
         token = self._next
         if token.kind == "text":
-            return self._take().value[1:-1]
+            return self._advance().value[1:-1]
         if token.kind == "number":
-            return float(self._take().value)
+            return float(self._advance().value)
         if token.kind == "word" and token.value in ("result", "resultado"):
-            self._take()
+            self._advance()
             return {"gesture": "result"}
         if token.value == "(" and token.kind == "sign":
             return self._group()
@@ -131,11 +131,11 @@ class _Parser:
 
     def _group(self) -> Tree:
         self._enter()
-        self._take()
+        self._advance()
         tree = self._joined("or")
         if self._next.value != ")" or self._next.kind != "sign":
             raise self._unexpected()
-        self._take()
+        self._advance()
         self._depth -= 1
         return tree
 

@@ -11,12 +11,12 @@ from collections.abc import Iterator
 from typing import Any
 
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.program.pointers import Finding, Path, pointer
+from pinel_desktop.program.pointers import Path, PathFault, pointer
 
 _WHITE_SPACE = " \t\n\r"
 
 
-def most_keys(text: str) -> int:
+def max_keys(text: str) -> int:
     """Upper bound of the number of keys in a JSON text; exact unless a string has a colon after a quote or space."""
     return text.count('":') + sum(text.count(f"{s}:") for s in _WHITE_SPACE if s in text)
 
@@ -28,7 +28,7 @@ def decoded(text: str | bytes) -> str:
     )
 
 
-def duplicate_keys(text: str) -> list[Finding]:
+def duplicate_keys(text: str) -> list[PathFault]:
     """A finding for each duplicate key, with the path of its object.
 
     Objects inside a value that a duplicate replaced are not examined. Raises what `json.loads` raises.
@@ -36,12 +36,12 @@ def duplicate_keys(text: str) -> list[Finding]:
     duplicates: dict[int, tuple[dict[str, Any], list[str]]] = {}
 
     def made(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        kept = dict(pairs)
-        if len(kept) != len(pairs):
+        mapping = dict(pairs)
+        if len(mapping) != len(pairs):
             counts = Counter(name for name, _ in pairs)
             # holding a reference keeps the object's id unique
-            duplicates[id(kept)] = kept, [name for name, count in counts.items() if count > 1]
-        return kept
+            duplicates[id(mapping)] = mapping, [name for name, count in counts.items() if count > 1]
+        return mapping
 
     document = json.loads(text, object_pairs_hook=made)
     if not duplicates:

@@ -5,7 +5,7 @@ from typing import Any
 from pinel_desktop.program.conditions import ConditionError, parse_condition
 from pinel_desktop.program.functions import Signature
 from pinel_desktop.program.operators import EQUALITY, OPERATORS, ORDER, Operator, ValueType
-from pinel_desktop.program.pointers import LONGEST_PATH, Finding, Path
+from pinel_desktop.program.pointers import MAX_PATH, Path, PathFault
 from pinel_desktop.program.sensors import SENSORS
 
 Type = ValueType | None  # None: known only in the run
@@ -20,7 +20,7 @@ _LITERALS: dict[type, ValueType] = {
 _OPERANDS = {"number": "not_number", "boolean": "not_boolean", "list": "not_list"}
 
 
-class Expressions:
+class ExpressionChecker:
     """Checks the expressions of one document. Adds findings to `found`, and names of variables to `variables`.
 
     Attributes:
@@ -31,23 +31,23 @@ class Expressions:
     """
 
     def __init__(
-        self, signatures: dict[str, Signature], variables: set[str], found: list[Finding]
+        self, signatures: dict[str, Signature], variables: set[str], found: list[PathFault]
     ) -> None:
         self._signatures, self._variables, self._found = signatures, variables, found
-        self.warnings: list[Finding] = []
+        self.warnings: list[PathFault] = []
         self.deepest = self.n_keys = 0
         self.parameters: tuple[str, ...] = ()
 
-    def check(self, value: Any, path: Path, wanted: Type) -> None:
+    def check(self, value: Any, path: Path, expected: Type) -> None:
         """Checks an expression against the type of its parameter. Literals are checked by the models."""
-        if wanted == "boolean":
+        if expected == "boolean":
             self._condition(value, path)
             return
         found = self._type(value, path)
-        if wanted is not None and found is not None and found != wanted:
-            self._add(f"wrong_type_{wanted}", path, name=str(path[-1]))
+        if expected is not None and found is not None and found != expected:
+            self._add(f"wrong_type_{expected}", path, name=str(path[-1]))
 
-    def is_obviously_valid(self, value: dict[str, Any], wanted: Type) -> bool:
+    def is_obviously_valid(self, value: dict[str, Any], expected: Type) -> bool:
         """Fast path for most expressions: True for a well-typed operation on literals and variables.
 
         Records the variables. For all other expressions it returns False, and `check` must decide.
@@ -56,9 +56,13 @@ class Expressions:
         if name.__class__ is not str or args.__class__ is not list:
             return False
         operator = OPERATORS.get(name)
-        if operator is None or operator.all_take is None or wanted not in (None, operator.gives):
+        if (
+            operator is None
+            or operator.common_type is None
+            or expected not in (None, operator.gives)
+        ):
             return False
-        count, takes = len(args), operator.all_take
+        count, common_type = len(args), operator.common_type
         if count < operator.n_min or (operator.n_max is not None and count > operator.n_max):
             return False
         n_keys = len(value)
@@ -70,7 +74,7 @@ class Expressions:
                     return False
                 if variable not in self.parameters:
                     self._variables.add(variable)
-            elif _LITERALS.get(argument.__class__) != takes:
+            elif _LITERALS.get(argument.__class__) != common_type:
                 return False
         self.n_keys += n_keys
         return True
@@ -111,8 +115,8 @@ class Expressions:
                 tree = parse_condition(value)
             except ConditionError:
                 return  # reported by the models
-            inside: list[Finding] = []
-            found = Expressions(self._signatures, self._variables, inside)._type(tree, ())
+            inside: list[PathFault] = []
+            found = ExpressionChecker(self._signatures, self._variables, inside)._type(tree, ())
             self._found += [(code, path, params) for code, _, params in inside]
         else:
             found = self._type(value, path)
@@ -123,7 +127,7 @@ class Expressions:
         if value.__class__ is not dict:
             return _LITERALS.get(type(value))
         self.deepest = max(self.deepest, len(path))
-        if len(path) > LONGEST_PATH:
+        if len(path) > MAX_PATH:
             return None
         self.n_keys += len(value)
         if "op" in value:
@@ -180,9 +184,9 @@ class Expressions:
         for i, found in enumerate(types):
             if found is None:
                 continue
-            wanted = operator.type_at(i)
-            if wanted is not None and found != wanted:
-                self._add(_OPERANDS[wanted], path, operator=name)
+            expected = operator.type_at(i)
+            if expected is not None and found != expected:
+                self._add(_OPERANDS[expected], path, operator=name)
                 return
         if operator is ORDER and not _comparable(types):
             self._add("not_comparable", path, operator=name)

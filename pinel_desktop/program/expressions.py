@@ -23,7 +23,7 @@ Name = Annotated[str, Field(max_length=MAX_NAME, pattern=NAME_PATTERN)]
 
 
 @dataclass(frozen=True, slots=True)
-class Takes:
+class ParameterSpec:
     """Annotation of a parameter: a literal of one type within bounds, or an expression. `unit` is for the docs.
 
     `choices` are the only texts that it may have; empty where any text is allowed.
@@ -83,16 +83,16 @@ class Operation(Model):
     args: list["Expression"]
 
 
-class Reading(Model):
+class SensorReading(Model):
     """The value of a sensor. The models below are generated from the rows of `sensors.SENSORS`."""
 
     sensor: str
 
 
-def _reading(name: str, doc: str, **annotations: Any) -> type[Reading]:
+def _reading(name: str, doc: str, **annotations: Any) -> type[SensorReading]:
     namespace = {"__module__": __name__, "__doc__": doc, "__annotations__": annotations}
-    metaclass: Any = type(Reading)
-    made: type[Reading] = metaclass(name, (Reading,), namespace)
+    metaclass: Any = type(SensorReading)
+    made: type[SensorReading] = metaclass(name, (SensorReading,), namespace)
     return made
 
 
@@ -100,10 +100,10 @@ def _argument(argument: Argument) -> Any:
     if argument.choices:
         return Literal[argument.choices]
     low, high = argument.low, argument.high
-    return Annotated[Any, Takes("number", ge=low, le=high, whole=argument.whole)]
+    return Annotated[Any, ParameterSpec("number", ge=low, le=high, whole=argument.whole)]
 
 
-def _readings() -> dict[str, type[Reading]]:
+def _readings() -> dict[str, type[SensorReading]]:
     """A model for each sensor with an argument, and one for all others."""
     plain = tuple(name for name, sensor in SENSORS.items() if sensor.argument is None)
     measure = _reading("Measure", "A sensor that is asked nothing.", sensor=Literal[plain])
@@ -111,7 +111,7 @@ def _readings() -> dict[str, type[Reading]]:
     for name, sensor in SENSORS.items():
         if sensor.argument is not None:
             asked = {sensor.argument.name: _argument(sensor.argument)}
-            made[name] = _reading(name.title(), sensor.says, sensor=Literal[name], **asked)
+            made[name] = _reading(name.title(), sensor.description, sensor=Literal[name], **asked)
     return made
 
 
@@ -125,7 +125,7 @@ class FunctionCall(Model):
     arguments: dict[Name, "Expression"] = field(default_factory=dict)
 
 
-AnyNode = Operation | Variable | GestureResult | Reading | FunctionCall
+AnyNode = Operation | Variable | GestureResult | SensorReading | FunctionCall
 
 # Tags appear in pydantic's error locations; with a space they cannot be taken for keys of the document.
 _SENSOR_KINDS = {name: f"a {model.__name__.lower()}" for name, model in READINGS.items()}

@@ -28,8 +28,8 @@ class Fault:
         object.__setattr__(self, "params", params)
 
 
-_LONGEST_SHOWN = 100  # more than any message shows
-_LARGEST_SHOWN = 10**15
+_MAX_SHOWN_LENGTH = 100  # more than any message shows
+_MAX_SHOWN_NUMBER = 10**15
 
 
 def encodable(text: str) -> str:
@@ -40,8 +40,8 @@ def encodable(text: str) -> str:
 def _shown(value: object) -> object:
     """A value shortened for a message."""
     if isinstance(value, str):
-        return encodable(value[:_LONGEST_SHOWN])
-    if isinstance(value, int) and abs(value) > _LARGEST_SHOWN:
+        return encodable(value[:_MAX_SHOWN_LENGTH])
+    if isinstance(value, int) and abs(value) > _MAX_SHOWN_NUMBER:
         digits = str(value)
         return f"{digits[:12]}… ({len(digits)})"
     if isinstance(value, list | tuple):  # of names to choose from

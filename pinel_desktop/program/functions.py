@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pinel_desktop.program.limits import MAX_NESTING, MAX_PARAMETERS
-from pinel_desktop.program.pointers import Finding, Path
+from pinel_desktop.program.pointers import Path, PathFault
 from pinel_desktop.program.signatures import COMMAND_SIGNATURES
 
 
@@ -17,10 +17,10 @@ class Signature:
     gives_value: bool
 
 
-def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Finding]]:
+def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[PathFault]]:
     """The functions by name, the first of each name; and findings for duplicate names and too many parameters."""
     known: dict[str, Signature] = {}
-    faults: list[Finding] = []
+    faults: list[PathFault] = []
     for i, function in enumerate(functions):
         name = function.get("name") if isinstance(function, dict) else None
         if not isinstance(name, str):
@@ -34,7 +34,7 @@ def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Finding
     return known, faults
 
 
-def _parameter_faults(path: Path, function: dict[str, Any], name: str) -> Iterator[Finding]:
+def _parameter_faults(path: Path, function: dict[str, Any], name: str) -> Iterator[PathFault]:
     given = function.get("parameters")
     if not isinstance(given, list):
         return

@@ -15,14 +15,14 @@ from pydantic_core import PydanticCustomError
 from pinel_desktop.program.base import Model
 from pinel_desktop.program.command import (
     Angle,
-    AnyCommand,
     AnyNumber,
+    CommandBase,
     Condition,
+    Coordinate,
     Count,
     DegreesPerSecond,
     Distance,
     MetresPerSecond,
-    Place,
     Position,
     Seconds,
     Speed,
@@ -37,7 +37,7 @@ from pinel_desktop.program.limits import MAX_COMMANDS
 from pinel_desktop.program.sensors import Color
 
 
-class MoveForward(AnyCommand):
+class MoveForward(CommandBase):
     """Drives straight ahead by the distance, with feedback from the measured pose."""
 
     python = "robot.move_forward(1.0)"
@@ -46,7 +46,7 @@ class MoveForward(AnyCommand):
     distance: Distance
 
 
-class MoveBackward(AnyCommand):
+class MoveBackward(CommandBase):
     """Drives straight backwards by the distance."""
 
     python = "robot.move_backward(1.0)"
@@ -55,7 +55,7 @@ class MoveBackward(AnyCommand):
     distance: Distance
 
 
-class Turn(AnyCommand):
+class Turn(CommandBase):
     """Turns on the spot by the full angle, also beyond 360 degrees; positive is to the left."""
 
     python = "robot.turn(90)"
@@ -64,14 +64,14 @@ class Turn(AnyCommand):
     angle: Angle
 
 
-class Stop(AnyCommand):
+class Stop(CommandBase):
     """Stops the robot; the next command begins when it stands."""
 
     python = "robot.stop()"
     action: Literal["stop"]
 
 
-class Drive(AnyCommand):
+class Drive(CommandBase):
     """Sets a velocity until the next motion command or the end; the next command begins at once."""
 
     python = "robot.drive(0.2, 30)"
@@ -81,17 +81,17 @@ class Drive(AnyCommand):
     angular: DegreesPerSecond
 
 
-class Arc(AnyCommand):
+class Arc(CommandBase):
     """Drives along a circle, turning by the angle: positive is to the left; a negative radius drives backwards."""
 
     python = "robot.arc(1.0, 90)"
     motion = "arc"
     action: Literal["arc"]
-    radius: Place
+    radius: Coordinate
     angle: Angle
 
 
-class SetSpeed(AnyCommand):
+class SetSpeed(CommandBase):
     """Sets the speed limits of later motions, initially 0.6 m/s and 90 degrees/s; either may be omitted."""
 
     python = "robot.set_speed(linear=0.3, angular=45)"
@@ -104,18 +104,18 @@ class SetSpeed(AnyCommand):
             raise PydanticCustomError("missing_speed", "speed", {})
 
 
-class GoTo(AnyCommand):
+class GoTo(CommandBase):
     """Turns towards the point and drives there; with `avoid` around obstacles."""
 
     python = "robot.go_to(2.0, 1.0, avoid=True)"
     motion = "straight"
     action: Literal["go_to"]
-    x: Place
-    y: Place
+    x: Coordinate
+    y: Coordinate
     avoid: bool = False
 
 
-class GoToPlace(AnyCommand):
+class GoToPlace(CommandBase):
     """Turns towards the middle of the place of that name and drives there; with `avoid` around obstacles."""
 
     python = 'robot.go_to_place("A", avoid=True)'
@@ -125,7 +125,7 @@ class GoToPlace(AnyCommand):
     avoid: bool = False
 
 
-class Wait(AnyCommand):
+class Wait(CommandBase):
     """Waits."""
 
     python = "robot.wait(2)"
@@ -133,7 +133,7 @@ class Wait(AnyCommand):
     seconds: Seconds
 
 
-class WaitUntil(AnyCommand):
+class WaitUntil(CommandBase):
     """Waits until the condition is true, checked 30 times a second, or until the timeout."""
 
     python = "robot.wait_until(robot.bumper, timeout=5)"
@@ -142,7 +142,7 @@ class WaitUntil(AnyCommand):
     timeout: Timeout | None = None
 
 
-class Pen(AnyCommand):
+class Pen(CommandBase):
     """Begins or ends a trail on the floor, blue by default; the pen is up at the start."""
 
     python = 'robot.pen(down=True, color="red")'
@@ -151,7 +151,7 @@ class Pen(AnyCommand):
     color: Color | None = None
 
 
-class Ask(AnyCommand):
+class Ask(CommandBase):
     """Waits for a person's answer and stores it in the variable, as a number if possible, else as text."""
 
     python = 'name = robot.ask("What is your name?")'
@@ -160,7 +160,7 @@ class Ask(AnyCommand):
     variable: Name
 
 
-class Mark(AnyCommand):
+class Mark(CommandBase):
     """Marks the place under the robot."""
 
     python = 'robot.mark("X")'
@@ -168,7 +168,7 @@ class Mark(AnyCommand):
     symbol: Symbol
 
 
-class Say(AnyCommand):
+class Say(CommandBase):
     """Shows a value to the group and records it."""
 
     python = 'robot.say("Hello")'
@@ -176,14 +176,14 @@ class Say(AnyCommand):
     text: Expression
 
 
-class Beep(AnyCommand):
+class Beep(CommandBase):
     """Makes a sound."""
 
     python = "robot.beep()"
     action: Literal["beep"]
 
 
-class ClassifyGestures(AnyCommand):
+class ClassifyGestures(CommandBase):
     """Waits for a sign, in real time; the gesture result is then its letter, or "" after the timeout."""
 
     python = "robot.classify_gestures(timeout=10)"
@@ -196,7 +196,7 @@ class ClassifyGestures(AnyCommand):
         return "classify_gestures"
 
 
-class SetGestureResult(AnyCommand):
+class SetGestureResult(CommandBase):
     """Sets the gesture result by hand."""
 
     python = 'robot.set_gesture_result("B")'
@@ -204,7 +204,7 @@ class SetGestureResult(AnyCommand):
     result: Annotated[TextValue, Field(validation_alias=AliasChoices("result", "resultado"))]
 
 
-class SetVariable(AnyCommand):
+class SetVariable(CommandBase):
     """Assigns a value to a variable."""
 
     python = "x = 1"
@@ -213,7 +213,7 @@ class SetVariable(AnyCommand):
     value: Expression
 
 
-class ChangeVariable(AnyCommand):
+class ChangeVariable(CommandBase):
     """Adds to a variable with a number; in Python `x -= 1` adds -1."""
 
     python = "x += 1"
@@ -222,7 +222,7 @@ class ChangeVariable(AnyCommand):
     by: AnyNumber
 
 
-class Append(AnyCommand):
+class Append(CommandBase):
     """Appends an item to the list of that name."""
 
     python = "numbers.append(7)"
@@ -231,7 +231,7 @@ class Append(AnyCommand):
     value: Expression
 
 
-class ReplaceItem(AnyCommand):
+class ReplaceItem(CommandBase):
     """Puts a value in the place of an item of the list of that name; the first item has the position 1."""
 
     python = "numbers.replace_item(2, 7)"
@@ -241,7 +241,7 @@ class ReplaceItem(AnyCommand):
     value: Expression
 
 
-class Repeat(AnyCommand):
+class Repeat(CommandBase):
     """Runs the commands the given number of times."""
 
     python = "for _ in range(4):"
@@ -250,7 +250,7 @@ class Repeat(AnyCommand):
     commands: list["Command"]
 
 
-class While(AnyCommand):
+class While(CommandBase):
     """Runs the commands as long as the condition is true; tests first."""
 
     python = "while x < 3:"
@@ -259,7 +259,7 @@ class While(AnyCommand):
     commands: list["Command"]
 
 
-class Until(AnyCommand):
+class Until(CommandBase):
     """Runs the commands as long as the condition is false; tests first."""
 
     python = "while not robot.bumper:"
@@ -268,7 +268,7 @@ class Until(AnyCommand):
     commands: list["Command"]
 
 
-class For(AnyCommand):
+class For(CommandBase):
     """Counts from the first number to the last, both included; down for a negative step."""
 
     python = "for i in steps(1, 10, 2):"
@@ -280,7 +280,7 @@ class For(AnyCommand):
     commands: list["Command"]
 
 
-class Forever(AnyCommand):
+class Forever(CommandBase):
     """Runs the commands in an endless loop."""
 
     python = "while True:"
@@ -288,14 +288,14 @@ class Forever(AnyCommand):
     commands: list["Command"]
 
 
-class Break(AnyCommand):
+class Break(CommandBase):
     """Leaves the innermost loop."""
 
     python = "break"
     action: Literal["break"]
 
 
-class Continue(AnyCommand):
+class Continue(CommandBase):
     """Continues with the next iteration of the innermost loop."""
 
     python = "continue"
@@ -309,7 +309,7 @@ class Branch(Model):
     commands: list["Command"]
 
 
-class ConditionalExecution(AnyCommand):
+class ConditionalExecution(CommandBase):
     """Runs the first list whose condition is true; in Python `elif x == 2:` and `else:` may follow."""
 
     python = "if x == 1:"
@@ -320,7 +320,7 @@ class ConditionalExecution(AnyCommand):
     else_: Annotated[list["Command"], Field(alias="else")] = field(default_factory=list)
 
 
-class Call(AnyCommand):
+class Call(CommandBase):
     """Runs a function."""
 
     python = "area(2, 3)"
@@ -329,7 +329,7 @@ class Call(AnyCommand):
     arguments: dict[Name, Expression] = field(default_factory=dict)
 
 
-class Return(AnyCommand):
+class Return(CommandBase):
     """Leaves the function and returns the value, if given, to the caller."""
 
     python = "return a * b"
@@ -372,7 +372,7 @@ Command = Annotated[
     | Return,
     Field(discriminator="action"),
 ]
-COMMANDS: tuple[type[AnyCommand], ...] = Command.__origin__.__args__  # type: ignore[attr-defined]
+COMMANDS: tuple[type[CommandBase], ...] = Command.__origin__.__args__  # type: ignore[attr-defined]
 MOTIONS = {action_of(model): model.motion for model in COMMANDS if model.motion}
 
 

@@ -12,19 +12,21 @@ class Operator:
 
     Attributes:
         n_min, n_max: number of arguments; `n_max` None is unlimited.
-        takes: types of the arguments, the last one also for all further arguments; None is any type.
+        argument_types: types of the arguments, the last one also for all further arguments; None is any type.
         gives: type of the result; None if it depends on the arguments.
-        all_take: the common type of all arguments; None if there is none.
+        common_type: the common type of all arguments; None if there is none.
     """
 
     n_min: int
     n_max: int | None
-    takes: tuple[ValueType | None, ...]
+    argument_types: tuple[ValueType | None, ...]
     gives: ValueType | None
-    all_take: ValueType | None = field(init=False)
+    common_type: ValueType | None = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "all_take", self.takes[0] if len(self.takes) == 1 else None)
+        object.__setattr__(
+            self, "common_type", self.argument_types[0] if len(self.argument_types) == 1 else None
+        )
 
     def accepts(self, count: int) -> bool:
         """True if the operator can have `count` arguments."""
@@ -34,14 +36,14 @@ class Operator:
         """True if arguments of these types are certainly valid; None is a type known only in the run."""
         if len(types) < self.n_min or (self.n_max is not None and len(types) > self.n_max):
             return False
-        wanted = self.all_take
-        if wanted is None:
+        expected = self.common_type
+        if expected is None:
             return False
-        return all(found is None or found == wanted for found in types)
+        return all(found is None or found == expected for found in types)
 
     def type_at(self, index: int) -> ValueType | None:
         """The type of the argument at `index`."""
-        return self.takes[min(index, len(self.takes) - 1)]
+        return self.argument_types[min(index, len(self.argument_types) - 1)]
 
 
 _ARITHMETIC = Operator(2, 2, ("number",), "number")

@@ -7,9 +7,9 @@ from pinel_desktop.program.limits import MAX_NESTING
 
 Path = tuple[str | int, ...]
 # (code, path, params)
-Finding = tuple[str, Path, dict[str, object]]
+PathFault = tuple[str, Path, dict[str, object]]
 # a level of a document is a key, or a key and an index; longer paths are certainly too deep
-LONGEST_PATH = 2 * MAX_NESTING + 6
+MAX_PATH = 2 * MAX_NESTING + 6
 
 
 def pointer(path: Sequence[str | int]) -> str:

@@ -11,17 +11,17 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from pinel_desktop.program.checks import SemanticCheck, check_semantics
-from pinel_desktop.program.duplicates import decoded, duplicate_keys, most_keys
+from pinel_desktop.program.duplicates import decoded, duplicate_keys, max_keys
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
 from pinel_desktop.program.model import Program, documents
-from pinel_desktop.program.pointers import Finding, Path, has_path, in_document_order, pointer
+from pinel_desktop.program.pointers import Path, PathFault, has_path, in_document_order, pointer
 from pinel_desktop.program.shape import check_shape
 from pinel_desktop.program.translation import fault_from_error, placed_fault, relevant_errors
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class ParseResult:
     """Result of reading a document.
 
     Attributes:
@@ -46,7 +46,7 @@ class Reading:
         return normal
 
 
-def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
+def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> ParseResult:
     """Reads a `pinel_ir` document or a bare list of commands, given as JSON text or as parsed data."""
     with _garbage_collection_off():
         return _read(source)
@@ -67,34 +67,36 @@ def _garbage_collection_off() -> Iterator[None]:
             gc.enable()
 
 
-def _read(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
+def _read(source: str | bytes | dict[str, Any] | list[Any]) -> ParseResult:
     if not isinstance(source, str | bytes):
         return _read_parsed(source)
     parsed = _parse(source)
     if isinstance(parsed, Fault):
-        return Reading(None, (parsed,))
+        return ParseResult(None, (parsed,))
     text, document = parsed
     if isinstance(document, dict):
         # fast path for valid documents, which need no check of their shape
         semantics, program, _ = _check(document)
-        is_good = program is not None and not semantics.findings and not semantics.is_large
-        if is_good and (semantics.n_keys == most_keys(text) or not duplicate_keys(text)):
-            return Reading(program, warnings=_warnings(document, semantics, bare=False))
+        is_good = program is not None and not semantics.faults and not semantics.is_large
+        if is_good and (semantics.n_keys == max_keys(text) or not duplicate_keys(text)):
+            return ParseResult(program, warnings=_warnings(document, semantics, bare=False))
     faults = check_shape(document)
-    return Reading(None, tuple(faults)) if faults else _read_shaped(document, duplicate_keys(text))
+    return (
+        ParseResult(None, tuple(faults)) if faults else _read_shaped(document, duplicate_keys(text))
+    )
 
 
-def _read_parsed(parsed: dict[str, Any] | list[Any]) -> Reading:
+def _read_parsed(parsed: dict[str, Any] | list[Any]) -> ParseResult:
     faults = check_shape(parsed)
     if faults:
-        return Reading(None, tuple(faults))
+        return ParseResult(None, tuple(faults))
     size = _size(parsed)
     if size > MAX_BYTES:
-        return Reading(None, (_too_large(size),))
+        return ParseResult(None, (_too_large(size),))
     return _read_shaped(parsed, [])
 
 
-def _read_shaped(parsed: Any, duplicates: list[Finding]) -> Reading:
+def _read_shaped(parsed: Any, duplicates: list[PathFault]) -> ParseResult:
     """Reads parsed data of limited size and depth; `duplicates` are findings for duplicate keys."""
     if isinstance(parsed, list):
         return _read_bare_list(parsed, duplicates)
@@ -125,7 +127,7 @@ def _parse(source: str | bytes) -> tuple[str, Any] | Fault:
         return Fault("json_syntax", params={"line": 1, "column": 1})
 
 
-def _read_bare_list(commands: list[Any], duplicates: list[Finding]) -> Reading:
+def _read_bare_list(commands: list[Any], duplicates: list[PathFault]) -> ParseResult:
     """The original's format: unknown keys, such as its `status`, are ignored with a warning."""
     document = {"pinel_ir": 1, "name": "", "commands": commands}
     duplicates = [(code, ("commands", *path), params) for code, path, params in duplicates]
@@ -138,7 +140,7 @@ def _read_bare_list(commands: list[Any], duplicates: list[Finding]) -> Reading:
     reading = _validate(
         cleaned, [one for one in duplicates if has_path(cleaned, one[1])], bare=True
     )
-    return Reading(reading.program, reading.faults, (*unknown, *reading.warnings))
+    return ParseResult(reading.program, reading.faults, (*unknown, *reading.warnings))
 
 
 def _without_keys(value: Any, pointers: set[str], here: str) -> Any:
@@ -146,8 +148,8 @@ def _without_keys(value: Any, pointers: set[str], here: str) -> Any:
         return [_without_keys(item, pointers, f"{here}/{i}") for i, item in enumerate(value)]
     if isinstance(value, dict):
         places = ((key, f"{here}/{pointer([key])[1:]}") for key in value)
-        kept = {key: place for key, place in places if place not in pointers}
-        return {key: _without_keys(value[key], pointers, place) for key, place in kept.items()}
+        retained = {key: place for key, place in places if place not in pointers}
+        return {key: _without_keys(value[key], pointers, place) for key, place in retained.items()}
     return value
 
 
@@ -159,12 +161,12 @@ def _check(document: dict[str, Any]) -> tuple[SemanticCheck, Program | None, lis
         return semantics, None, error.errors(include_url=False)
 
 
-def _validate(document: dict[str, Any], duplicates: list[Finding], *, bare: bool) -> Reading:
+def _validate(document: dict[str, Any], duplicates: list[PathFault], *, bare: bool) -> ParseResult:
     semantics, program, errors = _check(document)
-    findings = [*duplicates, *semantics.findings]
+    findings = [*duplicates, *semantics.faults]
     if program is not None and not findings:
-        return Reading(program, warnings=_warnings(document, semantics, bare=bare))
-    return Reading(None, tuple(_faults(document, errors, findings, bare=bare)))
+        return ParseResult(program, warnings=_warnings(document, semantics, bare=bare))
+    return ParseResult(None, tuple(_faults(document, errors, findings, bare=bare)))
 
 
 def _warnings(document: Any, semantics: SemanticCheck, *, bare: bool) -> tuple[Fault, ...]:
@@ -179,7 +181,7 @@ def _warnings(document: Any, semantics: SemanticCheck, *, bare: bool) -> tuple[F
 
 
 def _faults(
-    document: Any, errors: list[ErrorDetails], findings: list[Finding], *, bare: bool
+    document: Any, errors: list[ErrorDetails], findings: list[PathFault], *, bare: bool
 ) -> list[Fault]:
     """Faults in the order of the document, without repetitions."""
     placed: dict[Path, dict[Fault, None]] = {}

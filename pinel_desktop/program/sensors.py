@@ -52,7 +52,7 @@ class Sensor:
     Attributes:
         name: in documents, in Python (`robot.NAME`), and of the link's method.
         gives: type of the value.
-        says: what it measures, for the tables of the docs.
+        description: what it measures, for the tables of the docs.
         level: first level whose toolbox has its block.
         unit: of the value; the link gives degrees as radians.
         low, high: range of the value; None is unbounded.
@@ -66,7 +66,7 @@ class Sensor:
 
     name: str
     gives: ValueType
-    says: str
+    description: str
     level: Literal[2, 3]
     unit: str = ""
     low: float | None = None

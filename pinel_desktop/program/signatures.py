@@ -5,12 +5,12 @@ from typing import Any, Literal, get_args, get_origin
 
 from pinel_desktop.program.base import Model, annotations
 from pinel_desktop.program.command import action_of
-from pinel_desktop.program.expressions import READINGS, Takes
+from pinel_desktop.program.expressions import READINGS, ParameterSpec
 from pinel_desktop.program.model import COMMANDS
 from pinel_desktop.program.operators import ValueType
 
 # required type of a parameter's expression; None is any type
-Wanted = ValueType | None
+ExpectedType = ValueType | None
 _NAMES_OF_VARIABLES = ("name", "variable", "list")
 
 
@@ -25,18 +25,18 @@ class CommandSignature:
         is_simple: True if the command has only expressions and names, and no condition, which may need parsing.
     """
 
-    expressions: list[tuple[str, Wanted]] = field(default_factory=list)
+    expressions: list[tuple[str, ExpectedType]] = field(default_factory=list)
     variables: list[str] = field(default_factory=list)
     bodies: list[str] = field(default_factory=list)
     role: Literal["loop", "jump", "call", "return"] | None = None
     is_simple: bool = False
 
 
-def takes_of(annotation: Any) -> Takes | None:
+def parameter_spec(annotation: Any) -> ParameterSpec | None:
     """The `Takes` annotation of a parameter; None without one."""
     for part in (annotation, *getattr(annotation, "__args__", ())):
         for mark in getattr(part, "__metadata__", ()):
-            if isinstance(mark, Takes):
+            if isinstance(mark, ParameterSpec):
                 return mark
     return None
 
@@ -52,9 +52,9 @@ def choices_of(annotation: Any) -> tuple[str, ...]:
 def _signature(model: type[Model]) -> CommandSignature:
     signature = CommandSignature()
     for key, annotation in annotations(model).items():
-        takes = takes_of(annotation)
-        if takes is not None:
-            signature.expressions.append((key, takes.type))
+        spec = parameter_spec(annotation)
+        if spec is not None:
+            signature.expressions.append((key, spec.type))
         elif key in ("condition", "value", "text"):
             signature.expressions.append((key, "boolean" if key == "condition" else None))
         elif key in _NAMES_OF_VARIABLES:
@@ -81,23 +81,23 @@ def _signatures() -> dict[str, CommandSignature]:
     return signatures
 
 
-def _takes() -> dict[tuple[str, str], Takes]:
+def _parameter_specs() -> dict[tuple[str, str], ParameterSpec]:
     models: list[tuple[str, type[Model]]] = [(action_of(model), model) for model in COMMANDS]
     models += READINGS.items()
     found = (
-        (kind, key, takes_of(annotation))
+        (kind, key, parameter_spec(annotation))
         for kind, model in models
         for key, annotation in annotations(model).items()
     )
-    return {(kind, key): takes for kind, key, takes in found if takes is not None}
+    return {(kind, key): spec for kind, key, spec in found if spec is not None}
 
 
 COMMAND_SIGNATURES = _signatures()
-TAKES = _takes()  # (action or sensor, parameter) -> its bounds
+PARAMETER_SPECS = _parameter_specs()  # (action or sensor, parameter) -> its bounds
 
 
-def range_code(name: str, takes: Takes) -> str:
+def range_code(name: str, spec: ParameterSpec) -> str:
     """Error code for a value of the parameter outside its bounds, on reading and in a run."""
-    if takes.le is None:
+    if spec.le is None:
         return f"{name}_not_positive"
     return "sonar_out_of_range" if name == "index" else f"{name}_out_of_range"

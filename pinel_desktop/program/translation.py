@@ -9,7 +9,7 @@ from pinel_desktop.program import model
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_LIST, MAX_NAME, MAX_TEXT
 from pinel_desktop.program.pointers import Path, block_at, pointer, value_at
-from pinel_desktop.program.signatures import TAKES, range_code
+from pinel_desktop.program.signatures import PARAMETER_SPECS, range_code
 
 _RANGE_ERRORS = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
 WRONG_TYPE = {
@@ -24,7 +24,14 @@ WRONG_TYPE = {
     "model_attributes_type": "object",
 }
 # how pydantic names the literal of `expressions.Takes` in an error's location
-_LITERAL_WAYS = ("bool", "float", "constrained-", "str", "function-before[_whole", "literal[")
+_LITERAL_SCHEMA_NAMES = (
+    "bool",
+    "float",
+    "constrained-",
+    "str",
+    "function-before[_whole",
+    "literal[",
+)
 _SIMPLE = {
     "unknown_expression": "unknown_expression",
     "finite_number": "not_finite",
@@ -79,19 +86,19 @@ def relevant_errors(document: Any, errors: list[ErrorDetails]) -> list[tuple[Pat
 
 def _meant(value: Any, errors: list[ErrorDetails]) -> list[ErrorDetails]:
     """The errors at one place that belong to the intended alternative."""
-    types = [error for error in errors if _is_way(error) and error["type"] in WRONG_TYPE]
+    types = [error for error in errors if _is_of_literal(error) and error["type"] in WRONG_TYPE]
     unknown = [error for error in errors if error["type"] == "unknown_expression"]
     others = [error for error in errors if error not in types and error not in unknown]
     if len(types) > 1:  # literals of several types are allowed
         return others or unknown
     if isinstance(value, dict):
-        return [error for error in others if not _is_way(error)] or unknown
+        return [error for error in others if not _is_of_literal(error)] or unknown
     return types + others or unknown
 
 
-def _is_way(error: ErrorDetails) -> bool:
+def _is_of_literal(error: ErrorDetails) -> bool:
     """True if the error concerns one of the literal types that a parameter may have."""
-    return bool(error["loc"]) and str(error["loc"][-1]).startswith(_LITERAL_WAYS)
+    return bool(error["loc"]) and str(error["loc"][-1]).startswith(_LITERAL_SCHEMA_NAMES)
 
 
 def _code_and_params(
@@ -157,10 +164,10 @@ def _out_of_range(error: ErrorDetails, path: Path, document: Any) -> tuple[str, 
     name = _last_key(path)
     around = value_at(document, path[:-1])
     kind = around.get("action", around.get("sensor"))
-    takes = TAKES[kind, name]
-    low = takes.ge if takes.gt is None else takes.gt
-    params = {"value": error["input"], "min": low, "max": takes.le}
-    return range_code(name, takes), params
+    spec = PARAMETER_SPECS[kind, name]
+    low = spec.ge if spec.gt is None else spec.gt
+    params = {"value": error["input"], "min": low, "max": spec.le}
+    return range_code(name, spec), params
 
 
 def _last_key(path: Path) -> str:

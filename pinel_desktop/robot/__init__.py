@@ -12,13 +12,13 @@ from pinel_desktop.robot.models import (
     Sonar,
 )
 from pinel_desktop.robot.sensors import Segment, Sensors
-from pinel_desktop.robot.setting import (
+from pinel_desktop.robot.simulation_config import (
     FEEDBACKS,
     PRESETS,
     Feedback,
     Preset,
-    Setting,
-    setting_from,
+    SimulationConfig,
+    simulation_config_from,
 )
 
 __all__ = [
@@ -38,9 +38,9 @@ __all__ = [
     "RobotState",
     "Segment",
     "Sensors",
-    "Setting",
+    "SimulationConfig",
     "Sonar",
     "Twist2D",
-    "setting_from",
+    "simulation_config_from",
     "wrap_angle",
 ]

@@ -52,7 +52,7 @@ class RobotLink(Protocol):
         """True while the robot touches something, for telemetry; False if it has no bumper."""
         ...
 
-    def things(self) -> dict[int, Pose2D]:
+    def movable_boxes(self) -> dict[int, Pose2D]:
         """Poses of movable boxes in the world's frame, by index in the world's list; empty if unknown."""
         ...
 

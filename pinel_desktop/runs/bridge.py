@@ -19,14 +19,14 @@ from collections.abc import Callable
 from typing import Any
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.links.bridge.questions import Questions
-from pinel_desktop.links.bridge.standing import HandedRoute, StandingBridge
-from pinel_desktop.robot.record import BridgeRecord, record_from
+from pinel_desktop.links.bridge.pending_requests import PendingRequests
+from pinel_desktop.links.bridge.persistent_bridge import DelegatedRoute, PersistentBridge
+from pinel_desktop.robot.robot_profile import BridgeProfile, profile_from
 
 Message = dict[str, Any]
 
 
-class OwnedBridge:
+class BridgeController:
     """Does what the owner's messages say.
 
     Args:
@@ -35,10 +35,10 @@ class OwnedBridge:
 
     def __init__(self, send: Callable[[Message], None]) -> None:
         self._send = send
-        self._questions = Questions(send)
-        self._bridge: StandingBridge | None = None
+        self._questions = PendingRequests(send)
+        self._bridge: PersistentBridge | None = None
 
-    def take(self, message: Message) -> None:
+    def handle(self, message: Message) -> None:
         """A message of the owner, as the table says."""
         match message["type"]:
             case "bridge_listen":
@@ -47,7 +47,7 @@ class OwnedBridge:
             case "bridge_answer":
                 self._questions.settle(message)
             case "bridge_alive":
-                self._questions.hear()
+                self._questions.record_keepalive()
 
     def close(self) -> None:
         """Listens no more."""
@@ -56,16 +56,16 @@ class OwnedBridge:
             self._bridge.close()
 
     def _listen(self, message: Message) -> None:
-        routes = {path: HandedRoute(**route) for path, route in message["routes"].items()}
+        routes = {path: DelegatedRoute(**route) for path, route in message["routes"].items()}
         try:
-            record = record_from(message["record"])
-            assert isinstance(record, BridgeRecord)
-            self._bridge = StandingBridge(
+            record = profile_from(message["record"])
+            assert isinstance(record, BridgeProfile)
+            self._bridge = PersistentBridge(
                 record,
                 routes,
-                self._questions.ask,
+                self._questions.submit,
                 file_pages=message["file_pages"],
-                on_batch_end=lambda: self._questions.tell({"type": "bridge_batch_ended"}),
+                on_batch_end=lambda: self._questions.notify({"type": "bridge_batch_ended"}),
             )
         except PinelError as error:
             self._send({"type": "bridge_refused", "code": error.code, "params": error.params})

@@ -12,16 +12,16 @@ from typing import Any
 import numpy as np
 
 from pinel_desktop import __version__
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import Event, RunEnded
 from pinel_desktop.events.model import Telemetry as Sample
-from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_HZ
 from storage import RunRow
 from storage.runs.telemetry import COLUMNS, STEPS, Rows, pack, unpack
 
 EQUAL_M = 1e-4  # between platforms, whose mathematical functions differ in the last digit
 _EQUAL_OVER_ALL_M = 1e-2  # the length of a long path adds up many of those
-_LATER_FIGURE = "estimated_closing_error_m"  # null when such a record is repeated, which lacks it
+_ADDED_METRIC = "estimated_closing_error_m"  # null when such a record is repeated, which lacks it
 _ANGLES = ("yaw_rad", "goal_yaw_rad", "true_yaw_rad")
 _SHA256 = re.compile(r"[0-9a-f]{64}\Z")
 _HEAD = ("v", "type", "run", "seq", "tick")
@@ -32,7 +32,7 @@ Wire = Mapping[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class Discrepancy:
     """A part of a record that was changed or is missing: `code` and `params` choose the words."""
 
     code: str
@@ -40,7 +40,7 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class Difference:
+class FirstDivergence:
     """The first tick at which a replay is not what was recorded, beyond what the record rounds to."""
 
     tick: int
@@ -75,13 +75,13 @@ class ReplayLog:
     def __init__(self) -> None:
         self.events: list[Wire] = []
         self._samples: list[tuple[float, ...]] = []
-        self._stamp = EventStamp("")
+        self._stamp = EventSequencer("")
 
     def observe(self, tick: int, event: Event) -> None:
         """To be called with every event."""
         if type(event) is Sample:
             self._samples.append((tick, *_sample(event)))
-        elif event.kept:
+        elif event.is_recorded:
             self.events.append(json.loads(json.dumps(self._stamp.wire(tick, event))))
 
     def rows(self) -> Rows:
@@ -90,44 +90,48 @@ class ReplayLog:
         return unpack(pack(rows), len(rows))
 
 
-def gaps(record: Record) -> list[Part]:
+def gaps(record: Record) -> list[Discrepancy]:
     """Ticks that a record lacks in its midst."""
     ticks = record.rows[:, 0]
     wrong = np.flatnonzero(ticks != np.arange(1, len(ticks) + 1))
-    return [Part("part_ticks", {"tick": int(wrong[0]) + 1})] if len(wrong) else []
+    return [Discrepancy("part_ticks", {"tick": int(wrong[0]) + 1})] if len(wrong) else []
 
 
-def inconsistencies(record: Record) -> list[Part]:
+def inconsistencies(record: Record) -> list[Discrepancy]:
     """Where the record of a run that came to its end contradicts itself, whatever a replay says."""
     row, ended, n_rows = record.row, record.ended, len(record.rows)
     parts = gaps(record)
     if not parts and ended and n_rows != ended["tick"]:
-        parts.append(Part("part_rows", {"recorded": n_rows, "expected": ended["tick"]}))
+        parts.append(Discrepancy("part_rows", {"recorded": n_rows, "expected": ended["tick"]}))
     if not ended:
-        parts.append(Part("part_ending", {}))
-    parts += _wrong_figures(row, ended) if ended else []
+        parts.append(Discrepancy("part_ending", {}))
+    parts += _wrong_fields(row, ended) if ended else []
     if ended and not any(part.code == "part_figure" for part in parts):
         parts += _wrong_summary(row, ended)
     if not _SHA256.match(row.telemetry_sha256 or ""):
-        parts.append(Part("part_hash", {}))
+        parts.append(Discrepancy("part_hash", {}))
     return parts
 
 
-def altered(record: Record, replay: ReplayLog, *, exactly: bool) -> list[Part]:
+def discrepancies(record: Record, replay: ReplayLog, *, exactly: bool) -> list[Discrepancy]:
     """What of a record is not what its replay gave; `exactly` where the same numbers came out."""
-    parts: list[Part] = []
+    parts: list[Discrepancy] = []
     rows, everything = replay.rows(), record.row.app_version == __version__
     if len(record.rows) != len(rows):
-        parts.append(Part("part_rows", {"recorded": len(record.rows), "expected": len(rows)}))
+        parts.append(
+            Discrepancy("part_rows", {"recorded": len(record.rows), "expected": len(rows)})
+        )
     elif found := first_difference(record.rows, rows, exactly=exactly):
-        parts.append(Part("part_sample", {**asdict(found), "time": round(found.time_s, 2)}))
+        parts.append(Discrepancy("part_sample", {**asdict(found), "time": round(found.time_s, 2)}))
     limit = 0.0 if exactly else _EQUAL_OVER_ALL_M
-    parts += _wrong_figures(record.row, replay.events[-1], limit, hashed=exactly)
+    parts += _wrong_fields(record.row, replay.events[-1], limit, hashed=exactly)
     limit = 0.0 if exactly else EQUAL_M
     return parts + _wrong_events(record.events, replay.events, limit, everything=everything)
 
 
-def first_difference(recorded: Rows, repeated: Rows, *, exactly: bool = False) -> Difference | None:
+def first_difference(
+    recorded: Rows, repeated: Rows, *, exactly: bool = False
+) -> FirstDivergence | None:
     """The first row in which they differ, as far as both go; the record is rounded, and so must be what is repeated.
 
     Args:
@@ -135,17 +139,19 @@ def first_difference(recorded: Rows, repeated: Rows, *, exactly: bool = False) -
     """
     n = min(len(recorded), len(repeated))
     was, now = recorded[:n], repeated[:n]
-    apart = np.abs(was - now)
+    deviation = np.abs(was - now)
     for place, name in enumerate(COLUMNS):
         if name in _ANGLES and not exactly:
-            apart[:, place] = np.abs(np.remainder(apart[:, place] + math.pi, math.tau) - math.pi)
-    apart[np.isnan(was) & np.isnan(now)] = 0.0
+            deviation[:, place] = np.abs(
+                np.remainder(deviation[:, place] + math.pi, math.tau) - math.pi
+            )
+    deviation[np.isnan(was) & np.isnan(now)] = 0.0
     limits = np.array([0.0 if exactly else _limit(STEPS[name]) for name in COLUMNS])
-    wrong = np.argwhere(~(apart <= limits))  # null beside a number is wrong
+    wrong = np.argwhere(~(deviation <= limits))  # null beside a number is wrong
     if not len(wrong):
         return None
     i, place = wrong[0]
-    return Difference(
+    return FirstDivergence(
         int(repeated[i, 0]), COLUMNS[place], float(was[i, place]), float(now[i, place])
     )
 
@@ -155,7 +161,7 @@ def _limit(step: float) -> float:
     return 0.5 if step >= 1.0 else 1.5 * max(step, EQUAL_M)
 
 
-_FIGURES = (
+_COMPARED_FIELDS = (
     "state",
     "reason",
     "params",
@@ -167,32 +173,32 @@ _FIGURES = (
 )
 
 
-def _wrong_figures(
+def _wrong_fields(
     row: RunRow, ended: Wire, limit: float = 0.0, *, hashed: bool = True
-) -> list[Part]:
-    names = (*_FIGURES, "telemetry_sha256") if hashed else _FIGURES
+) -> list[Discrepancy]:
+    names = (*_COMPARED_FIELDS, "telemetry_sha256") if hashed else _COMPARED_FIELDS
     return [
-        Part("part_figure", {"name": name, "recorded": is_, "expected": ended.get(name)})
+        Discrepancy("part_figure", {"name": name, "recorded": is_, "expected": ended.get(name)})
         for name in names
         if not _same(is_ := getattr(row, name), ended.get(name), limit)
     ]
 
 
-def _wrong_summary(row: RunRow, ended: Wire) -> list[Part]:
-    told = {name: value for name, value in ended.items() if name not in _HEAD}
-    return [] if _same(row.summary, told, 0.0) else [Part("part_summary", {})]
+def _wrong_summary(row: RunRow, ended: Wire) -> list[Discrepancy]:
+    expected = {name: value for name, value in ended.items() if name not in _HEAD}
+    return [] if _same(row.summary, expected, 0.0) else [Discrepancy("part_summary", {})]
 
 
 def _wrong_events(
     recorded: Sequence[Wire], repeated: Sequence[Wire], limit: float, *, everything: bool
-) -> list[Part]:
+) -> list[Discrepancy]:
     pairs = zip_longest(_plain(recorded), _plain(repeated))
     for number, (was, now) in enumerate(pairs, 1):
         if was is None or now is None or not _is_same_event(was, now, limit, everything=everything):
-            told = now or was or _NOTHING
-            place = {"number": number, "type": told["type"], "tick": told["tick"]}
+            event = now or was or _NOTHING
+            place = {"number": number, "type": event["type"], "tick": event["tick"]}
             counts = {"recorded": len(recorded), "expected": len(repeated)}
-            return [Part("part_events", {**place, **counts})]
+            return [Discrepancy("part_events", {**place, **counts})]
     return []
 
 
@@ -200,7 +206,7 @@ def _is_same_event(was: Wire, now: Wire, limit: float, *, everything: bool) -> b
     if (
         limit and was["type"] == now["type"] == RunEnded.type
     ):  # its other figures are compared by themselves
-        return _same(was.get(_LATER_FIGURE), now.get(_LATER_FIGURE), _EQUAL_OVER_ALL_M)
+        return _same(was.get(_ADDED_METRIC), now.get(_ADDED_METRIC), _EQUAL_OVER_ALL_M)
     return _same(was, _comparable(was, now, everything=everything), limit)
 
 
@@ -209,11 +215,13 @@ def _comparable(was: Wire, now: Wire, *, everything: bool) -> dict[str, Any]:
     return {
         name: value
         for name, value in now.items()
-        if name in was or (everything and not (name == _LATER_FIGURE and value is None))
+        if name in was or (everything and not (name == _ADDED_METRIC and value is None))
     }
 
 
-def same_beginning(recorded: Sequence[Wire], repeated: Sequence[Wire], tick: int) -> list[Part]:
+def same_beginning(
+    recorded: Sequence[Wire], repeated: Sequence[Wire], tick: int
+) -> list[Discrepancy]:
     """The same for a record that breaks off at a tick: what came before it."""
     was, now = ([e for e in events if e["tick"] < tick] for events in (recorded, repeated))
     return _wrong_events(was, now, EQUAL_M, everything=False)

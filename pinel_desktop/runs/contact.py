@@ -7,7 +7,7 @@ from typing import Any
 
 from pinel_desktop.links import open_link
 from pinel_desktop.links.real import RealLink
-from pinel_desktop.robot.record import RobotRecord, RosRecord
+from pinel_desktop.robot.robot_profile import RobotProfile, RosProfile
 
 _LISTEN_S = 1.0
 
@@ -33,27 +33,27 @@ class Contact:
         return asdict(self)
 
 
-def robots_near(robot: RobotRecord) -> list[dict[str, Any]]:
+def robots_in_domain(robot: RobotProfile) -> list[dict[str, Any]]:
     """The robots in the domain of a record of ROS 2, as plain JSON data (`links.dds.finding.FoundRobot`).
 
     Raises PinelError `network_missing`, `peer_unknown`.
     """
-    from pinel_desktop.links.dds.finding import find_robots  # noqa: PLC0415 - loads DDS
+    from pinel_desktop.links.dds.discovery import discover_robots  # noqa: PLC0415 - loads DDS
 
-    assert isinstance(robot, RosRecord)
-    return [asdict(found) for found in find_robots(robot)]
+    assert isinstance(robot, RosProfile)
+    return [asdict(found) for found in discover_robots(robot)]
 
 
-def contact(robot: RobotRecord) -> Contact:
+def probe_robot(robot: RobotProfile) -> Contact:
     """Connects with a robot, which is commanded zeros only. Raises what connecting with it raises."""
     link = open_link(robot.link, world=robot.room.as_world(), robot=robot)
     assert isinstance(link, RealLink)
     try:
         link.connect()
-        before, began_s = link.n_heard, time.monotonic()
+        before, start_s = link.n_odometry, time.monotonic()
         time.sleep(_LISTEN_S)
         pose = link.read().pose
-        rate_hz = (link.n_heard - before) / (time.monotonic() - began_s)
+        rate_hz = (link.n_odometry - before) / (time.monotonic() - start_s)
         return Contact(
             pose.x_m, pose.y_m, math.degrees(pose.yaw_rad), round(rate_hz, 1), link.battery
         )

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _ENDINGS = (".png", ".svg", ".pdf")
 # each is `plot_NAME` of the messages
-_WORDS = (
+_LABELS = (
     "path",
     "position",
     "heading",
@@ -98,22 +98,22 @@ def draw(curves: Curves, file: str, *, title: str, language: str) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415
 
-    words = {name: describe(f"plot_{name}", {}, language).message for name in _WORDS}
+    labels = {name: describe(f"plot_{name}", {}, language).message for name in _LABELS}
     figure = Figure(figsize=_INCHES, dpi=_DPI, layout="constrained")
     FigureCanvasAgg(figure)
     figure.suptitle(title, parse_math=False)
     axes = figure.subplots(2, 2)
-    _path(axes[0, 0], curves, words)
-    _position(axes[0, 1], curves, words)
-    _heading(axes[1, 0], curves, words)
-    _signals(axes[1, 1], curves, words)
+    _path(axes[0, 0], curves, labels)
+    _position(axes[0, 1], curves, labels)
+    _heading(axes[1, 0], curves, labels)
+    _signals(axes[1, 1], curves, labels)
     try:
         figure.savefig(Path(file), format=kind)
     except (OSError, ValueError) as error:
         raise PinelError("plot_unwritable", path=file, detail=str(error)) from error
 
 
-def _path(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
+def _path(axes: "Axes", curves: Curves, labels: dict[str, str]) -> None:
     axes.plot(
         curves["goal_x_m"],
         curves["goal_y_m"],
@@ -121,15 +121,15 @@ def _path(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
         color=_GREY,
         lw=1.0,
         zorder=3,
-        label=words["desired"],
+        label=labels["desired"],
     )
-    axes.plot(curves["x_m"], curves["y_m"], color=_BLUE, label=words["obtained"])
+    axes.plot(curves["x_m"], curves["y_m"], color=_BLUE, label=labels["obtained"])
     if any(_differ(curves, name) for name in "xy"):
-        axes.plot(curves["true_x_m"], curves["true_y_m"], color=_ORANGE, label=words["true"])
-    axes.plot(0.0, 0.0, "o", color=_GREEN, label=words["start"])
+        axes.plot(curves["true_x_m"], curves["true_y_m"], color=_ORANGE, label=labels["true"])
+    axes.plot(0.0, 0.0, "o", color=_GREEN, label=labels["start"])
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.1)
-    _finish(axes, words["path"], f"x {words['metres']}", f"y {words['metres']}")
+    _finish(axes, labels["path"], f"x {labels['metres']}", f"y {labels['metres']}")
 
 
 def _differ(curves: Curves, name: str) -> bool:
@@ -138,28 +138,28 @@ def _differ(curves: Curves, name: str) -> bool:
     return any(abs(believed - true) > _VISIBLE_M for believed, true in pairs)
 
 
-def _position(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
+def _position(axes: "Axes", curves: Curves, labels: dict[str, str]) -> None:
     time_s = curves.time_s
     for name, color in (("x", _BLUE), ("y", _ORANGE)):
         axes.plot(time_s, curves[f"goal_{name}_m"], "--", color=_GREY, lw=1.0, zorder=3)
-        axes.plot(time_s, curves[f"{name}_m"], color=color, label=f"{name} {words['obtained']}")
-    axes.plot([], [], "--", color=_GREY, lw=1.0, zorder=3, label=words["desired"])
-    _finish(axes, words["position"], words["time"], words["metres"])
+        axes.plot(time_s, curves[f"{name}_m"], color=color, label=f"{name} {labels['obtained']}")
+    axes.plot([], [], "--", color=_GREY, lw=1.0, zorder=3, label=labels["desired"])
+    _finish(axes, labels["position"], labels["time"], labels["metres"])
 
 
-def _heading(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
+def _heading(axes: "Axes", curves: Curves, labels: dict[str, str]) -> None:
     time_s = curves.time_s
     goal, yaw = _unwrapped(curves["goal_yaw_rad"]), _unwrapped(curves["yaw_rad"])
-    axes.plot(time_s, goal, "--", color=_GREY, lw=1.0, zorder=3, label=words["desired"])
-    axes.plot(time_s, yaw, color=_BLUE, label=words["obtained"])
-    _finish(axes, words["heading"], words["time"], words["degrees"])
+    axes.plot(time_s, goal, "--", color=_GREY, lw=1.0, zorder=3, label=labels["desired"])
+    axes.plot(time_s, yaw, color=_BLUE, label=labels["obtained"])
+    _finish(axes, labels["heading"], labels["time"], labels["degrees"])
 
 
-def _signals(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
+def _signals(axes: "Axes", curves: Curves, labels: dict[str, str]) -> None:
     time_s = curves.time_s
-    axes.plot(time_s, curves["command_v_mps"], color=_BLUE, label=words["v"])
-    axes.plot(time_s, curves["command_omega_radps"], color=_ORANGE, label=words["omega"])
-    _finish(axes, words["signals"], words["time"], "")
+    axes.plot(time_s, curves["command_v_mps"], color=_BLUE, label=labels["v"])
+    axes.plot(time_s, curves["command_omega_radps"], color=_ORANGE, label=labels["omega"])
+    _finish(axes, labels["signals"], labels["time"], "")
 
 
 def _finish(axes: "Axes", title: str, x: str, y: str) -> None:

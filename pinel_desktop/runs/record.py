@@ -5,7 +5,7 @@ from typing import Any
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.semantics import CURRENT, FIRST
-from pinel_desktop.robot import setting_from
+from pinel_desktop.robot import simulation_config_from
 from pinel_desktop.runs.spec import Document, RunInputs, RunSpec
 from storage import RunRow, RunStart
 
@@ -57,7 +57,7 @@ def spec_of(row: RunRow, document: Document, inputs: RunInputs) -> RunSpec:
         document=document,
         world=row.world_document,
         link=row.link,
-        setting=setting_from(row.parameters),
+        setting=simulation_config_from(row.parameters),
         seed=row.seed,
         inputs=inputs,
         semantics=_semantics_of(row.parameters),

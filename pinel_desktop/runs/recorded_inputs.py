@@ -19,14 +19,14 @@ class _Request(NamedTuple):
     """A pause or stop that was requested by a person or a breakpoint.
 
     Attributes:
-        place: its place among the recorded events; of one that came together with an input, the input's.
+        event_index: its place among the recorded events; of one that came together with an input, the input's.
         at: the tick; for `hold`, how many commands had begun.
         when: what the run did at that tick. While it `awaited` a person, when one had just `answered`, or while it was
             `paused`, robot time stood still.
     """
 
     what: Literal["pause", "hold", "stop"]
-    place: float
+    event_index: float
     at: int
     cause: PauseCause = "person"
     when: Literal["running", "paused", "awaited", "answered"] = "running"
@@ -38,7 +38,7 @@ T = TypeVar("T")
 class _Input(NamedTuple, Generic[T]):
     """A recorded result or answer, and the tick at which it was given."""
 
-    place: int
+    event_index: int
     tick: int
     given: T
 
@@ -83,14 +83,14 @@ class RecordedInputs:
         if not self._requests:
             return False
         request = self._requests[0]
-        return request.when == "awaited" and self.tick >= request.at and request.place < place
+        return request.when == "awaited" and self.tick >= request.at and request.event_index < place
 
     def stop_if_it_came_with(self, place: int) -> None:
         """Makes the request to stop that came in the same moment as the input at that place."""
         if (
             self._requests
             and self._requests[0].when == "answered"
-            and self._requests[0].place == place
+            and self._requests[0].event_index == place
         ):
             self._control.stop()
 
@@ -118,7 +118,7 @@ class RecordedInputs:
                 self._request()
 
     def _read(self, events: Iterable[WireEvent]) -> None:
-        moment = _Moment()
+        moment = _RecordCursor()
         for place, event in enumerate(events):
             moment.follow(place, event)
             match event["type"]:
@@ -172,7 +172,7 @@ class _Recorded(Generic[T]):
     def poll(self) -> T | Pending:
         run = self._run
         is_due = bool(self.recorded) and self.recorded[0].tick <= run.tick
-        is_requested = run.is_requested_before(self.recorded[0].place if is_due else math.inf)
+        is_requested = run.is_requested_before(self.recorded[0].event_index if is_due else math.inf)
         if not self._has_waited:
             self._has_waited = True
             return Pending.PERSON if is_due or is_requested else Pending.TICK
@@ -181,7 +181,7 @@ class _Recorded(Generic[T]):
             return Pending.PERSON
         if is_due:
             recorded = self.recorded.popleft()
-            run.stop_if_it_came_with(recorded.place)
+            run.stop_if_it_came_with(recorded.event_index)
             return recorded.given
         if not self.recorded:
             self._at_end(self._question)
@@ -209,20 +209,20 @@ def _as_typed(value: object) -> str:
     return format(Decimal(repr(value)), "f") if is_number else _text(value)
 
 
-class _Moment:
+class _RecordCursor:
     """Where the recorded run stood, and whether robot time stood still there.
 
     Attributes:
         paused: whether it was paused.
         awaited_at: the tick since which it waited for an input; None while it did not.
-        answered_at, answered_place: of the last input, where no tick had passed while it was awaited.
+        answered_at, answered_index: of the last input, where no tick had passed while it was awaited.
     """
 
     def __init__(self) -> None:
         self.paused = False
         self.awaited_at: int | None = None
         self.answered_at: int | None = None
-        self.answered_place = 0
+        self.answered_index = 0
 
     def follow(self, place: int, event: WireEvent) -> None:
         kind, tick = event["type"], event["tick"]
@@ -234,10 +234,10 @@ class _Moment:
             self.awaited_at = tick
         elif kind == "answered" or (kind == "gesture_result" and event["source"] == "capture"):
             self.answered_at = tick if tick == self.awaited_at else None
-            self.answered_place, self.awaited_at = place, None
+            self.answered_index, self.awaited_at = place, None
 
 
-def _pause(place: int, event: WireEvent, moment: _Moment) -> _Request:
+def _pause(place: int, event: WireEvent, moment: _RecordCursor) -> _Request:
     cause = event.get("cause", "person")
     if cause == "person":
         awaited = event["tick"] == moment.awaited_at
@@ -247,7 +247,7 @@ def _pause(place: int, event: WireEvent, moment: _Moment) -> _Request:
     return _Request("hold", place, event["n_begun"], cause)
 
 
-def _stop(place: int, event: WireEvent, moment: _Moment) -> _Request:
+def _stop(place: int, event: WireEvent, moment: _RecordCursor) -> _Request:
     tick = event.get("params", {}).get("tick")
     if not isinstance(tick, int):
         raise PinelError("run_not_repeatable")
@@ -256,5 +256,5 @@ def _stop(place: int, event: WireEvent, moment: _Moment) -> _Request:
     if tick == moment.awaited_at:
         return _Request("stop", place, tick, when="awaited")
     if tick == moment.answered_at:
-        return _Request("stop", moment.answered_place, tick, when="answered")
+        return _Request("stop", moment.answered_index, tick, when="answered")
     return _Request("stop", place, tick)

@@ -45,9 +45,9 @@ def missing_on_model(document: Any, robot: RobotModel) -> list[Fault]:
             if robot.lacks(sensor.name, asked):
                 yield "sensor_missing", path, {"sensor": sensor.name}
             elif sensor.name == "lidar" and robot.laser and asked is not None:
-                most = robot.laser.field_deg / 2
-                if abs(asked) > most:
-                    bounds = {"value": asked, "min": -most, "max": most}
+                max_deg = robot.laser.field_deg / 2
+                if abs(asked) > max_deg:
+                    bounds = {"value": asked, "min": -max_deg, "max": max_deg}
                     yield "angle_out_of_range", (*path, "angle"), bounds
 
     return _faults(document, found())

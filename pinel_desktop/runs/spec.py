@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.semantics import CURRENT
-from pinel_desktop.robot import Setting, setting_from
+from pinel_desktop.robot import SimulationConfig, simulation_config_from
 
 if TYPE_CHECKING:  # heavy, and the app starts without it
     from pinel_desktop.execution.control import RunControl
     from pinel_desktop.execution.executor import Observer
     from pinel_desktop.program.model import Program
-    from pinel_desktop.robot.record import RobotRecord
+    from pinel_desktop.robot.robot_profile import RobotProfile
 
 Pace = Literal["live", "max"]
 Document = dict[str, Any] | list[Any]
 # reasons of runs that PINEL or the PC lost: their record breaks off, and the program has no part in it
-CUT_OFF = ("interrupted", "engine_lost", "real_engine_lost", "internal_error")
+INTERRUPTED_REASONS = ("interrupted", "engine_lost", "real_engine_lost", "internal_error")
 
 
 class RunInputs(Inputs, Protocol):
@@ -53,8 +53,8 @@ class RunSpec:
     document: Document
     world: str | dict[str, Any]
     link: str = "sim"
-    robot: RobotRecord | None = None
-    setting: Setting = field(default_factory=Setting)
+    robot: RobotProfile | None = None
+    setting: SimulationConfig = field(default_factory=SimulationConfig)
     seed: int = 0
     inputs: RunInputs = field(default_factory=ScriptedInputs)
     pace: Pace = "max"
@@ -80,12 +80,12 @@ def spec_from(message: Mapping[str, Any], inputs: RunInputs) -> RunSpec:
 
     Raises PinelError `run_damaged` for a setting that never was one, and what `record_from` raises for the robot.
     """
-    robot = message["robot"] and _record_from(message["robot"])
-    setting = setting_from(message["setting"])
+    robot = message["robot"] and _profile_from(message["robot"])
+    setting = simulation_config_from(message["setting"])
     return RunSpec(**{**message, "setting": setting, "robot": robot}, inputs=inputs)
 
 
-def _record_from(message: Mapping[str, Any]) -> RobotRecord:
-    from pinel_desktop.robot.record import record_from  # noqa: PLC0415 - for real robots only
+def _profile_from(message: Mapping[str, Any]) -> RobotProfile:
+    from pinel_desktop.robot.robot_profile import profile_from  # noqa: PLC0415 - for real robots only
 
-    return record_from(message)
+    return profile_from(message)

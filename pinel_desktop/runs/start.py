@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from pinel_desktop.control.goal import GOALS, Goals
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event
-from pinel_desktop.execution.clock import WALL_TIME, Clock, LiveClock, MaxClock, WallTime
+from pinel_desktop.execution.clock import WALL_TIME, Clock, LiveClock, UnpacedClock, WallTime
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import Observer, RunOptions, RunResult, execute
 from pinel_desktop.execution.limits import StepLimit
@@ -89,7 +89,7 @@ def _clock(spec: RunSpec, link: RobotLink, control: RunControl, wall: WallTime) 
     """A real robot has one speed; that of the simulator is chosen."""
     if not link.simulated:
         return LiveClock(wall)
-    return MaxClock() if spec.pace == "max" else LiveClock(wall, speed=lambda: control.pace)
+    return UnpacedClock() if spec.pace == "max" else LiveClock(wall, speed=lambda: control.pace)
 
 
 def all_of(*observers: Observer | None) -> Observer | None:

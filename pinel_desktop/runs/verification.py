@@ -6,11 +6,11 @@ from typing import Any, Literal
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.executor import RunResult
 from pinel_desktop.runs.comparison import (
-    Difference,
-    Part,
+    Discrepancy,
+    FirstDivergence,
     Record,
     ReplayLog,
-    altered,
+    discrepancies,
     first_difference,
     gaps,
     inconsistencies,
@@ -18,7 +18,7 @@ from pinel_desktop.runs.comparison import (
 )
 from pinel_desktop.runs.record import spec_of
 from pinel_desktop.runs.recorded_inputs import RecordedInputs
-from pinel_desktop.runs.spec import CUT_OFF
+from pinel_desktop.runs.spec import INTERRUPTED_REASONS
 from pinel_desktop.runs.start import start
 from storage import RunRow, Store
 
@@ -26,7 +26,7 @@ Outcome = Literal["identical", "equal", "different", "altered"]
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class VerificationResult:
     """The result of a verification.
 
     Attributes:
@@ -44,11 +44,11 @@ class Verdict:
     whole: bool
     recorded_sha256: str | None
     repeated_sha256: str
-    difference: Difference | None = None
-    parts: tuple[Part, ...] = ()
+    difference: FirstDivergence | None = None
+    parts: tuple[Discrepancy, ...] = ()
 
 
-def verify_run(store: Store, row: RunRow) -> Verdict:
+def verify_run(store: Store, row: RunRow) -> VerificationResult:
     """Runs a recorded run again in this process and compares all that the store holds of it.
 
     It is run with what commands and sensors meant then (`execution.semantics`). Raises PinelError `run_not_simulated`
@@ -61,11 +61,11 @@ def verify_run(store: Store, row: RunRow) -> Verdict:
     if row.state == "running":
         raise PinelError("run_not_ended", id=row.id)
     record = Record(row, store.runs.telemetry(row.id).rows, store.runs.events(row.id))
-    until = len(record.rows) if row.reason in CUT_OFF else None
+    until = len(record.rows) if row.reason in INTERRUPTED_REASONS else None
     replay = ReplayLog()
     # a replay that goes beyond the record differs: a made-up program need not be run to its end, which may be far
-    longest = len(record.rows) + 1 if until is None else until
-    spec = spec_of(row, _document(store, row), RecordedInputs(record.events, longest))
+    max_ticks = len(record.rows) + 1 if until is None else until
+    spec = spec_of(row, _document(store, row), RecordedInputs(record.events, max_ticks))
     result = start(spec, replay.observe)
     difference = first_difference(record.rows, replay.rows())
     parts = _parts(record, replay, result, difference)
@@ -75,7 +75,7 @@ def verify_run(store: Store, row: RunRow) -> Verdict:
         outcome = "altered"
     elif difference is not None:
         outcome = "different"
-    return Verdict(
+    return VerificationResult(
         outcome,
         len(record.rows),
         until is None,
@@ -87,21 +87,21 @@ def verify_run(store: Store, row: RunRow) -> Verdict:
 
 
 def _parts(
-    record: Record, replay: ReplayLog, result: RunResult, difference: Difference | None
-) -> list[Part]:
+    record: Record, replay: ReplayLog, result: RunResult, difference: FirstDivergence | None
+) -> list[Discrepancy]:
     """What was changed of the record; nothing where it is sound and the replay merely differs."""
     row = record.row
-    if row.reason in CUT_OFF:
+    if row.reason in INTERRUPTED_REASONS:
         beginning = same_beginning(record.events, replay.events, len(record.rows))
         return gaps(record) or ([] if difference else beginning)
     is_same = result.ended.telemetry_sha256 == row.telemetry_sha256
-    if is_same and (parts := altered(record, replay, exactly=True)):
+    if is_same and (parts := discrepancies(record, replay, exactly=True)):
         return parts
     if parts := inconsistencies(record):
         return parts
     if is_same or difference is not None:
         return []
-    return altered(record, replay, exactly=False)
+    return discrepancies(record, replay, exactly=False)
 
 
 def _document(store: Store, row: RunRow) -> dict[str, Any]:

@@ -16,15 +16,15 @@ from typing import TYPE_CHECKING, Literal
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import own_command
 from storage import SIMULATOR, RunRow, Store, StoreError
-from storage.marks import Finding
+from storage.run_validity import ConfirmationFinding
 
 if TYPE_CHECKING:
     from pinel_desktop.judge.messages import Verdict
 
 _log = logging.getLogger(__name__)
-_LOOK_S = 15.0  # between two looks for something to do
+_SCAN_INTERVAL_S = 15.0  # between two looks for something to do
 _POLL_S = 0.2  # between two looks whether a run begins here
-_LONGEST_S = 600.0  # a run that takes longer is not repeated
+_TIMEOUT_S = 600.0  # a run that takes longer is not repeated
 _SAME = ("identical", "equal")
 Repeated = Literal["same", "different", "impossible", "interrupted"]
 
@@ -35,7 +35,7 @@ class Confirmer:
     Args:
         judge: decides about a run by its record, as the grader does.
         command: repeats the run whose id follows, as `pinel runs verify --json` does; None is that.
-        look_s: how often it looks for something to do, without `wake`.
+        interval_s: how often it looks for something to do, without `check_now`.
     """
 
     def __init__(
@@ -45,32 +45,32 @@ class Confirmer:
         grade: Callable[[str], None] = lambda _run_id: None,
         *,
         command: Sequence[str] | None = None,
-        look_s: float = _LOOK_S,
+        interval_s: float = _SCAN_INTERVAL_S,
     ) -> None:
         self._store, self._judge, self._grade = store, judge, grade
         self._command = command or own_command("--db", str(store.path), "runs", "verify", "--json")
-        self._look_s = look_s
-        self._woken, self._closing = threading.Event(), threading.Event()
+        self._interval_s = interval_s
+        self._check_requested, self._closing = threading.Event(), threading.Event()
         self._thread = threading.Thread(target=self._work, name="confirmer", daemon=True)
 
     def start(self) -> None:
         """Begins to look for marked runs."""
         self._thread.start()
 
-    def wake(self) -> None:
+    def check_now(self) -> None:
         """Looks at once: a file was merged, or a run has ended."""
-        self._woken.set()
+        self._check_requested.set()
 
     def close(self) -> None:
         """Ends the process that repeats a run; the run stays marked."""
         self._closing.set()
-        self._woken.set()
+        self._check_requested.set()
         if self._thread.is_alive():
             self._thread.join()
 
     def _work(self) -> None:
         while not self._closing.is_set():
-            self._woken.clear()
+            self._check_requested.clear()
             try:
                 if self._store.can_write:
                     self._confirm_all()
@@ -79,7 +79,7 @@ class Confirmer:
                 OSError,
             ) as error:  # a full disk, no memory for a process: tried again
                 _log.warning("runs were not confirmed: %s", error)
-            self._woken.wait(self._look_s)
+            self._check_requested.wait(self._interval_s)
 
     def _confirm_all(self) -> None:
         """Each once; what comes meanwhile takes its place among them."""
@@ -115,7 +115,7 @@ class Confirmer:
         self._store.unconfirmed.confirm(run_id)
         self._grade(run_id)  # does nothing for one that has its result already
 
-    def _finding(self, run: RunRow, found: Repeated) -> Finding | None:
+    def _finding(self, run: RunRow, found: Repeated) -> ConfirmationFinding | None:
         """What keeps the run from being confirmed."""
         if found == "impossible":
             return "not_repeatable"
@@ -134,10 +134,10 @@ class Confirmer:
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
         ) as process:
-            _step_back(process.pid)
-            return self._answer(process)
+            _lower_priority(process.pid)
+            return self._await_outcome(process)
 
-    def _answer(self, process: "subprocess.Popen[bytes]") -> Repeated:
+    def _await_outcome(self, process: "subprocess.Popen[bytes]") -> Repeated:
         waited_s = 0.0
         while True:
             try:
@@ -145,10 +145,10 @@ class Confirmer:
                 return _outcome(output)
             except subprocess.TimeoutExpired:
                 waited_s += _POLL_S
-            if self._is_busy() or waited_s > _LONGEST_S:
+            if self._is_busy() or waited_s > _TIMEOUT_S:
                 process.kill()
                 process.communicate()
-                return "impossible" if waited_s > _LONGEST_S else "interrupted"
+                return "impossible" if waited_s > _TIMEOUT_S else "interrupted"
 
 
 def _outcome(output: bytes) -> Repeated:
@@ -159,7 +159,7 @@ def _outcome(output: bytes) -> Repeated:
     return "same" if outcome in _SAME else "different"
 
 
-def _step_back(pid: int) -> None:
+def _lower_priority(pid: int) -> None:
     """The process gets what the others leave of the processor."""
     import psutil  # noqa: PLC0415 - not needed to start
 

@@ -22,7 +22,7 @@ from storage import SIMULATOR, RunRow, Store, StoreError
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity
     from pinel_desktop.judge.client import JudgeClient
-    from pinel_desktop.judge.messages import BegunRun, Question, SeenRun, Verdict
+    from pinel_desktop.judge.messages import JudgeRequest, ObservedRun, RunStartInfo, Verdict
 
 _log = logging.getLogger(__name__)
 
@@ -47,7 +47,7 @@ class Grader:
         self._store, self._settle, self._publish = store, settle, publish
         self._language, self._chosen_judge = language, judge
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="grader")
-        self._begun: dict[str, BegunRun] = {}  # the live run
+        self._start_info: dict[str, RunStartInfo] = {}  # the live run
 
     @cached_property
     def judge(self) -> "JudgeClient":
@@ -56,10 +56,10 @@ class Grader:
 
         return self._chosen_judge or JudgeClient()
 
-    def prepare(self, run_id: str, begun: "BegunRun") -> None:
+    def prepare(self, run_id: str, start_info: "RunStartInfo") -> None:
         """Starts the judge, so that it is warm when the run that begins now has ended, and keeps what it will need."""
-        self._begun = {run_id: begun}
-        self.judge.wake()
+        self._start_info = {run_id: start_info}
+        self.judge.start()
 
     def grade(self, run_id: str) -> None:
         """Queues a run that has ended; does nothing for a run without an activity."""
@@ -71,7 +71,7 @@ class Grader:
     def catch_up(self) -> None:
         """Queues the runs that were not yet graded when the app was closed."""
         with contextlib.suppress(StoreError):
-            for run_id in self._store.checks.pending():
+            for run_id in self._store.grading_results.pending():
                 self.grade(run_id)
 
     def close(self) -> None:
@@ -90,30 +90,30 @@ class Grader:
             if run.passed is not None or run.check_report is not None:
                 return
             verdict = self.verdict_on(run)
-            self._store.checks.record(run_id, verdict.passed, _report(run, verdict))
-            self._publish(self._judged(run, verdict).flat())
+            self._store.grading_results.record(run_id, verdict.passed, _report(run, verdict))
+            self._publish(self._judged(run, verdict).to_wire())
         except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
             _log.warning("run %s was not graded: %s", run_id, error)
             if isinstance(error, PinelError) and error.code == "judge_lost":
-                words = describe(error.code, {}, self._language())
-                self._publish(Judged(run_id, False, f"{words.message} {words.remedy}").flat())
+                text = describe(error.code, {}, self._language())
+                self._publish(Judged(run_id, False, f"{text.message} {text.remedy}").to_wire())
 
     def verdict_on(self, run: RunRow) -> "Verdict":
         """What the judge says of a run now, by its record. Raises PinelError, StoreError."""
         from pinel_desktop.judge.messages import Verdict  # noqa: PLC0415 - heavy
 
         if run.link == SIMULATOR:
-            verdict = self._verdict(self._question(run))
+            verdict = self._verdict(self._judge_request(run))
             return replace(verdict, passed=run.state == "finished" and verdict.passed)
         if run.state != "finished":
             return Verdict(None, None, [], not_judged=run.state)
-        question = self._question(run)
-        if question.seen is None:
+        question = self._judge_request(run)
+        if question.observed is None:
             return Verdict(None, None, [], not_judged="record")
         return self._verdict(question)
 
     def _judged(self, run: RunRow, verdict: "Verdict") -> Judged:
-        from pinel_desktop.activities import not_judged_words  # noqa: PLC0415 - heavy
+        from pinel_desktop.activities import not_judged_text  # noqa: PLC0415 - heavy
 
         why = verdict.not_judged
         return Judged(
@@ -123,10 +123,10 @@ class Grader:
             verdict.block,
             verdict.tried,
             by_robot=run.link != SIMULATOR and verdict.passed is not None,
-            not_judged=not_judged_words(why, self._language()) if why else None,
+            not_judged=not_judged_text(why, self._language()) if why else None,
         )
 
-    def _verdict(self, question: "Question") -> "Verdict":
+    def _verdict(self, question: "JudgeRequest") -> "Verdict":
         """Asks a judge that dies or hangs once more: perhaps the PC was out of memory for a moment."""
         try:
             return self.judge.judge(question)
@@ -135,27 +135,27 @@ class Grader:
                 raise
             return self.judge.judge(question)
 
-    def _question(self, run: RunRow) -> "Question":
-        from pinel_desktop.judge.messages import Question  # noqa: PLC0415 - heavy
+    def _judge_request(self, run: RunRow) -> "JudgeRequest":
+        from pinel_desktop.judge.messages import JudgeRequest  # noqa: PLC0415 - heavy
 
-        begun = self._begun.get(run.id) or begun_run(self._store, run)
-        return Question(
-            activity=begun.activity,
-            document=begun.document,
+        start_info = self._start_info.get(run.id) or start_info_of(self._store, run)
+        return JudgeRequest(
+            activity=start_info.activity,
+            document=start_info.document,
             world=run.world,
-            seen=self._seen(run),
+            observed=self._observed_run(run),
             language=self._language(),
         )
 
-    def _seen(self, run: RunRow) -> "SeenRun | None":
+    def _observed_run(self, run: RunRow) -> "ObservedRun | None":
         """The run that the group saw, where its record is whole."""
         from pinel_desktop.activities.evidence import COLUMNS  # noqa: PLC0415 - heavy
-        from pinel_desktop.judge.messages import SeenRun  # noqa: PLC0415 - heavy
+        from pinel_desktop.judge.messages import ObservedRun  # noqa: PLC0415 - heavy
 
         telemetry = self._store.runs.telemetry(run.id)
         if run.state == "stopped" or len(telemetry.rows) == 0:
             return None
-        return SeenRun(
+        return ObservedRun(
             world=run.world_document,
             parameters=run.parameters,
             columns={name: telemetry.column(name) for name in COLUMNS},
@@ -163,23 +163,25 @@ class Grader:
         )
 
 
-def begun_run(
+def start_info_of(
     store: Store,
     run: RunRow,
     activity: "Activity | None" = None,
     document: Mapping[str, Any] | None = None,
-) -> "BegunRun":
+) -> "RunStartInfo":
     """What the judge needs of a run with an activity; activity and document are read where they are not given.
 
     Raises:
         PinelError: as `known_activity`.
     """
-    from pinel_desktop.judge.messages import BegunRun  # noqa: PLC0415 - heavy
+    from pinel_desktop.judge.messages import RunStartInfo  # noqa: PLC0415 - heavy
 
     activity = activity or known_activity(store, run.activity or "")
     if document is None and run.version_id:
         document = store.versions.get(run.version_id).document
-    return BegunRun(activity.model_dump_json(), document or {}, run.world_document, run.parameters)
+    return RunStartInfo(
+        activity.model_dump_json(), document or {}, run.world_document, run.parameters
+    )
 
 
 def _report(run: RunRow, verdict: "Verdict") -> dict[str, Any]:

@@ -14,15 +14,15 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.app_events import CheckLine, ChecksStand
+from pinel_desktop.events.app_events import CheckProgress, CheckStatusChanged
 
 if TYPE_CHECKING:
     from pinel_desktop.judge.client import JudgeClient
-    from pinel_desktop.judge.messages import BegunRun
+    from pinel_desktop.judge.messages import RunStartInfo
 
 _EVERY_S = 0.5
 _PAUSES = 9  # a pause is that many times as long as judging took
-_LONGEST_PAUSE_S = 10.0
+_MAX_PAUSE_S = 10.0
 
 _log = logging.getLogger(__name__)
 
@@ -45,13 +45,13 @@ class LiveChecks:
         self._judge = judge
         self._publish, self._language = publish, language
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="live-checks")
-        self._run: _Followed | None = None
+        self._run: _EventBuffer | None = None
 
-    def expect(self, run_id: str, begun: "BegunRun") -> None:
+    def expect(self, run_id: str, start_info: "RunStartInfo") -> None:
         """Follows that run as soon as its first event comes."""
         if self._run is not None:
             self._run.stop.set()
-        self._run = _Followed(run_id, begun)
+        self._run = _EventBuffer(run_id, start_info)
 
     def observe(self, event: Mapping[str, Any]) -> None:
         """Takes an event of the engine, from one thread."""
@@ -62,7 +62,7 @@ class LiveChecks:
             run.is_followed = True
             with contextlib.suppress(RuntimeError):  # the app is closing
                 self._worker.submit(self._follow, run)
-        run.take(event)
+        run.add(event)
 
     def close(self) -> None:
         """Follows no run any longer."""
@@ -70,40 +70,40 @@ class LiveChecks:
             self._run.stop.set()
         self._worker.shutdown(wait=False, cancel_futures=True)
 
-    def _follow(self, run: "_Followed") -> None:
+    def _follow(self, run: "_EventBuffer") -> None:
         try:
-            self._tell(run)
+            self._publish_changes(run)
         except PinelError as error:  # a lost judge
             _log.warning("the checks of run %s are not followed: %s", run.id, error)
         finally:
             run.forget()
 
-    def _tell(self, run: "_Followed") -> None:
+    def _publish_changes(self, run: "_EventBuffer") -> None:
         """Asks the judge again and again until the run is over; tells each change."""
-        from pinel_desktop.judge.messages import Told  # noqa: PLC0415 - heavy
+        from pinel_desktop.judge.messages import RunUpdate  # noqa: PLC0415 - heavy
 
-        first: BegunRun | None = run.begun
-        told: list[CheckLine] | None = None
+        first: RunStartInfo | None = run.begun
+        published: list[CheckProgress] | None = None
         while True:
-            is_over, events = run.is_over, run.taken()
-            began = time.perf_counter()
-            checks = self._judge().follow(Told(run.id, first, events, self._language()))
+            is_over, events = run.is_over, run.drain()
+            started_s = time.perf_counter()
+            checks = self._judge().evaluate_live(RunUpdate(run.id, first, events, self._language()))
             if checks is None:
                 return
-            if checks != told:
-                self._publish(ChecksStand(run.id, checks).flat())
-            first, told = None, checks
-            pause_s = pause_after_s(time.perf_counter() - began)
+            if checks != published:
+                self._publish(CheckStatusChanged(run.id, checks).to_wire())
+            first, published = None, checks
+            pause_s = pause_after_s(time.perf_counter() - started_s)
             if is_over or (run.stop.wait(pause_s) and not run.is_over):
                 return
 
 
 def pause_after_s(judging_s: float) -> float:
     """How long the judge is left alone after an answer that took so long."""
-    return min(max(_EVERY_S, _PAUSES * judging_s), _LONGEST_PAUSE_S)
+    return min(max(_EVERY_S, _PAUSES * judging_s), _MAX_PAUSE_S)
 
 
-class _Followed:
+class _EventBuffer:
     """A run, and what it has told since it was last asked.
 
     Attributes:
@@ -113,15 +113,15 @@ class _Followed:
         is_over: whether it has told its last event.
     """
 
-    def __init__(self, run_id: str, begun: "BegunRun") -> None:
-        self.id, self.begun = run_id, begun
+    def __init__(self, run_id: str, start_info: "RunStartInfo") -> None:
+        self.id, self.begun = run_id, start_info
         self.is_followed = False
         self.stop = threading.Event()
         self.is_over = False
         self._lock = threading.Lock()
         self._events: list[Mapping[str, Any]] | None = []
 
-    def take(self, event: Mapping[str, Any]) -> None:
+    def add(self, event: Mapping[str, Any]) -> None:
         with self._lock:
             if self._events is not None:
                 self._events.append(event)
@@ -129,7 +129,7 @@ class _Followed:
             self.is_over = True
             self.stop.set()
 
-    def taken(self) -> list[Mapping[str, Any]]:
+    def drain(self) -> list[Mapping[str, Any]]:
         """What has come since the last call."""
         with self._lock:
             events, self._events = self._events or [], []

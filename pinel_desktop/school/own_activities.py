@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pinel_desktop.activities import Activity, Goal
     from pinel_desktop.program.faults import Fault
 
-_KEPT = 64
+_CACHE_SIZE = 64
 
 
 def known_activity(store: Store, name: str) -> "Activity":
@@ -49,7 +49,7 @@ def own_activity(row: OwnActivityRow) -> "Activity":
     raise PinelError("own_activity_unreadable", title=row.title, count=len(faults))
 
 
-@lru_cache(maxsize=_KEPT)
+@lru_cache(maxsize=_CACHE_SIZE)
 def _read(text: str) -> "tuple[Activity | None, tuple[Fault, ...]]":
     from pinel_desktop.activities import read_activity  # noqa: PLC0415 - heavy
 
@@ -89,7 +89,7 @@ def in_all_languages(text: str) -> dict[str, str]:
     return dict.fromkeys(LANGUAGES, text)
 
 
-def keep_activity(
+def save_activity(
     store: Store, activity: "Activity", document: Mapping[str, Any]
 ) -> OwnActivityRow:
     """Keeps an activity with the picture of its goal.

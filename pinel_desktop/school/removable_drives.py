@@ -15,7 +15,7 @@ _SUBFOLDER = "PINEL"
 
 
 @dataclass(frozen=True, slots=True)
-class FileFound:
+class ExchangeFile:
     """An exported file in a folder."""
 
     path: Path
@@ -39,7 +39,7 @@ class Folder:
     is_reachable: bool
     is_writable: bool
     free_bytes: int | None
-    files: tuple[FileFound, ...]
+    files: tuple[ExchangeFile, ...]
 
 
 def folders(
@@ -94,14 +94,14 @@ def _unreachable(path: Path) -> Folder:
     return Folder(path, path.name or str(path), False, False, False, None, ())
 
 
-def _files(place: Path, suffix: str) -> list[FileFound]:
+def _files(place: Path, suffix: str) -> list[ExchangeFile]:
     found = []
     try:
         with os.scandir(place) as entries:
             for entry in entries:
                 if entry.name.endswith(suffix) and entry.is_file():
                     about = entry.stat()
-                    found.append(FileFound(Path(entry.path), about.st_size, about.st_mtime))
+                    found.append(ExchangeFile(Path(entry.path), about.st_size, about.st_mtime))
     except OSError:
         return found
     return found

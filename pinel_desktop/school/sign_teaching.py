@@ -6,11 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from pinel_desktop.camera.client import Camera
+from pinel_desktop.camera.client import CameraClient
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import SignRecording, SignsChanged
 from pinel_desktop.gestures.letters import LETTERS
-from pinel_desktop.gestures.typical_hand import Landmarks, landmarks_of_movement, typical_landmarks
+from pinel_desktop.gestures.typical_hand import Landmarks, landmarks_of_movement, medoid_landmarks
 from pinel_desktop.messages import explain
 from storage import SignSamples, Store, StoreError
 
@@ -43,7 +43,7 @@ class _Recording:
     is_moving: bool
 
     @property
-    def n_wanted(self) -> int:
+    def n_required(self) -> int:
         return N_MOVEMENTS if self.is_moving else N_SAMPLES
 
     @property
@@ -62,7 +62,7 @@ class SignTeaching:
     def __init__(
         self,
         store: Store,
-        camera: Camera,
+        camera: CameraClient,
         publish: Callable[[dict[str, Any]], None],
         language: Callable[[], str],
     ) -> None:
@@ -89,7 +89,9 @@ class SignTeaching:
             StoreError: `classroom_not_found`; the camera then knows what it knew.
         """
         taught = self._store.taught_signs.of_classroom(classroom_id) if classroom_id else []
-        self._camera.know(tuple((one.sign, one.samples, one.movements) for one in taught))
+        self._camera.set_taught_signs(
+            tuple((one.sign, one.samples, one.movements) for one in taught)
+        )
         self._classroom_id = classroom_id
 
     def refresh(self) -> None:
@@ -99,7 +101,7 @@ class SignTeaching:
         except StoreError as error:
             if error.code == "classroom_not_found":
                 self.use(None)
-        self._publish(SignsChanged(classroom=None).flat())
+        self._publish(SignsChanged(classroom=None).to_wire())
 
     def record(self, classroom_id: str, name: str, *, is_moving: bool = False) -> str:
         """Begins to record a sign; events tell how it goes on. Returns the name as the class spells it.
@@ -114,15 +116,17 @@ class SignTeaching:
         recording = _Recording(classroom_id, sign, is_moving)
 
         def on_samples(samples: Samples) -> None:
-            self._tell(recording, len(samples))
-            if len(samples) == recording.n_wanted:
-                self._keep(recording, samples)
+            self._publish_progress(recording, len(samples))
+            if len(samples) == recording.n_required:
+                self._save(recording, samples)
 
-        self._tell(recording, 0)  # a hand may take seconds to come
+        self._publish_progress(recording, 0)  # a hand may take seconds to come
         self._camera.record(
-            recording.n_wanted,
+            recording.n_required,
             on_samples,
-            lambda: self._tell(recording, 0, problem=PinelError(recording.code_of_stop)),
+            lambda: self._publish_progress(
+                recording, 0, problem=PinelError(recording.code_of_stop)
+            ),
             is_moving=is_moving,
         )
         return sign
@@ -139,49 +143,49 @@ class SignTeaching:
         """
         self._camera.stop_recording()
         keys = self._store.taught_signs.keys(classroom_id, name)
-        self._store.exchange.remove("taught_sign", *keys)
+        self._store.exchange.purge("taught_sign", *keys)
         self._use_again(classroom_id)
 
-    def _keep(self, recording: _Recording, samples: Samples) -> None:
+    def _save(self, recording: _Recording, samples: Samples) -> None:
         classroom_id, sign = recording.classroom_id, recording.sign
         try:
             self._store.taught_signs.add(
                 classroom_id, sign, b"".join(samples), is_moving=recording.is_moving
             )
         except StoreError as error:  # the disk is full, or the class was deleted meanwhile
-            self._tell(recording, 0, problem=error)
+            self._publish_progress(recording, 0, problem=error)
             return
         self._use_again(classroom_id)
-        self._tell(recording, len(samples), is_kept=True)
+        self._publish_progress(recording, len(samples), is_stored=True)
 
     def _use_again(self, classroom_id: str) -> None:
         if classroom_id == self._classroom_id:
             with contextlib.suppress(StoreError):
                 self.use(classroom_id)
-        self._publish(SignsChanged(classroom=classroom_id).flat())
+        self._publish(SignsChanged(classroom=classroom_id).to_wire())
 
-    def _tell(
+    def _publish_progress(
         self,
         recording: _Recording,
         n_samples: int,
         *,
-        is_kept: bool = False,
+        is_stored: bool = False,
         problem: PinelError | StoreError | None = None,
     ) -> None:
-        words = explain(problem, self._language()) if problem else None
+        text = explain(problem, self._language()) if problem else None
         event = SignRecording(
             classroom=recording.classroom_id,
             sign=recording.sign,
             is_moving=recording.is_moving,
             n_samples=n_samples,
-            n_wanted=recording.n_wanted,
-            is_kept=is_kept,
+            n_wanted=recording.n_required,
+            is_kept=is_stored,
             code=problem.code if problem else None,
             params=dict(problem.params) if problem else {},
-            message=words.message if words else "",
-            remedy=words.remedy if words else "",
+            message=text.message if text else "",
+            remedy=text.remedy if text else "",
         )
-        self._publish(event.flat())
+        self._publish(event.to_wire())
 
 
 def _known(taught: SignSamples, letter: str | None = None) -> KnownSign:
@@ -189,5 +193,5 @@ def _known(taught: SignSamples, letter: str | None = None) -> KnownSign:
     if letter:
         return KnownSign(letter, True, *counts)
     if taught.hands:
-        return KnownSign(taught.sign, False, *counts, typical_landmarks(taught.hands))
+        return KnownSign(taught.sign, False, *counts, medoid_landmarks(taught.hands))
     return KnownSign(taught.sign, False, *counts, landmarks_of_movement(taught.movements))

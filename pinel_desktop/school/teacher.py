@@ -14,7 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.school.pin_tries import PinTries, Settings
+from pinel_desktop.school.pin_rate_limiter import PinRateLimiter, Settings
 
 MIN_DIGITS, MAX_DIGITS = 4, 12
 IDLE_S = 30 * 60.0  # an unused session ends after this time
@@ -37,14 +37,14 @@ class TeacherSessions:
         steady: Callable[[], float] = time.monotonic,
     ) -> None:
         self._settings, self._steady = settings, steady
-        self._tries = PinTries(settings, clock, steady)
+        self._tries = PinRateLimiter(settings, clock, steady)
         self._sessions: dict[str, tuple[float, str]] = {}  # token -> (last use, salt of the PIN)
         self._lock = threading.Lock()
 
     @property
     def has_pin(self) -> bool:
         """False until a PIN is set."""
-        return self._kept() is not None
+        return self._stored_pin() is not None
 
     def set_pin(self, pin: str) -> None:
         """Sets the PIN and ends all sessions. Raises PinelError `pin_format`."""
@@ -99,23 +99,23 @@ class TeacherSessions:
             self._sessions.pop(token or "", None)
 
     def _check(self, pin: str, browser: str) -> None:
-        kept = self._kept()
-        if kept is None:
+        stored = self._stored_pin()
+        if stored is None:
             raise PinelError("pin_missing")
         self._tries.count(browser)
-        given = _hash(pin, bytes.fromhex(kept["salt"]), kept)
-        if not hmac.compare_digest(given, bytes.fromhex(kept["hash"])):
+        given = _hash(pin, bytes.fromhex(stored["salt"]), stored)
+        if not hmac.compare_digest(given, bytes.fromhex(stored["hash"])):
             raise PinelError("pin_wrong")
         self._tries.forget()
 
     def _salt(self) -> str:
         """Identifies the current PIN; differs even if the same digits are set again."""
-        return str((self._kept() or {}).get("salt", ""))
+        return str((self._stored_pin() or {}).get("salt", ""))
 
-    def _kept(self) -> dict[str, Any] | None:
+    def _stored_pin(self) -> dict[str, Any] | None:
         """What is kept of the PIN; None where there is none, or the disk has damaged it."""
-        kept = self._settings.get(_PIN)
-        return kept if _is_whole(kept) else None
+        stored = self._settings.get(_PIN)
+        return stored if _is_whole(stored) else None
 
 
 def check_format(pin: str) -> None:
@@ -124,10 +124,10 @@ def check_format(pin: str) -> None:
         raise PinelError("pin_format", min=MIN_DIGITS, max=MAX_DIGITS)
 
 
-def _is_whole(kept: Any) -> bool:
+def _is_whole(stored: Any) -> bool:
     try:
-        return all(bytes.fromhex(kept[part]) for part in ("salt", "hash")) and all(
-            isinstance(kept[part], int) for part in _COST
+        return all(bytes.fromhex(stored[part]) for part in ("salt", "hash")) and all(
+            isinstance(stored[part], int) for part in _COST
         )
     except (TypeError, KeyError, ValueError):
         return False

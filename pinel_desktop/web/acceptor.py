@@ -83,9 +83,9 @@ class Acceptor:
         max_answered: int,
         head_s: float = HEAD_S,
     ) -> None:
-        self._listener, self._is_known, self._answer = listener, is_known, answer
+        self._listener, self._is_known, self._respond = listener, is_known, answer
         self._max_waiting, self._head_s = max_waiting, head_s
-        self._answered = threading.BoundedSemaphore(max_answered)
+        self._stranger_slots = threading.BoundedSemaphore(max_answered)
         self._waiting: dict[Connection, None] = {}  # the oldest first
         self._closing = threading.Event()
 
@@ -108,7 +108,7 @@ class Acceptor:
     def forget(self, connection: Connection) -> None:
         """Called on any thread when a connection has been answered."""
         if not connection.is_known:
-            self._answered.release()
+            self._stranger_slots.release()
 
     def _serve(self, ready: object) -> None:
         if ready is self._listener:
@@ -147,14 +147,14 @@ class Acceptor:
     def _hand_over(self, connection: Connection) -> None:
         self._release(connection)
         is_known = self._is_known(bytes(connection.head))
-        if not is_known and not self._answered.acquire(blocking=False):
+        if not is_known and not self._stranger_slots.acquire(blocking=False):
             with suppress(OSError):
                 connection.send(_BUSY)
             connection.close()
             return
         connection.begin_body(is_known=is_known)
         try:
-            self._answer(connection)
+            self._respond(connection)
         except (RuntimeError, OSError):  # no more threads can be started
             connection.close()
             self.forget(connection)

@@ -15,7 +15,7 @@ from pinel_desktop.web.services import Services
 
 MAX_BODY = 4 * 2**20  # a document of 1 MiB and its workspace
 MAX_FILE = 64 * 2**20
-_TAKE_FILES = ("/api/programs/file", "/api/lessons/file")
+_UPLOAD_PATHS = ("/api/programs/file", "/api/lessons/file")
 
 
 def create_app(parts: Services) -> Flask:
@@ -62,7 +62,7 @@ def _check_body() -> None:
 
     Requests that take a file are exempt and get a larger limit.
     """
-    if request.path in _TAKE_FILES and request.mimetype == "application/octet-stream":
+    if request.path in _UPLOAD_PATHS and request.mimetype == "application/octet-stream":
         request.max_content_length = MAX_FILE
         return
     if not request.get_data(cache=True):

@@ -71,7 +71,7 @@ def _describe(api: OpenAPI, resource: Resource) -> None:
 def _camel_case(**operation: Any) -> str:
     """Operation id of a handler: `create_group` -> `createGroup`."""
     first, *others = str(operation["name"]).split("_")
-    return first + "".join(word.capitalize() for word in others)
+    return first + "".join(part.capitalize() for part in others)
 
 
 def _schemas(models: tuple[type[BaseModel], ...]) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from pinel_desktop.web.page import PagePath, message_page, page
 from pinel_desktop.web.protection import add_headers, check_guard
 from pinel_desktop.web.server import Server, Wsgi
 
-_PATIENCE_S = 60.0
+_START_TIMEOUT_S = 60.0
 
 
 class EarlyServer:
@@ -60,7 +60,7 @@ class EarlyServer:
         if self._app is None and self._is_for_page(Request(environ)):
             return self._page(environ, start_response)
         if self._app is None:
-            self._decided.wait(_PATIENCE_S)
+            self._decided.wait(_START_TIMEOUT_S)
         answer = self._app or Response(status=503)
         return answer(environ, start_response)
 

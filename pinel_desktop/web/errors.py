@@ -11,7 +11,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.web.invalid import first_problem
 from pinel_desktop.web.models.errors import Fault
 from pinel_desktop.web.page import message_page
-from pinel_desktop.web.responses import error_answer, json_safe
+from pinel_desktop.web.responses import error_response, json_safe
 from pinel_desktop.web.services import services
 from storage import StoreError
 
@@ -52,45 +52,47 @@ def install(app: Flask) -> None:
 
 def invalid_request(error: ValidationError) -> Response:
     """The answer to an invalid body or query, with a message about its first error."""
-    words, params = first_problem(error)
-    return _answer("invalid_request", params, words=words)
+    message_code, params = first_problem(error)
+    return _response("invalid_request", params, message_code=message_code)
 
 
 def _known(error: Any) -> Response:
-    return _answer(error.code, error.params, faults=getattr(error, "faults", []))
+    return _response(error.code, error.params, faults=getattr(error, "faults", []))
 
 
 def _of_http(error: HTTPException) -> Response:
     match error:
         case RequestEntityTooLarge():
-            return _answer(
+            return _response(
                 "body_too_large", {"max_mib": (request.max_content_length or 0) // 2**20}
             )
         case MethodNotAllowed():
             allowed = sorted(error.valid_methods or [])
-            answer = _answer("method_not_allowed", {"method": request.method, "allowed": allowed})
+            answer = _response("method_not_allowed", {"method": request.method, "allowed": allowed})
             answer.headers["Allow"] = ", ".join(allowed)
             return answer
     if error.code == 404:
-        return _answer("not_found", {"path": request.path})
-    return _answer("bad_request", {"status": error.code or 400}, status=error.code or 400)
+        return _response("not_found", {"path": request.path})
+    return _response("bad_request", {"status": error.code or 400}, status=error.code or 400)
 
 
 def _unforeseen(error: Exception) -> Response:
     _log.error("%s %s failed", request.method, request.path, exc_info=error)
-    return _answer("internal_error", {"detail": type(error).__name__})
+    return _response("internal_error", {"detail": type(error).__name__})
 
 
-def _answer(
+def _response(
     code: str,
     params: dict[str, object],
     *,
     faults: list[Fault] | None = None,
     status: int | None = None,
-    words: str | None = None,
+    message_code: str | None = None,
 ) -> Response:
     language = services().settings.language
-    answer = error_answer(code, params, language, faults=faults or (), status=status, words=words)
+    answer = error_response(
+        code, params, language, faults=faults or (), status=status, message_code=message_code
+    )
     if request.path.startswith("/api"):
         return answer
-    return message_page(words or code, json_safe(params), language, answer.status_code)
+    return message_page(message_code or code, json_safe(params), language, answer.status_code)

@@ -70,9 +70,9 @@ class Guard:
         """Consumes a one-time key; True if it was valid and not too old."""
         with self._lock:
             found = [
-                (kept, made)
-                for kept, made in self._keys
-                if hmac.compare_digest(kept.encode(), key.encode())
+                (stored, made)
+                for stored, made in self._keys
+                if hmac.compare_digest(stored.encode(), key.encode())
             ]
             self._keys = [one for one in self._keys if one not in found]
         return any(self._clock() - made <= KEY_S for _, made in found)
@@ -81,7 +81,7 @@ class Guard:
         """True if the head of a request contains the cookie, the secret or a key; uses up none, and permits nothing."""
         with self._lock:
             keys = [key for key, _ in self._keys]
-        known = {word.encode() for word in (self.cookie_value, self.secret, *keys)}
+        known = {credential.encode() for credential in (self.cookie_value, self.secret, *keys)}
         return not known.isdisjoint(_SECRETS.findall(head))
 
     def check_origin(self, headers: Headers) -> None:

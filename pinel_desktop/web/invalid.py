@@ -7,7 +7,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
 from pinel_desktop.engine.commands import COMMANDS, LiveCommand
-from pinel_desktop.web.models import Body
+from pinel_desktop.web.models import RequestModel
 
 _KINDS = {
     "missing": "missing",
@@ -50,7 +50,7 @@ def first_problem(error: ValidationError) -> tuple[str, dict[str, object]]:
 
 
 def _models() -> dict[str, type[BaseModel]]:
-    return {model.__name__: model for model in Body.__subclasses__()}
+    return {model.__name__: model for model in RequestModel.__subclasses__()}
 
 
 def _limits(field: FieldInfo) -> dict[str, object]:

@@ -14,25 +14,25 @@ from pinel_desktop.school.review import (
     GroupReview,
     GroupWork,
     LessonReview,
-    Mark,
     Run,
     Summary,
-    kept_advice,
+    TimelineEntry,
+    advice_of_cases,
     review_group,
     review_lesson,
     summary,
     versions_needed,
 )
-from pinel_desktop.web.mark_table import mark_table
 from pinel_desktop.web.models import review as shapes
 from pinel_desktop.web.models.classes import Lesson
 from pinel_desktop.web.services import Services
-from storage import GroupLine, GroupLines, LessonLines, LessonRow, LessonRun, Store
+from pinel_desktop.web.timeline_table import timeline_csv
+from storage import GroupHistory, GroupSummary, LessonHistory, LessonRow, LessonRun, Store
 from storage.text import natural_key
 
 
 @dataclass(frozen=True, slots=True)
-class ReadLesson:
+class LessonReport:
     """A lesson with its review.
 
     Attributes:
@@ -40,21 +40,21 @@ class ReadLesson:
         differing: titles of the activities of its parts, if these have several.
         parts: titles of the lesson and of those joined to it, by their key.
         reasons: messages why runs ended, by run id.
-        told: what activities said about runs that did not pass, by run id.
-        not_begun: names of the groups of the class without work in the lesson; empty where it is over.
+        mistake_key: what activities said about runs that did not pass, by run id.
+        not_started: names of the groups of the class without work in the lesson; empty where it is over.
         titles: of activities, by name.
         hints: of activities of which some were opened, by name.
     """
 
     lesson: LessonRow
-    lines: LessonLines
+    history: LessonHistory
     review: LessonReview
     activity: str | None
     differing: list[str]
     parts: dict[str, str]
     reasons: dict[str, str]
-    told: dict[str, str]
-    not_begun: list[str]
+    advice_texts: dict[str, str]
+    not_started: list[str]
     titles: dict[str, str]
     hints: dict[str, list[str]]
     language: str
@@ -62,14 +62,14 @@ class ReadLesson:
     def model(self) -> shapes.LessonReview:
         """The answer for the page."""
         found = summary(self.review, self.activity)
-        words = self.reasons | self.told
-        heads = {group.id: shapes.GroupHead.of(group) for group in self.lines.groups}
+        texts = self.reasons | self.advice_texts
+        heads = {group.id: shapes.GroupHead.of(group) for group in self.history.groups}
         groups = [
             shapes.GroupReview(
                 group=heads[group.id],
                 need=found.needs[group.id],
-                marks=[_mark(mark, self.lines, words) for mark in group.marks],
-                figures=shapes.Figures.of(group.figures),
+                marks=[_timeline_entry(mark, self.history, texts) for mark in group.timeline],
+                figures=shapes.Figures.of(group.metrics),
                 blocks=_blocks(group.blocks),
                 hints=[self._hints(name, n) for name, n in group.hints.items()],
             )
@@ -83,26 +83,26 @@ class ReadLesson:
         return shapes.OpenedHints(title=self.titles.get(activity, activity), n=n, texts=texts)
 
     def _summary(self, found: Summary) -> shapes.LessonSummary:
-        fault = found.fault
-        words = self.told if fault and fault.is_told else self.reasons
+        fault = found.mistake
+        texts = self.advice_texts if fault and fault.is_advice else self.reasons
         return shapes.LessonSummary(
             n_groups=found.n_groups,
             n_passed=found.n_passed,
             stuck=list(found.stuck),
-            fault=words.get(fault.run) if fault else None,
+            fault=texts.get(fault.run) if fault else None,
             fault_run=fault.run if fault else None,
             n_with_fault=fault.n_groups if fault else 0,
-            not_begun=self.not_begun,
+            not_begun=self.not_started,
             differing=self.differing,
         )
 
     def table(self) -> str:
         """The marks as CSV text."""
-        computers, titles = self.lines.computers, self.titles
-        return mark_table(self.review, computers, self.parts, self.reasons, titles, self.language)
+        computers, titles = self.history.computers, self.titles
+        return timeline_csv(self.review, computers, self.parts, self.reasons, titles, self.language)
 
 
-def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
+def read_lesson(lesson_id: str, parts: Services) -> LessonReport:
     """Reads a lesson with all lessons joined to it; the workspaces of one group at a time, to save memory.
 
     Raises:
@@ -111,25 +111,25 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
     store, language = parts.store, parts.settings.language
     lesson = store.lessons.get(lesson_id)
     parts_of_it = [store.lessons.get(one) for one in store.lessons.parts(lesson_id)]
-    lines = store.lesson_records.of([one.id for one in parts_of_it])
+    lines = store.lesson_histories.of([one.id for one in parts_of_it])
     titles = all_titles(store, language)
     named = _activities(parts_of_it)
     activity = named[0] if len(named) == 1 else None
     groups: list[GroupReview] = []
     for group in lines.groups:
         work = _work(group, lines.work[group.id])
-        workspaces = store.lesson_records.workspaces(versions_needed(work))
+        workspaces = store.lesson_histories.workspaces(versions_needed(work))
         groups.append(review_group(work, workspaces, activity))
-    return ReadLesson(
+    return LessonReport(
         lesson=lesson,
-        lines=lines,
+        history=lines,
         review=review_lesson(groups),
         activity=activity,
         differing=[titles.get(name, name) for name in named] if len(named) > 1 else [],
         parts={one.id: one.title for one in parts_of_it},
         reasons=_reasons(lines, language),
-        told=_told(lines, language),
-        not_begun=_not_begun(store, lesson, lines),
+        advice_texts=_advice_texts(lines, language),
+        not_started=_not_started(store, lesson, lines),
         titles=titles,
         hints=_hints({name for one in groups for name in one.hints}, parts),
         language=language,
@@ -141,7 +141,7 @@ def _activities(lessons: list[LessonRow]) -> list[str]:
     return list(dict.fromkeys(one.activity for one in lessons if one.activity))
 
 
-def _work(group: GroupLine, lines: GroupLines) -> GroupWork:
+def _work(group: GroupSummary, lines: GroupHistory) -> GroupWork:
     edits = tuple(
         Edit(**edit._asdict() | {"setup_only": bool(edit.setup_only)}) for edit in lines.edits
     )
@@ -149,19 +149,19 @@ def _work(group: GroupLine, lines: GroupLines) -> GroupWork:
 
 
 def _run(run: LessonRun) -> Run:
-    advice = kept_advice(run.advice_json)
-    told = advice.mistake(run.activity or "") if advice else None
-    names = Run.__dataclass_fields__.keys() - {"told"}
-    return Run(**{name: getattr(run, name) for name in names}, told=told)
+    advice = advice_of_cases(run.advice_json)
+    mistake_key = advice.mistake(run.activity or "") if advice else None
+    names = Run.__dataclass_fields__.keys() - {"mistake_key"}
+    return Run(**{name: getattr(run, name) for name in names}, mistake_key=mistake_key)
 
 
-def _told(lines: LessonLines, language: str) -> dict[str, str]:
+def _advice_texts(lines: LessonHistory, language: str) -> dict[str, str]:
     runs = (run for work in lines.work.values() for run in work.runs)
-    said = ((run.id, kept_advice(run.advice_json)) for run in runs)
-    return {run_id: advice.of(language) for run_id, advice in said if advice}
+    advices = ((run.id, advice_of_cases(run.advice_json)) for run in runs)
+    return {run_id: advice.of(language) for run_id, advice in advices if advice}
 
 
-def _not_begun(store: Store, lesson: LessonRow, lines: LessonLines) -> list[str]:
+def _not_started(store: Store, lesson: LessonRow, lines: LessonHistory) -> list[str]:
     """Later than the lesson, groups may be new or may have left the class."""
     now = store.lessons.current(lesson.classroom_id)
     if lesson.classroom_id is None or now is None or now.id != lesson.id:
@@ -181,14 +181,16 @@ def _hints(names: Iterable[str], parts: Services) -> dict[str, list[str]]:
     return found
 
 
-def _reasons(lines: LessonLines, language: str) -> dict[str, str]:
+def _reasons(lines: LessonHistory, language: str) -> dict[str, str]:
     runs = (run for work in lines.work.values() for run in work.runs)
     return {
         run.id: describe(run.reason, run.params, language).message for run in runs if run.reason
     }
 
 
-def _mark(mark: Mark, lines: LessonLines, words: dict[str, str]) -> shapes.ReviewMark:
+def _timeline_entry(
+    mark: TimelineEntry, lines: LessonHistory, texts: dict[str, str]
+) -> shapes.ReviewMark:
     run, changes = mark.run, mark.changes
     return shapes.ReviewMark(
         kind="run" if run else "edit",
@@ -202,17 +204,17 @@ def _mark(mark: Mark, lines: LessonLines, words: dict[str, str]) -> shapes.Revie
         n_edits=None if run else mark.n_edits,
         since=mark.since,
         changes=None if changes is None else shapes.ChangeCounts.of(changes),
-        **_of_run(run, words),
+        **_of_run(run, texts),
         repairs=mark.repairs,
     )
 
 
-def _of_run(run: Run | None, words: dict[str, str]) -> dict[str, Any]:
+def _of_run(run: Run | None, texts: dict[str, str]) -> dict[str, Any]:
     names = ("state", "reason", "activity", "passed", "unconfirmed", "duration_s", "link")
     if run is None:
         return dict.fromkeys(("run_id", "message", *names))
     values = {name: getattr(run, name) for name in names}
-    return {"run_id": run.id, "message": words.get(run.id), **values}
+    return {"run_id": run.id, "message": texts.get(run.id), **values}
 
 
 def _blocks(use: BlocksInUse) -> list[shapes.BlockCount]:

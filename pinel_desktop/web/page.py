@@ -34,9 +34,9 @@ h1 {{ font-size: 1.75rem; line-height: 1.25 }}
 
 def message_page(code: str, params: dict[str, object], language: str, status: int) -> Response:
     """An HTML page with a message and its remedy."""
-    words = describe(code, params, language)
+    text = describe(code, params, language)
     html = _MESSAGE.format(
-        language=escape(language), message=escape(words.message), remedy=escape(words.remedy)
+        language=escape(language), message=escape(text.message), remedy=escape(text.remedy)
     )
     return Response(html, status=status, mimetype="text/html")
 

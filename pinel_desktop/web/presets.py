@@ -16,9 +16,9 @@ _OWN = "own"
 
 def preset_of(classroom_id: str, store: Store) -> ClassPreset:
     """What is set for a class; nothing where this release cannot read it. Raises StoreError `classroom_not_found`."""
-    kept = store.class_presets.get(classroom_id)
+    stored = store.class_presets.get(classroom_id)
     try:
-        return ClassPreset.model_validate(kept)
+        return ClassPreset.model_validate(stored)
     except ValidationError:
         return ClassPreset()
 

@@ -90,7 +90,7 @@ def plain(value: object) -> object:
     return value
 
 
-def answer(model: BaseModel, status: int = 200) -> Response:
+def json_response(model: BaseModel, status: int = 200) -> Response:
     """A JSON answer with the model."""
     text = json.dumps(plain(model), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     return Response(encodable(text), status=status, mimetype="application/json")
@@ -119,8 +119,8 @@ def json_safe(value: object) -> Any:
 
 def notice(code: str, params: Mapping[str, object], language: str) -> Notice:
     """A message for a person, in the given language."""
-    words = describe(code, json_safe(params), language)
-    return Notice(code=code, message=words.message, remedy=words.remedy)
+    text = describe(code, json_safe(params), language)
+    return Notice(code=code, message=text.message, remedy=text.remedy)
 
 
 def describe_faults(problems: Iterable[Any], language: str) -> list[Fault]:
@@ -130,34 +130,34 @@ def describe_faults(problems: Iterable[Any], language: str) -> list[Fault]:
 
 def _describe(problem: Any, language: str) -> Fault:
     params = json_safe(problem.params)
-    words = describe(problem.code, params, language)
+    text = describe(problem.code, params, language)
     return Fault(
         code=problem.code,
         pointer=encodable(problem.pointer),
         block=None if problem.block is None else encodable(problem.block),
-        message=words.message,
-        remedy=words.remedy,
+        message=text.message,
+        remedy=text.remedy,
         params=params,
     )
 
 
-def error_answer(
+def error_response(
     code: str,
     params: Mapping[str, object],
     language: str,
     *,
     faults: Iterable[Fault] = (),
     status: int | None = None,
-    words: str | None = None,
+    message_code: str | None = None,
 ) -> Response:
     """An error answer with its message in the given language.
 
     Args:
         status: HTTP status; None is that of the code.
-        words: code of a more specific message; None is that of `code`.
+        message_code: code of a more specific message; None is that of `code`.
     """
-    body = error_body(code, params, language, faults=faults, words=words)
-    return answer(ErrorAnswer(error=body), status or status_of(code))
+    body = error_body(code, params, language, faults=faults, message_code=message_code)
+    return json_response(ErrorAnswer(error=body), status or status_of(code))
 
 
 def error_body(
@@ -166,11 +166,11 @@ def error_body(
     language: str,
     *,
     faults: Iterable[Fault] = (),
-    words: str | None = None,
+    message_code: str | None = None,
 ) -> ErrorBody:
-    """What an error answer says; `words` as in `error_answer`."""
+    """What an error answer says; `message_code` as in `error_answer`."""
     shown = json_safe(params)
-    text = describe(words or code, shown, language)
+    text = describe(message_code or code, shown, language)
     return ErrorBody(
         code=code,
         message=text.message,

@@ -58,7 +58,7 @@ class Server:
         self._acceptor = self._answering.acceptor = Acceptor(
             self._socket,
             is_known,
-            self._answering.answer,
+            self._answering.respond,
             max_waiting=max_waiting,
             max_answered=max_waiting // 4,  # the rest is for the page, the database and processes
             head_s=head_s,
@@ -84,7 +84,7 @@ class _Answering(ThreadedWSGIServer):
         host, port = listener.getsockname()[:2]
         super().__init__(host, port, app, _QuietHandler, fd=listener.fileno())
 
-    def answer(self, connection: Connection) -> None:
+    def respond(self, connection: Connection) -> None:
         """Raises RuntimeError if no thread can be started, OSError if the client has left."""
         self.process_request(connection, connection.getpeername())
 

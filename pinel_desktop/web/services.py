@@ -13,19 +13,19 @@ from pinel_desktop.settings import Settings
 from pinel_desktop.web.guard import Guard
 
 if TYPE_CHECKING:  # heavy, and not needed to serve the page
-    from pinel_desktop.camera.client import Camera
+    from pinel_desktop.camera.client import CameraClient
     from pinel_desktop.engine.client import EngineClient
     from pinel_desktop.events.hub import Hub
-    from pinel_desktop.judge.messages import BegunRun
+    from pinel_desktop.judge.messages import RunStartInfo
     from pinel_desktop.program.faults import Fault
-    from pinel_desktop.program.reading import Reading
-    from pinel_desktop.school.robot_watching import RobotWatching
-    from pinel_desktop.school.robots import Robots
+    from pinel_desktop.program.reading import ParseResult
+    from pinel_desktop.school.robot_profiles import RobotProfiles
+    from pinel_desktop.school.robot_status_feed import RobotStatusFeed
     from pinel_desktop.school.sign_teaching import SignTeaching
     from pinel_desktop.school.teacher import TeacherSessions
     from storage import Store
 
-ReadDocument = Callable[[dict[str, object] | list[object]], "Reading"]
+ReadDocument = Callable[[dict[str, object] | list[object]], "ParseResult"]
 
 
 class ReadWorld(Protocol):
@@ -66,21 +66,21 @@ class Services:
     app_version: str
     store: Store
     engine: EngineClient
-    camera: Camera
+    camera: CameraClient
     signs: SignTeaching
     hub: Hub
     guard: Guard
     settings: Settings
     teacher: TeacherSessions
-    robots: Robots
-    robot_watching: RobotWatching
+    robots: RobotProfiles
+    status_feed: RobotStatusFeed
     read_document: ReadDocument
     read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]
     database_state: Callable[[], DatabaseState]
     show_window: Callable[[], None]
     flush_recording: Callable[[], None]
-    prepare_judge: Callable[[str, BegunRun], None]
+    prepare_judge: Callable[[str, RunStartInfo], None]
     confirm_runs: Callable[[], None] = lambda: None
     unsaved_end: Callable[[str], Mapping[str, Any] | None] = lambda run_id: None
     begin_empty: Callable[[], None] = lambda: None

@@ -44,8 +44,10 @@ def end_session(answer: Response) -> Response:
 
 
 def browser_session() -> str:
-    """Tells this session of the browser from others, by a cookie that it deletes when its window closes; the answer
-    sets it where there is none. Who guesses PINs can begin sessions anew, and gains nothing (`school/pin_tries.py`)."""
+    """Returns the id of this browser session, from a cookie that the browser deletes when its window closes.
+
+    The response sets the cookie where there is none. A new session does not help to guess PINs.
+    """
     name = f"{services().guard.cookie_name}_browser"
     known = request.cookies.get(name, "")
     if len(known) == _SESSION_LETTERS:
@@ -53,7 +55,7 @@ def browser_session() -> str:
     made = secrets.token_hex(_SESSION_LETTERS // 2)
 
     @after_this_request
-    def _remember(answer: Response) -> Response:
+    def _set_cookie(answer: Response) -> Response:
         answer.set_cookie(name, made, httponly=True, samesite="Strict", path="/api")
         return answer
 

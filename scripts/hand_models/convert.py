@@ -66,9 +66,9 @@ class _Operator:
         self._options = table.BuiltinOptions()
 
     def options(self, kind: Any) -> Any:
-        told = kind()
-        told.Init(self._options.Bytes, self._options.Pos)
-        return told
+        parsed = kind()
+        parsed.Init(self._options.Bytes, self._options.Pos)
+        return parsed
 
 
 class _Source:
@@ -100,11 +100,11 @@ class _Source:
     def constant(self, tensor: int) -> NDArray[Any]:
         """The values of a tensor that does not depend on the input; weights as float16. Raises ConversionError."""
         tensor = self._float16.get(tensor, tensor)
-        told = self._graph.Tensors(tensor)
-        content = self._model.Buffers(told.Buffer()).DataAsNumpy()
-        if isinstance(content, int) or told.Type() not in _DTYPES:
+        info = self._graph.Tensors(tensor)
+        content = self._model.Buffers(info.Buffer()).DataAsNumpy()
+        if isinstance(content, int) or info.Type() not in _DTYPES:
             raise ConversionError(f"tensor {tensor} is no constant of a known type")
-        values: NDArray[Any] = content.view(_DTYPES[told.Type()]).reshape(self.shape(tensor))
+        values: NDArray[Any] = content.view(_DTYPES[info.Type()]).reshape(self.shape(tensor))
         return values
 
 

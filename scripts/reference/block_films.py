@@ -46,7 +46,7 @@ _PROGRAMS = {
 _BEFORE_A_WALL = {"while", "until", "wait_until", "if", "distance_sensor", "bumper"}
 _WALL_AHEAD: list[Wall] = [{"from": [2.2, -1.0], "to": [2.2, 1.0]}]
 _SIDE_M = 12.0
-_LONGEST_S = 16.0
+_MAX_DURATION_S = 16.0
 _POSES_PER_S = 5
 
 
@@ -57,11 +57,11 @@ def films() -> str:
 
 
 def _film(name: str) -> dict[str, Any]:
-    reading = read_python(_PROGRAMS[name]).reading
+    reading = read_python(_PROGRAMS[name]).result
     if reading.document is None:
         raise SystemExit(f"the program of the film {name}: {reading.faults}")
     walls = _WALL_AHEAD if name in _BEFORE_A_WALL else []
-    camera = _Camera()
+    camera = _PoseSampler()
     start(RunSpec(reading.document, _world(walls)), camera.observe, camera.control)
     return {**camera.film(), "walls": walls}
 
@@ -85,7 +85,7 @@ def _world(walls: list[Wall]) -> dict[str, Any]:
     }
 
 
-class _Camera:
+class _PoseSampler:
     """Keeps the poses of a run at equal distances of time, and between which of them the pen was down."""
 
     def __init__(self) -> None:
@@ -103,7 +103,7 @@ class _Camera:
             if tick % (TICK_HZ // _POSES_PER_S) == 0:
                 place = (event.x_m, event.y_m)
                 self._poses.append([*(round(at, 2) + 0.0 for at in place), round(self._degrees)])
-            if tick >= _LONGEST_S * TICK_HZ:
+            if tick >= _MAX_DURATION_S * TICK_HZ:
                 self.control.stop()
         elif type(event) is Pen:
             self._pens.append((event.color if event.down else None, len(self._poses)))

@@ -43,8 +43,8 @@ def checks_of_activities() -> list[str]:
 
 
 def _holds(kind: type[CheckBase]) -> str:
-    said = " ".join((getdoc(kind) or "").split()).removesuffix(".")
-    return said[0].lower() + said[1:]
+    text = " ".join((getdoc(kind) or "").split()).removesuffix(".")
+    return text[0].lower() + text[1:]
 
 
 def _on_robot(kind: type[CheckBase]) -> str:

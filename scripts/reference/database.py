@@ -25,7 +25,7 @@ def parquet_columns() -> str:
     for table in REPLICATED:
         for n, column in enumerate(table.parquet_columns if table.parquet else ()):
             first = "" if n else f"`{table.name}` "
-            lines.append(f"| {first}| `{column.name}` | {column.type} | {column.says} |")
+            lines.append(f"| {first}| `{column.name}` | {column.type} | {column.description} |")
     return "\n".join(lines) + "\n"
 
 
@@ -35,7 +35,7 @@ def _view(name: str, columns: tuple[str, ...]) -> str:
 
 def _table(table: Table, names: tuple[str, ...]) -> str:
     columns = {column.name: column for column in table.columns}
-    lines = [f"### {table.name}\n", f"{table.says}\n", "| column | type | | what it holds |"]
+    lines = [f"### {table.name}\n", f"{table.description}\n", "| column | type | | what it holds |"]
     lines += ["|---|---|---|---|", *(_column(columns[name], table.key) for name in names)]
     return "\n".join([*lines, ""])
 
@@ -47,5 +47,5 @@ def _column(column: Column, key: tuple[str, ...]) -> str:
         "JSON" if column.kind is JSON else "",
         "may be empty" if column.optional else "",
     ]
-    told = ", ".join(note for note in notes if note)
-    return f"| `{column.name}` | {column.kind.sql} | {told} | {column.says} |"
+    note_text = ", ".join(note for note in notes if note)
+    return f"| `{column.name}` | {column.kind.sql} | {note_text} | {column.description} |"

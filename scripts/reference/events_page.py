@@ -65,7 +65,7 @@ def _overview() -> str:
 
 
 def _traits(cls: type[Declared]) -> list[str]:
-    return ["yes" if trait else "no" for trait in (cls.kept, cls.lossy, cls.urgent)]
+    return ["yes" if trait else "no" for trait in (cls.is_recorded, cls.lossy, cls.urgent)]
 
 
 def _section(cls: type[Declared], schemas: Mapping[str, Any], common: tuple[str, ...]) -> str:

@@ -143,8 +143,8 @@ def _events() -> Iterable[str]:
 
 
 def _objects(schemas: Mapping[str, Any]) -> Iterator[str]:
-    told = {*_NOT_OBJECTS, *_events()}
-    for name in sorted(schemas.keys() - told):
+    documented = {*_NOT_OBJECTS, *_events()}
+    for name in sorted(schemas.keys() - documented):
         schema = schemas[name]
         if name.endswith("Event"):
             continue

@@ -4,19 +4,19 @@ import json
 from typing import Any, get_args
 
 from pinel_desktop.program.base import defaults
-from pinel_desktop.program.command import AnyCommand, action_of, parameters_of
-from pinel_desktop.program.expressions import Takes
+from pinel_desktop.program.command import CommandBase, action_of, parameters_of
+from pinel_desktop.program.expressions import ParameterSpec
 from pinel_desktop.program.model import COMMANDS, Branch
 from pinel_desktop.program.python_text.forms import SENSOR_CALLS
 from pinel_desktop.program.sensors import SENSORS, Sensor
-from pinel_desktop.program.signatures import choices_of, takes_of
+from pinel_desktop.program.signatures import choices_of, parameter_spec
 
 
 def commands_of_the_document() -> list[str]:
     """Columns: action, parameters with bounds, meaning."""
     return _table(
         ("action", "parameters", "what the robot does"),
-        [(f"`{action_of(one)}`", _parameters(one), _says(one)) for one in COMMANDS],
+        [(f"`{action_of(one)}`", _parameters(one), _description(one)) for one in COMMANDS],
     )
 
 
@@ -49,31 +49,31 @@ def _table(titles: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
     return [f"| {lines[0]} |", "|---" * len(titles) + "|", *(f"| {line} |" for line in lines[1:])]
 
 
-def _says(model: type[AnyCommand]) -> str:
+def _description(model: type[CommandBase]) -> str:
     """The docstring as a sentence fragment."""
-    says = (model.__doc__ or "").strip().removesuffix(".")
-    return says[:1].lower() + says[1:]
+    text = (model.__doc__ or "").strip().removesuffix(".")
+    return text[:1].lower() + text[1:]
 
 
-def _in_python(model: type[AnyCommand]) -> str:
-    taken = {name: takes_of(kind) for name, kind in parameters_of(model).items()}
-    units = [f"`{name}` in {takes.unit}" for name, takes in taken.items() if takes and takes.unit]
-    return f"{_says(model)}; {', '.join(units)}" if units else _says(model)
+def _in_python(model: type[CommandBase]) -> str:
+    specs = {name: parameter_spec(kind) for name, kind in parameters_of(model).items()}
+    units = [f"`{name}` in {spec.unit}" for name, spec in specs.items() if spec and spec.unit]
+    return f"{_description(model)}; {', '.join(units)}" if units else _description(model)
 
 
-def _parameters(model: type[AnyCommand]) -> str:
+def _parameters(model: type[CommandBase]) -> str:
     without = defaults(model)
     return ", ".join(
-        " ".join(filter(None, (f"`{name}`", _takes(kind), _without(name, without))))
+        " ".join(filter(None, (f"`{name}`", _type_text(kind), _without(name, without))))
         for name, kind in parameters_of(model).items()
     )
 
 
-def _takes(annotation: Any) -> str:
+def _type_text(annotation: Any) -> str:
     """Type of a parameter as text; "" where its name implies it."""
-    takes = takes_of(annotation)
-    if takes is not None:
-        return _bounds(takes)
+    spec = parameter_spec(annotation)
+    if spec is not None:
+        return _bounds(spec)
     if annotation is bool:
         return "true or false"
     if list[Branch] in get_args(annotation):
@@ -86,15 +86,15 @@ def _or(choices: tuple[str, ...]) -> str:
     return f"{', '.join(first)} or {last}" if first else last
 
 
-def _bounds(takes: Takes) -> str:
-    if takes.choices:
-        return _or(takes.choices)
-    if takes.gt is not None:
-        upper = "" if takes.le is None else f", up to {takes.le:g}"
-        return f"above {takes.gt:g}{upper} {takes.unit}".strip()
-    if takes.ge is not None and takes.le is not None:
-        return f"{takes.ge:g} to {takes.le:.0f} {takes.unit}".strip()
-    return takes.unit or takes.type
+def _bounds(spec: ParameterSpec) -> str:
+    if spec.choices:
+        return _or(spec.choices)
+    if spec.gt is not None:
+        upper = "" if spec.le is None else f", up to {spec.le:g}"
+        return f"above {spec.gt:g}{upper} {spec.unit}".strip()
+    if spec.ge is not None and spec.le is not None:
+        return f"{spec.ge:g} to {spec.le:.0f} {spec.unit}".strip()
+    return spec.unit or spec.type
 
 
 def _without(name: str, defaults_: dict[str, Any]) -> str:
@@ -119,7 +119,7 @@ def _python(sensor: Sensor) -> str:
 
 def _value(sensor: Sensor) -> str:
     """Description, unit and argument of a sensor."""
-    measured = f"{sensor.says} ({sensor.unit})" if sensor.unit else sensor.says
+    measured = f"{sensor.description} ({sensor.unit})" if sensor.unit else sensor.description
     argument = sensor.argument
     if argument is None:
         return measured

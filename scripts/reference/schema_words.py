@@ -71,8 +71,8 @@ def about(field: Schema) -> str:
     limits = [] if "prefixItems" in field else [_limit(field, name) for name in _LIMITS]
     given = field.get("default")
     default = [f"{_literal(given)} when left out"] if given is not None else []
-    told = str(field.get("description", "")).rstrip(".")
-    return "; ".join(part for part in (told, *limits, *default) if part)
+    description = str(field.get("description", "")).rstrip(".")
+    return "; ".join(part for part in (description, *limits, *default) if part)
 
 
 _LIMITS = {

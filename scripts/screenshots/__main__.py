@@ -19,38 +19,38 @@ from scripts.screenshots.camera import (
     ARGUMENTS,
     CHROMIUM,
     QUICK,
-    Look,
     Photographer,
+    ScreenSettings,
     application,
 )
 
 
-def pupils_screens(browser: Browser, folder: Path, looks: list[Look]) -> None:
+def pupils_screens(browser: Browser, folder: Path, settings: list[ScreenSettings]) -> None:
     """Screens of pupils: an empty app, and a class at work; without looks the pictures of the README."""
     with tempfile.TemporaryDirectory() as home, application(Path(home)) as address:
         camera = Photographer(browser, address, folder)
         camera.of("group-name").wait_for()
-        if looks:
+        if settings:
             camera.round("first-start")
         seeded = pupils.seed(camera)
-        if not looks:
+        if not settings:
             pupils.readme(camera, seeded)
-        for look in looks:
-            camera.wear(look)
+        for setting in settings:
+            camera.wear(setting)
             pupils.photograph(camera, seeded)
 
 
-def lesson_screens(browser: Browser, folder: Path, looks: list[Look]) -> None:
+def lesson_screens(browser: Browser, folder: Path, settings: list[ScreenSettings]) -> None:
     """Screens of the lesson review; without looks the picture of the README."""
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as stick:
         past = lesson.play(Path(home))
         with application(Path(home)) as address:
             camera = Photographer(browser, address, folder)
             camera.of("group-card").first.wait_for()
-            if not looks:
+            if not settings:
                 lesson.readme(camera, past)
-            for look in looks:
-                camera.wear(look)
+            for setting in settings:
+                camera.wear(setting)
                 lesson.photograph(camera, past, Path(stick))
 
 
@@ -63,11 +63,11 @@ def main() -> None:
     )
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    looks = [] if arguments.readme else QUICK if arguments.quick else ALL
+    settings = [] if arguments.readme else QUICK if arguments.quick else ALL
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-        pupils_screens(browser, arguments.folder, looks)
-        lesson_screens(browser, arguments.folder, looks)
+        pupils_screens(browser, arguments.folder, settings)
+        lesson_screens(browser, arguments.folder, settings)
         browser.close()
 
 

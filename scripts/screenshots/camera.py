@@ -30,7 +30,7 @@ THEMES = ("light", "dark", "contrast")
 PIN = "314159"
 
 
-class Look(NamedTuple):
+class ScreenSettings(NamedTuple):
     """Size, theme and language of one round of pictures."""
 
     size: str
@@ -42,13 +42,13 @@ class Look(NamedTuple):
         return f"{self.size}-{self.theme}-{self.language}"
 
 
-QUICK = [Look("1366x768", "light", "pt-BR")]
+QUICK = [ScreenSettings("1366x768", "light", "pt-BR")]
 ALL = [
-    *(Look(size, "light", "pt-BR") for size in SIZES),
-    *(Look("1366x768", theme, "pt-BR") for theme in THEMES[1:]),
-    *(Look("1366x768", "light", language) for language in LANGUAGES[1:]),
-    Look("1024x768", "contrast", "es"),
-    Look("1920x1080", "dark", "en"),
+    *(ScreenSettings(size, "light", "pt-BR") for size in SIZES),
+    *(ScreenSettings("1366x768", theme, "pt-BR") for theme in THEMES[1:]),
+    *(ScreenSettings("1366x768", "light", language) for language in LANGUAGES[1:]),
+    ScreenSettings("1024x768", "contrast", "es"),
+    ScreenSettings("1920x1080", "dark", "en"),
 ]
 
 
@@ -86,27 +86,27 @@ class Photographer:
         self.page.goto(address)
         self.origin = re.sub(r"(http://[^/]+).*", r"\1", address)
         self.folder = folder
-        self.look = QUICK[0]
+        self.settings = QUICK[0]
 
-    def wear(self, look: Look) -> None:
-        self.look = look
-        width, height = SIZES[look.size]
+    def wear(self, settings: ScreenSettings) -> None:
+        self.settings = settings
+        width, height = SIZES[settings.size]
         self.page.set_viewport_size({"width": width, "height": height})
-        self.call("PUT", "/api/settings/page", {"name": "pinel_theme", "value": look.theme})
+        self.call("PUT", "/api/settings/page", {"name": "pinel_theme", "value": settings.theme})
         self.page.reload()
-        self.of("language").select_option(look.language)
+        self.of("language").select_option(settings.language)
         self.page.wait_for_timeout(300)
 
     def of(self, test_id: str) -> Any:
         return self.page.get_by_test_id(test_id)
 
-    def take(self, name: str) -> None:
+    def save(self, name: str) -> None:
         self.page.mouse.move(2, 2)
         self.page.wait_for_timeout(350)
         self.page.screenshot(path=self.folder / f"{name}.png")
 
     def round(self, name: str) -> None:
-        self.take(f"{self.look.name}-{name}")
+        self.save(f"{self.settings.name}-{name}")
 
     def call(self, method: str, path: str, body: object = None) -> Any:
         return self.page.evaluate(

@@ -94,7 +94,7 @@ def readme(camera: Photographer, past: Past) -> None:
     _enter(camera)
     camera.go(f"#/lesson/{past.lesson}")
     camera.of("review-group").first.wait_for()
-    camera.take("lesson")
+    camera.save("lesson")
 
 
 def _enter(camera: Photographer) -> None:

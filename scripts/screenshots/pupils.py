@@ -24,8 +24,8 @@ def seed(camera: Photographer) -> Seed:
     camera.call("POST", "/api/teacher/leave")
     for name in ("Os Parafusos", "Equipe Beta", "Meninas do Robô", "Curto-circuito"):
         camera.call("POST", "/api/groups", {"name": name, "classroom_id": classroom})
-    wanted = {"name": "Turma dos Quadrados", "classroom_id": classroom}
-    group = camera.call("POST", "/api/groups", wanted)["id"]
+    new_group = {"name": "Turma dos Quadrados", "classroom_id": classroom}
+    group = camera.call("POST", "/api/groups", new_group)["id"]
     programs = {
         name: save(camera, group, name, blocks)
         for name, blocks in {
@@ -126,7 +126,7 @@ def studio_running(camera: Photographer, program: str) -> None:
 def studio_sign(camera: Photographer, program: str) -> None:
     camera.open_program(program)
     camera.press_run()
-    see_the_hand(camera)
+    wait_for_hand(camera)
     camera.round("studio-sign")
     camera.of("stop").click()
     camera.wait_for_phase("stopped")
@@ -134,11 +134,11 @@ def studio_sign(camera: Photographer, program: str) -> None:
 
 def practice(camera: Photographer) -> None:
     camera.go("#/practice")
-    see_the_hand(camera)
+    wait_for_hand(camera)
     camera.round("practice")
 
 
-def see_the_hand(camera: Photographer) -> None:
+def wait_for_hand(camera: Photographer) -> None:
     """Waits until the webcam shows a hand."""
     camera.page.locator("[data-testid=camera-picture][data-state=on]").wait_for()
     camera.page.locator(".skeleton__hand").first.wait_for()
@@ -181,11 +181,11 @@ def readme(camera: Photographer, seeded: Seed) -> None:
     camera.go("#/")
     camera.of("group-card").first.wait_for()
     camera.page.wait_for_timeout(500)
-    camera.take("start")
+    camera.save("start")
     camera.open_program(seeded.programs["Quadrado"])
     camera.press_run()
     camera.page.wait_for_timeout(9_000)
-    camera.take("studio")
+    camera.save("studio")
     camera.wait_for_phase("finished")
     replay(camera, seeded.run)
-    camera.take("replay")
+    camera.save("replay")

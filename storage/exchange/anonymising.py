@@ -12,12 +12,12 @@ from collections.abc import Callable, Collection
 from typing import Any
 
 from storage.sqlite import sqlite3
-from storage.tables.columns import KEPT, KEY, Column, ReplicatedTable
+from storage.tables.columns import KEY, UNCHANGED, Column, ReplicatedTable
 from storage.tables.replicated import REPLICATED
-from storage.text import dumped, loaded, name_key, new_id
+from storage.text import from_json, name_key, new_id, to_json
 
 # values under these keys are words of the language or of the robot, no texts of pupils
-_KEPT = {
+_UNCHANGED_KEYS = {
     *("action", "op", "sensor", "direction", "gesture", "symbol", "color", "state", "cause"),
     *(
         "reason",
@@ -75,7 +75,9 @@ class _Anonymising:
         self._db.execute("VACUUM")  # or the texts would still lie in pages that are free now
 
     def _replace(self, table: ReplicatedTable, columns: list[Column]) -> None:
-        replaced = [f"{one.name} = {one.anonymous}" for one in columns if one.anonymous != KEPT]
+        replaced = [
+            f"{one.name} = {one.anonymous}" for one in columns if one.anonymous != UNCHANGED
+        ]
         if replaced:
             self._db.execute(f"UPDATE {table.name} SET {', '.join(replaced)}")
 
@@ -89,7 +91,7 @@ class _Anonymising:
         self._keys.update((key, new_id()) for key in sorted(old))
 
     def _neutral_json(self, text: str | None) -> str | None:
-        return None if text is None else dumped(self._neutral(loaded(text), ""))
+        return None if text is None else to_json(self._neutral(from_json(text), ""))
 
     def _neutral(self, value: Any, key: str) -> Any:
         if isinstance(value, dict):
@@ -101,7 +103,7 @@ class _Anonymising:
             }
         if isinstance(value, list):
             return [self._neutral(part, key) for part in value]
-        if not isinstance(value, str) or key in _KEPT:
+        if not isinstance(value, str) or key in _UNCHANGED_KEYS:
             return value
         if key == "pointer":
             return value if _POINTER.fullmatch(value) else ""

@@ -22,8 +22,8 @@ if TYPE_CHECKING:  # few PCs make copies
     from storage.file.share_copies import ShareCopies
 
 SHARED_FOLDER = "shared_folder"
-TAKES_BACKUPS = "shared_folder_takes_backups"
-_PATIENCE_S = 5.0  # of a deletion for good
+COPIES_BACKUPS = "shared_folder_takes_backups"
+_CLEAN_TIMEOUT_S = 5.0  # of a deletion for good
 _SLOW_S = 600.0
 
 
@@ -33,7 +33,7 @@ class _Task:
 
     copies: "ShareCopies"
     shared: Path | None
-    dead: frozenset[str]
+    tombstoned: frozenset[str]
 
 
 class BackupShare:
@@ -50,13 +50,13 @@ class BackupShare:
         self._database = database
         self._changed = threading.Condition()
         self._task: _Task | None = None
-        self._n_wanted = self._n_cleaned = self._n_done = 0
+        self._n_requested = self._n_cleaned = self._n_done = 0
         self._left: tuple[Path, ...] = ()
-        self._began_s: float | None = None  # of the thread at work, None for none
+        self._start_s: float | None = None  # of the thread at work, None for none
 
     def update(self, wait_s: float = 0.0) -> bool:
         """Brings the folder up to date; True when that was done within the time."""
-        return self._ask(wait_s, lambda wanted: self._n_done >= wanted)
+        return self._ask(wait_s, lambda n_requested: self._n_done >= n_requested)
 
     def resume(self) -> None:
         """Tries again to delete what the last attempt left."""
@@ -69,9 +69,9 @@ class BackupShare:
         Returns:
             Copies that may hold it still.
         """
-        is_in_time = self._ask(_PATIENCE_S, lambda wanted: self._n_cleaned >= wanted)
+        is_in_time = self._ask(_CLEAN_TIMEOUT_S, lambda n_requested: self._n_cleaned >= n_requested)
         if not is_in_time and self._task is not None:
-            self._left = self._task.copies.known.copies
+            self._left = self._task.copies.manifest.copies
         return self._left
 
     def _ask(self, wait_s: float, is_over: Callable[[int], bool]) -> bool:
@@ -82,62 +82,62 @@ class BackupShare:
                 is_in_time = True
             else:
                 self._task = task
-                self._n_wanted += 1
-                wanted, waited_s = self._n_wanted, self._start(task)
+                self._n_requested += 1
+                n_requested, waited_s = self._n_requested, self._start(task)
                 is_in_time = self._changed.wait_for(
-                    lambda: is_over(wanted), max(0.0, wait_s - waited_s)
+                    lambda: is_over(n_requested), max(0.0, wait_s - waited_s)
                 )
         self.on_change()
         return is_in_time
 
     def _next_task(self) -> _Task | None:
         """None where there is nothing to be done. Raises StoreError."""
-        from storage.exchange.deleting.deletion import dead_keys  # noqa: PLC0415 - few PCs need it
-        from storage.file.share_copies import ShareCopies, noted  # noqa: PLC0415 - see above
+        from storage.exchange.deleting.deletion import tombstoned_keys  # noqa: PLC0415 - few PCs need it
+        from storage.file.share_copies import ShareCopies, read_manifest  # noqa: PLC0415 - see above
 
         settings, path = Settings(self._database), self._database.path
-        shared = settings.get(TAKES_BACKUPS) and settings.get(SHARED_FOLDER)
-        if not shared and not noted(path):
+        shared = settings.get(COPIES_BACKUPS) and settings.get(SHARED_FOLDER)
+        if not shared and not read_manifest(path):
             return None
-        with self._database.reading() as db:
-            dead = frozenset(dead_keys(db))
+        with self._database.read_connection() as db:
+            tombstoned = frozenset(tombstoned_keys(db))
         copies = ShareCopies(path, Computers(self._database).this())
         if shared:
-            return _Task(copies, Path(shared), dead)
-        return _Task(copies, None, dead) if dead and copies.known.copies else None
+            return _Task(copies, Path(shared), tombstoned)
+        return _Task(copies, None, tombstoned) if tombstoned and copies.manifest.copies else None
 
     def _start(self, task: _Task) -> float:
         """Starts a thread, unless one is at work; returns how long it has been, in s."""
         now_s = time.monotonic()
-        if self._began_s is None:
-            self._began_s = now_s
+        if self._start_s is None:
+            self._start_s = now_s
             threading.Thread(target=self._work, name="backup-share", daemon=True).start()
-        elif task.shared and now_s - self._began_s > _SLOW_S:
+        elif task.shared and now_s - self._start_s > _SLOW_S:
             self.problem = _notice(task.shared, os.strerror(errno.ETIMEDOUT))
-        return now_s - self._began_s
+        return now_s - self._start_s
 
     def _work(self) -> None:
-        is_wanted = True
-        while is_wanted:
+        is_pending = True
+        while is_pending:
             with self._changed:
-                wanted, task = self._n_wanted, self._task
-            problem = self._do(task, wanted) if task else None
+                n_requested, task = self._n_requested, self._task
+            problem = self._do(task, n_requested) if task else None
             with self._changed:
-                self.problem, self._n_cleaned, self._n_done = problem, wanted, wanted
-                is_wanted = wanted < self._n_wanted
-                self._began_s = time.monotonic() if is_wanted else None
+                self.problem, self._n_cleaned, self._n_done = problem, n_requested, n_requested
+                is_pending = n_requested < self._n_requested
+                self._start_s = time.monotonic() if is_pending else None
                 self._changed.notify_all()
             self.on_change()
 
-    def _do(self, task: _Task, wanted: int) -> Notice | None:
-        self._left = task.copies.known.copies  # until they were looked at
+    def _do(self, task: _Task, n_requested: int) -> Notice | None:
+        self._left = task.copies.manifest.copies  # until they were looked at
         try:
-            left = task.copies.clean(task.shared, task.dead)
+            left = task.copies.clean(task.shared, task.tombstoned)
             with self._changed:
-                self._left, self._n_cleaned = left, wanted
+                self._left, self._n_cleaned = left, n_requested
                 self._changed.notify_all()
             if task.shared:
-                task.copies.copy_newest(task.shared, task.dead)
+                task.copies.copy_newest(task.shared, task.tombstoned)
         except Exception as error:  # any failure is shown, and the next attempt is in an hour
             problem = getattr(error, "strerror", None) or str(error)
             return _notice(task.shared, problem) if task.shared else None

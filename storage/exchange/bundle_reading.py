@@ -27,13 +27,13 @@ from storage.exchange.bundle_writing import (
 from storage.exchange.content_hash import content_hash
 from storage.file.temporary import remove_leftovers, temporary_folder
 from storage.limits import MAX_VALUE, SAMPLES_PER_HOUR
-from storage.sql import address, column_names, damage, opened
+from storage.sql import address, column_names, integrity_problem, opened
 from storage.sqlite import sqlite3
 from storage.tables import rules
 from storage.tables.ddl import BASELINE, MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
 from storage.tables.replicated import TABLES
-from storage.text import loaded
+from storage.text import from_json
 
 _log = logging.getLogger(__name__)
 _MAX_BYTES = 4 * 2**30
@@ -43,7 +43,7 @@ _HEADER = 100
 _ABOUT = re.compile(
     r"CREATEVIEW\"about\"AS(UNIONALL)?(SELECT'([^']|'')*'ASname,'([^']|'')*'ASmeaning(UNIONALL)?)+"
 )
-_BUNDLES_SEEN = 512
+_MAX_CACHED_BUNDLES = 512
 _Objects = frozenset[tuple[str, str, str, str]]
 
 
@@ -60,11 +60,11 @@ class Bundle:
 
 
 @contextmanager
-def open_bundle(path: Path, *, most_samples: int | None = None) -> Iterator[Bundle]:
+def open_bundle(path: Path, *, max_samples: int | None = None) -> Iterator[Bundle]:
     """The bundle, where every part of it is as PINEL writes it; the file is only read.
 
     Args:
-        most_samples: of all runs together, as unpacking takes time that anybody can ask for without PIN.
+        max_samples: of all runs together, as unpacking takes time that anybody can ask for without PIN.
 
     Raises:
         StoreError: `bundle_missing`, `bundle_unreadable`; `bundle_foreign` of another program, `bundle_is_store`
@@ -76,7 +76,7 @@ def open_bundle(path: Path, *, most_samples: int | None = None) -> Iterator[Bund
         copy = folder / "bundle"
         try:
             _copied(path, copy)
-            info = _examined(copy, path, most_samples)
+            info = _examined(copy, path, max_samples)
         except StoreError as error:  # the code says what to do; the problem is for the log
             _log.info("%s: %s %s", path, error.code, error.params.get("problem", ""))
             raise
@@ -86,13 +86,13 @@ def open_bundle(path: Path, *, most_samples: int | None = None) -> Iterator[Bund
         yield Bundle(info, address(copy, "immutable"))
 
 
-def says_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
+def declares_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
     """Whether the file says that names were left out of it; False of what cannot be a bundle.
 
     Only its head is read, and once, as long as size and time of the file stay the same.
     """
     try:
-        return _said_anonymous(path, size_bytes, modified_s)
+        return _read_anonymous_flag(path, size_bytes, modified_s)
     except (sqlite3.Error, UnicodeDecodeError):  # asked again next time: a stick may be busy
         return False
 
@@ -107,8 +107,8 @@ def prepares_lesson(path: Path) -> bool:
     return head.startswith(_MAGIC) and int.from_bytes(head[68:72], "big") == LESSON_FILE
 
 
-@lru_cache(maxsize=_BUNDLES_SEEN)
-def _said_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
+@lru_cache(maxsize=_MAX_CACHED_BUNDLES)
+def _read_anonymous_flag(path: Path, size_bytes: int, modified_s: float) -> bool:
     with closing(_connected(path)) as db:
         rows = db.execute("SELECT sql FROM sqlite_schema WHERE name = 'bundle'").fetchall()
         if [_text("bundle", str(row[0])) for row in rows] != [_text("bundle", BUNDLE_TABLE)]:
@@ -147,15 +147,15 @@ def _size_by(head: bytes) -> int:
     return (65536 if page == 1 else page) * int.from_bytes(head[28:32], "big")
 
 
-def _examined(copy: Path, path: Path, most_samples: int | None) -> BundleInfo:
+def _examined(copy: Path, path: Path, max_samples: int | None) -> BundleInfo:
     with closing(_connected(copy)) as db:
         n_steps = _release(db, path)
-        if most_samples is not None:
-            _require_few_samples(db, path, most_samples)
+        if max_samples is not None:
+            _require_few_samples(db, path, max_samples)
         if copy.stat().st_size > MAX_VALUE:  # no value is longer than its file
             for name in (*TABLES, "bundle"):
                 _require_bounded(db, name)
-        if problem := damage(db):
+        if problem := integrity_problem(db):
             raise StoreError("bundle_damaged", path=str(path), problem=problem)
         info = _described(db, path)
         if content_hash(db) != info.content_hash:
@@ -168,12 +168,12 @@ def _examined(copy: Path, path: Path, most_samples: int | None) -> BundleInfo:
     return info
 
 
-def _require_few_samples(db: sqlite3.Connection, path: Path, most: int) -> None:
+def _require_few_samples(db: sqlite3.Connection, path: Path, max_samples: int) -> None:
     (n_samples,) = db.execute("SELECT total(max(n_rows, 0)) FROM telemetry").fetchone()
-    if n_samples > most:
+    if n_samples > max_samples:
         hours = {
             "value": round(n_samples / SAMPLES_PER_HOUR),
-            "max": round(most / SAMPLES_PER_HOUR),
+            "max": round(max_samples / SAMPLES_PER_HOUR),
         }
         raise StoreError("bundle_too_long", path=str(path), **hours)
 
@@ -189,24 +189,24 @@ def _release(db: sqlite3.Connection, path: Path) -> int:
     if MIGRATIONS_TABLE not in tables or not _steps_table() <= objects:
         raise StoreError("bundle_foreign", path=str(path))
     _require_bounded(db, MIGRATIONS_TABLE)
-    taken = {
+    applied = {
         str(row[0])
         for row in db.execute(
             f"SELECT name FROM {MIGRATIONS_TABLE} WHERE migration_set = ?", [MIGRATION_SET]
         )
     }
-    if taken - MIGRATIONS.keys():
+    if applied - MIGRATIONS.keys():
         raise StoreError("bundle_newer", path=str(path))
     if "bundle" not in tables:
         raise StoreError("bundle_is_store", path=str(path))
-    if taken != set(list(MIGRATIONS)[: len(taken)]) or len(taken) < len(BASELINE):
+    if applied != set(list(MIGRATIONS)[: len(applied)]) or len(applied) < len(BASELINE):
         raise StoreError("bundle_hostile", path=str(path), problem=MIGRATIONS_TABLE)
     if _format(db, objects) > FORMAT:
         raise StoreError("bundle_newer", path=str(path))
-    odd = objects ^ _expected(len(taken))
-    if odd:
-        raise StoreError("bundle_hostile", path=str(path), problem=min(odd)[1])
-    return len(taken)
+    unexpected = objects ^ _expected(len(applied))
+    if unexpected:
+        raise StoreError("bundle_hostile", path=str(path), problem=min(unexpected)[1])
+    return len(applied)
 
 
 def _format(db: sqlite3.Connection, objects: _Objects) -> int:
@@ -226,10 +226,10 @@ def _described(db: sqlite3.Connection, path: Path) -> BundleInfo:
     for column, rule in _RULES.items():
         if not rule(values[column]):
             raise StoreError("bundle_hostile", path=str(path), problem=f"bundle.{column}")
-    if loaded(values["counts"]) != counts_of(db):
+    if from_json(values["counts"]) != counts_of(db):
         raise StoreError("bundle_hostile", path=str(path), problem="bundle.counts")
     del values["format"]
-    values |= {"counts": loaded(values["counts"]), "anonymous": bool(values["anonymous"])}
+    values |= {"counts": from_json(values["counts"]), "anonymous": bool(values["anonymous"])}
     return BundleInfo(path, **values, lesson_id=_lesson_of(db))
 
 
@@ -295,8 +295,10 @@ def _require_bounded(db: sqlite3.Connection, table: str) -> None:
     """Raises DataError for a text or blob that is too long; SQLite knows the lengths without reading the values."""
     if hasattr(db, "setlimit"):
         return
-    longest = " OR ".join(f"octet_length({name}) > {MAX_VALUE}" for name in column_names(db, table))
-    if longest and db.execute(f"SELECT 1 FROM {table} WHERE {longest} LIMIT 1").fetchone():
+    too_long = " OR ".join(
+        f"octet_length({name}) > {MAX_VALUE}" for name in column_names(db, table)
+    )
+    if too_long and db.execute(f"SELECT 1 FROM {table} WHERE {too_long} LIMIT 1").fetchone():
         raise sqlite3.DataError("string or blob too big")
 
 

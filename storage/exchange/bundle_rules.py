@@ -6,12 +6,12 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION, MAX_SAMPLES
-from storage.sql import column_names, is_text_damage, some_rows, tuples
+from storage.sql import column_names, is_text_damage, row_batches, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.tables.runs import TELEMETRY
-from storage.text import dumped, may_be_of, time_text, utc_now
+from storage.text import may_be_of, time_text, to_json, utc_now
 
 _SAMPLE_COLUMNS = 16
 _RELEASED = datetime(2026, 11, 23, tzinfo=UTC)  # the clock may be at 2010
@@ -63,7 +63,7 @@ def _refused_rows(
     rules = [table_rules[name] for name in names]
     places = [names.index(name) for name in table.key]
     found = tuples(db, f"SELECT {', '.join(names)} FROM {table.name}")
-    for rows in some_rows(found):
+    for rows in row_batches(found):
         columns = zip(*rows, strict=True)
         is_well = all(all(map(rule, values)) for rule, values in zip(rules, columns, strict=True))
         if is_well and not table.bound:
@@ -80,7 +80,7 @@ def _refused_rows(
 def _wrong_key(table: ReplicatedTable, row: dict[str, Any]) -> str | None:
     """`id` where that is the key of another content: somebody put this in the place of what the key is of."""
     is_own = not table.bound or may_be_of(
-        row["id"], dumped([row.get(name) for name in table.bound])
+        row["id"], to_json([row.get(name) for name in table.bound])
     )
     return None if is_own else "id"
 
@@ -98,22 +98,22 @@ def _problem_in_table(db: sqlite3.Connection, table: ReplicatedTable) -> str | N
 
 def _unpacks(blob: bytes, n_rows: int) -> bool:
     """True for telemetry of that many rows; never unpacks more than they need."""
-    largest = 4 * _SAMPLE_COLUMNS * n_rows
+    max_octets = 4 * _SAMPLE_COLUMNS * n_rows
     unpacking = zlib.decompressobj()
     try:
-        octets = unpacking.decompress(blob, largest + 1)
+        octets = unpacking.decompress(blob, max_octets + 1)
     except zlib.error:
         return False
-    fits = 0 < len(octets) <= largest and len(octets) % (4 * n_rows) == 0
+    fits = 0 < len(octets) <= max_octets and len(octets) % (4 * n_rows) == 0
     return fits and unpacking.eof and not unpacking.unused_data
 
 
 def _problem_in_runs(db: sqlite3.Connection) -> str | None:
     """A run is read as a whole, so all its samples together are bounded too."""
-    longest = db.execute(
+    by_length = db.execute(
         "SELECT sum(n_rows) FROM telemetry GROUP BY run_id ORDER BY 1 DESC LIMIT 1"
     )
-    row = longest.fetchone()
+    row = by_length.fetchone()
     return "telemetry.n_rows" if row and row[0] > MAX_SAMPLES else None
 
 

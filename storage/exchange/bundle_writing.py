@@ -14,9 +14,9 @@ from storage.errors import StoreError, translated
 from storage.exchange.bundle_rules import refused_rows
 from storage.exchange.content_hash import content_hash
 from storage.exchange.scope import ALL, Scope
+from storage.file.atomic_files import atomic_create
 from storage.file.connection import Database
-from storage.file.sums import KEYS, OF_RUNS, is_sound
-from storage.file.whole_files import new_whole_file
+from storage.file.row_checksums import KEYS, OF_RUNS, is_intact
 from storage.limits import MAX_REVISION
 from storage.sql import column_names, insert, opened, row_count, rows_of
 from storage.sqlite import sqlite3
@@ -25,7 +25,7 @@ from storage.tables.migrations import migrate
 from storage.tables.replicated import REPLICATED
 from storage.tables.runs import RUNS
 from storage.tables.work import VERSIONS
-from storage.text import dumped, new_id
+from storage.text import new_id, to_json
 
 _log = logging.getLogger(__name__)
 
@@ -42,7 +42,7 @@ BUNDLE_TABLE = """CREATE TABLE bundle (
     counts TEXT NOT NULL,
     anonymous INTEGER NOT NULL
 ) STRICT"""
-_MOST_NAMED = 8
+_MAX_NAMED = 8
 _WHOSE = {
     "versions": """(SELECT groups.name || ' / ' || programs.name FROM store.programs
         JOIN store.groups ON groups.id = group_id WHERE programs.id = program_id)""",
@@ -79,10 +79,10 @@ class BundleInfo:
     @property
     def left_out_params(self) -> dict[str, object]:
         """What fills the words about `left_out`: how many records, and of whom, as far as a person reads."""
-        more = " …" if len(self.lacking) > _MOST_NAMED else ""
+        more = " …" if len(self.lacking) > _MAX_NAMED else ""
         return {
             "count": len(self.left_out),
-            "of": ("; ".join(self.lacking[:_MOST_NAMED]) or "-") + more,
+            "of": ("; ".join(self.lacking[:_MAX_NAMED]) or "-") + more,
         }
 
 
@@ -94,7 +94,7 @@ def export_bundle(
     computer: tuple[str, str],
     scope: Scope = ALL,
     alter: Alteration | None = None,
-    is_noted: bool = True,
+    is_recorded: bool = True,
 ) -> BundleInfo:
     """Writes what is on disk at this moment, without runs that have not ended; the file appears when it is complete.
 
@@ -102,17 +102,17 @@ def export_bundle(
         dest: the file; where there is one already, the new one gets a number.
         computer: key and name of this PC.
         alter: changes the copy before it is finished; the bundle then counts as anonymous.
-        is_noted: whether the file is noted in `exports`; not one that is sent to a browser or deleted at once.
+        is_recorded: whether the file is noted in `exports`; not one that is sent to a browser or deleted at once.
 
     Raises:
         StoreError: `classroom_not_found`, `group_not_found`, `program_not_found`, `lesson_not_found`; `export_failed`
             or `disk_full` where nothing could be written.
     """
-    with database.reading() as db:
+    with database.read_connection() as db:
         scope.require(db)
     try:
         with (
-            new_whole_file(dest) as file,
+            atomic_create(dest) as file,
             closing(_new_database(file.part)) as db,
         ):
             damaged = _fill(db, database.address, scope)
@@ -138,19 +138,19 @@ def export_bundle(
     except OSError as error:
         raise StoreError("export_failed", path=str(dest), problem=error.strerror) from error
     info = replace(info, path=file.final)
-    if is_noted:
-        note_export(database, info, scope)
+    if is_recorded:
+        record_export(database, info, scope)
     return info
 
 
-def note_export(database: Database, info: BundleInfo, scope: Scope) -> None:
+def record_export(database: Database, info: BundleInfo, scope: Scope) -> None:
     """Notes the file in `exports`, where the store can be written: what is deleted later may be in it."""
     content = {"checksum": info.content_hash, "of": scope.values(), "runs": info.counts["runs"]}
     row = {
         "id": new_id(),
         "path": str(info.path.absolute()),
         "made_at": info.exported_at,
-        "content": dumped(content),
+        "content": to_json(content),
     }
     if database.can_write:
         database.write(lambda db: insert(db, "exports", row))
@@ -183,7 +183,7 @@ def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> dict[str, str]:
     damaged: dict[str, str] = {}
     for table, condition in scope.conditions():
         if table in (VERSIONS, RUNS):
-            damaged |= _note_damaged(db, table, condition, scope)
+            damaged |= _record_damaged(db, table, condition, scope)
         _copy_table(db, table, condition, scope)
     db.execute(
         "INSERT INTO main.unconfirmed_runs SELECT * FROM store.unconfirmed_runs"
@@ -194,7 +194,7 @@ def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> dict[str, str]:
     return damaged
 
 
-def _note_damaged(
+def _record_damaged(
     db: sqlite3.Connection, table: ReplicatedTable, condition: str, scope: Scope
 ) -> dict[str, str]:
     """Notes versions, or runs with their events and samples, that are not as they were written."""
@@ -204,7 +204,7 @@ def _note_damaged(
         f"{part} {key}": (key, str(whose))
         for key, whose in rows_of(db, query, scope.values())
         for part in parts
-        if not is_sound(db, part, key, "store")
+        if not is_intact(db, part, key, "store")
     }
     db.execute("CREATE TEMP TABLE IF NOT EXISTS damaged (id TEXT PRIMARY KEY)")
     keys = [(key,) for key, _ in found.values()]
@@ -278,7 +278,7 @@ def _describe(db: sqlite3.Connection, info: BundleInfo) -> None:
         "computer_id": info.computer_id,
         "computer_name": info.computer_name,
         "content_hash": info.content_hash,
-        "counts": dumped(info.counts),
+        "counts": to_json(info.counts),
         "anonymous": int(info.anonymous),
     }
     insert(db, "bundle", row)

@@ -9,7 +9,7 @@ import hashlib
 import json
 from collections.abc import Iterator
 
-from storage.sql import column_names, row_count, snapshot, some_rows, tuples
+from storage.sql import column_names, row_batches, row_count, snapshot, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
@@ -50,7 +50,7 @@ def _encoded_rows(
         f"SELECT {', '.join(names)} FROM {schema}.{table.name}"
         f" WHERE {table.condition.format(schema=schema)} ORDER BY {', '.join(table.key)}",
     )
-    for rows in some_rows(found):
+    for rows in row_batches(found):
         for line, row in zip(_lines(rows), rows, strict=True):
             yield b"".join((line, *[value for value in row if type(value) is bytes]))
 

@@ -11,11 +11,11 @@ from storage.exchange.bundle_writing import (
     BundleInfo,
     export_bundle,
     forget_unconfirmed,
-    note_export,
+    record_export,
 )
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deleting.deletion import Deletion, dead_keys, remove, remove_keys
-from storage.exchange.deleting.undecided import Undecided, undecided
+from storage.exchange.deleting.deletion import Deletion, purge, purge_keys, tombstoned_keys
+from storage.exchange.deleting.unresolved import UnresolvedDeletion, unresolved_deletions
 from storage.exchange.known_computers import KnownComputer, known_computers
 from storage.exchange.lesson_merging import merge_lesson
 from storage.exchange.merge_report import MergeReport
@@ -44,7 +44,7 @@ class Exchange:
         app_version: str,
         computer: tuple[str, str],
         scope: Scope = ALL,
-        is_noted: bool = True,
+        is_recorded: bool = True,
         anonymous: Collection[str] | None = None,
     ) -> BundleInfo:
         """Writes a bundle; see `export_bundle`.
@@ -58,7 +58,7 @@ class Exchange:
             app_version=app_version,
             computer=computer if anonymous is None else (new_id(), "PC"),
             scope=scope,
-            is_noted=is_noted,
+            is_recorded=is_recorded,
             alter=None if anonymous is None else anonymising(anonymous),
         )
 
@@ -78,13 +78,13 @@ class Exchange:
                 app_version=app_version,
                 computer=computer,
                 scope=scope,
-                is_noted=False,
+                is_recorded=False,
                 anonymous=anonymous,
             )
             with closing(opened(info.path, "rw")) as db:
                 forget_unconfirmed(db)
             info = replace(info, path=write_parquet(info.path, dest))
-        note_export(self._database, info, scope)
+        record_export(self._database, info, scope)
         return info
 
     def merge(
@@ -92,23 +92,25 @@ class Exchange:
         path: Path,
         *,
         delete: bool = False,
-        kept: Collection[str] = (),
-        keep_newer: bool = True,
+        retained: Collection[str] = (),
+        retain_newer: bool = True,
     ) -> MergeReport:
         """Merges a bundle into the store; on disk when this returns.
 
         Args:
             delete: also deletes what was deleted for good where the bundle is from, from the store, the write-ahead
                 log and the backups; without it the report only tells what that would be.
-            kept: with `delete`, groups and programs that stay nevertheless.
-            keep_newer: with `delete`, also what was moved, or is newer here than where it was deleted.
+            retained: with `delete`, groups and programs that stay nevertheless.
+            retain_newer: with `delete`, also what was moved, or is newer here than where it was deleted.
 
         Raises:
             StoreError: see `merging.merge`.
         """
-        report = merge(self._database, path, delete=delete, kept=kept, keep_newer=keep_newer)
+        report = merge(
+            self._database, path, delete=delete, retained=retained, retain_newer=retain_newer
+        )
         if report.removed:
-            self._database.checkpoint(is_patient=True)
+            self._database.checkpoint(waits_for_readers=True)
             report = replace(report, still_in=self._clean_copies(report.tombstones))
         return report
 
@@ -124,20 +126,20 @@ class Exchange:
         """PCs whose bundles were merged, the latest first."""
         return known_computers(self._database)
 
-    def undecided(self) -> list[Undecided]:
+    def unresolved_deletions(self) -> list[UnresolvedDeletion]:
         """Deletions of other PCs that were neither confirmed nor kept here."""
-        return undecided(self._database)
+        return unresolved_deletions(self._database)
 
-    def remove(self, kind: str, *keys: str) -> Deletion:
+    def purge(self, kind: str, *keys: str) -> Deletion:
         """Deletes rows of a kind for good, such as a `group`, also from the backups; see `deletion.remove`."""
-        deletion = remove(self._database, kind, *keys)
+        deletion = purge(self._database, kind, *keys)
         return replace(deletion, still_in=self._clean_copies(deletion.ids))
 
     def finish_removals(self, stop: Stop = lambda: False) -> tuple[Path, ...]:
         """Deletes what was deleted for good from backups and write-ahead log that still hold it: after a deletion that
         was cut off, or while a backup was locked or being made. Returns the backups that still hold it."""
-        with self._database.reading() as db:
-            ids = dead_keys(db)
+        with self._database.read_connection() as db:
+            ids = tombstoned_keys(db)
         if not ids:
             return ()
         self._database.checkpoint()
@@ -150,9 +152,9 @@ class Exchange:
         return self._clean_backups(ids) + self._share.clean()
 
     def _clean_backups(self, ids: Collection[str], stop: Stop = lambda: False) -> tuple[Path, ...]:
-        return tuple(remove_from_backups(self._database.path, ids, remove_keys, stop))
+        return tuple(remove_from_backups(self._database.path, ids, purge_keys, stop))
 
     def content_hash(self) -> str:
         """One number for all that the store holds; equal stores have equal ones."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             return content_hash(db)

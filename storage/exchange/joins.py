@@ -3,7 +3,7 @@
 In it `main` is the store and `bundle` the bundle; a row of the store is called `ours`, one of the bundle `theirs`.
 """
 
-from storage.exchange.deleting.deletion import DEAD_KEYS
+from storage.exchange.deleting.deletion import TOMBSTONED_KEYS
 from storage.sql import column_names
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
@@ -14,8 +14,8 @@ def insert_new(db: sqlite3.Connection, table: ReplicatedTable, condition: str) -
     names = column_names(db, table.name)
     return db.execute(
         f"INSERT INTO main.{table.name} ({', '.join(names)})"
-        f" SELECT {listed('theirs', names)} FROM bundle.{table.name} AS theirs"
-        f" WHERE ({condition}) AND {is_new(table)} ORDER BY {listed('theirs', table.key)}"
+        f" SELECT {qualified_columns('theirs', names)} FROM bundle.{table.name} AS theirs"
+        f" WHERE ({condition}) AND {is_new(table)} ORDER BY {qualified_columns('theirs', table.key)}"
     ).rowcount
 
 
@@ -30,10 +30,10 @@ def may_merge(table: ReplicatedTable) -> str:
         f"(theirs.{column} IS NULL OR EXISTS (SELECT 1 FROM main.{parent} WHERE id = theirs.{column}))"
         for column, parent in table.parents
     ]
-    return " AND ".join([f"theirs.id NOT IN {DEAD_KEYS}", *parents])
+    return " AND ".join([f"theirs.id NOT IN {TOMBSTONED_KEYS}", *parents])
 
 
-def both(table: ReplicatedTable, kind: str = "") -> str:
+def rows_in_both(table: ReplicatedTable, kind: str = "") -> str:
     """Rows of a table that both have, `theirs` and `ours`."""
     return f"FROM bundle.{table.name} AS theirs {kind} JOIN main.{table.name} AS ours ON {same_key(table)}"
 
@@ -43,6 +43,6 @@ def same_key(table: ReplicatedTable) -> str:
     return " AND ".join(f"ours.{name} = theirs.{name}" for name in table.key)
 
 
-def listed(side: str, names: tuple[str, ...]) -> str:
+def qualified_columns(side: str, names: tuple[str, ...]) -> str:
     """Columns of `ours` or `theirs`."""
     return ", ".join(f"{side}.{name}" for name in names)

@@ -19,7 +19,7 @@ class KnownComputer:
 
 def known_computers(database: Database) -> list[KnownComputer]:
     """Every PC that bundles were from, the one whose bundle was merged last first."""
-    with database.reading() as db:
+    with database.read_connection() as db:
         rows = rows_of(
             db,
             """SELECT merges.computer_id, coalesce(computers.name, merges.computer_name) AS name,

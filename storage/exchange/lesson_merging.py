@@ -18,7 +18,7 @@ def merge_lesson(database: Database, path: Path) -> tuple[MergeReport, str]:
     Raises:
         StoreError: `bundle_not_lesson` where the file is of another kind; else as `merging.merge`.
     """
-    with open_bundle(path, most_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
+    with open_bundle(path, max_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
         lesson_id = bundle.info.lesson_id
         if lesson_id is None or any(bundle.info.counts.get(table) for table in _WORK):
             raise StoreError("bundle_not_lesson", path=str(path))

@@ -18,7 +18,7 @@ class MergeReport:
         skipped: rows that were left out, as they or what they belong to was deleted from the store.
         removed: rows of the store that were deleted, as the bundle has tombstones for them.
         would_delete: rows of the store that a merge with `delete` would delete, None where it was done or for nothing.
-        kept: what was kept here, and is kept from now on wherever the store's bundles go.
+        retained: what was kept here, and is kept from now on wherever the store's bundles go.
         tombstones: keys of what was deleted; backups are to lose the same.
         exports: files that were written from this store and may still hold it.
         still_in: backups that could not be written anew, and may hold it.
@@ -31,7 +31,7 @@ class MergeReport:
     skipped: dict[str, int]
     removed: dict[str, int]
     would_delete: PendingDeletion | None = None
-    kept: tuple[PendingWork, ...] = ()
+    retained: tuple[PendingWork, ...] = ()
     tombstones: tuple[str, ...] = ()
     exports: tuple[Exported, ...] = ()
     still_in: tuple[Path, ...] = ()
@@ -45,4 +45,6 @@ class MergeReport:
     @property
     def nothing_new(self) -> bool:
         """All of it was in the store already, or was deleted from it."""
-        return not (self.added or self.changed or self.removed or self.would_delete or self.kept)
+        return not (
+            self.added or self.changed or self.removed or self.would_delete or self.retained
+        )

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from storage.errors import StoreError
-from storage.file.whole_files import free_path
+from storage.file.atomic_files import free_path
 from storage.sql import opened, tuples
 from storage.sqlite import sqlite3
 from storage.tables.replicated import REPLICATED

@@ -12,10 +12,10 @@ from pathlib import Path
 from storage.errors import StoreError
 from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.bundle_writing import BundleInfo
+from storage.exchange.confirmation_tracking import n_unconfirmed, tracking_unconfirmed
 from storage.exchange.joins import insert_new, is_new, may_merge
-from storage.exchange.marking import marking, n_unconfirmed
 from storage.exchange.merge_report import MergeReport
-from storage.exchange.merging import some
+from storage.exchange.merging import nonzero
 from storage.file.connection import Database
 from storage.file.opening import connect
 from storage.limits import MAX_SAMPLES_WITHOUT_PIN
@@ -62,7 +62,7 @@ def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
     Raises:
         StoreError: `bundle_not_program` where it holds more or less, or deletions; else as `merging.merge`.
     """
-    with open_bundle(path, most_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
+    with open_bundle(path, max_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
         with closing(connect(bundle.address)) as db:
             programs = [str(row["id"]) for row in db.execute("SELECT id FROM programs LIMIT 2")]
             deletes = db.execute("SELECT 1 FROM tombstones LIMIT 1").fetchone()
@@ -70,7 +70,7 @@ def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
             raise StoreError("bundle_not_program", path=str(path))
 
         def write(db: sqlite3.Connection) -> MergeReport:
-            with marking(db, database.now(), gives_way=False):
+            with tracking_unconfirmed(db, database.now(), replaces_refuted=False):
                 report = _merge(db, bundle.info)
             return replace(report, n_unconfirmed=n_unconfirmed(db))
 
@@ -91,4 +91,4 @@ def _merge(db: sqlite3.Connection, info: BundleInfo) -> MergeReport:
     for table in (EVENTS, TELEMETRY):
         added[table.name] = insert_new(db, table, "theirs.run_id IN temp.coming")
     db.execute("DROP TABLE temp.coming")
-    return MergeReport(info, some(added), {}, {}, {})
+    return MergeReport(info, nonzero(added), {}, {}, {})

@@ -26,7 +26,7 @@ _JOINED = "id IN (SELECT part_of FROM store.lessons WHERE id IN (SELECT id FROM 
 _ACTIVITIES_OF = """id IN (SELECT json_extract(versions.setup, '$.activity') FROM store.versions
     JOIN store.programs ON programs.id = versions.program_id WHERE {condition})"""
 
-_KEPT_OF_GROUP = """turn % 2 AND id IN (SELECT :group UNION SELECT id FROM store.programs WHERE group_id = :group
+_RETAINED_OF_GROUP = """turn % 2 AND id IN (SELECT :group UNION SELECT id FROM store.programs WHERE group_id = :group
     UNION SELECT classroom_id FROM store.groups WHERE id = :group)"""
 
 
@@ -95,7 +95,7 @@ class Scope:
             return rows | chosen | {OWN_ACTIVITIES.name: activities}
         if self.group_id:
             activities = _ACTIVITIES_OF.format(condition="programs.group_id = :group")
-            chosen = {GROUPS.name: "id = :group", DELETIONS.name: _KEPT_OF_GROUP}
+            chosen = {GROUPS.name: "id = :group", DELETIONS.name: _RETAINED_OF_GROUP}
             chosen[FORMER_CLASSES.name] = "group_id = :group"
             return rows | chosen | {OWN_ACTIVITIES.name: activities}
         return rows | self._of_class()

@@ -16,11 +16,11 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from storage.errors import StoreError, is_full, translated
+from storage.file.atomic_files import atomic_write
+from storage.file.commit_counter import commit_count
 from storage.file.filesystems import Free, free_bytes
-from storage.file.mark import n_saves_of
-from storage.file.sums import Changes
-from storage.file.whole_files import whole_file
-from storage.sql import Stop, column_names, damage, opened
+from storage.file.row_checksums import ChangedRows
+from storage.sql import Stop, column_names, integrity_problem, opened
 from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
 
@@ -31,7 +31,7 @@ EVERY_HOUR = timedelta(hours=1)
 _LATEST = 3  # a PC whose battery is empty has the same day every day
 _DAYS = 14
 _WEEKS = 8
-_MOST_BYTES = 10**9
+_MAX_BYTES = 10**9
 _LEFT_FREE = 50 * 10**6  # the store needs room to grow beside a backup
 _PAGES = 256
 _PAUSE_S = 0.002
@@ -95,7 +95,7 @@ def is_due(path: Path, now: datetime, n_saves: int) -> bool:
 def lacks_work(backup: Backup, n_saves: int) -> bool:
     """True where something was saved since the backup was made."""
     with contextlib.suppress(sqlite3.Error), closing(opened(backup.path, "immutable")) as db:
-        return n_saves_of(db) != n_saves
+        return commit_count(db) != n_saves
     return True
 
 
@@ -116,12 +116,12 @@ def make_backup(
     """
     try:
         with _at_work:
-            _require_room(path, free)
-            with whole_file(_next_path(path, now)) as part:
+            _require_free_space(path, free)
+            with atomic_write(_next_path(path, now)) as part:
                 _copy(path, part, stop)
-                _require_sound(part, path, stop)
+                _require_intact(part, path, stop)
                 shutil.copymode(path, part)
-            remove_surplus(path, free=free)
+            prune(path, free=free)
     except _StoppedError:
         return None
     except sqlite3.Error as error:
@@ -141,17 +141,17 @@ def _next_path(path: Path, now: datetime) -> Path:
     return folder / f"{path.stem}-{number:05d}-{now.astimezone(UTC):{_TIME}}{path.suffix}"
 
 
-def remove_surplus(path: Path, *, free: Free = free_bytes) -> None:
+def prune(path: Path, *, free: Free = free_bytes) -> None:
     """Deletes the backups that are not `worth_keeping`."""
     backups = list_backups(path)
     total = sum(backup.size_bytes for backup in backups)
     with contextlib.suppress(OSError):  # tried again with the next one
-        limit = min(_MOST_BYTES, (free(folder_of(path)) + total) // 10)
-        for backup in set(backups).difference(worth_keeping(backups, limit)):
+        limit = min(_MAX_BYTES, (free(folder_of(path)) + total) // 10)
+        for backup in set(backups).difference(retained_backups(backups, limit)):
             backup.path.unlink()
 
 
-def worth_keeping(backups: Sequence[Backup], limit_bytes: int) -> list[Backup]:
+def retained_backups(backups: Sequence[Backup], limit_bytes: int) -> list[Backup]:
     """Of backups, the newest first, the last three, then the last of each day, then the last of each week.
 
     Counted are the 14 days, and before them the 8 weeks, in which there were backups: so neither holidays nor a wrong
@@ -192,7 +192,7 @@ def restored_copy(
         if not _is_good(backup.path, is_ours):
             continue
         try:
-            with whole_file(target) as part:
+            with atomic_write(target) as part:
                 shutil.copyfile(backup.path, part)
         except OSError as error:
             if is_full(error):
@@ -235,7 +235,7 @@ def damage_of(file: Path, stop: Stop = lambda: False) -> str | None:
     """What SQLite finds wrong with a file that nobody writes; None when all is well."""
     try:
         with closing(opened(file, "immutable")) as db:
-            return damage(db, stop=stop)
+            return integrity_problem(db, stop=stop)
     except sqlite3.Error as error:
         if stop():
             raise _StoppedError from error
@@ -274,21 +274,21 @@ def has_tombstones(backup: Path, ids: Collection[str]) -> bool:
     """True where a backup has tombstones of all keys: as a whole is replaced, it then holds nothing of their rows."""
     try:
         with closing(opened(backup, "immutable")) as db:
-            dead = {key for (key,) in db.execute("SELECT id FROM tombstones")}
+            tombstoned = {key for (key,) in db.execute("SELECT id FROM tombstones")}
             if column_names(db, "deletions"):
-                kept = db.execute("SELECT id FROM deletions WHERE turn % 2")
-                dead -= {key for (key,) in kept}
-            return dead.issuperset(ids)
+                retained = db.execute("SELECT id FROM deletions WHERE turn % 2")
+                tombstoned -= {key for (key,) in retained}
+            return tombstoned.issuperset(ids)
     except sqlite3.Error:
         return False
 
 
 def _is_removed(backup: Path, path: Path, ids: Collection[str], remove: Remove) -> bool:
     try:
-        with whole_file(backup) as part:
+        with atomic_write(backup) as part:
             shutil.copy2(backup, part)
             _remove(part, ids, remove)
-            _require_sound(part, path, lambda: False)
+            _require_intact(part, path, lambda: False)
     except (sqlite3.Error, OSError, StoreError):
         return False
     return True
@@ -300,10 +300,10 @@ def _remove(file: Path, ids: Collection[str], remove: Remove) -> None:
         db.execute("PRAGMA journal_mode = DELETE")
         db.execute("PRAGMA foreign_keys = ON")
         migrate(db)
-        changes = Changes(db)
+        changes = ChangedRows(db)
         db.execute("BEGIN IMMEDIATE")
         remove(db, ids)
-        changes.renew(db)  # the sums go with the rows
+        changes.update_checksums(db)  # the sums go with the rows
         db.execute("COMMIT")
         db.execute("VACUUM")  # the text of deleted rows is still in free pages before
 
@@ -319,12 +319,12 @@ def _is_good(file: Path, is_ours: Callable[[sqlite3.Connection], None]) -> bool:
     return True
 
 
-def _require_sound(part: Path, path: Path, stop: Stop) -> None:
+def _require_intact(part: Path, path: Path, stop: Stop) -> None:
     if problem := damage_of(part, stop):
         raise StoreError("backup_found_damage", path=str(path), problem=problem)
 
 
-def _require_room(path: Path, free: Free) -> None:
+def _require_free_space(path: Path, free: Free) -> None:
     parts = (path, path.with_name(path.name + "-wal"))
     needed = sum(part.stat().st_size for part in parts if part.exists())
     if free(path.parent) < needed + _LEFT_FREE:

@@ -19,10 +19,10 @@ from storage.sqlite import sqlite3
 from storage.text import time_text
 
 T = TypeVar("T")
-_KEPT = 8
+_MAX_IDLE = 8
 
 
-class Moment(NamedTuple):
+class Timestamp(NamedTuple):
     """When something is done.
 
     Attributes:
@@ -67,23 +67,23 @@ class Database:
         self._uptime = uptime
         self._app = uuid.uuid4().hex
         self._has_damaged_texts = False
-        self._idle: queue.LifoQueue[sqlite3.Connection] = queue.LifoQueue(_KEPT)
+        self._idle: queue.LifoQueue[sqlite3.Connection] = queue.LifoQueue(_MAX_IDLE)
         self._writer = None if refusal else Writer(connect(address), path, self.now)
 
     def now(self) -> str:
         """The time as text."""
         return time_text(self._clock())
 
-    def moment(self) -> Moment:
+    def timestamp(self) -> Timestamp:
         """The time as text, with the monotonic time that measures pauses although the clock is set."""
-        return Moment(self.now(), self._app, self._uptime())
+        return Timestamp(self.now(), self._app, self._uptime())
 
     @contextmanager
-    def reading(self) -> Iterator[sqlite3.Connection]:
+    def read_connection(self) -> Iterator[sqlite3.Connection]:
         """A connection for this thread alone, seeing all that was committed. Raises StoreError."""
         connection: sqlite3.Connection | None = None
         try:
-            connection = self._taken()
+            connection = self._acquire()
             yield connection
         except sqlite3.Error as error:
             if is_text_damage(error):  # of a name; the next attempt reads it
@@ -91,7 +91,7 @@ class Database:
             raise translated(error, self.path) from error
         finally:
             if connection is not None:
-                self._give_back(connection)
+                self._release(connection)
 
     def write(self, job: Callable[[sqlite3.Connection], T], *, attached: str | None = None) -> T:
         """Runs the job in a transaction of the writer; on disk when this returns. Raises StoreError.
@@ -111,15 +111,15 @@ class Database:
         future.set_exception(self._refusal or StoreError("database_read_only", path=str(self.path)))
         return future
 
-    def checkpoint(self, *, is_patient: bool = False) -> bool:
+    def checkpoint(self, *, waits_for_readers: bool = False) -> bool:
         """Empties the write-ahead log, by the writer; False while another connection still reads from it.
 
         Args:
-            is_patient: waits some seconds for those who read, and lets those who write wait too.
+            waits_for_readers: waits some seconds for those who read, and lets those who write wait too.
         """
         if self._writer is None:
             return False
-        return self._writer.checkpoint(is_patient=is_patient).result()
+        return self._writer.checkpoint(waits_for_readers=waits_for_readers).result()
 
     def listen(self, on_written: Callable[[], None]) -> None:
         """Calls it after each write that is on disk, on the writer's thread; it must not raise or wait."""
@@ -138,7 +138,7 @@ class Database:
         if self._writer is not None:
             self._writer.close()
 
-    def _taken(self) -> sqlite3.Connection:
+    def _acquire(self) -> sqlite3.Connection:
         try:
             connection = self._idle.get_nowait()
         except queue.Empty:
@@ -147,7 +147,7 @@ class Database:
             read_all_texts(connection)
         return connection
 
-    def _give_back(self, connection: sqlite3.Connection) -> None:
+    def _release(self, connection: sqlite3.Connection) -> None:
         try:
             self._idle.put_nowait(connection)
         except queue.Full:

@@ -58,12 +58,12 @@ def is_on_share(folder: Path) -> bool:
 
 def kind_of_file_system(folder: Path, mounts: str) -> str:
     """The kind that Linux gives in its list of mounts (proc(5), mountinfo) for where a folder lies."""
-    found, longest = "", -1
+    found, max_length = "", -1
     for line in mounts.splitlines():
         before, _, after = line.partition(" - ")
         place = _plain(before.split(" ")[4])
-        if len(place) >= longest and folder.is_relative_to(place):
-            found, longest = after.split(" ")[0], len(place)
+        if len(place) >= max_length and folder.is_relative_to(place):
+            found, max_length = after.split(" ")[0], len(place)
     return found
 
 

@@ -7,7 +7,7 @@ one in the key of a group its programs belong to none, and no list has them.
 
 from storage.errors import StoreError
 from storage.file.connection import Database
-from storage.sql import Stop, damage, stoppable
+from storage.sql import Stop, integrity_problem, stoppable
 
 
 def check_and_reindex(database: Database, stop: Stop = lambda: False) -> str | None:
@@ -27,11 +27,11 @@ def check_and_reindex(database: Database, stop: Stop = lambda: False) -> str | N
 
 def _misfit(database: Database, stop: Stop) -> str | None:
     """The first row that belongs to one which is not there, as the tables of both."""
-    with database.reading() as db, stoppable(db, stop):
+    with database.read_connection() as db, stoppable(db, stop):
         row = db.execute("PRAGMA foreign_key_check").fetchone()
         return f"{row[0]} - {row[2]}" if row else None
 
 
 def _problem(database: Database, stop: Stop) -> str | None:
-    with database.reading() as db:
-        return damage(db, stop=stop)
+    with database.read_connection() as db:
+        return integrity_problem(db, stop=stop)

@@ -30,7 +30,7 @@ def has_frames(database: Path) -> bool:
         return False
 
 
-def cut_off(database: Path) -> int:
+def lost_commits(database: Path) -> int:
     """Commits in the log that SQLite leaves out as something before them is damaged; 0 where all is well."""
     try:
         octets = read_regular(path_of(database))
@@ -40,14 +40,14 @@ def cut_off(database: Path) -> int:
         return 0
     header = struct.unpack(">8I", octets[:HEADER])
     order = ">" if header[0] & 1 else "<"
-    sums = summed((0, 0), octets[:24], order)
+    checksum = wal_checksum((0, 0), octets[:24], order)
     step = FRAME_HEADER + header[2]
-    if header[0] & ~1 != WAL_MAGIC or sums != header[6:] or not 512 <= header[2] <= 65536:
+    if header[0] & ~1 != WAL_MAGIC or checksum != header[6:] or not 512 <= header[2] <= 65536:
         return 1  # nothing of it is read
-    return _commits_after_damage(octets, order, step, sums, header[4:6])
+    return _commits_after_damage(octets, order, step, checksum, header[4:6])
 
 
-def sound_frames(database: Path) -> Iterator[tuple[int, bytes]]:
+def intact_frames(database: Path) -> Iterator[tuple[int, bytes]]:
     """Number and content of each page in the log that is as it was written, in their order, also after damage."""
     try:
         octets = read_regular(path_of(database))
@@ -64,7 +64,7 @@ def sound_frames(database: Path) -> Iterator[tuple[int, bytes]]:
 def _salts(octets: bytes, starts: range) -> bytes:
     """What marks frames of the present round: the header tells; where it is damaged, most frames do."""
     stored = struct.unpack_from(">2I", octets, 24) if starts else ()
-    if any(summed((0, 0), octets[:24], order) == stored for order in "<>"):
+    if any(wal_checksum((0, 0), octets[:24], order) == stored for order in "<>"):
         return octets[16:24]
     return Counter(octets[n + 8 : n + 16] for n in starts).most_common(1)[0][0] if starts else b""
 
@@ -72,14 +72,14 @@ def _salts(octets: bytes, starts: range) -> bytes:
 def _continues(octets: bytes, start: int) -> bool:
     """Whether a frame's checksum continues that of the frame before it, of the first one that of the log's header."""
     before = start - _STEP + 16 if start > HEADER else HEADER - 8
-    sums: tuple[int, int] = struct.unpack_from(">2I", octets, before)
+    checksum: tuple[int, int] = struct.unpack_from(">2I", octets, before)
     counted = octets[start : start + 8] + octets[start + FRAME_HEADER : start + _STEP]
     stored = struct.unpack_from(">2I", octets, start + 16)
-    return any(summed(sums, counted, order) == stored for order in "<>")
+    return any(wal_checksum(checksum, counted, order) == stored for order in "<>")
 
 
 def _commits_after_damage(
-    octets: bytes, order: str, step: int, sums: tuple[int, int], salts: tuple[int, ...]
+    octets: bytes, order: str, step: int, checksum: tuple[int, int], salts: tuple[int, ...]
 ) -> int:
     is_sound, n_commits = True, 0
     for start in range(HEADER, len(octets) - step + 1, step):
@@ -87,9 +87,9 @@ def _commits_after_damage(
         if tuple(rest[:2]) != salts and is_sound:
             return 0 if not _recurs(octets, start + step, step, salts) else 1
         if is_sound:
-            sums = summed(sums, octets[start : start + 8], order)
-            sums = summed(sums, octets[start + FRAME_HEADER : start + step], order)
-            is_sound = sums == tuple(rest[2:])
+            checksum = wal_checksum(checksum, octets[start : start + 8], order)
+            checksum = wal_checksum(checksum, octets[start + FRAME_HEADER : start + step], order)
+            is_sound = checksum == tuple(rest[2:])
         if not is_sound:
             n_commits += bool(n_pages) and tuple(rest[:2]) == salts
     return n_commits
@@ -103,11 +103,11 @@ def _recurs(octets: bytes, begin: int, step: int, salts: tuple[int, ...]) -> boo
     )
 
 
-def summed(sums: tuple[int, int], octets: bytes, order: str) -> tuple[int, int]:
+def wal_checksum(checksum: tuple[int, int], octets: bytes, order: str) -> tuple[int, int]:
     """The log's checksum of what came before, continued over more octets; `order`: of the words, as in struct."""
-    one, other = sums
-    words = struct.unpack(f"{order}{len(octets) // 4}I", octets)
-    for first, second in zip(words[::2], words[1::2], strict=True):
+    one, other = checksum
+    integers = struct.unpack(f"{order}{len(octets) // 4}I", octets)
+    for first, second in zip(integers[::2], integers[1::2], strict=True):
         one = (one + first + other) & 0xFFFFFFFF
         other = (other + second + one) & 0xFFFFFFFF
     return one, other

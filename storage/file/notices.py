@@ -12,7 +12,7 @@ class Notice:
 
 
 @dataclass(frozen=True, slots=True)
-class Salvaged:
+class SalvageResult:
     """What came out of a damaged file.
 
     Attributes:

@@ -11,24 +11,30 @@ from pathlib import Path
 
 from storage.errors import StoreError, error_name, translated
 from storage.file import log
+from storage.file.commit_counter import (
+    CommitRecord,
+    commit_count,
+    ensure_counter,
+    read_counter,
+    write_counter,
+)
 from storage.file.filesystems import is_on_share
-from storage.file.mark import Remembered, n_saves_of, remember, remember_first, remembered
+from storage.file.invalid_values import damaged_ids, repair_settings
 from storage.file.notices import Notice
-from storage.file.odd_values import damaged_ids, mend_settings
 from storage.file.private import PRIVATE_FOLDER
 from storage.file.replacing import (
-    Mend,
-    earlier,
-    end_mended,
+    SalvageInto,
     finish_replacing,
-    replaced,
-    was_there,
+    is_lost_file,
+    repair_wal_tail,
+    replace_damaged,
+    rollback_notice,
 )
-from storage.sql import address, damage
+from storage.sql import address, integrity_problem
 from storage.sqlite import sqlite3
 from storage.tables.ddl import BASELINE, MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
-from storage.text import IS_ID, continue_after, loaded, local_time, time_text
+from storage.text import IS_ID, continue_after, from_json, local_time, time_text
 
 _BUSY_S = 5.0
 # the newest id that this PC made; of rows with thousands from PCs whose clocks are ahead the last merge is near enough
@@ -45,7 +51,7 @@ _CHUNK = 2**20
 
 
 @dataclass(frozen=True, slots=True)
-class Opened:
+class OpenPlan:
     """How to connect, and whether writing is possible."""
 
     address: str
@@ -65,29 +71,29 @@ def connect(address: str) -> sqlite3.Connection:
     return connection
 
 
-def prepare(path: Path, now: datetime, mend: Mend | None = None) -> Opened:
+def prepare(path: Path, now: datetime, salvage_into: SalvageInto | None = None) -> OpenPlan:
     """Makes the file ready: replaces a damaged file by its last sound backup and runs the migrations it lacks.
 
     Args:
-        mend: brings what is still readable of a damaged file into the one that takes its place.
+        salvage_into: brings what is still readable of a damaged file into the one that takes its place.
 
     Raises:
         StoreError: `database_newer`, `database_foreign` or `database_is_bundle` with the file untouched;
             `database_read_only`, `disk_full` where not even reading is possible; `database_locked`, `database_failed`.
     """
     try:
-        found = _examined(path, now, mend)
+        found = _examined(path, now, salvage_into)
         trouble = _migrate(path, now)
-        return Opened(address(path, "rwc"), writable=True, notice=found or trouble)
+        return OpenPlan(address(path, "rwc"), writable=True, notice=found or trouble)
     except _ReadOnlyError as stop:
-        return Opened(stop.address, writable=False, notice=_of_read_only(path, stop.address))
+        return OpenPlan(stop.address, writable=False, notice=_of_read_only(path, stop.address))
     except (sqlite3.Error, StoreError) as error:
         return _shown_on_full_disk(path, error)
     except OSError as error:
         raise StoreError("database_read_only", path=str(path), problem=error.strerror) from error
 
 
-def _shown_on_full_disk(path: Path, error: sqlite3.Error | StoreError) -> Opened:
+def _shown_on_full_disk(path: Path, error: sqlite3.Error | StoreError) -> OpenPlan:
     """How to read a sound file beside which SQLite has no room for its own files. Raises StoreError for any other."""
     problem = error if isinstance(error, StoreError) else translated(error, path)
     if problem.code == "disk_full":
@@ -95,13 +101,13 @@ def _shown_on_full_disk(path: Path, error: sqlite3.Error | StoreError) -> Opened
             readable = _readable_address(path)
             with closing(_tried(readable)) as connection:
                 _check_ownership(connection, path)
-                if damage(connection, "quick_check") is None:
+                if integrity_problem(connection, "quick_check") is None:
                     notice = _of_read_only(path, readable, "disk_full_at_start")
-                    return Opened(readable, writable=False, notice=notice)
+                    return OpenPlan(readable, writable=False, notice=notice)
     raise problem
 
 
-def prepare_reading(path: Path) -> Opened:
+def prepare_reading(path: Path) -> OpenPlan:
     """How to read the file as it is; nothing is written, made or set aside, not even beside it.
 
     Raises:
@@ -111,11 +117,11 @@ def prepare_reading(path: Path) -> Opened:
     try:
         unchanged = _untouching_address(path)
         with closing(_tried(unchanged)) as connection:
-            if damage(connection, "quick_check") is not None:
+            if integrity_problem(connection, "quick_check") is not None:
                 raise StoreError("database_damaged", path=str(path))
             _check_ownership(connection, path)
             if _tables(connection) and _applied(connection) == MIGRATIONS.keys():
-                return Opened(unchanged, writable=False, notice=None)
+                return OpenPlan(unchanged, writable=False, notice=None)
     except sqlite3.Error as error:
         problem = translated(error, path)
         if problem.code != "database_read_only":
@@ -130,34 +136,34 @@ class _ReadOnlyError(Exception):
         self.address = address
 
 
-def _examined(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
+def _examined(path: Path, now: datetime, salvage_into: SalvageInto | None) -> Notice | None:
     """Looks at the file without writing to it; replaces it when it is damaged, empty or missing."""
     if path.exists() and not path.is_file():  # a folder, a pipe: waiting for it would have no end
         raise StoreError("database_failed", path=str(path), problem=f"{path}: no file")
     path.parent.mkdir(PRIVATE_FOLDER, parents=True, exist_ok=True)
     finish_replacing(path)
-    known = remembered(path)  # before the file is read: another program may be saving to it
-    problem, n_saves = _looked_at(path)
-    if problem in _EMPTY and not was_there(path, by_log=problem == "missing"):
+    known = read_counter(path)  # before the file is read: another program may be saving to it
+    problem, n_saves = _inspect(path)
+    if problem in _EMPTY and not is_lost_file(path, by_log=problem == "missing"):
         return None  # the first start
     if problem:
-        return replaced(path, problem, now, lambda db: _require_ours(db, path), mend)
-    return _examined_end(path, known, n_saves, now, mend)
+        return replace_damaged(path, problem, now, lambda db: _require_ours(db, path), salvage_into)
+    return _examined_end(path, known, n_saves, now, salvage_into)
 
 
-def _looked_at(path: Path) -> tuple[str, int]:
+def _inspect(path: Path) -> tuple[str, int]:
     """What is wrong with the file, "" where all is well, and the saves that it has counted."""
     if not path.exists() or not path.stat().st_size:
         return "missing", 0
     try:
         with closing(_connect_reading(path)) as connection:
-            if problem := damage(connection, "quick_check"):
+            if problem := integrity_problem(connection, "quick_check"):
                 return problem, 0
             if not _tables(connection):
                 return "empty", 0
             _check_ownership(connection, path)
             is_current = _applied(connection) == MIGRATIONS.keys()
-            return damaged_ids(connection) if is_current else "", n_saves_of(connection)
+            return damaged_ids(connection) if is_current else "", commit_count(connection)
     except sqlite3.DatabaseError as error:
         if not _is_damage(error, path):
             raise
@@ -186,16 +192,22 @@ def _can_be_read(file: Path) -> bool:
 
 
 def _examined_end(
-    path: Path, known: Remembered | None, n_saves: int, now: datetime, mend: Mend | None
+    path: Path,
+    known: CommitRecord | None,
+    n_saves: int,
+    now: datetime,
+    salvage_into: SalvageInto | None,
 ) -> Notice | None:
     """Whether all that was saved is there, as far as log and mark tell."""
     is_behind = known is not None and n_saves < known.n_saves
-    n_cut_off = log.cut_off(path) if is_behind or known is None else 0
-    notice = end_mended(path, now, mend) if n_cut_off else None
+    n_cut_off = log.lost_commits(path) if is_behind or known is None else 0
+    notice = repair_wal_tail(path, now, salvage_into) if n_cut_off else None
     if notice or not is_behind or known is None:
         return notice
-    remember(path, n_saves, known.at)  # once: a person may have put an earlier copy back on purpose
-    return earlier(path, known, n_saves)
+    write_counter(
+        path, n_saves, known.at
+    )  # once: a person may have put an earlier copy back on purpose
+    return rollback_notice(path, known, n_saves)
 
 
 def _connect_reading(path: Path) -> sqlite3.Connection:
@@ -266,20 +278,20 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
         # SQLite itself notices it only with the first save where a WAL and its index are left on a read-only disk
         raise _ReadOnlyError(_readable_address(path))
     try:
-        with closing(_connect_writing(path)) as connection, _told_when_full(path):
+        with closing(_connect_writing(path)) as connection, _reporting_full_disk(path):
             notice = _choose_journal(connection, path)
             connection.execute("BEGIN IMMEDIATE")
             connection.execute("ROLLBACK")
-            begun = MIGRATIONS_TABLE in _tables(connection)
-            applied = _applied(connection) if begun else set()
+            is_initialised = MIGRATIONS_TABLE in _tables(connection)
+            applied = _applied(connection) if is_initialised else set()
             if applied and applied != MIGRATIONS.keys():
                 notice = _back_up(path, now) or notice
             if applied != MIGRATIONS.keys():
-                migrate(connection, at_once=not begun)
-            mended = mend_settings(connection, path)
+                migrate(connection, at_once=not is_initialised)
+            repair_notice = repair_settings(connection, path)
             _continue_ids(connection)
-            remember_first(path, n_saves_of(connection), time_text(now))
-            return notice or mended
+            ensure_counter(path, commit_count(connection), time_text(now))
+            return notice or repair_notice
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
@@ -287,7 +299,7 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
 
 
 @contextlib.contextmanager
-def _told_when_full(path: Path) -> Iterator[None]:
+def _reporting_full_disk(path: Path) -> Iterator[None]:
     """Raises `disk_full` while the WAL is there, whose size can be the only sign of it; closing removes the WAL."""
     try:
         yield
@@ -301,7 +313,7 @@ def _told_when_full(path: Path) -> Iterator[None]:
 def _continue_ids(connection: sqlite3.Connection) -> None:
     """Makes new ids greater than those made here: lists go by them, and an empty battery sets the clock to 2010."""
     key = connection.execute("SELECT value FROM settings WHERE key = 'computer_id'").fetchone()
-    computer = loaded(key[0]) if key else None
+    computer = from_json(key[0]) if key else None
     for query in _MADE_HERE:
         continue_after(connection.execute(query, {"this": computer}).fetchone()[0] or "")
 

@@ -9,7 +9,7 @@ from pathlib import Path
 PRIVATE_FOLDER, _PRIVATE_FILE = 0o700, 0o600
 
 
-def make_private(path: Path, *, is_own_folder: bool) -> None:
+def restrict_permissions(path: Path, *, is_own_folder: bool) -> None:
     """Takes the database and what lies beside it from other accounts of the PC. What cannot be changed stays.
 
     A folder that somebody has chosen keeps its permissions: a technician may share it among accounts. So does one with

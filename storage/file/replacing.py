@@ -9,29 +9,29 @@ from pathlib import Path
 
 from storage.errors import StoreError, error_name, is_full
 from storage.file import log
+from storage.file.atomic_files import free_path
 from storage.file.backups import Backup, list_backups, restored_copy
-from storage.file.mark import Remembered, n_saves_of, remembered, set_saves
-from storage.file.notices import Notice, Salvaged
+from storage.file.commit_counter import CommitRecord, commit_count, read_counter, set_saves
+from storage.file.notices import Notice, SalvageResult
 from storage.file.temporary import remove_leftovers
-from storage.file.whole_files import free_path
-from storage.sql import damage, opened
+from storage.sql import integrity_problem, opened
 from storage.sqlite import sqlite3
 from storage.text import local_time, time_text
 
-Mend = Callable[[Path, Path, str], Salvaged]
+SalvageInto = Callable[[Path, Path, str], SalvageResult]
 IsOurs = Callable[[sqlite3.Connection], None]
 _log = logging.getLogger(__name__)
 # in the order in which they are set aside: as long as the file is there, the next start begins anew with all of them
 _SIBLINGS = ("", "-wal", "-journal", "-shm")
 
 
-def was_there(path: Path, *, by_log: bool) -> bool:
+def is_lost_file(path: Path, *, by_log: bool) -> bool:
     """True where a missing or empty file is a loss: it has backups or a log, was damaged before, or was saved to.
 
     Args:
         by_log: a log is a sign; not of a file without tables, whose making was cut off.
     """
-    known = remembered(path)
+    known = read_counter(path)
     return bool(
         (by_log and log.has_frames(path))
         or list_backups(path)
@@ -40,33 +40,35 @@ def was_there(path: Path, *, by_log: bool) -> bool:
     )
 
 
-def replaced(path: Path, problem: str, now: datetime, is_ours: IsOurs, mend: Mend | None) -> Notice:
+def replace_damaged(
+    path: Path, problem: str, now: datetime, is_ours: IsOurs, salvage_into: SalvageInto | None
+) -> Notice:
     """Puts the last sound backup, with all that is readable of the file, in its place, and the file aside.
 
     Without a backup what is readable goes into a new file.
 
     Args:
         is_ours: raises StoreError for a backup that is not to be used.
-        mend: brings what is readable of a file into another; None to leave that out.
+        salvage_into: brings what is readable of a file into another; None to leave that out.
 
     Raises:
         StoreError: `disk_full`; the file is in its place.
         OSError: the folder cannot be written; the file is in its place.
     """
-    is_gone = not path.exists() or path.stat().st_size == 0
+    is_missing = not path.exists() or path.stat().st_size == 0
     made = _unfinished(path)
     backup = restored_copy(path, made, is_ours)
     try:
-        salvaged = _mended(path, made, now, mend)
+        salvaged = _try_salvage(path, made, now, salvage_into)
     except StoreError:
         _remove(made)
         raise
-    found = _Outcome(path, is_gone, problem, backup, salvaged)
-    _take_place(path, made, now, found)
+    found = _Outcome(path, is_missing, problem, backup, salvaged)
+    _install(path, made, now, found)
     return found.notice()
 
 
-def end_mended(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
+def repair_wal_tail(path: Path, now: datetime, salvage_into: SalvageInto | None) -> Notice | None:
     """The same for a file that is sound but for the end of its log: a copy of the file takes the backup's part.
 
     None where nothing can be brought back; nothing has changed then.
@@ -74,11 +76,11 @@ def end_mended(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
     made = _unfinished(path)
     try:
         _copy_with_log(path, made)
-        salvaged = _mended(path, made, now, mend)
+        salvaged = _try_salvage(path, made, now, salvage_into)
         if salvaged is None or not salvaged.n_rows:
             return None
         found = _Outcome(path, False, "", None, salvaged, is_end=True)
-        _take_place(path, made, now, found)
+        _install(path, made, now, found)
         return found.notice()
     except OSError as error:
         if is_full(error):
@@ -97,13 +99,13 @@ def finish_replacing(path: Path) -> None:
         if path.exists():
             copy.unlink()
         else:
-            _set_aside(
+            _quarantine(
                 path, datetime.fromtimestamp(copy.stat().st_mtime, UTC)
             )  # what was left of it
             copy.replace(path)
 
 
-def earlier(path: Path, known: Remembered, n_saves: int) -> Notice:
+def rollback_notice(path: Path, known: CommitRecord, n_saves: int) -> Notice:
     """The file has fewer commits than it had; names the newest backup that has more, where there is one."""
     params: dict[str, object] = {
         "path": str(path),
@@ -119,7 +121,7 @@ def earlier(path: Path, known: Remembered, n_saves: int) -> Notice:
 
 def _saves_in(backup: Path) -> int:
     with suppress(sqlite3.Error), closing(opened(backup, "immutable")) as db:
-        return n_saves_of(db)
+        return commit_count(db)
     return 0
 
 
@@ -129,17 +131,22 @@ class _Outcome:
     def __init__(
         self,
         path: Path,
-        is_gone: bool,
+        is_missing: bool,
         problem: str,
         backup: Backup | None,
-        salvaged: Salvaged | None,
+        salvaged: SalvageResult | None,
         *,
         is_end: bool = False,
     ) -> None:
         self.aside: Path | None = None
         self.backup = backup
-        self._path, self._is_gone, self._problem, self._is_end = path, is_gone, problem, is_end
-        self.salvaged = salvaged or Salvaged()
+        self._path, self._is_missing, self._problem, self._is_end = (
+            path,
+            is_missing,
+            problem,
+            is_end,
+        )
+        self.salvaged = salvaged or SalvageResult()
 
     @property
     def has_successor(self) -> bool:
@@ -164,7 +171,7 @@ class _Outcome:
         has_work = bool(self.salvaged.n_rows or self.salvaged.n_unread)
         if self._is_end:
             return "database_end_salvaged"
-        if self._is_gone:
+        if self._is_missing:
             if self.backup is not None:
                 return "database_gone_salvaged" if has_work else "database_gone_restored"
             return "database_gone_kept" if self.salvaged.n_rows else "database_gone"
@@ -173,19 +180,21 @@ class _Outcome:
         return "database_salvaged_alone" if self.salvaged.n_rows else "database_set_aside"
 
 
-def _mended(path: Path, made: Path, now: datetime, mend: Mend | None) -> Salvaged | None:
+def _try_salvage(
+    path: Path, made: Path, now: datetime, salvage_into: SalvageInto | None
+) -> SalvageResult | None:
     """None where nothing was brought back. No fault of a damaged file may keep the app from starting; but without room
     it must not be set aside unread: raises StoreError `disk_full`."""
-    if mend is None:
+    if salvage_into is None:
         return None
     before = made.with_name(f"{made.name}.before")
     try:
         if made.exists():
             shutil.copyfile(made, before)
-        salvaged = mend(path, made, time_text(now))
+        salvaged = salvage_into(path, made, time_text(now))
         _check(made)
     except Exception as error:
-        if _is_without_room(error):
+        if _is_disk_full(error):
             raise StoreError("disk_full", path=str(path)) from error
         _log.exception("nothing could be salvaged from %s", path)
         _remove(made)
@@ -197,7 +206,7 @@ def _mended(path: Path, made: Path, now: datetime, mend: Mend | None) -> Salvage
     return salvaged
 
 
-def _is_without_room(error: Exception) -> bool:
+def _is_disk_full(error: Exception) -> bool:
     """SQLite writes here only what is new: the damaged file is not read by it."""
     if isinstance(error, OSError):
         return is_full(error)
@@ -206,26 +215,26 @@ def _is_without_room(error: Exception) -> bool:
 
 def _check(made: Path) -> None:
     with closing(opened(made, "rw")) as db:
-        if problem := damage(db):
+        if problem := integrity_problem(db):
             raise sqlite3.DatabaseError(problem)
 
 
-def _take_place(path: Path, made: Path, now: datetime, found: _Outcome) -> None:
+def _install(path: Path, made: Path, now: datetime, found: _Outcome) -> None:
     """In this order: cut off anywhere, the next start begins anew, or finishes it (`finish_replacing`)."""
     copy = _restoring(path)
     if found.has_successor:
-        _keep_count(path, made)
+        _copy_commit_count(path, made)
         made.replace(copy)
     else:
         _remove(made)
-    found.aside = _set_aside(path, now)
+    found.aside = _quarantine(path, now)
     if found.has_successor:
         copy.replace(path)
 
 
-def _keep_count(path: Path, made: Path) -> None:
+def _copy_commit_count(path: Path, made: Path) -> None:
     """The successor goes on counting where the file had come to (see `mark`)."""
-    known = remembered(path)
+    known = read_counter(path)
     with suppress(sqlite3.Error), closing(opened(made, "rw")) as db:
         db.execute("PRAGMA journal_mode = DELETE")
         if known:
@@ -254,7 +263,7 @@ def _unfinished(path: Path) -> Path:
     return path.with_name(f"{path.name}.mending")
 
 
-def _set_aside(path: Path, now: datetime) -> Path | None:
+def _quarantine(path: Path, now: datetime) -> Path | None:
     """Where the file is now; None where there was nothing to set aside."""
     aside = free_path(path.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}{path.suffix}"))
     moved = False

@@ -1,7 +1,7 @@
 """What the repositories of groups, lessons, programs, runs and so on have in common."""
 
 from storage.file.connection import Database
-from storage.file.sums import is_sound
+from storage.file.row_checksums import is_intact
 from storage.sql import not_found, rows_of, snapshot
 from storage.sqlite import sqlite3
 
@@ -13,31 +13,31 @@ class Repository:
         self._database = database
 
     def _rows(self, query: str, *values: object) -> list[sqlite3.Row]:
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             return rows_of(db, query, values)
 
-    def _is_sound(self, table: str, key: str) -> bool:
+    def _is_intact(self, table: str, key: str) -> bool:
         """Whether a row is as it was written (`sums`); one that is not is mended from a backup, where one has it."""
-        with self._database.reading() as db:
-            if is_sound(db, table, key):
+        with self._database.read_connection() as db:
+            if is_intact(db, table, key):
                 return True
-        return self._is_mended(table, key)
+        return self._try_repair(table, key)
 
-    def _sound_row(self, table: str, query: str, key: str) -> sqlite3.Row | None:
+    def _intact_row(self, table: str, query: str, key: str) -> sqlite3.Row | None:
         """The first row, read in the same moment as it is found to be as it was written; None where it is damaged.
 
         Raises:
             StoreError: `KIND_not_found`.
         """
-        with self._database.reading() as db, snapshot(db):
-            if is_sound(db, table, key):
+        with self._database.read_connection() as db, snapshot(db):
+            if is_intact(db, table, key):
                 return _first(rows_of(db, query, [key]), table, key)
-        return self._row(table, query, key) if self._is_mended(table, key) else None
+        return self._row(table, query, key) if self._try_repair(table, key) else None
 
-    def _is_mended(self, table: str, key: str) -> bool:
-        from storage.file.mending import is_mended  # noqa: PLC0415 - hardly ever needed
+    def _try_repair(self, table: str, key: str) -> bool:
+        from storage.file.row_repair import try_repair  # noqa: PLC0415 - hardly ever needed
 
-        return is_mended(self._database, table, key)
+        return try_repair(self._database, table, key)
 
     def _row(self, table: str, query: str, key: str) -> sqlite3.Row:
         """The first row. Raises StoreError `KIND_not_found`, the kind being the table's name in the singular."""

@@ -13,16 +13,16 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from storage.file.atomic_files import atomic_write
 from storage.file.backups import Backup, has_tombstones, list_backups
-from storage.file.whole_files import whole_file
 from storage.side_files import read_regular
 
-KEPT = 3
+MAX_COPIES = 3
 _FOLDER = "PINEL-backups"
 
 
 @dataclass(frozen=True, slots=True)
-class Noted:
+class CopyManifest:
     """The copies of a PC that may exist, in the order in which they were made, and the last that was finished."""
 
     computer_id: str
@@ -30,12 +30,12 @@ class Noted:
     finished: Path | None = None
 
 
-def noted(database: Path) -> Noted | None:
+def read_manifest(database: Path) -> CopyManifest | None:
     """What is known of the copies, without a look at their folder; None where there are no notes."""
     with suppress(OSError, ValueError, TypeError, KeyError, RecursionError):
         found = json.loads(read_regular(_notes_of(database)))
         finished = Path(found["finished"]) if found["finished"] else None
-        return Noted(str(found["computer"]), tuple(map(Path, found["copies"])), finished)
+        return CopyManifest(str(found["computer"]), tuple(map(Path, found["copies"])), finished)
     return None
 
 
@@ -51,41 +51,41 @@ class ShareCopies:
         self._computer = computer
 
     @property
-    def known(self) -> Noted:
+    def manifest(self) -> CopyManifest:
         """The copies that may exist. Notes that came with a copied data folder are of another PC, and not followed."""
-        found = noted(self._database)
+        found = read_manifest(self._database)
         key = self._computer[0]
-        return found if found and found.computer_id == key else Noted(key)
+        return found if found and found.computer_id == key else CopyManifest(key)
 
-    def place(self, shared: Path) -> Path:
+    def folder_in(self, shared: Path) -> Path:
         """Where they lie. The end of the key tells PCs of one name apart: keys of the same minute begin alike."""
         key, name = self._computer
         clean = re.sub(r"[^\w -]", "", name).strip()[:60] or "PC"
         return shared / _FOLDER / f"{clean}-{key[-8:]}"
 
-    def clean(self, shared: Path | None, dead: Collection[str]) -> tuple[Path, ...]:
+    def clean(self, shared: Path | None, tombstoned: Collection[str]) -> tuple[Path, ...]:
         """Deletes the copies that may hold rows deleted for good.
 
         Args:
             shared: where copies may lie that are not noted, as the notes were lost with a disk.
-            dead: keys of the rows.
+            tombstoned: keys of the rows.
 
         Returns:
             Copies that could not be looked at or deleted, and may hold the rows still.
         """
-        gone, left = set(), []
-        for copy in dict.fromkeys((*self.known.copies, *self._listed(shared))):
+        deleted, left = set(), []
+        for copy in dict.fromkeys((*self.manifest.copies, *self._listed(shared))):
             try:
-                if _is_gone(copy, dead):
-                    gone.add(copy)
+                if _ensure_deleted(copy, tombstoned):
+                    deleted.add(copy)
             except OSError:
                 left.append(copy)
-        if gone:
+        if deleted:
             with suppress(OSError):  # what stays noted is looked at again
-                self._note([copy for copy in self.known.copies if copy not in gone])
+                self._note([copy for copy in self.manifest.copies if copy not in deleted])
         return tuple(left)
 
-    def copy_newest(self, shared: Path, dead: Collection[str]) -> None:
+    def copy_newest(self, shared: Path, tombstoned: Collection[str]) -> None:
         """Copies the newest backup, unless it is there, and deletes older copies of this PC.
 
         A backup that holds rows deleted for good stays here until it is cleaned.
@@ -94,9 +94,9 @@ class ShareCopies:
             OSError: the folder is missing, full, read-only or unreachable; what was there before is still there.
         """
         newest = next(iter(list_backups(self._database)), None)
-        if newest is None or (dead and not has_tombstones(newest.path, dead)):
+        if newest is None or (tombstoned and not has_tombstones(newest.path, tombstoned)):
             return
-        folder = self.place(shared)
+        folder = self.folder_in(shared)
         folder.parent.mkdir(
             exist_ok=True
         )  # the shared folder must be there: else it is not mounted
@@ -106,25 +106,27 @@ class ShareCopies:
         target = folder / newest.path.name
         if not _is_there(target, newest):
             self._copy(newest, target)
-        self._remove_surplus(shared)
+        self._prune(shared)
 
     def _listed(self, shared: Path | None) -> list[Path]:
         """The copies where they lie now, the oldest first."""
-        found = list_backups(self._database, self.place(shared)) if shared else []
+        found = list_backups(self._database, self.folder_in(shared)) if shared else []
         return [copy.path for copy in reversed(found)]
 
     def _copy(self, backup: Backup, target: Path) -> None:
-        copies = [*(copy for copy in self.known.copies if copy != target), target]
+        copies = [*(copy for copy in self.manifest.copies if copy != target), target]
         self._note(copies)
-        with whole_file(target) as part:
+        with atomic_write(target) as part:
             shutil.copyfile(backup.path, part)
         self._note(copies, target)
 
-    def _remove_surplus(self, shared: Path) -> None:
+    def _prune(self, shared: Path) -> None:
         """Deletes all but the copies made last: where the database was put back, their numbers begin anew."""
-        copies, folder = self.known.copies, self.place(shared)
+        copies, folder = self.manifest.copies, self.folder_in(shared)
         here = [copy for copy in copies if copy.parent.parent == folder.parent]
-        surplus = [*(copy for copy in self._listed(shared) if copy not in here), *here][:-KEPT]
+        surplus = [*(copy for copy in self._listed(shared) if copy not in here), *here][
+            :-MAX_COPIES
+        ]
         for copy in surplus:
             copy.unlink(missing_ok=True)
             if copy.parent != folder:  # of the time when this PC had another name
@@ -134,13 +136,13 @@ class ShareCopies:
             self._note([copy for copy in copies if copy not in surplus])
 
     def _note(self, copies: Sequence[Path], finished: Path | None = None) -> None:
-        last = finished or self.known.finished
+        last = finished or self.manifest.finished
         found = {
             "computer": self._computer[0],
             "copies": [str(copy) for copy in copies],
             "finished": str(last) if last in copies else None,
         }
-        with whole_file(_notes_of(self._database)) as part:
+        with atomic_write(_notes_of(self._database)) as part:
             part.write_text(json.dumps(found), "utf-8")
 
 
@@ -148,7 +150,7 @@ def _is_there(target: Path, backup: Backup) -> bool:
     return target.is_file() and target.stat().st_size == backup.size_bytes
 
 
-def _is_gone(copy: Path, dead: Collection[str]) -> bool:
+def _ensure_deleted(copy: Path, tombstoned: Collection[str]) -> bool:
     """True for a copy that does not exist any more; one that lacks tombstones of the keys is deleted first.
 
     Raises:
@@ -156,9 +158,9 @@ def _is_gone(copy: Path, dead: Collection[str]) -> bool:
     """
     if not copy.parent.is_dir():
         raise FileNotFoundError(copy.parent)  # not mounted, perhaps
-    if dead:
+    if tombstoned:
         copy.with_name(f".{copy.name}.part").unlink(missing_ok=True)
-        if copy.is_file() and not has_tombstones(copy, dead):
+        if copy.is_file() and not has_tombstones(copy, tombstoned):
             copy.unlink()
     return not copy.is_file()
 

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import TypeVar
 
 from storage.errors import StoreError, translated
-from storage.file.mark import Mark, count_save
-from storage.file.sums import Changes, mend_from
+from storage.file.commit_counter import CommitCounter, count_save
+from storage.file.row_checksums import ChangedRows, repair_from
 from storage.sql import checkpoint, is_text_damage, read_all_texts
 from storage.sqlite import sqlite3
 
@@ -20,7 +20,7 @@ _Task = Callable[[], None]
 ATTACHED = "bundle"
 _PAGES_IN_LOG = 1000  # then a commit moves them to the file, as SQLite does by itself
 _IDLE_S = 2.0  # then the log is emptied: a wrong bit in it would cut off all that follows
-_LONGEST_S = 30.0  # of work without a pause
+_MAX_LOG_AGE_S = 30.0  # of work without a pause
 
 
 class Writer:
@@ -37,11 +37,11 @@ class Writer:
         connection.execute(f"PRAGMA wal_autocheckpoint = {_PAGES_IN_LOG}")
         # deleted content is overwritten: a renamed group's old name must not stay in the file
         connection.execute("PRAGMA secure_delete = ON")
-        self._changes = Changes(connection)
+        self._changes = ChangedRows(connection)
         self._connection = connection
         self._path = path
         self._now = now
-        self._mark = Mark(path)
+        self._commit_counter = CommitCounter(path)
         self._in_log_since: float | None = None
         self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()
         self.on_written: Callable[[], None] = lambda: None
@@ -81,7 +81,7 @@ class Writer:
                 self._tasks.put(None)
         self._thread.join()
 
-    def checkpoint(self, *, is_patient: bool = False) -> "Future[bool]":
+    def checkpoint(self, *, waits_for_readers: bool = False) -> "Future[bool]":
         """Empties the write-ahead log; False while another connection still reads from it, for some seconds if it is
         to be patient."""
         future: Future[bool] = Future()
@@ -89,7 +89,9 @@ class Writer:
             if self._closed:
                 future.set_result(False)
             else:
-                self._tasks.put(lambda: future.set_result(self._empty_log(is_patient=is_patient)))
+                self._tasks.put(
+                    lambda: future.set_result(self._empty_log(waits_for_readers=waits_for_readers))
+                )
         return future
 
     def _work(self) -> None:
@@ -98,7 +100,7 @@ class Writer:
             if self._is_log_old():
                 self._empty_log()
         self._empty_log()
-        self._mark.close()
+        self._commit_counter.close()
         self._connection.close()
 
     def _next(self) -> _Task | None:
@@ -111,13 +113,13 @@ class Writer:
 
     def _is_log_old(self) -> bool:
         since = self._in_log_since
-        return since is not None and time.monotonic() - since > _LONGEST_S
+        return since is not None and time.monotonic() - since > _MAX_LOG_AGE_S
 
-    def _empty_log(self, *, is_patient: bool = False) -> bool:
+    def _empty_log(self, *, waits_for_readers: bool = False) -> bool:
         """What readers still need stays in the log until the next time."""
         self._in_log_since = None
         try:
-            with contextlib.nullcontext() if is_patient else self._without_waiting():
+            with contextlib.nullcontext() if waits_for_readers else self._without_waiting():
                 return checkpoint(self._connection)
         except sqlite3.Error:  # the next write tells what is wrong
             return False
@@ -176,8 +178,8 @@ class Writer:
             n_changes = self._connection.total_changes
             result = job(self._connection)
             if has_attached:
-                mend_from(self._connection, ATTACHED)
-            self._changes.renew(self._connection)
+                repair_from(self._connection, ATTACHED)
+            self._changes.update_checksums(self._connection)
             has_changed = self._connection.total_changes != n_changes
             n_saves = count_save(self._connection) if has_changed else None
             self._connection.execute("COMMIT")
@@ -187,5 +189,5 @@ class Writer:
             raise
         if n_saves is not None:
             self._in_log_since = self._in_log_since or time.monotonic()
-            self._mark.write(n_saves, self._now())
+            self._commit_counter.write(n_saves, self._now())
         return result

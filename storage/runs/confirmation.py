@@ -1,9 +1,12 @@
-"""Runs whose pass does not count until this PC has repeated them; `storage/exchange/marking.py` marks them."""
+"""Runs whose pass does not count until this PC has repeated them.
+
+`storage/exchange/confirmation_tracking.py` records which these are.
+"""
 
 from collections import Counter
 
 from storage.file.repository import Repository
-from storage.marks import WAITING, Finding
+from storage.run_validity import WAITING, ConfirmationFinding
 
 
 class Unconfirmed(Repository):
@@ -39,7 +42,7 @@ class Unconfirmed(Repository):
         query = "DELETE FROM unconfirmed_runs WHERE run_id = ?"
         self._database.write(lambda db: db.execute(query, [run_id]).rowcount)
 
-    def note(self, run_id: str, finding: Finding) -> None:
+    def note(self, run_id: str, finding: ConfirmationFinding) -> None:
         """The run stays marked, for this reason."""
         query = "UPDATE unconfirmed_runs SET finding = ? WHERE run_id = ?"
         self._database.write(lambda db: db.execute(query, [finding, run_id]).rowcount)

@@ -1,16 +1,16 @@
 """Whether runs have passed their activity, which is found out after they have ended."""
 
 from storage.file.repository import Repository
-from storage.marks import counted
-from storage.records import SIMULATOR, Json
+from storage.row_types import SIMULATOR, Json
+from storage.run_validity import counted
 from storage.sql import require
-from storage.text import dumped
+from storage.text import to_json
 
 # Runs that count for their activity: those of the simulator, and of real robots those that were judged.
 COUNTS = f"(link = '{SIMULATOR}' OR passed IS NOT NULL)"
 
 
-class Checks(Repository):
+class GradingResults(Repository):
     """Results of the runs that an activity belongs to."""
 
     def pending(self) -> list[str]:
@@ -33,7 +33,7 @@ class Checks(Repository):
         """
         query = f"""SELECT activity, coalesce(max({counted()}), 0) AS passed FROM runs
             WHERE group_id = ? AND activity IS NOT NULL AND {COUNTS} GROUP BY activity"""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             require(db, "groups", group_id)
             return {row["activity"]: bool(row["passed"]) for row in db.execute(query, [group_id])}
 
@@ -42,5 +42,5 @@ class Checks(Repository):
 
         query = """UPDATE runs SET passed = ?, check_report = ?
             WHERE id = ? AND passed IS NULL AND check_report IS NULL"""
-        values = [None if passed is None else int(passed), dumped(report), run_id]
+        values = [None if passed is None else int(passed), to_json(report), run_id]
         self._database.write(lambda db: db.execute(query, values).rowcount)

@@ -10,21 +10,21 @@ from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
 from storage.file.repository import Repository
-from storage.marks import as_told, counted, mark
-from storage.records import RunLine
+from storage.row_types import RunSummary
+from storage.run_validity import confirmation_status, counted, masking_damage
 from storage.sqlite import sqlite3
-from storage.work.lesson_records import GroupLine
+from storage.work.lesson_history import GroupSummary
 
 Outcome = Literal["finished", "stopped", "failed", "passed", "not_passed"]
 # in place of a class: the groups that belong to none
 NO_CLASSROOM = "none"
 _PASSED = {"passed": 1, "not_passed": 0}
-_COMPUTED = {"passed_bit": counted(), "unconfirmed": mark()}
-_LINE = ", ".join(
-    _COMPUTED.get(name) or as_told(name.removesuffix("_json")) for name in RunLine._fields
+_COMPUTED = {"passed_bit": counted(), "unconfirmed": confirmation_status()}
+_COLUMNS = ", ".join(
+    _COMPUTED.get(name) or masking_damage(name.removesuffix("_json")) for name in RunSummary._fields
 )
 _SELECT = f"""
-    SELECT {_LINE}, groups.id, groups.name, groups.color, groups.picture
+    SELECT {_COLUMNS}, groups.id, groups.name, groups.color, groups.picture
     FROM runs LEFT JOIN groups ON groups.id = runs.group_id
     WHERE {{which}} ORDER BY runs.id DESC LIMIT ?"""
 # found in the index alone: of rows that do not fit nothing else is read
@@ -38,7 +38,7 @@ class RunFilter:
     Attributes:
         classroom_id: `NO_CLASSROOM` for groups without one.
         lesson_ids: a lesson with its parts.
-        began_from, began_before: times between which a run began.
+        started_from, started_before: times between which a run began.
     """
 
     classroom_id: str | None = None
@@ -46,16 +46,16 @@ class RunFilter:
     activity: str | None = None
     world: str | None = None
     lesson_ids: tuple[str, ...] | None = None
-    began_from: str | None = None
-    began_before: str | None = None
+    started_from: str | None = None
+    started_before: str | None = None
     outcome: Outcome | None = None
 
 
-class HistoryLine(NamedTuple):
+class HistoryEntry(NamedTuple):
     """A run with the group that made it, None for runs of the command line."""
 
-    run: RunLine
-    group: GroupLine | None
+    run: RunSummary
+    group: GroupSummary | None
 
 
 class History(Repository):
@@ -63,7 +63,7 @@ class History(Repository):
 
     def page(
         self, which: RunFilter, *, before: str | None = None, limit: int = 50
-    ) -> list[HistoryLine]:
+    ) -> list[HistoryEntry]:
         """Newest first; `before` is the id of the last run of the page before."""
         clauses = [("runs.id < ?", before or "~"), *_clauses(which)]
         where = " AND ".join(clause for clause, _ in clauses)
@@ -71,7 +71,7 @@ class History(Repository):
         if len(clauses) > 1:
             where, values = _FITTING.format(which=where), [*values, limit]
         rows = self._rows(_SELECT.format(which=where), *values, limit)
-        return [_line(row) for row in rows]
+        return [_entry(row) for row in rows]
 
 
 def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
@@ -89,13 +89,15 @@ def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
         ("group_id = ?", which.group_id),
         ("+activity = ?", which.activity),
         ("+world = ?", which.world),
-        ("+started_at >= ?", which.began_from),
-        ("+started_at < ?", which.began_before),
+        ("+started_at >= ?", which.started_from),
+        ("+started_at < ?", which.started_before),
     ):
         if value is not None:
             yield clause, value
 
 
-def _line(row: sqlite3.Row) -> HistoryLine:
-    run, group = row[: len(RunLine._fields)], row[len(RunLine._fields) :]
-    return HistoryLine(RunLine._make(run), None if group[0] is None else GroupLine._make(group))
+def _entry(row: sqlite3.Row) -> HistoryEntry:
+    run, group = row[: len(RunSummary._fields)], row[len(RunSummary._fields) :]
+    return HistoryEntry(
+        RunSummary._make(run), None if group[0] is None else GroupSummary._make(group)
+    )

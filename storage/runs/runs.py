@@ -8,38 +8,38 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from storage.errors import StoreError
-from storage.file.connection import Moment
+from storage.file.connection import Timestamp
 from storage.file.repository import Repository
-from storage.file.sums import OF_RUNS
-from storage.marks import as_told, counted, mark
-from storage.records import Json, RunLine, RunRow, RunStart
+from storage.file.row_checksums import OF_RUNS
+from storage.row_types import Json, RunRow, RunStart, RunSummary
+from storage.run_validity import confirmation_status, counted, masking_damage
 from storage.sql import insert, not_found, require, rows_of, selected
 from storage.sqlite import sqlite3
-from storage.text import dumped, new_id, readable_object, readable_points
-from storage.work.groups import mark_used
+from storage.text import new_id, readable_object, readable_points, to_json
+from storage.work.groups import record_use
 from storage.work.lessons import lesson_for
 
 if TYPE_CHECKING:
     from storage.runs.telemetry import Telemetry
 
-_SELECT = selected(RunRow, "runs", unconfirmed=mark())
-_LINE = selected(
-    RunLine,
+_SELECT = selected(RunRow, "runs", unconfirmed=confirmation_status())
+_SUMMARY = selected(
+    RunSummary,
     "runs",
-    state=as_told("state"),
-    reason=as_told("reason"),
-    params_json=as_told("params"),
+    state=masking_damage("state"),
+    reason=masking_damage("reason"),
+    params_json=masking_damage("params"),
     passed_bit=counted(),
     path_json="path",
     summary_json="summary",
     parameters_json="parameters",
-    unconfirmed=mark(),
+    unconfirmed=confirmation_status(),
 )
 _OBJECTS = ("document", "world_document", "parameters", "params", "summary", "check_report")
 _NEEDED = ("world_document", "parameters")
 _IN_COLUMNS = ("v", "type", "run", "seq", "tick")
-_FIGURES = ("n_executed", "path_length_m", "closing_error_m", "telemetry_sha256")
-_AT_END = ("state", "reason", "block", "duration_s", *_FIGURES)
+_METRICS = ("n_executed", "path_length_m", "closing_error_m", "telemetry_sha256")
+_AT_END = ("state", "reason", "block", "duration_s", *_METRICS)
 
 
 @dataclass(slots=True, eq=False)
@@ -66,7 +66,7 @@ class Runs(Repository):
 
     def begin(self, start: RunStart) -> RunRow:
         """Notes that a run begins; on disk when this returns. Raises StoreError `version_not_found`."""
-        now = self._database.moment()
+        now = self._database.timestamp()
         return self.get(self._database.write(lambda db: _insert(db, start, now)))
 
     def discard(self, run_id: str) -> None:
@@ -75,18 +75,18 @@ class Runs(Repository):
             lambda db: db.execute("DELETE FROM runs WHERE id = ?", [run_id]).rowcount
         )
 
-    def grow(self, run_id: str, document: Json) -> None:
+    def update_document(self, run_id: str, document: Json) -> None:
         """The document of a live run without a version is this one from now on; on disk when this returns."""
         self._database.write(
             lambda db: (
                 db.execute(
                     "UPDATE runs SET document = ? WHERE id = ? AND version_id IS NULL",
-                    [dumped(document), run_id],
+                    [to_json(document), run_id],
                 ).rowcount
             )
         )
 
-    def settle(self, run_id: str, version_id: str) -> None:
+    def attach_version(self, run_id: str, version_id: str) -> None:
         """A version holds the run's document from now on."""
         self._database.write(
             lambda db: (
@@ -99,20 +99,20 @@ class Runs(Repository):
 
     def get(self, run_id: str) -> RunRow:
         """Raises StoreError `run_not_found`, `run_damaged`."""
-        self._require_sound("runs", run_id)
-        return _record(self._row("runs", f"{_SELECT} WHERE id = ?", run_id))
+        self._require_intact("runs", run_id)
+        return _run_row(self._row("runs", f"{_SELECT} WHERE id = ?", run_id))
 
     def of_group(
         self, group_id: str, *, before: str | None = None, limit: int = 50
-    ) -> list[RunLine]:
+    ) -> list[RunSummary]:
         """Newest first; `before` is the id of the last run of the page before. What is damaged of one is empty."""
-        query = f"{_LINE} WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?"
-        return [RunLine._make(row) for row in self._rows(query, group_id, before or "~", limit)]
+        query = f"{_SUMMARY} WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?"
+        return [RunSummary._make(row) for row in self._rows(query, group_id, before or "~", limit)]
 
     def newest(self, limit: int) -> list[RunRow]:
         """Of all groups and of none, newest first; what is damaged of one is empty."""
         rows = self._rows(f"{_SELECT} ORDER BY id DESC LIMIT ?", limit)
-        return [_record(row, lenient=True) for row in rows]
+        return [_run_row(row, lenient=True) for row in rows]
 
     def ids_beginning_with(self, prefix: str) -> list[str]:
         """Ids that a person may mean who typed the beginning only; at most 10."""
@@ -121,8 +121,8 @@ class Runs(Repository):
 
     def events(self, run_id: str) -> list[Json]:
         """All events but telemetry, as they were on the wire. Raises StoreError `run_not_found`, `run_damaged`."""
-        self._require_sound("events", run_id)
-        with self._database.reading() as db:
+        self._require_intact("events", run_id)
+        with self._database.read_connection() as db:
             require(db, "runs", run_id)
             rows = rows_of(
                 db,
@@ -133,22 +133,22 @@ class Runs(Repository):
 
     def telemetry(self, run_id: str) -> "Telemetry":
         """All samples of a run. Raises StoreError `run_not_found`, `run_damaged`."""
-        self._require_sound("telemetry", run_id)
-        with self._database.reading() as db:
+        self._require_intact("telemetry", run_id)
+        with self._database.read_connection() as db:
             require(db, "runs", run_id)
             return _telemetry(db, run_id)
 
     def damaged_parts(self, run_id: str) -> list[str]:
         """Of `runs`, `events` and `telemetry` what is not as it was written and cannot be mended."""
-        return [part for part in OF_RUNS if not self._is_sound(part, run_id)]
+        return [part for part in OF_RUNS if not self._is_intact(part, run_id)]
 
-    def _require_sound(self, part: str, run_id: str) -> None:
-        if not self._is_sound(part, run_id):
+    def _require_intact(self, part: str, run_id: str) -> None:
+        if not self._is_intact(part, run_id):
             raise StoreError("run_damaged", id=run_id, part=part)
 
     def running(self) -> list[str]:
         """Ids of the runs that have not ended."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             return _running(db)
 
     def close_interrupted(self) -> int:
@@ -174,7 +174,7 @@ def write_batch(db: sqlite3.Connection, batch: Batch) -> None:
     db.executemany(
         "INSERT OR REPLACE INTO events (run_id, seq, tick, type, data) VALUES (?, ?, ?, ?, ?)",
         [
-            [batch.run_id, event["seq"], event["tick"], event["type"], dumped(_rest(event))]
+            [batch.run_id, event["seq"], event["tick"], event["type"], to_json(_rest(event))]
             for event in batch.events
         ],
     )
@@ -194,24 +194,24 @@ def _end(
     at: str,
 ) -> None:
     changes = {name: ended.get(name) for name in _AT_END}
-    changes |= {"params": dumped(ended.get("params") or {}), "summary": dumped(_rest(ended))}
-    changes |= {"path": dumped(path), "ended_at": at}
+    changes |= {"params": to_json(ended.get("params") or {}), "summary": to_json(_rest(ended))}
+    changes |= {"path": to_json(path), "ended_at": at}
     assignments = ", ".join(f"{name} = :{name}" for name in changes)
     db.execute(f"UPDATE runs SET {assignments} WHERE id = :id", {**changes, "id": run_id})
 
 
-def _insert(db: sqlite3.Connection, start: RunStart, now: Moment) -> str:
+def _insert(db: sqlite3.Connection, start: RunStart, now: Timestamp) -> str:
     origin = _origin(db, start)
     row = {
         "id": new_id(),
         **origin,
         "version_id": start.version_id,
-        "document": None if start.document is None else dumped(start.document),
+        "document": None if start.document is None else to_json(start.document),
         "link": start.link,
         "world": start.world,
-        "world_document": dumped(start.world_document),
+        "world_document": to_json(start.world_document),
         "seed": start.seed,
-        "parameters": dumped(start.parameters),
+        "parameters": to_json(start.parameters),
         "app_version": start.app_version,
         "state": "running",
         "started_at": now.text,
@@ -222,7 +222,7 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: Moment) -> str:
         row["activity"] = row["activity"] or _activity_of(db, str(row["lesson_id"]))
     insert(db, "runs", row)
     if origin["group_id"]:
-        mark_used(db, origin["group_id"], now.text)
+        record_use(db, origin["group_id"], now.text)
     return str(row["id"])
 
 
@@ -276,7 +276,7 @@ def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
     ).fetchone()
     tick = max(int(last["tick"]), int(ticks[-1]) if len(ticks) else 0)
     ended = {
-        **dict.fromkeys(("block", "pose", *_FIGURES)),
+        **dict.fromkeys(("block", "pose", *_METRICS)),
         "type": "run_ended",
         "seq": last["seq"] + 1 + len(ticks),
         "tick": tick,
@@ -311,7 +311,7 @@ def _event(run_id: str, row: sqlite3.Row) -> Json:
     return {**head, **(_object(row["data"], run_id, "events") or {})}
 
 
-def _record(row: sqlite3.Row, *, lenient: bool = False) -> RunRow:
+def _run_row(row: sqlite3.Row, *, lenient: bool = False) -> RunRow:
     """The row; `lenient`, as for lists, leaves empty what is damaged."""
     values = dict(row)
     for name in _OBJECTS:

@@ -19,8 +19,8 @@ def outline(points: Points) -> list[list[float]]:
     A path with more corners than that is cut off after its first 64: ten rounds look like one, and a line that
     was never driven is never drawn.
     """
-    kept = _coarsened(points, _FINEST_M, limit=_COARSEST * _extent(points))[:MAX_POINTS]
-    return [[round(float(x), _ROUNDED), round(float(y), _ROUNDED)] for x, y in kept]
+    simplified = _coarsened(points, _FINEST_M, limit=_COARSEST * _extent(points))[:MAX_POINTS]
+    return [[round(float(x), _ROUNDED), round(float(y), _ROUNDED)] for x, y in simplified]
 
 
 def outline_of_trail(trail: Sequence[float]) -> list[list[float]]:
@@ -34,18 +34,18 @@ def _extent(points: Points) -> float:
 
 def _coarsened(points: Points, tolerance: float, *, limit: float) -> Points:
     """The points, with a tolerance that grows until they are few enough or it reaches the limit."""
-    kept = _simplified(points, tolerance)
-    while len(kept) > MAX_POINTS and tolerance * _GROWTH <= limit:
+    simplified = _simplified(points, tolerance)
+    while len(simplified) > MAX_POINTS and tolerance * _GROWTH <= limit:
         tolerance *= _GROWTH
-        kept = _simplified(kept, tolerance)
-    return kept
+        simplified = _simplified(simplified, tolerance)
+    return simplified
 
 
 def _simplified(points: Points, tolerance: float) -> Points:
     if len(points) < 3:
         return points
-    keep = np.zeros(len(points), dtype=bool)
-    keep[[0, -1]] = True
+    mask = np.zeros(len(points), dtype=bool)
+    mask[[0, -1]] = True
     spans = [(0, len(points) - 1)]
     while spans:
         first, last = spans.pop()
@@ -55,9 +55,9 @@ def _simplified(points: Points, tolerance: float) -> Points:
         farthest = int(np.argmax(distances))
         if distances[farthest] > tolerance:
             middle = first + 1 + farthest
-            keep[middle] = True
+            mask[middle] = True
             spans += [(first, middle), (middle, last)]
-    return points[keep]
+    return points[mask]
 
 
 def _distances(points: Points, start: Points, end: Points) -> Points:

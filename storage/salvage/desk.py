@@ -12,7 +12,7 @@ from contextlib import closing, suppress
 from itertools import islice, takewhile
 from pathlib import Path
 
-from storage.file.log import PAGE, sound_frames
+from storage.file.log import PAGE, intact_frames
 from storage.sql import Stop, opened, tuples
 from storage.sqlite import sqlite3
 
@@ -26,7 +26,7 @@ _HEADER = struct.pack(
 )
 # where a file counts its changes: SQLite reads its pages anew when the count is another
 _CHANGES = 24
-_SMALLEST_CELL = 4
+_MIN_CELL_BYTES = 4
 _STEPS_BETWEEN_STOPS = 10_000
 # an index is kept as a table without row numbers is
 _EDITS = f"""CREATE TABLE {EDITS_INDEX} (program_id TEXT, number INTEGER, row INTEGER, more,
@@ -55,10 +55,10 @@ class Desk:
             shutil.copyfile(file, path)
         path.touch()
         self._file = path.open("r+b", buffering=0)
-        for number, page in sound_frames(file):
+        for number, page in intact_frames(file):
             self._write((number - 1) * PAGE, page)
         self._n_pages = max(1, -(-self._file.seek(0, 2) // PAGE))
-        self._place = self._n_pages * PAGE
+        self._desk_offset = self._n_pages * PAGE
         self._write(0, _HEADER)
         self.roots = roots(path)
         definitions, self.keyed = _definitions(db, names)
@@ -70,7 +70,7 @@ class Desk:
     def _clear(self, path: Path, definitions: Mapping[str, str]) -> None:
         """Puts a list of tables, all of which begin with the desk, in the place of the file's own."""
         self._write(0, (_HEADER + _EMPTY).ljust(PAGE, b"\0"))
-        self._write(self._place, _EMPTY.ljust(PAGE, b"\0"))
+        self._write(self._desk_offset, _EMPTY.ljust(PAGE, b"\0"))
         with closing(opened(path, "rw")) as db:
             db.execute("PRAGMA journal_mode = OFF")
             db.execute("PRAGMA synchronous = OFF")
@@ -119,7 +119,7 @@ class Desk:
         numbers: list[int] = []
         with suppress(sqlite3.DatabaseError):
             cursor = self._db.execute(f"SELECT rowid FROM {table}")
-            numbers.extend(number for (number,) in islice(cursor, self._most_rows))
+            numbers.extend(number for (number,) in islice(cursor, self._max_rows))
         for number in numbers:
             if self._stop():
                 return
@@ -128,17 +128,17 @@ class Desk:
 
     def _selected(self, query: str) -> Iterator[Row]:
         """Rows that have no more values than the table has columns: others are of another table."""
-        for *values, more in islice(self._db.execute(query), self._most_rows):
+        for *values, more in islice(self._db.execute(query), self._max_rows):
             if more is None:
                 yield tuple(values)
 
     @property
-    def _most_rows(self) -> int:
-        return self._place // _SMALLEST_CELL  # more than that are a circle
+    def _max_rows(self) -> int:
+        return self._desk_offset // _MIN_CELL_BYTES  # more than that are a circle
 
     def _lay(self, page: bytes) -> None:
         self._n_changes += 1
-        self._write(self._place, page)
+        self._write(self._desk_offset, page)
         self._write(_CHANGES, struct.pack(">I", self._n_changes))
 
     def _write(self, place: int, octets: bytes) -> None:
@@ -163,9 +163,9 @@ def _as_leaf(page: bytes) -> bytes:
     """The same page without what is wrong with its count of cells, and without the pages below it."""
     is_interior = page[0] == INDEX_INTERIOR
     start = 12 if is_interior else 8
-    n_said = min(int.from_bytes(page[3:5], "big"), (PAGE - start) // 2)
+    n_declared = min(int.from_bytes(page[3:5], "big"), (PAGE - start) // 2)
     places = takewhile(
-        lambda place: start < place < PAGE, struct.unpack_from(f">{n_said}H", page, start)
+        lambda place: start < place < PAGE, struct.unpack_from(f">{n_declared}H", page, start)
     )
     cells = [place + 4 * is_interior for place in places]
     kind = INDEX_LEAF if is_interior else page[0]

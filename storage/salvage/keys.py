@@ -6,7 +6,7 @@ Keys are random enough that two of them hardly ever differ by one bit alone.
 
 from collections.abc import Iterator
 
-from storage.file.sums import content_sum
+from storage.file.row_checksums import content_checksum
 from storage.sql import tuples
 from storage.sqlite import sqlite3
 from storage.tables.replicated import REPLICATED
@@ -15,25 +15,25 @@ _SUMMED = ("versions", "runs")
 _ABOVE = ("classrooms", "groups", "programs")
 
 
-def mend_keys(db: sqlite3.Connection, strange: set[tuple[str, str]]) -> set[tuple[str, int]]:
+def repair_keys(db: sqlite3.Connection, invalid_keys: set[tuple[str, str]]) -> set[tuple[str, int]]:
     """Gives rows the key that they had.
 
     Args:
-        strange: table and key of rows in the database whose key is none: what cannot be mended is deleted.
+        invalid_keys: table and key of rows in the database whose key is none: what cannot be mended is deleted.
 
     Returns:
         Program and number of the edits that were deleted.
     """
     for table in _SUMMED:
-        for key in _sums_without_row(db, table):
+        for key in _checksums_without_row(db, table):
             _find_by_sum(db, table, key)
     for table in _ABOVE:
         for key in _named_without_row(db, table):
             _find_unnamed(db, table, key)
-    return _take_out(db, strange)
+    return _delete_rows(db, invalid_keys)
 
 
-def _sums_without_row(db: sqlite3.Connection, table: str) -> list[str]:
+def _checksums_without_row(db: sqlite3.Connection, table: str) -> list[str]:
     query = f"SELECT row_id FROM content_sums WHERE table_name = ? AND row_id NOT IN (SELECT id FROM {table})"
     return [str(key) for (key,) in tuples(db, query, (table,)).fetchall()]
 
@@ -41,9 +41,9 @@ def _sums_without_row(db: sqlite3.Connection, table: str) -> list[str]:
 def _find_by_sum(db: sqlite3.Connection, table: str, key: str) -> None:
     query = "SELECT sha256 FROM content_sums WHERE table_name = ? AND row_id = ?"
     (right,) = tuples(db, query, (table, key)).fetchall()[0]
-    for other in _near(db, table, key):
+    for other in _one_bit_neighbours(db, table, key):
         _rename(db, table, other, key)
-        if content_sum(db, table, key) == right:
+        if content_checksum(db, table, key) == right:
             return
         _rename(db, table, key, other)
 
@@ -55,7 +55,7 @@ def _named_without_row(db: sqlite3.Connection, table: str) -> list[str]:
 
 def _find_unnamed(db: sqlite3.Connection, table: str, key: str) -> None:
     named = {str(key) for (key,) in tuples(db, _named(table))}
-    for other in _near(db, table, key):
+    for other in _one_bit_neighbours(db, table, key):
         if other not in named:
             _rename(db, table, other, key)
             return
@@ -71,7 +71,7 @@ def _named(table: str) -> str:
     )
 
 
-def _near(db: sqlite3.Connection, table: str, key: str) -> list[str]:
+def _one_bit_neighbours(db: sqlite3.Connection, table: str, key: str) -> list[str]:
     """Keys of rows that differ from a key by one bit."""
     keys = tuple(_one_bit_away(key))
     marks = ", ".join("?" * len(keys))
@@ -90,11 +90,13 @@ def _rename(db: sqlite3.Connection, table: str, key: str, new: str) -> None:
     db.execute(f"UPDATE {table} SET id = ? WHERE id = ?", [new, key])
 
 
-def _take_out(db: sqlite3.Connection, strange: set[tuple[str, str]]) -> set[tuple[str, int]]:
-    taken = set()
-    for table, key in strange:
+def _delete_rows(
+    db: sqlite3.Connection, invalid_keys: set[tuple[str, str]]
+) -> set[tuple[str, int]]:
+    deleted = set()
+    for table, key in invalid_keys:
         if table == "versions":
             query = "SELECT program_id, number FROM versions WHERE id = ?"
-            taken |= {(str(p), int(n)) for p, n in tuples(db, query, (key,)).fetchall()}
+            deleted |= {(str(p), int(n)) for p, n in tuples(db, query, (key,)).fetchall()}
         db.execute(f"DELETE FROM {table} WHERE id = ?", [key])
-    return taken
+    return deleted

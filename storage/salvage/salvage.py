@@ -16,21 +16,25 @@ from storage.errors import StoreError
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.merging import merge_attached
 from storage.file.connection import Database
-from storage.file.notices import Salvaged
-from storage.file.sums import Changes
+from storage.file.notices import SalvageResult
+from storage.file.row_checksums import ChangedRows
 from storage.file.temporary import temporary_folder
 from storage.runs.runs import close_runs
+from storage.salvage.damaged_rows import (
+    import_damage_records,
+    prefer_intact_rows,
+    record_damaged_runs,
+)
 from storage.salvage.desk import roots
-from storage.salvage.reading import Found, read_into
-from storage.salvage.soundness import bring_marks, mark_runs, prefer_sound_rows
-from storage.salvage.stand_ins import complete
+from storage.salvage.placeholder_rows import add_missing_parents
+from storage.salvage.row_recovery import RecoveryStats, recover_rows
 from storage.sql import column_names, opened
 from storage.sqlite import sqlite3
 from storage.tables.local import LOCAL
 from storage.tables.migrations import migrate
 from storage.text import new_id
 
-_LONGEST_S = 20.0  # of a start; the command has no limit
+_TIMEOUT_S = 20.0  # of a start; the command has no limit
 _LEFT_FREE = 50 * 10**6
 # of the sums only those of damaged runs: all other rows that come get theirs anew
 _NOT_BROUGHT = ("merges", "content_sums")
@@ -38,25 +42,27 @@ _LOCAL = tuple(table for table in LOCAL if table.name not in _NOT_BROUGHT)
 
 
 @dataclass(frozen=True, slots=True)
-class Remains:
+class RecoveredRows:
     """Readable rows of a damaged file, in a database of its own for as long as they are needed."""
 
     address: str
-    found: Found
+    found: RecoveryStats
 
 
-def mend(file: Path, target: Path, now: str, *, longest_s: float = _LONGEST_S) -> Salvaged:
+def salvage_into(
+    file: Path, target: Path, now: str, *, timeout_s: float = _TIMEOUT_S
+) -> SalvageResult:
     """Brings what is readable of a file, with the log beside it, into a database that nobody has open.
 
     Args:
         target: a restored backup, or a path where nothing is: then a new database is made.
-        longest_s: reading ends after this time, with what was found until then.
+        timeout_s: reading ends after this time, with what was found until then.
 
     Raises:
         sqlite3.Error, OSError, StoreError: nothing was brought; the target is as it was, or empty.
     """
     with (
-        remains(file, now, beside=target, longest_s=longest_s) as found,
+        recovered_rows(file, now, beside=target, timeout_s=timeout_s) as found,
         closing(opened(target, "rwc")) as db,
     ):
         db.row_factory = sqlite3.Row
@@ -64,36 +70,39 @@ def mend(file: Path, target: Path, now: str, *, longest_s: float = _LONGEST_S) -
         db.execute("PRAGMA foreign_keys = ON")
         migrate(db)
         db.execute("ATTACH DATABASE ? AS bundle", [found.address])
-        changes = Changes(db)  # rows that come in a later state get new sums
-        _bring_settings(db)
+        changes = ChangedRows(db)  # rows that come in a later state get new sums
+        _import_settings(db)
         try:
-            return bring(db, found.found, now, changes, delete=True)
+            return import_rows(db, found.found, now, changes, delete=True)
         except (
             StoreError
         ):  # a deletion that does not fit what is here, as of a run that has not ended
-            return bring(db, found.found, now, changes, delete=False)
+            return import_rows(db, found.found, now, changes, delete=False)
 
 
-def salvage(database: Database, file: Path) -> Salvaged:
+def salvage(database: Database, file: Path) -> SalvageResult:
     """Brings what is readable of a file into a store; deletes nothing from it. Raises StoreError, OSError."""
     now = database.now()
-    with remains(file, now, beside=database.path, longest_s=math.inf) as found:
+    with recovered_rows(file, now, beside=database.path, timeout_s=math.inf) as found:
         return database.write(
-            lambda db: merge_remains(db, found.found, now, delete=False), attached=found.address
+            lambda db: merge_recovered_rows(db, found.found, now, delete=False),
+            attached=found.address,
         )
 
 
 @contextmanager
-def remains(file: Path, now: str, *, beside: Path, longest_s: float) -> Iterator[Remains]:
+def recovered_rows(
+    file: Path, now: str, *, beside: Path, timeout_s: float
+) -> Iterator[RecoveredRows]:
     """What is readable of a file, which is only read. Raises OSError, sqlite3.Error.
 
     Args:
         beside: the file that it is for; the work is done in its folder.
-        longest_s: reading ends after this time.
+        timeout_s: reading ends after this time.
     """
-    deadline = time.monotonic() + longest_s
+    deadline = time.monotonic() + timeout_s
     with temporary_folder(beside.parent) as folder:
-        _require_room(file, beside)
+        _require_free_space(file, beside)
         path = folder / "remains"
         with closing(opened(path, "rwc")) as db:
             db.row_factory = sqlite3.Row
@@ -101,30 +110,30 @@ def remains(file: Path, now: str, *, beside: Path, longest_s: float) -> Iterator
             db.execute("PRAGMA synchronous = OFF")
             migrate(db)
             usual = roots(path) | (roots(beside) if beside.exists() else {})
-            found = read_into(db, file, folder, usual, lambda: time.monotonic() > deadline)
-            mark_runs(db, now)
+            found = recover_rows(db, file, folder, usual, lambda: time.monotonic() > deadline)
+            record_damaged_runs(db, now)
             running = [
                 row["id"] for row in db.execute("SELECT id FROM runs WHERE state = 'running'")
             ]
             close_runs(db, running, now)
-        yield Remains(f"{path.absolute().as_uri()}?mode=rw", found)
+        yield RecoveredRows(f"{path.absolute().as_uri()}?mode=rw", found)
 
 
-def bring(
-    db: sqlite3.Connection, found: Found, now: str, changes: Changes, *, delete: bool
-) -> Salvaged:
+def import_rows(
+    db: sqlite3.Connection, found: RecoveryStats, now: str, changes: ChangedRows, *, delete: bool
+) -> SalvageResult:
     """Merges the remains, which are the schema `bundle`, in one transaction.
 
     Args:
         delete: what the remains have as deleted for good is deleted here too.
     """
     with _transaction(db):
-        salvaged = merge_remains(db, found, now, delete=delete)
-        changes.renew(db)
+        salvaged = merge_recovered_rows(db, found, now, delete=delete)
+        changes.update_checksums(db)
         return salvaged
 
 
-def _bring_settings(db: sqlite3.Connection) -> None:
+def _import_settings(db: sqlite3.Connection) -> None:
     """What a person chose on this PC the damaged file knows better: a PIN that was replaced must not count again."""
     names = ", ".join(column_names(db, "settings"))
     db.execute(
@@ -132,11 +141,13 @@ def _bring_settings(db: sqlite3.Connection) -> None:
     )
 
 
-def merge_remains(db: sqlite3.Connection, found: Found, now: str, *, delete: bool) -> Salvaged:
+def merge_recovered_rows(
+    db: sqlite3.Connection, found: RecoveryStats, now: str, *, delete: bool
+) -> SalvageResult:
     """The same within the caller's transaction."""
     numbers = dict(_highest(db))
-    complete(db, now)
-    prefer_sound_rows(db)
+    add_missing_parents(db, now)
+    prefer_intact_rows(db)
     info = _info(now)
     report = merge_attached(db, info, now, delete=delete)
     db.execute("DELETE FROM main.merges WHERE checksum = ?", [info.content_hash])
@@ -145,10 +156,10 @@ def merge_remains(db: sqlite3.Connection, found: Found, now: str, *, delete: boo
         db.execute(
             f"INSERT OR IGNORE INTO main.{table.name} ({names}) SELECT {names} FROM bundle.{table.name}"
         )
-    bring_marks(db)
+    import_damage_records(db)
     n_rows = sum(report.added.values()) + sum(report.changed.values())
     n_edits = report.added.get("versions", 0)
-    return Salvaged(n_edits, n_rows, _n_unread(db, found, numbers), found.is_cut_short)
+    return SalvageResult(n_edits, n_rows, _n_unread(db, found, numbers), found.is_cut_short)
 
 
 def _info(now: str) -> BundleInfo:
@@ -161,13 +172,13 @@ def _highest(db: sqlite3.Connection) -> Iterator[tuple[str, int]]:
         yield str(row[0]), int(row[1])
 
 
-def _n_unread(db: sqlite3.Connection, found: Found, before: dict[str, int]) -> int:
+def _n_unread(db: sqlite3.Connection, found: RecoveryStats, before: dict[str, int]) -> int:
     """Edits that must have been and are not here: an index names them, or others that came have later numbers."""
     here: dict[str, set[int]] = {}
     for row in db.execute("SELECT program_id, number FROM main.versions"):
         here.setdefault(str(row[0]), set()).add(int(row[1]))
-    dead = {str(row[0]) for row in db.execute("SELECT id FROM main.tombstones")}
-    missing = {(p, n) for p, n in found.edits if p not in dead and n not in here.get(p, ())}
+    tombstoned = {str(row[0]) for row in db.execute("SELECT id FROM main.tombstones")}
+    missing = {(p, n) for p, n in found.edits if p not in tombstoned and n not in here.get(p, ())}
     for program, numbers in here.items():
         first = before.get(program, 0) + 1
         if (last := max(numbers)) - first < 10**6:
@@ -175,7 +186,7 @@ def _n_unread(db: sqlite3.Connection, found: Found, before: dict[str, int]) -> i
     return len(missing)
 
 
-def _require_room(file: Path, beside: Path) -> None:
+def _require_free_space(file: Path, beside: Path) -> None:
     parts = (file, file.with_name(file.name + "-wal"))
     needed = sum(part.stat().st_size for part in parts if part.exists())
     if shutil.disk_usage(beside.parent).free < 3 * needed + _LEFT_FREE:

@@ -7,7 +7,7 @@ from storage.limits import MAX_REVISION
 from storage.tables import rules
 from storage.tables.rules import Rule
 
-KEPT = ""  # an anonymous bundle keeps what the column holds
+UNCHANGED = ""  # an anonymous bundle keeps what the column holds
 
 
 class Kind(NamedTuple):
@@ -23,7 +23,7 @@ class Kind(NamedTuple):
     sql: str
     parquet: str
     rule: Rule | None
-    anonymised: str | None = KEPT
+    anonymised: str | None = UNCHANGED
 
 
 KEY = Kind("TEXT", "text", rules.key, "fresh({})")
@@ -41,7 +41,7 @@ class Column:
     """A column of a table.
 
     Attributes:
-        says: what it holds, in words for docs/.
+        description: what it holds, in words for docs/.
         rule: true of each value that a store writes; a bundle with another value is refused.
         anonymised: SQL expression of what an anonymous bundle holds instead, or `KEPT`. A text column must tell it.
             The expression can use `fresh` (a new key), `plain` (a neutral word), `neutral` (JSON with neutral words)
@@ -54,7 +54,7 @@ class Column:
 
     name: str
     kind: Kind
-    says: str
+    description: str
     rule: Rule | None = None
     anonymised: str | None = None
     optional: bool = False
@@ -80,7 +80,7 @@ class Column:
         """SQL expression of what an anonymous bundle holds, `KEPT` for the value itself."""
         if self.anonymised is not None:
             return self.anonymised
-        return (self.kind.anonymised or KEPT).format(self.name)
+        return (self.kind.anonymised or UNCHANGED).format(self.name)
 
 
 class ParquetColumn(NamedTuple):
@@ -88,7 +88,7 @@ class ParquetColumn(NamedTuple):
 
     name: str
     type: str
-    says: str
+    description: str
     source: str
 
 
@@ -97,12 +97,12 @@ class Table:
     """A table.
 
     Attributes:
-        says: its meaning in the view `about` and in docs/database.md.
+        description: its meaning in the view `about` and in docs/database.md.
         key: columns that identify a row, in every file.
     """
 
     name: str
-    says: str
+    description: str
     columns: tuple[Column, ...]
     key: tuple[str, ...] = ("id",)
 
@@ -118,8 +118,8 @@ class ReplicatedTable(Table):
         deletable: False where deletions never remove a row.
         anonymous: False where anonymous bundles have no rows.
         parquet: the Parquet export has the table.
-        figures: further columns of the Parquet file.
-        later_by: SQL expressions that decide, before revision and values, which of two states of a row is the later
+        metrics: further columns of the Parquet file.
+        precedence: SQL expressions that decide, before revision and values, which of two states of a row is the later
             one, with `{side}` in place of the table's name.
         bound: columns that are never changed, and of which the key is a hash (`storage/text.py: id_of`).
         counts_empty: False where the content hash leaves the table out while it has no rows, so that files without
@@ -131,8 +131,8 @@ class ReplicatedTable(Table):
     deletable: bool = True
     anonymous: bool = True
     parquet: bool = True
-    figures: tuple[ParquetColumn, ...] = ()
-    later_by: tuple[str, ...] = ()
+    metrics: tuple[ParquetColumn, ...] = ()
+    precedence: tuple[str, ...] = ()
     bound: tuple[str, ...] = ()
     counts_empty: bool = True
 
@@ -147,11 +147,11 @@ class ReplicatedTable(Table):
     def parquet_columns(self) -> tuple[ParquetColumn, ...]:
         """The columns of its Parquet file."""
         declared = [
-            ParquetColumn(column.name, column.kind.parquet, column.says, column.name)
+            ParquetColumn(column.name, column.kind.parquet, column.description, column.name)
             for column in self.columns
             if column.parquet
         ]
-        return (*declared, *self.figures)
+        return (*declared, *self.metrics)
 
     @property
     def rules(self) -> dict[str, Rule]:
@@ -159,24 +159,24 @@ class ReplicatedTable(Table):
         return {column.name: column.accepts for column in self.columns}
 
 
-def parent(name: str, table: str, says: str, *, optional: bool = False) -> Column:
+def parent(name: str, table: str, description: str, *, optional: bool = False) -> Column:
     """The key of the row that a row belongs to."""
-    return Column(name, KEY, says, optional=optional, references=table, is_parent=True)
+    return Column(name, KEY, description, optional=optional, references=table, is_parent=True)
 
 
-def reference(name: str, table: str, says: str, *, optional: bool = True) -> Column:
+def reference(name: str, table: str, description: str, *, optional: bool = True) -> Column:
     """The key of a row that outlives this one and that this one outlives."""
-    return Column(name, KEY, says, optional=optional, references=table)
+    return Column(name, KEY, description, optional=optional, references=table)
 
 
-def figure(name: str, says: str, sql: str) -> ParquetColumn:
+def metric(name: str, description: str, sql: str) -> ParquetColumn:
     """A count that only the Parquet export has."""
-    return ParquetColumn(name, "count", says, sql)
+    return ParquetColumn(name, "count", description, sql)
 
 
-def numbered(table: str, word: str) -> str:
+def numbered(table: str, label: str) -> str:
     """In place of a name: a word and the place of the row among those of its table."""
-    return f"'{word} ' || (SELECT count(*) FROM {table} AS other WHERE other.id <= {table}.id)"
+    return f"'{label} ' || (SELECT count(*) FROM {table} AS other WHERE other.id <= {table}.id)"
 
 
 # rows that are changed in place

@@ -191,7 +191,7 @@ _COMPUTERS = (
     """CREATE TABLE unconfirmed_runs (
         run_id TEXT PRIMARY KEY, public_key TEXT, marked_at TEXT NOT NULL, finding TEXT
     ) STRICT, WITHOUT ROWID""",
-    # of this PC alone: rows of a bundle get theirs where they are merged (storage/file/sums.py)
+    # of this PC alone: rows of a bundle get theirs where they are merged (storage/file/row_checksums.py)
     """CREATE TABLE content_sums (
         table_name TEXT NOT NULL,
         row_id TEXT NOT NULL,

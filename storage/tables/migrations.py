@@ -54,7 +54,7 @@ def _view_about() -> str:
     from storage.tables.replicated import TABLES  # noqa: PLC0415 - see above
     from storage.tables.views import VIEWS  # noqa: PLC0415
 
-    meanings = {table.name: table.says for table in TABLES.values()}
+    meanings = {table.name: table.description for table in TABLES.values()}
     meanings[", ".join(VIEWS)] = "The same for people: names and times instead of keys."
     rows = " UNION ALL ".join(
         f"SELECT {_quoted(name)} AS name, {_quoted(meaning)} AS meaning"

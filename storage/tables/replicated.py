@@ -61,7 +61,7 @@ DELETIONS = ReplicatedTable(
             "knew",
             JSON,
             "keys: classroom of the row, and by PC newest, the last version or run that was known",
-            rules.knew,
+            rules.version_vector,
         ),
     ),
     deletable=False,

@@ -21,7 +21,7 @@ from storage.limits import (
     MAX_TAUGHT_SAMPLES,
     N_FEATURES,
 )
-from storage.text import FIRST_MADE_UP_ID
+from storage.text import FIRST_IMPLAUSIBLE_ID
 
 Rule = Callable[[Any], bool]
 
@@ -63,16 +63,18 @@ def whole(low: int, high: int) -> Rule:
     return lambda value: isinstance(value, int) and low <= value <= high
 
 
-def line(most: int, least: int = 0) -> Rule:
+def line(max_length: int, min_length: int = 0) -> Rule:
     """One line of text, without characters that cannot be seen."""
     return lambda value: (
-        isinstance(value, str) and least <= len(value) <= most and not _UNSEEN.search(value)
+        isinstance(value, str)
+        and min_length <= len(value) <= max_length
+        and not _UNSEEN.search(value)
     )
 
 
-def lines(most: int) -> Rule:
+def lines(max_length: int) -> Rule:
     """Text of several lines."""
-    return lambda value: isinstance(value, str) and len(value) <= most and "\0" not in value
+    return lambda value: isinstance(value, str) and len(value) <= max_length and "\0" not in value
 
 
 def block(value: Any) -> bool:
@@ -110,7 +112,7 @@ def key(value: Any) -> bool:
 
 @lru_cache(maxsize=256)  # rows of one run follow each other
 def _is_key(text: str) -> bool:
-    return _is_uuid(text) and not (text[14] in "78" and text >= FIRST_MADE_UP_ID)
+    return _is_uuid(text) and not (text[14] in "78" and text >= FIRST_IMPLAUSIBLE_ID)
 
 
 def time(value: Any) -> bool:
@@ -182,7 +184,7 @@ def _is_goal(value: dict[str, Any]) -> bool:
     return all(isinstance(value.get(part), kind) for part, kind in _GOAL_PARTS.items())
 
 
-def _is_knew(value: dict[str, Any]) -> bool:
+def _is_version_vector(value: dict[str, Any]) -> bool:
     """As `storage/exchange/knowledge.py` writes it: a class or none, and the newest key of work by PC."""
     newest = value.get("newest", {})
     classroom = value.get("classroom")
@@ -197,18 +199,18 @@ def _is_knew(value: dict[str, Any]) -> bool:
 _is_uuid = matching(_UUID)
 count = whole(0, MAX_COUNT)
 flag = whole(0, 1)
-word = matching("[a-z][a-z0-9_]{0,63}")
+identifier = matching("[a-z][a-z0-9_]{0,63}")
 color = matching("#[0-9a-f]{6}")
 sha256 = matching("[0-9a-f]{64}")
 # part of an address: begins with a letter or digit, and has no mark that an address gives a meaning
 sign = matching(rf"[^\W_][\w '-]{{0,{MAX_SIGN - 1}}}")
 short = line(_MAX_SHORT)
 title = line(MAX_NAME)
-name = line(MAX_NAME, least=1)
+name = line(MAX_NAME, min_length=1)
 json_object = json_of(dict)
 faults = json_of(list, _are_faults)
 points = json_of(list, _are_points)
 world = json_of(dict, _is_world)
 activity = json_of(dict, _is_activity)
 goal = json_of(dict, _is_goal)
-knew = json_of(dict, _is_knew)
+version_vector = json_of(dict, _is_version_vector)

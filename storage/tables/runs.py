@@ -8,15 +8,15 @@ from storage.tables.columns import (
     ENDED,
     FLAG,
     JSON,
-    KEPT,
     KEY,
     NUMBER,
     TEXT,
     TIME,
+    UNCHANGED,
     Column,
     ParquetColumn,
     ReplicatedTable,
-    figure,
+    metric,
     parent,
     reference,
 )
@@ -46,7 +46,7 @@ RUNS = ReplicatedTable(
         Column(
             "document", JSON, "the program of a run without version", optional=True, parquet=False
         ),
-        Column("link", TEXT, "robot: `sim` is the simulator", rules.short, KEPT),
+        Column("link", TEXT, "robot: `sim` is the simulator", rules.short, UNCHANGED),
         Column(
             "world",
             TEXT,
@@ -67,9 +67,11 @@ RUNS = ReplicatedTable(
             TEXT,
             "`finished`, `stopped` or `failed`",
             rules.one_of("finished", "stopped", "failed"),
-            KEPT,
+            UNCHANGED,
         ),
-        Column("reason", TEXT, "why it ended so, as a code", rules.word, KEPT, optional=True),
+        Column(
+            "reason", TEXT, "why it ended so, as a code", rules.identifier, UNCHANGED, optional=True
+        ),
         Column("params", JSON, "what fills the words of the reason", optional=True, parquet=False),
         Column(
             "block",
@@ -104,7 +106,7 @@ RUNS = ReplicatedTable(
             TEXT,
             "SHA-256 of its samples, in hex",
             rules.sha256,
-            KEPT,
+            UNCHANGED,
             optional=True,
             parquet=False,
         ),
@@ -113,14 +115,14 @@ RUNS = ReplicatedTable(
             JSON,
             "points of its picture, in m",
             rules.points,
-            KEPT,
+            UNCHANGED,
             optional=True,
             parquet=False,
         ),
-        Column("app_version", TEXT, "release that ran it", rules.short, KEPT),
+        Column("app_version", TEXT, "release that ran it", rules.short, UNCHANGED),
     ),
     condition="state <> 'running'",
-    figures=(
+    metrics=(
         ParquetColumn(
             "estimated_closing_error_m",
             "number",
@@ -130,17 +132,17 @@ RUNS = ReplicatedTable(
             WHEN json_type(summary, '$.estimated_closing_error_m') IN ('integer', 'real')
             THEN json_extract(summary, '$.estimated_closing_error_m') END""",
         ),
-        figure(
+        metric(
             "n_events", "events recorded", "(SELECT count(*) FROM events WHERE run_id = runs.id)"
         ),
-        figure(
+        metric(
             "n_samples",
             "samples recorded, 30 a second",
             "(SELECT coalesce(sum(n_rows), 0) FROM telemetry WHERE run_id = runs.id)",
         ),
     ),
     # a run that was cut off, as in a backup that came back, is earlier than one that has ended
-    later_by=("{side}.reason IS NOT 'interrupted'", "coalesce({side}.duration_s, 0)"),
+    precedence=("{side}.reason IS NOT 'interrupted'", "coalesce({side}.duration_s, 0)"),
 )
 EVENTS = ReplicatedTable(
     "events",
@@ -149,7 +151,7 @@ EVENTS = ReplicatedTable(
         parent("run_id", "runs", "its run"),
         Column("seq", COUNT, "place among the events and samples of the run"),
         Column("tick", COUNT, "when it happened, in steps of 1/30 s"),
-        Column("type", TEXT, "the type of event", rules.word, KEPT),
+        Column("type", TEXT, "the type of event", rules.identifier, UNCHANGED),
         Column("data", JSON, "the other fields of the event"),
     ),
     key=("run_id", "seq"),

@@ -1,6 +1,6 @@
 """The content with names and times for people, in place of keys: what Datasette and `sqlite-utils` show first."""
 
-from storage.marks import counted, mark
+from storage.run_validity import confirmation_status, counted
 
 VIEWS = {
     "group_list": """
@@ -18,7 +18,7 @@ VIEWS = {
     "run_list": f"""
         SELECT runs.id, classrooms.name AS class, groups.name AS "group", lessons.title AS lesson,
                runs.program_name AS program, runs.world, runs.state, runs.reason, runs.activity,
-               {counted()} AS passed, {mark()} AS unconfirmed,
+               {counted()} AS passed, {confirmation_status()} AS unconfirmed,
                runs.started_at, runs.duration_s, runs.path_length_m, runs.closing_error_m,
                computers.name AS computer
         FROM runs LEFT JOIN groups ON groups.id = runs.group_id

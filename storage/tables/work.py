@@ -9,14 +9,14 @@ from storage.tables.columns import (
     ENDED,
     FLAG,
     JSON,
-    KEPT,
     KEY,
     REVISED,
     TEXT,
     TIME,
+    UNCHANGED,
     Column,
     ReplicatedTable,
-    figure,
+    metric,
     numbered,
     parent,
     reference,
@@ -48,8 +48,10 @@ GROUPS = ReplicatedTable(
             f"name_key({numbered('groups', 'Grupo')})",
             parquet=False,
         ),
-        Column("color", TEXT, "its colour", rules.color, KEPT, parquet=False),
-        Column("picture", TEXT, "its picture", rules.one_of("", *PICTURES), KEPT, parquet=False),
+        Column("color", TEXT, "its colour", rules.color, UNCHANGED, parquet=False),
+        Column(
+            "picture", TEXT, "its picture", rules.one_of("", *PICTURES), UNCHANGED, parquet=False
+        ),
         Column("created_at", TIME, "when it was made"),
         Column("used_at", TIME, "when it last worked"),
         *REVISED,
@@ -201,7 +203,7 @@ VERSIONS = ReplicatedTable(
             parquet=False,
         ),
     ),
-    figures=(figure("n_faults", "how many faults it has", "json_array_length(faults)"),),
+    metrics=(metric("n_faults", "how many faults it has", "json_array_length(faults)"),),
     # keys that files have are hashes of just these: a column that comes later cannot be one of them
     bound=(
         *("program_id", "parent_id", "lesson_id", "computer_id", "created_at"),

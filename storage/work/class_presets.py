@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from storage.file.repository import Repository
-from storage.sql import change, exists, insert, require, rows_of
+from storage.sql import exists, insert, require, rows_of, update_row
 from storage.sqlite import sqlite3
-from storage.text import dumped, readable_object
+from storage.text import readable_object, to_json
 
 
 class ClassPresets(Repository):
@@ -14,7 +14,7 @@ class ClassPresets(Repository):
 
     def get(self, classroom_id: str) -> dict[str, Any]:
         """Empty where nothing was set. Raises StoreError `classroom_not_found`."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             require(db, "classrooms", classroom_id)
             query = "SELECT preset FROM class_presets WHERE id = ?"
             found = rows_of(db, query, [classroom_id])
@@ -22,15 +22,19 @@ class ClassPresets(Repository):
 
     def set(self, classroom_id: str, preset: Mapping[str, Any]) -> None:
         """Does nothing where it is set so already. Raises StoreError `classroom_not_found`."""
-        now, kept = self._database.now(), dumped(dict(preset))
+        now, preset_json = self._database.now(), to_json(dict(preset))
         if self.get(classroom_id) == dict(preset):
             return
 
         def write(db: sqlite3.Connection) -> None:
             require(db, "classrooms", classroom_id)
             if exists(db, "class_presets", classroom_id):
-                change(db, "class_presets", classroom_id, {"preset": kept}, now)
+                update_row(db, "class_presets", classroom_id, {"preset": preset_json}, now)
             else:
-                insert(db, "class_presets", {"id": classroom_id, "preset": kept, "changed_at": now})
+                insert(
+                    db,
+                    "class_presets",
+                    {"id": classroom_id, "preset": preset_json, "changed_at": now},
+                )
 
         self._database.write(write)

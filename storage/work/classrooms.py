@@ -2,8 +2,8 @@
 
 from storage.errors import StoreError
 from storage.file.repository import Repository
-from storage.records import ClassroomRow
-from storage.sql import change, insert, require, selected
+from storage.row_types import ClassroomRow
+from storage.sql import insert, require, selected, update_row
 from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, natural_key, new_id
 
@@ -48,7 +48,7 @@ class Classrooms(Repository):
         def write(db: sqlite3.Connection) -> None:
             require(db, "classrooms", classroom_id)
             _require_free(db, clean, classroom_id)
-            change(db, "classrooms", classroom_id, {"name": clean}, now)
+            update_row(db, "classrooms", classroom_id, {"name": clean}, now)
 
         self._database.write(write)
         return self.get(classroom_id)

@@ -9,13 +9,13 @@ import platform
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.limits import MAX_NAME
-from storage.sql import change, insert, rows_of
+from storage.sql import insert, rows_of, update_row
 from storage.sqlite import sqlite3
 from storage.text import clean_name, new_id
 from storage.work import machine
 from storage.work.settings import read_setting, write_setting
 
-_KEY, _MARK = "computer_id", "machine_mark"
+_KEY, _MACHINE = "computer_id", "machine_mark"
 
 
 class Computers(Repository):
@@ -23,7 +23,7 @@ class Computers(Repository):
 
     def this(self) -> tuple[str, str]:
         """Key and name of this PC; made when first asked for. Raises StoreError where they cannot be kept."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             found = find_computer(db)
         if found is not None:
             return found
@@ -37,7 +37,7 @@ class Computers(Repository):
         def write(db: sqlite3.Connection) -> None:
             key, before = this_computer(db, now)
             if clean != before:
-                change(db, "computers", key, {"name": clean}, now)
+                update_row(db, "computers", key, {"name": clean}, now)
 
         self._database.write(write)
         return clean
@@ -47,19 +47,19 @@ def this_computer(db: sqlite3.Connection, now: str) -> tuple[str, str]:
     """Key and name of this PC, made where there are none, within the caller's transaction."""
     found = find_computer(db)
     if found is not None:
-        if read_setting(db, _MARK) is None:  # made by an earlier release
-            write_setting(db, _MARK, machine.machine_mark())
+        if read_setting(db, _MACHINE) is None:  # made by an earlier release
+            write_setting(db, _MACHINE, machine.machine_id_hash())
         return found
     key, name = new_id(), _name_of_system()
     write_setting(db, _KEY, key)
-    write_setting(db, _MARK, machine.machine_mark())
+    write_setting(db, _MACHINE, machine.machine_id_hash())
     insert(db, "computers", {"id": key, "name": name, "changed_at": now})
     return key, name
 
 
 def find_computer(db: sqlite3.Connection) -> tuple[str, str] | None:
     """Key and name of this PC, None where it has none in this file yet."""
-    key, mark, this = read_setting(db, _KEY), read_setting(db, _MARK), machine.machine_mark()
+    key, mark, this = read_setting(db, _KEY), read_setting(db, _MACHINE), machine.machine_id_hash()
     if key is None or (mark and this and mark != this):
         return None
     named = rows_of(db, "SELECT name FROM computers WHERE id = ?", [key])

@@ -7,8 +7,8 @@ from dataclasses import replace
 from storage.choices import COLORS, GREY, PICTURES
 from storage.errors import StoreError
 from storage.file.repository import Repository
-from storage.records import GroupRow
-from storage.sql import change, insert, not_found, require, selected
+from storage.row_types import GroupRow
+from storage.sql import insert, not_found, require, selected, update_row
 from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, new_id
 
@@ -28,11 +28,11 @@ class Groups(Repository):
     def all(self) -> list[GroupRow]:
         """Newest use first."""
         rows = self._rows(f"{_SELECT} ORDER BY used_at DESC, id DESC")
-        return [_record(row) for row in rows]
+        return [_group_row(row) for row in rows]
 
     def get(self, group_id: str) -> GroupRow:
         """Raises StoreError `group_not_found`."""
-        return _record(self._row("groups", f"{_SELECT} WHERE id = ?", group_id))
+        return _group_row(self._row("groups", f"{_SELECT} WHERE id = ?", group_id))
 
     def create(self, name: str, *, classroom_id: str | None = None, picture: str = "") -> GroupRow:
         """A group with a colour that few have, and a picture that few have where none was chosen.
@@ -75,26 +75,26 @@ class Groups(Repository):
         Raises:
             StoreError: `group_not_found` and what `create` raises; `color_unknown`.
         """
-        wanted = dict(changes)
-        if "name" in wanted:
-            name = clean_name(str(wanted["name"]))
-            wanted |= {"name": name, "name_key": name_key(name)}
-        if "color" in wanted and wanted["color"] not in COLORS:
-            raise StoreError("color_unknown", value=wanted["color"], allowed=list(COLORS))
-        _require_picture(str(wanted.get("picture", "")))
+        requested = dict(changes)
+        if "name" in requested:
+            name = clean_name(str(requested["name"]))
+            requested |= {"name": name, "name_key": name_key(name)}
+        if "color" in requested and requested["color"] not in COLORS:
+            raise StoreError("color_unknown", value=requested["color"], allowed=list(COLORS))
+        _require_picture(str(requested.get("picture", "")))
         now = self._database.now()
-        self._database.write(lambda db: _change(db, group_id, wanted, now, by_teacher))
+        self._database.write(lambda db: _change(db, group_id, requested, now, by_teacher))
         return self.get(group_id)
 
 
-def _record(row: sqlite3.Row) -> GroupRow:
+def _group_row(row: sqlite3.Row) -> GroupRow:
     """What the disk has damaged of colour and picture is shown as none."""
     found = GroupRow(**dict(row))
     color = found.color if _COLOR.fullmatch(str(found.color)) else GREY
     return replace(found, color=color, picture=found.picture if found.picture in PICTURES else "")
 
 
-def mark_used(db: sqlite3.Connection, group_id: str, now: str) -> None:
+def record_use(db: sqlite3.Connection, group_id: str, now: str) -> None:
     """Notes that the group was used, within the transaction of what it did."""
     db.execute("UPDATE groups SET used_at = ? WHERE id = ?", [now, group_id])
 
@@ -102,14 +102,14 @@ def mark_used(db: sqlite3.Connection, group_id: str, now: str) -> None:
 def _change(
     db: sqlite3.Connection,
     group_id: str,
-    wanted: Mapping[str, str | None],
+    requested: Mapping[str, str | None],
     now: str,
     by_teacher: bool,
 ) -> None:
     group = db.execute("SELECT * FROM groups WHERE id = ?", [group_id]).fetchone()
     if group is None:
         raise not_found("groups", group_id)
-    changes = {name: value for name, value in wanted.items() if value != group[name]}
+    changes = {name: value for name, value in requested.items() if value != group[name]}
     if not changes:
         return
     classroom_id = changes.get("classroom_id", group["classroom_id"])
@@ -119,7 +119,7 @@ def _change(
         _require_free(db, changes.get("name") or group["name"], classroom_id, group_id)
     if "classroom_id" in changes and group["classroom_id"]:
         _note_former_class(db, group_id, group["classroom_id"])
-    change(db, "groups", group_id, changes, now, n_revisions=int(by_teacher))
+    update_row(db, "groups", group_id, changes, now, n_revisions=int(by_teacher))
 
 
 def _note_former_class(db: sqlite3.Connection, group_id: str, classroom_id: str) -> None:
@@ -129,12 +129,12 @@ def _note_former_class(db: sqlite3.Connection, group_id: str, classroom_id: str)
 
 
 def _require_free(db: sqlite3.Connection, name: str, classroom_id: str | None, own_id: str) -> None:
-    taken = db.execute(
+    existing = db.execute(
         "SELECT name FROM groups WHERE name_key = ? AND classroom_id IS ? AND id != ?",
         [name_key(name), classroom_id, own_id],
     ).fetchone()
-    if taken:
-        raise StoreError("group_exists", name=taken["name"])
+    if existing:
+        raise StoreError("group_exists", name=existing["name"])
 
 
 def _require_picture(picture: str) -> None:

@@ -6,7 +6,7 @@ may each be a part of the other: of such a circle the lesson with the smallest k
 
 from collections.abc import Mapping
 
-from storage.sql import change
+from storage.sql import update_row
 from storage.sqlite import sqlite3
 
 
@@ -30,11 +30,11 @@ def tree_of(db: sqlite3.Connection, lesson_id: str) -> list[str]:
 def flatten(db: sqlite3.Connection, lesson_id: str, now: str) -> None:
     """Writes the joins of the lesson's tree as they are shown, so that one of them can be changed."""
     root, *parts = tree_of(db, lesson_id)
-    wanted = [(root, None), *((part, root) for part in parts)]
-    for part, of in wanted:
+    desired = [(root, None), *((part, root) for part in parts)]
+    for part, of in desired:
         row = db.execute("SELECT part_of FROM lessons WHERE id = ?", [part]).fetchone()
         if row and row["part_of"] != of:
-            change(db, "lessons", part, {"part_of": of}, now)
+            update_row(db, "lessons", part, {"part_of": of}, now)
 
 
 def _ends(joined: Mapping[str, str]) -> dict[str, str]:

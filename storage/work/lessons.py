@@ -8,10 +8,10 @@ import uuid
 from collections.abc import Mapping
 
 from storage.errors import StoreError
-from storage.file.connection import Moment
+from storage.file.connection import Timestamp
 from storage.file.repository import Repository
-from storage.records import LessonRow
-from storage.sql import change, insert, not_found, require, rows_of, selected
+from storage.row_types import LessonRow
+from storage.sql import insert, not_found, require, rows_of, selected, update_row
 from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, new_id
 from storage.work.computers import find_computer, this_computer
@@ -43,15 +43,15 @@ class Lessons(Repository):
 
     def current(self, classroom_id: str | None) -> LessonRow | None:
         """What work of the class would belong to now on this PC, None when a new lesson would begin."""
-        now = self._database.moment()
-        with self._database.reading() as db:
+        now = self._database.timestamp()
+        with self._database.read_connection() as db:
             computer = find_computer(db)
             found = computer and open_lesson(db, classroom_id, computer[0])
-        return self.get(found.id) if found and found.goes_on(now) else None
+        return self.get(found.id) if found and found.is_current(now) else None
 
     def parts(self, lesson_id: str) -> list[str]:
         """Keys of all lessons that were joined with it, and its own: the root first."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             return tree_of(db, lesson_id)
 
     def open(self, classroom_id: str, title: str, activity: str | None = None) -> LessonRow:
@@ -60,7 +60,7 @@ class Lessons(Repository):
         Raises:
             StoreError: `classroom_not_found`, `name_empty`, `name_too_long`.
         """
-        clean, moment = clean_name(title), self._database.moment()
+        clean, moment = clean_name(title), self._database.timestamp()
         now = moment.text
 
         def write(db: sqlite3.Connection) -> str:
@@ -88,12 +88,12 @@ class Lessons(Repository):
         Raises:
             StoreError: `lesson_not_found`.
         """
-        found, moment = self.get(lesson_id), self._database.moment()
+        found, moment = self.get(lesson_id), self._database.timestamp()
 
         def write(db: sqlite3.Connection) -> None:
             computer_id, _ = this_computer(db, moment.text)
             before = open_lesson(db, found.classroom_id, computer_id)
-            if before and before.id == lesson_id and before.goes_on(moment):
+            if before and before.id == lesson_id and before.is_current(moment):
                 return
             if before and before.id != lesson_id:
                 _close(db, before.id, moment.text)
@@ -106,7 +106,7 @@ class Lessons(Repository):
 
     def close(self, lesson_id: str) -> LessonRow:
         """Ends a lesson. Raises StoreError `lesson_not_found`."""
-        classroom_id, moment = self.get(lesson_id).classroom_id, self._database.moment()
+        classroom_id, moment = self.get(lesson_id).classroom_id, self._database.timestamp()
 
         def close(db: sqlite3.Connection) -> None:
             computer = find_computer(db)
@@ -124,35 +124,35 @@ class Lessons(Repository):
         Raises:
             StoreError: `lesson_not_found`; `lesson_not_joinable` to itself, to a part of it, or to another class's.
         """
-        wanted, now = dict(changes), self._database.now()
-        if "title" in wanted:  # "" as of a lesson that opened by itself
-            wanted["title"] = clean_name(wanted["title"]) if wanted["title"] else ""
+        requested, now = dict(changes), self._database.now()
+        if "title" in requested:  # "" as of a lesson that opened by itself
+            requested["title"] = clean_name(requested["title"]) if requested["title"] else ""
 
         def write(db: sqlite3.Connection) -> None:
-            if "part_of" in wanted:
-                if wanted["part_of"] is not None:
-                    wanted["part_of"] = _joinable(db, lesson_id, wanted["part_of"])
+            if "part_of" in requested:
+                if requested["part_of"] is not None:
+                    requested["part_of"] = _joinable(db, lesson_id, requested["part_of"])
                 flatten(db, lesson_id, now)
-            change(db, "lessons", lesson_id, wanted, now)
+            update_row(db, "lessons", lesson_id, requested, now)
 
-        if wanted:
+        if requested:
             self._database.write(write)
         return self.get(lesson_id)
 
     def _found(self, which: str, value: str | None) -> list[LessonRow]:
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             rows = rows_of(db, f"{_SELECT} WHERE {which}", [value])
             by_part = roots(db)
-        return [_record(row, by_part) for row in rows]
+        return [_lesson_row(row, by_part) for row in rows]
 
 
-def lesson_for(db: sqlite3.Connection, group_id: str, now: Moment) -> tuple[str, str]:
+def lesson_for(db: sqlite3.Connection, group_id: str, now: Timestamp) -> tuple[str, str]:
     """Keys of the lesson that the group's work belongs to now, and of this PC; within the caller's transaction."""
     computer_id, _ = this_computer(db, now.text)
     group = db.execute("SELECT classroom_id FROM groups WHERE id = ?", [group_id]).fetchone()
     classroom_id = group["classroom_id"]
     found = open_lesson(db, classroom_id, computer_id)
-    if found and found.goes_on(now):
+    if found and found.is_current(now):
         lesson_id = found.id
         # on another PC it may have been closed meanwhile
         query = "UPDATE lessons SET used_at = ?, closed_at = NULL WHERE id = ?"
@@ -160,12 +160,14 @@ def lesson_for(db: sqlite3.Connection, group_id: str, now: Moment) -> tuple[str,
     else:
         if found:
             _close(db, found.id, now.text)
-        lesson_id = _begun(db, classroom_id, computer_id, now.text)
+        lesson_id = _start_lesson(db, classroom_id, computer_id, now.text)
     set_open_lesson(db, classroom_id, computer_id, lesson_id, now)
     return lesson_id, computer_id
 
 
-def _begun(db: sqlite3.Connection, classroom_id: str | None, computer_id: str, now: str) -> str:
+def _start_lesson(
+    db: sqlite3.Connection, classroom_id: str | None, computer_id: str, now: str
+) -> str:
     """A lesson that opens by itself."""
     row = {"id": new_id(), "classroom_id": classroom_id, "title": "", "by_itself": 1}
     row |= {"computer_id": computer_id, "opened_at": now, "used_at": now, "changed_at": now}
@@ -180,7 +182,7 @@ def _open_again(
     query = "SELECT activity IS NOT :activity OR by_itself FROM lessons WHERE id = :id"
     row = db.execute(query, {"activity": opened["activity"], "id": lesson_id}).fetchone()
     if row is not None:
-        change(db, "lessons", lesson_id, opened, now, n_revisions=int(row[0]))
+        update_row(db, "lessons", lesson_id, opened, now, n_revisions=int(row[0]))
     return row is not None
 
 
@@ -190,15 +192,17 @@ def _titled(db: sqlite3.Connection, classroom_id: str, title: str) -> str | None
         "SELECT id, title FROM lessons WHERE classroom_id = ? ORDER BY opened_at DESC, id DESC",
         [classroom_id],
     )
-    wanted = name_key(title)
-    return next((str(row["id"]) for row in rows if name_key(row["title"]) == wanted), None)
+    title_key = name_key(title)
+    return next((str(row["id"]) for row in rows if name_key(row["title"]) == title_key), None)
 
 
 def _free_key(db: sqlite3.Connection, classroom_id: str, title: str) -> str:
     """The same on every PC; another one where the lesson that it was made for is deleted, or has another title now."""
     key = uuid.uuid5(uuid.UUID(classroom_id), name_key(title))
-    taken = "SELECT id FROM tombstones WHERE id = :key UNION SELECT id FROM lessons WHERE id = :key"
-    while db.execute(taken, {"key": str(key)}).fetchone():
+    in_use = (
+        "SELECT id FROM tombstones WHERE id = :key UNION SELECT id FROM lessons WHERE id = :key"
+    )
+    while db.execute(in_use, {"key": str(key)}).fetchone():
         key = uuid.uuid5(key, "again")
     return str(key)
 
@@ -223,6 +227,6 @@ def _joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> str:
     return root
 
 
-def _record(row: sqlite3.Row, by_part: Mapping[str, str]) -> LessonRow:
+def _lesson_row(row: sqlite3.Row, by_part: Mapping[str, str]) -> LessonRow:
     shown = {"by_itself": bool(row["by_itself"]), "part_of": by_part.get(row["id"])}
     return LessonRow(**{**dict(row), **shown})

@@ -11,7 +11,7 @@ _CHANCE_BIT = 1 << 40  # set where `getnode` found no network card and made a nu
 
 
 @cache
-def machine_mark() -> str | None:
+def machine_id_hash() -> str | None:
     """The same at each start on this machine, without telling which it is; None where nothing is known of it."""
     found = _windows_id() or _linux_id() or _network_card()
     return hashlib.sha256(f"pinel {found}".encode()).hexdigest() if found else None

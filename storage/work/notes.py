@@ -5,8 +5,8 @@ from collections.abc import Callable
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.limits import MAX_NOTE
-from storage.records import NoteRow
-from storage.sql import change, insert, not_found, require, selected
+from storage.row_types import NoteRow
+from storage.sql import insert, not_found, require, selected, update_row
 from storage.sqlite import sqlite3
 from storage.text import clean_text, new_id
 
@@ -48,9 +48,9 @@ class Notes(Repository):
     def rewrite(self, note_id: str, text: str) -> NoteRow:
         """Another text, which the group has not read yet. Raises StoreError as `write`, and `note_not_found`."""
         values, now = {"text": _clean(text), "seen_at": None}, self._database.now()
-        return self._after(note_id, lambda db: change(db, "notes", note_id, values, now))
+        return self._after(note_id, lambda db: update_row(db, "notes", note_id, values, now))
 
-    def mark_seen(self, note_id: str) -> NoteRow:
+    def acknowledge(self, note_id: str) -> NoteRow:
         """The group has read it. This is no later state, which would beat what the teacher writes meanwhile.
 
         Raises:

@@ -8,14 +8,14 @@ import math
 from datetime import datetime
 from typing import NamedTuple
 
-from storage.file.connection import Moment
+from storage.file.connection import Timestamp
 from storage.sql import rows_of
 from storage.sqlite import sqlite3
 from storage.work.settings import read_setting, write_setting
 
 # after so long a pause another class is at the PC
 _PAUSE_S = 45 * 60
-_LONGEST_S = 6 * 3600
+_MAX_OPENED_PAUSE_S = 6 * 3600
 # for files of releases that did not note it in the settings
 _BY_ROW = """
     SELECT id, used_at FROM lessons WHERE closed_at IS NULL AND computer_id = ? AND classroom_id IS ?
@@ -27,18 +27,18 @@ class OpenLesson(NamedTuple):
 
     id: str
     by_itself: bool
-    used: Moment
+    used: Timestamp
 
-    def goes_on(self, now: Moment) -> bool:
+    def is_current(self, now: Timestamp) -> bool:
         """Whether a group worked in it recently enough."""
-        return _pause_s(self.used, now) <= (_PAUSE_S if self.by_itself else _LONGEST_S)
+        return _pause_s(self.used, now) <= (_PAUSE_S if self.by_itself else _MAX_OPENED_PAUSE_S)
 
 
 def open_lesson(
     db: sqlite3.Connection, classroom_id: str | None, computer_id: str
 ) -> OpenLesson | None:
     """None where none was opened on this PC, where it was closed, and where it was deleted."""
-    lesson_id, used = _marked(db, classroom_id, computer_id)
+    lesson_id, used = _stored_open_lesson(db, classroom_id, computer_id)
     query = "SELECT by_itself FROM lessons WHERE id = ? AND classroom_id IS ?"
     found = db.execute(query, [lesson_id, classroom_id]).fetchone()
     return OpenLesson(lesson_id, bool(found["by_itself"]), used) if found else None
@@ -49,16 +49,16 @@ def set_open_lesson(
     classroom_id: str | None,
     computer_id: str,
     lesson_id: str | None,
-    now: Moment,
+    now: Timestamp,
 ) -> None:
     """Notes which lesson of the class is open on this PC and used now, None for none."""
     mark = {"computer": computer_id, "lesson": lesson_id, "used": now}
     write_setting(db, _name(classroom_id), mark)
 
 
-def _marked(
+def _stored_open_lesson(
     db: sqlite3.Connection, classroom_id: str | None, computer_id: str
-) -> tuple[str, Moment]:
+) -> tuple[str, Timestamp]:
     """Key of the lesson, "" for none, and when it was used."""
     match read_setting(db, _name(classroom_id)):
         # else the folder was copied, or the disk has damaged it
@@ -67,10 +67,12 @@ def _marked(
             "lesson": lesson,
             "used": [str(at), str(app), int() | float() as s],
         } if of == computer_id:
-            return lesson or "", Moment(at, app, s)
+            return lesson or "", Timestamp(at, app, s)
     rows = rows_of(db, _BY_ROW, [computer_id, classroom_id])
     return (
-        (rows[0]["id"], Moment(rows[0]["used_at"], "", 0.0)) if rows else ("", Moment("", "", 0.0))
+        (rows[0]["id"], Timestamp(rows[0]["used_at"], "", 0.0))
+        if rows
+        else ("", Timestamp("", "", 0.0))
     )
 
 
@@ -78,7 +80,7 @@ def _name(classroom_id: str | None) -> str:
     return f"open_lesson {classroom_id or 'none'}"
 
 
-def _pause_s(used: Moment, now: Moment) -> float:
+def _pause_s(used: Timestamp, now: Timestamp) -> float:
     """Within one app the clock may be set as it likes; across a start there is nothing but the clock."""
     if used.app == now.app:
         return now.uptime_s - used.uptime_s

@@ -6,10 +6,10 @@ from typing import Any
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.limits import MAX_OWN_ACTIVITIES
-from storage.records import OwnActivityRow
-from storage.sql import change, insert, row_count, rows_of, selected
+from storage.row_types import OwnActivityRow
+from storage.sql import insert, row_count, rows_of, selected, update_row
 from storage.sqlite import sqlite3
-from storage.text import clean_name, dumped, new_id, readable_object
+from storage.text import clean_name, new_id, readable_object, to_json
 
 _SELECT = selected(OwnActivityRow, "own_activities")
 
@@ -19,23 +19,23 @@ class OwnActivities(Repository):
 
     def all(self) -> list[OwnActivityRow]:
         """Those that are not deleted, the oldest first."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             rows = rows_of(db, f"{_SELECT} WHERE deleted_at IS NULL ORDER BY id")
-        return [_record(row) for row in rows]
+        return [_activity_row(row) for row in rows]
 
     def titles(self) -> dict[str, str]:
         """Titles by key, also of those that are deleted."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             rows = rows_of(db, "SELECT id, title FROM own_activities")
         return {str(row["id"]): str(row["title"]) for row in rows}
 
     def get(self, activity_id: str) -> OwnActivityRow:
         """Also one that is deleted. Raises StoreError `own_activity_not_found`."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             rows = rows_of(db, f"{_SELECT} WHERE id = ?", [activity_id])
         if not rows:
             raise StoreError("own_activity_not_found", id=activity_id)
-        return _record(rows[0])
+        return _activity_row(rows[0])
 
     def new_key(self) -> str:
         """The key of an activity to be made: its document names it."""
@@ -51,12 +51,12 @@ class OwnActivities(Repository):
         """
         now = self._database.now()
         values: dict[str, object] = {"title": clean_name(title), "deleted_at": None}
-        values |= {"document": dumped(document), "goal": dumped(goal)}
+        values |= {"document": to_json(document), "goal": to_json(goal)}
 
         def write(db: sqlite3.Connection) -> None:
             known = db.execute("SELECT 1 FROM own_activities WHERE id = ?", [activity_id])
             if known.fetchone():
-                change(db, "own_activities", activity_id, values, now)
+                update_row(db, "own_activities", activity_id, values, now)
                 return
             if row_count(db, "own_activities", "deleted_at IS NULL") >= MAX_OWN_ACTIVITIES:
                 raise StoreError("own_activities_too_many", max=MAX_OWN_ACTIVITIES)
@@ -68,20 +68,22 @@ class OwnActivities(Repository):
 
     def delete(self, activity_id: str) -> None:
         """Takes it off all lists. Raises StoreError `own_activity_not_found`."""
-        self._mark(activity_id, self._database.now())
+        self._set_deleted_at(activity_id, self._database.now())
 
-    def take_back(self, activity_id: str) -> None:
+    def undelete(self, activity_id: str) -> None:
         """Undoes `delete`. Raises StoreError `own_activity_not_found`."""
-        self._mark(activity_id, None)
+        self._set_deleted_at(activity_id, None)
 
-    def _mark(self, activity_id: str, deleted_at: str | None) -> None:
+    def _set_deleted_at(self, activity_id: str, deleted_at: str | None) -> None:
         before, now = self.get(activity_id), self._database.now()
         if (before.deleted_at is None) != (deleted_at is None):
             values = {"deleted_at": deleted_at}
-            self._database.write(lambda db: change(db, "own_activities", activity_id, values, now))
+            self._database.write(
+                lambda db: update_row(db, "own_activities", activity_id, values, now)
+            )
 
 
-def _record(row: sqlite3.Row) -> OwnActivityRow:
+def _activity_row(row: sqlite3.Row) -> OwnActivityRow:
     values = dict(row)
     parsed = {name: readable_object(values[name]) or {} for name in ("document", "goal")}
     return OwnActivityRow(**{**values, **parsed})

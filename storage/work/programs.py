@@ -1,11 +1,11 @@
 """Programs of a group; their content are versions."""
 
 from storage.file.repository import Repository
-from storage.records import ProgramRow
-from storage.sql import change, insert, require, rows_of, selected, setup_value
+from storage.row_types import ProgramRow
+from storage.sql import insert, require, rows_of, selected, setup_value, update_row
 from storage.sqlite import sqlite3
 from storage.text import clean_name, new_id
-from storage.work.groups import mark_used
+from storage.work.groups import record_use
 
 _SELECT = selected(
     ProgramRow,
@@ -27,7 +27,7 @@ class Programs(Repository):
         """Last changed first; with `in_bin` those in the bin. Raises StoreError `group_not_found`."""
         which = "deleted_at IS NOT NULL" if in_bin else "deleted_at IS NULL"
         query = f"{_SELECT} WHERE group_id = ? AND {which} {_LAST_CHANGED_FIRST}"
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             require(db, "groups", group_id)
             return [ProgramRow(**dict(row)) for row in rows_of(db, query, [group_id])]
 
@@ -39,7 +39,7 @@ class Programs(Repository):
         """
         query = f"""{_SELECT} WHERE group_id = ? AND deleted_at IS NULL AND {_ACTIVITY} = ?
             {_LAST_CHANGED_FIRST} LIMIT 1"""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             require(db, "groups", group_id)
             rows = rows_of(db, query, [group_id, activity])
         return ProgramRow(**dict(rows[0])) if rows else None
@@ -57,7 +57,7 @@ class Programs(Repository):
         def write(db: sqlite3.Connection) -> None:
             require(db, "groups", group_id)
             insert(db, "programs", row)
-            mark_used(db, group_id, now)
+            record_use(db, group_id, now)
 
         self._database.write(write)
         return self.get(row["id"])
@@ -70,11 +70,13 @@ class Programs(Repository):
         """With all its versions and runs. Raises StoreError `program_not_found`."""
         return self._change(program_id, "deleted_at", self._database.now())
 
-    def take_from_bin(self, program_id: str) -> ProgramRow:
+    def restore_from_bin(self, program_id: str) -> ProgramRow:
         """Raises StoreError `program_not_found`."""
         return self._change(program_id, "deleted_at", None)
 
     def _change(self, program_id: str, column: str, value: str | None) -> ProgramRow:
         now = self._database.now()
-        self._database.write(lambda db: change(db, "programs", program_id, {column: value}, now))
+        self._database.write(
+            lambda db: update_row(db, "programs", program_id, {column: value}, now)
+        )
         return self.get(program_id)

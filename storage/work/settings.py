@@ -5,7 +5,7 @@ from typing import Any
 from storage.file.repository import Repository
 from storage.sql import rows_of
 from storage.sqlite import sqlite3
-from storage.text import dumped, readable
+from storage.text import readable, to_json
 
 
 class Settings(Repository):
@@ -13,7 +13,7 @@ class Settings(Repository):
 
     def get(self, key: str) -> Any:
         """None where nothing was chosen."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             return read_setting(db, key)
 
     def set(self, key: str, value: object) -> None:
@@ -29,4 +29,4 @@ def read_setting(db: sqlite3.Connection, key: str) -> Any:
 
 def write_setting(db: sqlite3.Connection, key: str, value: object) -> None:
     """Gives the name a value, within the caller's transaction."""
-    db.execute("INSERT OR REPLACE INTO settings VALUES (?, ?)", [key, dumped(value)])
+    db.execute("INSERT OR REPLACE INTO settings VALUES (?, ?)", [key, to_json(value)])

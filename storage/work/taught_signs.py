@@ -11,7 +11,7 @@ from dataclasses import replace
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.limits import MAX_SIGN, MAX_TAUGHT_SAMPLES, MAX_TAUGHT_SIGNS, N_FEATURES
-from storage.records import SignSamples
+from storage.row_types import SignSamples
 from storage.sql import insert, not_found, require, rows_of
 from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, natural_key, new_id
@@ -24,9 +24,9 @@ class TaughtSigns(Repository):
 
     def of_classroom(self, classroom_id: str) -> list[SignSamples]:
         """The signs of a class by name, each with its newest samples. Raises StoreError `classroom_not_found`."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             require(db, "classrooms", classroom_id)
-            return _signs(_recordings(db, classroom_id))
+            return _signs(_sample_rows(db, classroom_id))
 
     def name_to_teach(self, classroom_id: str, name: str, *, is_moving: bool = False) -> str:
         """How the class spells the sign of that name, which may be new.
@@ -70,16 +70,16 @@ class TaughtSigns(Repository):
 
     def keys(self, classroom_id: str, sign: str) -> list[str]:
         """Keys of all recordings of a sign. Raises StoreError `classroom_not_found`, `taught_sign_not_found`."""
-        with self._database.reading() as db:
+        with self._database.read_connection() as db:
             require(db, "classrooms", classroom_id)
-            rows = _recordings(db, classroom_id)
+            rows = _sample_rows(db, classroom_id)
         found = [str(row["id"]) for row in rows if name_key(row["sign"]) == name_key(sign)]
         if not found:
             raise not_found("taught_signs", sign)
         return found
 
 
-def _recordings(db: sqlite3.Connection, classroom_id: str) -> list[sqlite3.Row]:
+def _sample_rows(db: sqlite3.Connection, classroom_id: str) -> list[sqlite3.Row]:
     """The newest first, without what cannot be read."""
     query = """SELECT id, sign, samples, is_moving FROM taught_signs
         WHERE classroom_id = ? ORDER BY id DESC"""
@@ -99,8 +99,8 @@ def _signs(recordings: Iterable[sqlite3.Row]) -> list[SignSamples]:
         key = name_key(row["sign"])
         newer = by_key.get(key, SignSamples(row["sign"]))
         field = "movements" if row["is_moving"] else "samples"
-        kept = (getattr(newer, field) + row["samples"])[: MAX_TAUGHT_SAMPLES * _SAMPLE_BYTES]
-        by_key[key] = replace(newer, **{field: kept}, sign=row["sign"])
+        combined = (getattr(newer, field) + row["samples"])[: MAX_TAUGHT_SAMPLES * _SAMPLE_BYTES]
+        by_key[key] = replace(newer, **{field: combined}, sign=row["sign"])
     # a merge may bring more signs than one PC records
     in_order = sorted(by_key, key=lambda key: (natural_key(key), key))
     return [by_key[key] for key in in_order[:MAX_TAUGHT_SIGNS]]

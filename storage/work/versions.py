@@ -5,17 +5,17 @@ from dataclasses import astuple
 from typing import Any
 
 from storage.errors import StoreError
-from storage.file.connection import Moment
+from storage.file.connection import Timestamp
 from storage.file.repository import Repository
 from storage.json_check import is_deep, is_object
 from storage.limits import MAX_NUMBER
-from storage.marks import counted
-from storage.records import FaultRow, Json, VersionMark, VersionRow
-from storage.sql import change, exists, insert, not_found, require, selected
+from storage.row_types import FaultRow, Json, VersionRow, VersionSummary
+from storage.run_validity import counted
+from storage.sql import exists, insert, not_found, require, selected, update_row
 from storage.sqlite import sqlite3
 from storage.tables.work import VERSIONS
-from storage.text import clean_name, dumped, id_of, loaded, local_time, readable_object
-from storage.work.groups import mark_used
+from storage.text import clean_name, from_json, id_of, local_time, readable_object, to_json
+from storage.work.groups import record_use
 from storage.work.lessons import lesson_for
 
 _LABEL = "coalesce((SELECT text FROM version_labels WHERE version_labels.id = versions.id), '')"
@@ -23,8 +23,8 @@ _LABEL = "coalesce((SELECT text FROM version_labels WHERE version_labels.id = ve
 SETUP_ONLY = """CASE WHEN versions.setup IS NOT parents.setup OR versions.world IS NOT parents.world
            THEN versions.workspace IS parents.workspace ELSE 0 END"""
 _SELECT = selected(VersionRow, "versions", label=_LABEL)
-_MARK = selected(
-    VersionMark,
+_SUMMARY = selected(
+    VersionSummary,
     "versions",
     can_run="document IS NOT NULL",
     label=_LABEL,
@@ -44,7 +44,7 @@ _SAME = f"""SELECT id, number, {" AND ".join(f"{name} IS ?" for name in _CONTENT
 _EARLIER = f"""SELECT id FROM versions WHERE program_id = ?
     AND (number, id) < (SELECT number, id FROM versions WHERE id = ?) {_NEWEST_FIRST}"""
 # versions without a successor, made on another PC than the newest
-_ELSEWHERE = f"""{_MARK} WHERE program_id = ?
+_NEWEST_ON_OTHER_PC = f"""{_SUMMARY} WHERE program_id = ?
          AND computer_id IS NOT (SELECT computer_id FROM versions WHERE id = ?)
          AND id NOT IN (SELECT parent_id FROM versions WHERE program_id = ? AND parent_id IS NOT NULL)
     {_NEWEST_FIRST} LIMIT 1"""
@@ -58,7 +58,7 @@ class Versions(Repository):
         rows = self._rows(_NEWEST, program_id)
         return self.get(str(rows[0]["id"])) if rows else None
 
-    def newest_sound(self, program_id: str) -> VersionRow | None:
+    def newest_intact(self, program_id: str) -> VersionRow | None:
         """The newest that is as it was written; None where there is none."""
         try:
             return self.newest(program_id)
@@ -76,8 +76,8 @@ class Versions(Repository):
                 that is sound.
         """
         try:
-            if row := self._sound_row("versions", f"{_SELECT} WHERE id = ?", version_id):
-                return _record(row)
+            if row := self._intact_row("versions", f"{_SELECT} WHERE id = ?", version_id):
+                return _version_row(row)
         except (
             ValueError,
             TypeError,
@@ -108,16 +108,18 @@ class Versions(Repository):
                 be kept.
         """
         content = (
-            dumped(workspace),
-            None if document is None else dumped(document),
-            dumped([astuple(fault) for fault in faults]),
-            None if world is None else dumped(world),
-            None if setup is None else dumped(setup),
+            to_json(workspace),
+            None if document is None else to_json(document),
+            to_json([astuple(fault) for fault in faults]),
+            None if world is None else to_json(world),
+            None if setup is None else to_json(setup),
         )
         values = _read_back(content)
-        now = self._database.moment()
-        kept = self._database.write(lambda db: _insert(db, program_id, content, parent_id, now))
-        return _record(self._row("versions", f"{_SELECT} WHERE id = ?", kept), values)
+        now = self._database.timestamp()
+        version_id = self._database.write(
+            lambda db: _insert(db, program_id, content, parent_id, now)
+        )
+        return _version_row(self._row("versions", f"{_SELECT} WHERE id = ?", version_id), values)
 
     def _damaged(self, version_id: str) -> StoreError:
         times = "SELECT id, program_id, created_at FROM versions WHERE id = ?"
@@ -137,23 +139,27 @@ class Versions(Repository):
 
     def _can_be_read(self, version_id: str) -> bool:
         try:
-            _record(self._row("versions", f"{_SELECT} WHERE id = ?", version_id))
+            _version_row(self._row("versions", f"{_SELECT} WHERE id = ?", version_id))
         except (ValueError, TypeError, RecursionError):
             return False
-        return self._is_sound("versions", version_id)
+        return self._is_intact("versions", version_id)
 
-    def elsewhere(self, newest: VersionRow) -> VersionMark | None:
+    def newest_on_other_pc(self, newest: VersionRow) -> VersionSummary | None:
         """The newest version without successor that another PC made; None where there is none."""
-        rows = self._rows(_ELSEWHERE, newest.program_id, newest.id, newest.program_id)
-        return _mark(rows[0]) if rows else None
+        rows = self._rows(_NEWEST_ON_OTHER_PC, newest.program_id, newest.id, newest.program_id)
+        return _version_summary(rows[0]) if rows else None
 
-    def line_of(
+    def history_of(
         self, program_id: str, *, before: str | None = None, limit: int = 200
-    ) -> list[VersionMark]:
+    ) -> list[VersionSummary]:
         """The program's versions, the newest first; `before` is the id of the last of the page before."""
         after = "(number, id) < (SELECT number, id FROM versions WHERE id = ?)"
-        query = f"{_MARK} WHERE program_id = ? AND (? IS NULL OR {after}) {_NEWEST_FIRST} LIMIT ?"
-        return [_mark(row) for row in self._rows(query, program_id, before, before, limit)]
+        query = (
+            f"{_SUMMARY} WHERE program_id = ? AND (? IS NULL OR {after}) {_NEWEST_FIRST} LIMIT ?"
+        )
+        return [
+            _version_summary(row) for row in self._rows(query, program_id, before, before, limit)
+        ]
 
     def label(self, version_id: str, text: str) -> VersionRow:
         """Gives a version a name, or with "" takes it away. Raises StoreError `version_not_found`, `name_too_long`."""
@@ -162,7 +168,7 @@ class Versions(Repository):
         def write(db: sqlite3.Connection) -> None:
             require(db, "versions", version_id)
             if exists(db, "version_labels", version_id):
-                change(db, "version_labels", version_id, {"text": clean}, now)
+                update_row(db, "version_labels", version_id, {"text": clean}, now)
             else:
                 insert(db, "version_labels", {"id": version_id, "text": clean, "changed_at": now})
 
@@ -179,7 +185,11 @@ def _local(text: str) -> str:
 
 
 def _insert(
-    db: sqlite3.Connection, program_id: str, content: _Content, parent_id: str | None, now: Moment
+    db: sqlite3.Connection,
+    program_id: str,
+    content: _Content,
+    parent_id: str | None,
+    now: Timestamp,
 ) -> str:
     program = db.execute("SELECT group_id FROM programs WHERE id = ?", [program_id]).fetchone()
     if program is None:
@@ -197,10 +207,10 @@ def _insert(
         "parent_id": parent_id or (newest["id"] if newest else None),
     }
     version["lesson_id"], version["computer_id"] = lesson_for(db, program["group_id"], now)
-    version["id"] = id_of(dumped([version[name] for name in VERSIONS.bound]))
+    version["id"] = id_of(to_json([version[name] for name in VERSIONS.bound]))
     insert(db, "versions", version)
     db.execute("UPDATE programs SET updated_at = ? WHERE id = ?", [now.text, program_id])
-    mark_used(db, program["group_id"], now.text)
+    record_use(db, program["group_id"], now.text)
     return str(version["id"])
 
 
@@ -215,7 +225,7 @@ def _read_back(content: _Content) -> list[Any]:
     ):
         raise StoreError("work_unreadable")
     try:
-        return [loaded(text) for text in content]
+        return [from_json(text) for text in content]
     except ValueError as error:
         raise StoreError("work_unreadable") from error
 
@@ -226,13 +236,15 @@ def _require_own(db: sqlite3.Connection, program_id: str, version_id: str) -> No
         raise not_found("versions", version_id)
 
 
-def _mark(row: sqlite3.Row) -> VersionMark:
+def _version_summary(row: sqlite3.Row) -> VersionSummary:
     flags = {name: bool(row[name]) for name in ("can_run", "setup_only")}
-    return VersionMark(**{**dict(row), **flags, "setup": readable_object(row["setup"])})
+    return VersionSummary(**{**dict(row), **flags, "setup": readable_object(row["setup"])})
 
 
-def _record(row: sqlite3.Row, values: Sequence[Any] | None = None) -> VersionRow:
+def _version_row(row: sqlite3.Row, values: Sequence[Any] | None = None) -> VersionRow:
     """The record of a row; `values` are those of its content where they are known."""
-    content = dict(zip(_CONTENT, values or [loaded(row[name]) for name in _CONTENT], strict=True))
+    content = dict(
+        zip(_CONTENT, values or [from_json(row[name]) for name in _CONTENT], strict=True)
+    )
     content["faults"] = tuple(FaultRow(*fault) for fault in content["faults"])
     return VersionRow(**{**dict(row), **content})

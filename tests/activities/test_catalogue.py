@@ -23,7 +23,7 @@ from pinel_desktop.activities import (
 from pinel_desktop.activities.reading import read_activity
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.program.python_text import read_python
-from pinel_desktop.program.reading import Reading, read_document
+from pinel_desktop.program.reading import ParseResult, read_document
 from tests.activities.given_programs import CATALOGUE, PROGRAMS, GivenProgram, others, wrong
 
 DOCS = Path(__file__).parents[2] / "docs" / "activities.md"
@@ -40,8 +40,8 @@ MISSES_BY_SLIP = {
 }
 
 
-def read(text: str) -> Reading:
-    reading = read_python(text).reading
+def read(text: str) -> ParseResult:
+    reading = read_python(text).result
     assert reading.program is not None, reading.faults
     return reading
 
@@ -51,7 +51,7 @@ def judged(given: GivenProgram) -> Report:
     return check_program(choose_activity(given.activity), read(given.text))
 
 
-def solution(name: str) -> Reading:
+def solution(name: str) -> ParseResult:
     document = solution_of(name)
     assert document is not None
     return read_document(document)
@@ -88,10 +88,10 @@ def test_it_tells_all_that_a_group_needs_in_every_language(name: str) -> None:
     assert activity.level is not None
     assert activity.minutes is not None
     assert len(activity.hints) == 3
-    for told in (activity.story, activity.criteria, activity.question, *activity.hints):
-        assert told is not None
-        assert set(told.model_dump(by_alias=True)) == set(LANGUAGES)
-        assert not any('"' in text or "'" in text for text in (told.pt_br, told.es))
+    for localized in (activity.story, activity.criteria, activity.question, *activity.hints):
+        assert localized is not None
+        assert set(localized.model_dump(by_alias=True)) == set(LANGUAGES)
+        assert not any('"' in text or "'" in text for text in (localized.pt_br, localized.es))
 
 
 @pytest.mark.parametrize("name", activity_names())
@@ -109,11 +109,11 @@ def test_on_wheels_alone_its_solution_passes_where_slip_is_not_in_the_way(name: 
 
 @pytest.mark.parametrize("given", WRONG, ids=str)
 def test_a_wrong_program_gets_its_message(given: GivenProgram) -> None:
-    says = json.loads((PROGRAMS / given.activity / "says.json").read_text("utf-8"))
+    messages = json.loads((PROGRAMS / given.activity / "says.json").read_text("utf-8"))
     report = judged(given)
     assert not report.passed
     assert report.advice is not None
-    assert says[given.name] in report.advice.words["pt-BR"]
+    assert messages[given.name] in report.advice.words["pt-BR"]
 
 
 @pytest.mark.parametrize("given", OTHER, ids=str)
@@ -127,8 +127,8 @@ def test_at_least_three_wrong_programs_get_different_messages_and_two_others_pas
     name: str,
 ) -> None:
     faulty = [given for given in WRONG if given.activity == name]
-    said = [judged(given).advice for given in faulty]
-    assert len({advice.words["pt-BR"] for advice in said if advice}) == len(faulty) >= 3
+    all_advice = [judged(given).advice for given in faulty]
+    assert len({advice.words["pt-BR"] for advice in all_advice if advice}) == len(faulty) >= 3
     assert sum(given.activity == name for given in OTHER) >= 2
     assert len(json.loads((PROGRAMS / name / "says.json").read_text("utf-8"))) == len(faulty)
 
@@ -139,11 +139,11 @@ INTERNAL = re.compile(r"[{}]|\d{5}|\b[a-z]+_[a-z_]+\b|\d\.\d{3}|/commands")
 @pytest.mark.parametrize("given", WRONG, ids=str)
 def test_no_word_of_the_inside_reaches_a_pupil(given: GivenProgram) -> None:
     report = judged(given)
-    said: list[dict[str, str]] = [report.advice.words] if report.advice else []
-    said += [check.words for case in report.cases for check in case.checks if not check.holds]
-    for words in said:
-        assert set(words) == set(LANGUAGES)
-        for text in words.values():
+    messages: list[dict[str, str]] = [report.advice.words] if report.advice else []
+    messages += [check.words for case in report.cases for check in case.checks if not check.holds]
+    for message in messages:
+        assert set(message) == set(LANGUAGES)
+        for text in message.values():
             assert not INTERNAL.search(text), text
 
 
@@ -157,9 +157,9 @@ def test_numbers_are_said_in_the_form_of_the_language() -> None:
 
 @pytest.mark.parametrize("name", activity_names())
 def test_judging_takes_less_than_two_seconds(name: str) -> None:
-    began = time.process_time()
+    start_s = time.process_time()
     check_program(choose_activity(name), solution(name))
-    assert time.process_time() - began < 2.0
+    assert time.process_time() - start_s < 2.0
 
 
 @pytest.mark.parametrize("name", activity_names())

@@ -27,8 +27,8 @@ def activity(*checks: dict[str, Any], **more: Any) -> Activity:
     return Activity.model_validate({**document, "checks": list(checks), **more})
 
 
-def run(wanted: Activity, *commands: dict[str, Any]) -> Report:
-    return check_program(wanted, read_document({"pinel_ir": 1, "commands": list(commands)}))
+def run(mission: Activity, *commands: dict[str, Any]) -> Report:
+    return check_program(mission, read_document({"pinel_ir": 1, "commands": list(commands)}))
 
 
 def move(distance: float) -> dict[str, Any]:
@@ -205,11 +205,11 @@ def test_a_box_is_pushed_into_a_zone() -> None:
 
 def test_a_zone_that_was_to_be_avoided_is_reported_with_the_block_that_drove_into_it() -> None:
     commands = [turn(0.5), {**move(1), "block": "in"}, {**move(1), "block": "out"}]
-    wanted = activity({"check": "avoids", "zone": "A"})
-    (found,) = run(wanted, *commands).cases[0].checks
+    mission = activity({"check": "avoids", "zone": "A"})
+    (found,) = run(mission, *commands).cases[0].checks
     assert (found.holds, found.block, found.measured) == (False, "in", "A, B")
     assert found.words["pt-BR"].startswith("O robô passou por “A”, onde não devia.")
-    assert goal_of(wanted, None).zones == []  # it is no place to get to
+    assert goal_of(mission, None).zones == []  # it is no place to get to
     (fault,) = semantic_faults(activity({"check": "avoids", "zone": "?"}))
     assert (fault.code, fault.pointer) == ("activity_unknown_zone", "/checks/0/zone")
 
@@ -281,11 +281,11 @@ def test_a_program_that_reads_on_after_the_last_gesture_fails_with_that_reason()
     read: dict[str, Any] = {"action": "classify_gestures"}
     is_b = {"op": "==", "args": [{"gesture": "result"}, "B"]}
     until: dict[str, Any] = {"action": "until", "condition": is_b, "commands": [read]}
-    wanted = activity({"check": "finished"}, cases=[{"gestures": ["A", ""]}])
-    (case,) = run(wanted, until).cases
+    mission = activity({"check": "finished"}, cases=[{"gestures": ["A", ""]}])
+    (case,) = run(mission, until).cases
     assert (case.state, case.reason) == ("failed", "no_more_gestures")
     assert case.duration_s < 1.0
-    assert run(wanted, read, read).passed
+    assert run(mission, read, read).passed
 
 
 @pytest.mark.parametrize(("preset", "passed"), [("ideal", True), ("realistic", False)])

@@ -11,7 +11,7 @@ TITLE = {"pt-BR": "x", "en": "x", "es": "x"}
 def goal(solution: str, *checks: dict[str, Any], **more: Any) -> Goal:
     document = {"pinel_activity": 2, "name": "a", "title": TITLE, "world": "tic_tac_toe"}
     activity = Activity.model_validate({**document, "checks": list(checks), **more})
-    return goal_of(activity, read_python(solution).reading)
+    return goal_of(activity, read_python(solution).result)
 
 
 def test_is_the_path_in_the_world_from_the_start_of_the_case() -> None:

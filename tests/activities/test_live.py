@@ -8,7 +8,7 @@ import pytest
 from pinel_desktop.activities import (
     CheckStatus,
     LiveEvaluation,
-    LogWriter,
+    RunLogBuilder,
     activity_names,
     choose_activity,
     initial_check_list,
@@ -23,8 +23,8 @@ from pinel_desktop.events.model import Event
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.program.python_text import read_python
-from pinel_desktop.program.reading import Reading, read_document
-from pinel_desktop.robot import Setting
+from pinel_desktop.program.reading import ParseResult, read_document
+from pinel_desktop.robot import SimulationConfig
 from pinel_desktop.runs.start import start
 from tests.activities.given_programs import GivenProgram, others, wrong
 from tests.activities.test_checks import ONE_OF_EACH
@@ -37,34 +37,34 @@ States = list[tuple[str, str, str]]
 
 
 @cache
-def read(text: str) -> Reading:
-    return read_python(text).reading
+def read(text: str) -> ParseResult:
+    return read_python(text).result
 
 
 def followed(
-    name: str, reading: Reading, case: int = 1, language: str = "en", every: int = OFTEN
+    name: str, reading: ParseResult, case: int = 1, language: str = "en", every: int = OFTEN
 ) -> list[States]:
     """The check list after so many ticks of a case again and again, and at its end."""
     activity = choose_activity(name)
     spec = spec_of(activity, activity.cases[case - 1], reading)
     assert reading.document is not None
     world = world_of(activity, activity.cases[case - 1])
-    standing = LiveEvaluation(activity, reading.document, world, spec.setting)
-    assert standing.applies
-    writer, seen = LogWriter(), []
+    evaluation = LiveEvaluation(activity, reading.document, world, spec.setting)
+    assert evaluation.applies
+    writer, snapshots = RunLogBuilder(), []
 
     def observe(tick: int, event: Event) -> None:
         writer.observe(tick, event)
         if tick % every == 0 and event.type == "telemetry":
-            seen.append(statuses(standing.evaluate(writer.log(), language)))
+            snapshots.append(statuses(evaluation.evaluate(writer.log(), language)))
 
     start(spec, observe, RunControl())
-    last = statuses(standing.evaluate(writer.log(), language))
+    last = statuses(evaluation.evaluate(writer.log(), language))
     report = judge_run(activity, case, reading.document, writer.log())
     # several cases may have begun alike; then the first of them is meant
     if len(report.checks) == len(last):
         assert [state == "met" for _, _, state in last] == [one.holds for one in report.checks]
-    return [*seen, last]
+    return [*snapshots, last]
 
 
 def statuses(lines: list[CheckStatus]) -> States:
@@ -73,11 +73,11 @@ def statuses(lines: list[CheckStatus]) -> States:
 
 def states_of(criterion: str, lists: list[States]) -> list[str]:
     """What a line says one after the other, without repetitions."""
-    found = [state for lines in lists for words, _, state in lines if words == criterion]
+    found = [state for lines in lists for label, _, state in lines if label == criterion]
     return [state for i, state in enumerate(found) if i == 0 or found[i - 1] != state]
 
 
-def solution(name: str) -> Reading:
+def solution(name: str) -> ParseResult:
     document = solution_of(name)
     assert document is not None
     return read_document(document)
@@ -88,7 +88,9 @@ def test_a_square_fills_the_list_side_by_side() -> None:
     assert states_of("Reach the end of the program", lists) == ["open", "met"]
     assert states_of("Drive 4 m in all", lists) == ["open", "met"]
     assert states_of("A square with sides of 1 m", lists) == ["open", "met"]
-    measured = [said for lines in lists for words, said, _ in lines if words == "Drive 4 m in all"]
+    measured = [
+        progress for lines in lists for label, progress, _ in lines if label == "Drive 4 m in all"
+    ]
     assert "1 m driven" in measured
     assert measured[-1] == "4 m driven"
 
@@ -120,7 +122,7 @@ def test_a_path_that_is_too_long_will_not_become_shorter() -> None:
 def test_the_checks_of_a_case_come_with_its_sign() -> None:
     reading = solution("sign_b")
     lists = followed("sign_b", reading, case=1)
-    assert [words for words, _, _ in lists[0]] == ["Reach the end of the program"] or len(
+    assert [label for label, _, _ in lists[0]] == ["Reach the end of the program"] or len(
         lists[0]
     ) == 2
     assert states_of("End 1 m ahead, seen from the start", lists)[-1] == "met"
@@ -129,9 +131,9 @@ def test_the_checks_of_a_case_come_with_its_sign() -> None:
 
 def test_a_run_in_another_world_is_not_followed() -> None:
     activity, other = choose_activity("square"), choose_activity("maze")
-    ideal = Setting(activity.model, activity.preset, activity.feedback)
+    ideal = SimulationConfig(activity.model, activity.preset, activity.feedback)
     assert not LiveEvaluation(activity, {}, world_of(other, other.cases[0]), ideal).applies
-    shaky = Setting(activity.model, "realistic", activity.feedback)
+    shaky = SimulationConfig(activity.model, "realistic", activity.feedback)
     assert not LiveEvaluation(activity, {}, world_of(activity, activity.cases[0]), shaky).applies
 
 
@@ -139,8 +141,8 @@ def test_a_run_in_another_world_is_not_followed() -> None:
 def test_the_list_ends_as_the_verdict_and_has_no_open_ends(given: GivenProgram) -> None:
     reading = read(given.text)
     lists = followed(given.activity, reading, language="pt-BR", every=RARELY)
-    for words, measured, _ in (line for lines in lists for line in lines):
-        assert not re.search(r"[{}_]", words + measured)
+    for label, measured, _ in (line for lines in lists for line in lines):
+        assert not re.search(r"[{}_]", label + measured)
     assert all(state != "open" for _, _, state in lists[-1])
 
 

@@ -14,9 +14,9 @@ FINISHED = {"check": "finished"}
 SQUARE = {"action": "repeat", "times": 4, "commands": [move(1), turn(90)]}
 
 
-def proposed(wanted: Activity, *commands: dict[str, Any]) -> dict[str, dict[str, Any]]:
+def proposed(mission: Activity, *commands: dict[str, Any]) -> dict[str, dict[str, Any]]:
     reading = read_document({"pinel_ir": 1, "commands": list(commands)})
-    return {one["check"]: one for one in proposal_for(wanted, reading).checks}
+    return {one["check"]: one for one in proposal_for(mission, reading).checks}
 
 
 def test_numbers_are_those_of_the_solution() -> None:
@@ -39,15 +39,15 @@ def test_what_the_solution_does_not_do_is_not_proposed() -> None:
 
 
 def test_each_kind_of_the_form_is_proposed_as_a_check_that_its_solution_passes() -> None:
-    wanted = activity(FINISHED)
+    mission = activity(FINISHED)
     commands: list[dict[str, Any]] = [PEN, {**SQUARE, "times": 1}, MARK, HELLO]
-    found = proposed(wanted, *commands)
+    found = proposed(mission, *commands)
     assert found.keys() == {name for name, kind in KINDS.items() if kind.form is not None}
     del found["closed"]  # this line is open
     checks = [TypeAdapter(Check).validate_python(one) for one in found.values()]
     solution = {"pinel_ir": 1, "name": "", "functions": [], "commands": commands}
-    made = wanted.model_copy(update={"checks": checks, "solution": solution})
+    made = mission.model_copy(update={"checks": checks, "solution": solution})
     of_solution, of_empty = trials(made, ("ideal",))
-    assert of_solution.words == {}
+    assert of_solution.texts == {}
     assert of_solution.passed
     assert not of_empty.passed

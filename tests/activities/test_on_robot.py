@@ -9,15 +9,15 @@ import pytest
 from pinel_desktop.activities import (
     Activity,
     LiveEvaluation,
-    LogWriter,
     RecordedRun,
     RunLog,
+    RunLogBuilder,
     activity_names,
     case_of_real_run,
     check_program,
     judging_blockers,
     not_judgeable_notice,
-    not_judged_words,
+    not_judged_text,
     shipped_activity,
     solution_of,
     tolerance_of,
@@ -29,15 +29,15 @@ from pinel_desktop.activities.recorded import Reason
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.program.python_text import read_python
-from pinel_desktop.program.reading import Reading, read_document
+from pinel_desktop.program.reading import ParseResult, read_document
 from pinel_desktop.program.sensors import SENSORS
-from pinel_desktop.robot import Setting
-from pinel_desktop.robot.record import BridgeRecord, Room
+from pinel_desktop.robot import SimulationConfig
+from pinel_desktop.robot.robot_profile import BridgeProfile, Room
 from pinel_desktop.runs.start import start
 from tests.activities.given_programs import GivenProgram, wrong
 from tests.activities.test_checks import SIMULATOR_ONLY, activity
 
-BRIDGE = {"robot": BridgeRecord().as_record()}
+BRIDGE = {"robot": BridgeProfile().as_record()}
 JUDGED = (
     "dashed_line",
     "stairs",
@@ -97,38 +97,38 @@ def test_the_catalogue_is_judged_where_the_world_does_not_matter() -> None:
 def test_what_only_the_simulator_tells_keeps_a_run_from_being_judged(
     more: dict[str, Any], missing: str, kinds: tuple[str, ...]
 ) -> None:
-    wanted = activity(**{"checks": [{"check": "finished"}], **more})
-    assert judging_blockers(wanted)[0] == (missing, kinds)
+    mission = activity(**{"checks": [{"check": "finished"}], **more})
+    assert judging_blockers(mission)[0] == (missing, kinds)
 
 
 def test_one_of_several_checks_needs_what_each_of_them_needs() -> None:
     some = [{"check": "finished"}, {"check": "visits", "zones": ["A"]}]
-    wanted = activity({"check": "any_of", "checks": some})
-    assert judging_blockers(wanted) == (("zones", ("any_of",)),)
+    mission = activity({"check": "any_of", "checks": some})
+    assert judging_blockers(mission) == (("zones", ("any_of",)),)
 
 
 @pytest.mark.parametrize("sensor", sorted(SENSORS))
 def test_a_solution_that_reads_the_world_needs_it(sensor: str) -> None:
     until = {"action": "wait_until", "condition": {"op": "==", "args": [{"sensor": sensor}, 1]}}
     document = {"pinel_ir": 1, "commands": [until]}
-    wanted = activity({"check": "finished"}, world=EMPTY, solution=document)
+    mission = activity({"check": "finished"}, world=EMPTY, solution=document)
     own = {"x", "y", "heading", "time", "has_mark", "mark_here"}
-    assert bool(judging_blockers(wanted)) == (sensor not in own)
+    assert bool(judging_blockers(mission)) == (sensor not in own)
 
 
 def test_every_reason_has_words_that_name_what_is_missing() -> None:
     reasons = ["zones", "boxes", "contact", "pace", "walls", "sensors", "starts"]
     for language in LANGUAGES:
-        told = {not_judged_words(reason, language) for reason in [*reasons, "inputs", "stopped"]}
-        assert len(told) == 9
-    assert "zonas do chão" in not_judged_words("zones", "pt-BR")
-    assert not_judged_words("of a newer release", "en") == not_judged_words("failed", "en")
+        texts = {not_judged_text(reason, language) for reason in [*reasons, "inputs", "stopped"]}
+        assert len(texts) == 9
+    assert "zonas do chão" in not_judged_text("zones", "pt-BR")
+    assert not_judged_text("of a newer release", "en") == not_judged_text("failed", "en")
     assert "record" in str(Reason)
     assert not_judgeable_notice(shipped_activity("square"), "pt-BR") is None
 
 
 def test_the_robot_s_record_decides_how_exactly_it_drives() -> None:
-    coarse = {"robot": {**BridgeRecord().as_record(), "move_tolerance_m": 0.1}}
+    coarse = {"robot": {**BridgeProfile().as_record(), "move_tolerance_m": 0.1}}
     fine, wide = tolerance_of(BRIDGE), tolerance_of(coarse)
     assert fine is not None
     assert wide is not None
@@ -140,34 +140,38 @@ def test_the_robot_s_record_decides_how_exactly_it_drives() -> None:
         tolerance_of({"robot": {"move_tolerance_m": "wide"}})
 
 
-def driven(wanted: Activity, case: int, reading: Reading) -> RunLog:
+def driven(mission: Activity, case: int, reading: ParseResult) -> RunLog:
     """What a real robot tells: the realistic simulator's run, of which nobody knows the true poses."""
-    spec = spec_of(wanted, wanted.cases[case - 1], reading)
-    writer = LogWriter()
+    spec = spec_of(mission, mission.cases[case - 1], reading)
+    writer = RunLogBuilder()
 
     def observe(tick: int, event: Any) -> None:
         if event.type == "telemetry":
             event = replace(event, true_x_m=None, true_y_m=None, true_yaw_rad=None)
         writer.observe(tick, event)
 
-    start(replace(spec, setting=Setting(wanted.model, "realistic", "pose"), seed=3), observe)
+    start(
+        replace(spec, setting=SimulationConfig(mission.model, "realistic", "pose"), seed=3), observe
+    )
     return writer.log()
 
 
-def judged(name: str, reading: Reading, case: int) -> bool:
-    wanted = shipped_activity(name)
-    log = driven(wanted, case, reading)
+def judged(name: str, reading: ParseResult, case: int) -> bool:
+    mission = shipped_activity(name)
+    log = driven(mission, case, reading)
     assert not log.is_true
-    number = case_of_real_run(wanted, log)
+    number = case_of_real_run(mission, log)
     assert number is not None
-    report = check_program(wanted, reading, recorded=RecordedRun(log, number, tolerance_of(BRIDGE)))
-    seen = [one for one in report.cases if one.recorded]
-    assert len(seen) == 1
+    report = check_program(
+        mission, reading, recorded=RecordedRun(log, number, tolerance_of(BRIDGE))
+    )
+    recorded_cases = [one for one in report.cases if one.recorded]
+    assert len(recorded_cases) == 1
     return report.passed
 
 
 @cache
-def solution(name: str) -> Reading:
+def solution(name: str) -> ParseResult:
     return read_document(solution_of(name) or {})
 
 
@@ -182,14 +186,14 @@ WRONG = [given for given in wrong() if given.activity in JUDGED and "no_reading"
 
 @pytest.mark.parametrize("given", WRONG, ids=str)
 def test_a_wrong_program_does_not_pass_by_a_wider_tolerance(given: GivenProgram) -> None:
-    assert not judged(given.activity, read_python(given.text).reading, 1)
+    assert not judged(given.activity, read_python(given.text).result, 1)
 
 
 def test_inputs_that_no_case_gives_are_of_none() -> None:
-    wanted = shipped_activity("polygon")
-    four = wanted.model_copy(update={"cases": [check(["4"])]})
+    mission = shipped_activity("polygon")
+    four = mission.model_copy(update={"cases": [check(["4"])]})
     log = driven(four, 1, solution("polygon"))
-    assert case_of_real_run(wanted, log) is None
+    assert case_of_real_run(mission, log) is None
 
 
 def check(answers: list[str]) -> Any:
@@ -197,16 +201,18 @@ def check(answers: list[str]) -> Any:
 
 
 def test_the_check_list_follows_a_real_run_and_says_what_counts_as_before() -> None:
-    wanted, reading = shipped_activity("square"), solution("square")
+    mission, reading = shipped_activity("square"), solution("square")
     assert reading.document is not None
     world = Room().as_world()
-    standing = LiveEvaluation(wanted, reading.document, world, Setting(), tolerance_of(BRIDGE))
-    assert standing.applies
-    lines = standing.evaluate(driven(wanted, 1, reading), "en")
-    assert [line.state for line in lines] == ["met"] * len(wanted.checks)
+    evaluation = LiveEvaluation(
+        mission, reading.document, world, SimulationConfig(), tolerance_of(BRIDGE)
+    )
+    assert evaluation.applies
+    lines = evaluation.evaluate(driven(mission, 1, reading), "en")
+    assert [line.state for line in lines] == ["met"] * len(mission.checks)
     assert "Drive 4 m in all" in [line.criterion for line in lines]
     maze = shipped_activity("maze")
     assert not LiveEvaluation(
-        maze, reading.document, world, Setting(), tolerance_of(BRIDGE)
+        maze, reading.document, world, SimulationConfig(), tolerance_of(BRIDGE)
     ).applies
-    assert wanted.checks[0].requirements() == frozenset()
+    assert mission.checks[0].requirements() == frozenset()

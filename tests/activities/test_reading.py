@@ -36,9 +36,9 @@ def faults_of(tmp_path: Path, **change: Any) -> list[tuple[str, str]]:
     faults = raised.value.faults
     for fault in faults:
         for language in LANGUAGES:
-            words = describe(fault.code, fault.params, language)
+            description = describe(fault.code, fault.params, language)
             assert fault.code in catalogue(SOURCE_LANGUAGE)
-            assert "{" not in words.message + words.remedy
+            assert "{" not in description.message + description.remedy
     return [(fault.code, fault.pointer) for fault in faults]
 
 

@@ -20,8 +20,8 @@ from pinel_desktop.activities import evidence as evidence_module
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.cli import main
 from pinel_desktop.program.python_text import read_python
-from pinel_desktop.program.reading import Reading
-from pinel_desktop.robot import setting_from
+from pinel_desktop.program.reading import ParseResult
+from pinel_desktop.robot import simulation_config_from
 from storage import RunRow, open_for_reading
 from storage.runs.telemetry import STEPS
 from tests.activities.given_programs import GivenProgram, solutions, wrong
@@ -42,8 +42,8 @@ def solution_of(name: str) -> GivenProgram:
 
 
 @cache
-def read(text: str) -> Reading:
-    return read_python(text).reading
+def read(text: str) -> ParseResult:
+    return read_python(text).result
 
 
 def recorded(given: GivenProgram, folder: Path, case: int, *options: str) -> tuple[RunRow, RunLog]:
@@ -51,15 +51,23 @@ def recorded(given: GivenProgram, folder: Path, case: int, *options: str) -> tup
     activity = choose_activity(given.activity)
     file = folder / f"{given.name}.py"
     file.write_text(given.text, "utf-8")
-    wanted = activity.cases[case - 1]
+    chosen_case = activity.cases[case - 1]
     world = folder / "world.json"
-    world.write_text(json.dumps(world_of(activity, wanted)), "utf-8")
-    words = ["--db", str(folder / "pinel.db"), "run", str(file), "--json", "--world", str(world)]
-    if wanted.gestures:
-        words += ["--gestures", ",".join(wanted.gestures)]
-    if wanted.answers:
-        words += ["--answers", ",".join(wanted.answers)]
-    done = CliRunner().invoke(main, [*words, *options])
+    world.write_text(json.dumps(world_of(activity, chosen_case)), "utf-8")
+    arguments = [
+        "--db",
+        str(folder / "pinel.db"),
+        "run",
+        str(file),
+        "--json",
+        "--world",
+        str(world),
+    ]
+    if chosen_case.gestures:
+        arguments += ["--gestures", ",".join(chosen_case.gestures)]
+    if chosen_case.answers:
+        arguments += ["--answers", ",".join(chosen_case.answers)]
+    done = CliRunner().invoke(main, [*arguments, *options])
     run_id = json.loads(done.stdout)["run_id"]
     with open_for_reading(folder / "pinel.db") as store:
         telemetry, events = store.runs.telemetry(run_id), store.runs.events(run_id)
@@ -118,7 +126,7 @@ def test_of_a_run_whose_engine_was_lost_no_block_is_to_blame(tmp_path: Path) -> 
 def test_a_run_is_recognised_as_the_case_that_it_was(name: str, case: int, tmp_path: Path) -> None:
     row, log = recorded(solution_of(name), tmp_path, case)
     activity = choose_activity(name)
-    setting = setting_from(row.parameters)
+    setting = simulation_config_from(row.parameters)
     assert case_of_run(activity, row.world_document, setting, log) == case
     other: dict[str, Any] = world_of(choose_activity("maze"))
     assert case_of_run(activity, other, setting, log) is None

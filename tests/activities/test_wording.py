@@ -8,7 +8,7 @@ import pytest
 from pinel_desktop.activities.commands import Command
 from pinel_desktop.activities.diagnosis import _FACTS
 from pinel_desktop.activities.model import NUMBER_FACTS, TEXT_FACTS
-from pinel_desktop.activities.wording import block_words, interpolate, length, number, short_name
+from pinel_desktop.activities.wording import block_label, interpolate, length, number, short_name
 from pinel_desktop.messages import LANGUAGES, catalogue
 from pinel_desktop.program.model import action_names
 
@@ -48,27 +48,27 @@ def test_values_have_the_words_that_they_have_on_the_screen(language: str) -> No
 
 
 def test_a_block_is_named_with_its_values_or_without_those_that_are_worked_out() -> None:
-    assert block_words(block(action="turn", angle=-90.0), "pt-BR") == "girar à direita 90 °"
-    assert block_words(block(action="turn", angle={"op": "/", "args": [360, 5]}), "en") == "turn"
-    assert block_words(block(action="repeat", times=4), "es") == "repetir 4 veces"
+    assert block_label(block(action="turn", angle=-90.0), "pt-BR") == "girar à direita 90 °"
+    assert block_label(block(action="turn", angle={"op": "/", "args": [360, 5]}), "en") == "turn"
+    assert block_label(block(action="repeat", times=4), "es") == "repetir 4 veces"
     red = block(action="pen", down=True, color="red")
-    assert block_words(red, "pt-BR") == "abaixar a caneta: vermelho"
-    assert block_words(block(action="pen", down=False), "en") == "pen up"
-    assert block_words(block(action="while", condition={}), "pt-BR") == "enquanto"
+    assert block_label(red, "pt-BR") == "abaixar a caneta: vermelho"
+    assert block_label(block(action="pen", down=False), "en") == "pen up"
+    assert block_label(block(action="while", condition={}), "pt-BR") == "enquanto"
     assert short_name("classify_gestures", "pt-BR") == "ler gesto"
 
 
 RED = {"op": "==", "args": [{"sensor": "floor"}, "red"]}
 NEAR = {"op": "<", "args": [{"sensor": "distance", "direction": "front"}, 0.5]}
-SEEN = {"op": "!=", "args": [{"gesture": "result"}, "B"]}
+NOT_B = {"op": "!=", "args": [{"gesture": "result"}, "B"]}
 
 
 @pytest.mark.parametrize(
-    ("condition", "words"),
+    ("condition", "label"),
     [
         (RED, "repetir até que cor do chão = vermelho"),
         (NEAR, "repetir até que distância à frente (m) < 0,5"),
-        (SEEN, "repetir até que gesto lido ≠ ‘B’"),
+        (NOT_B, "repetir até que gesto lido ≠ ‘B’"),
         (
             {"op": "and", "args": [RED, {"sensor": "bumper"}]},
             "repetir até que cor do chão = vermelho e bateu em algo",
@@ -78,8 +78,8 @@ SEEN = {"op": "!=", "args": [{"gesture": "result"}, "B"]}
         ({"op": "==", "args": [{"length": {"var": "l"}}, 3.0]}, "repetir até que"),
     ],
 )
-def test_a_block_with_a_condition_is_named_with_it(condition: object, words: str) -> None:
-    assert block_words(block(action="until", condition=condition), "pt-BR") == words
+def test_a_block_with_a_condition_is_named_with_it(condition: object, label: str) -> None:
+    assert block_label(block(action="until", condition=condition), "pt-BR") == label
 
 
 @pytest.mark.parametrize(

@@ -40,14 +40,14 @@ def lab(tmp_path: Path) -> Iterator[Lab]:
 @pytest.fixture
 def n_unpacked(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Rows of each chunk of samples that is unpacked."""
-    seen: list[int] = []
+    unpacked: list[int] = []
 
     def note(_blob: bytes, n_rows: int) -> bool:
-        seen.append(n_rows)
+        unpacked.append(n_rows)
         return True
 
     monkeypatch.setattr(bundle_rules, "_unpacks", note)
-    return seen
+    return unpacked
 
 
 @pytest.fixture

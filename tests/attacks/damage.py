@@ -62,14 +62,14 @@ def spoil(path: Path, start: int, n: int, seed: int = 1) -> None:
 def reopened(day: Day) -> tuple[Notice | None, int]:
     """What is said when the file is opened, and how many of the edits are there as they were."""
     with open_store(day.path, close_interrupted=True) as store:
-        return store.notice, kept(store, day.edits)
+        return store.notice, n_stored(store, day.edits)
 
 
-def kept(store: Store, edits: dict[str, str]) -> int:
-    return sum(_is_kept(store, key, text) for key, text in edits.items())
+def n_stored(store: Store, edits: dict[str, str]) -> int:
+    return sum(_is_stored(store, key, text) for key, text in edits.items())
 
 
-def _is_kept(store: Store, key: str, text: str) -> bool:
+def _is_stored(store: Store, key: str, text: str) -> bool:
     try:
         return store.versions.get(key).workspace == {"text": text}
     except Exception:
@@ -80,24 +80,24 @@ def code_of(found: tuple[Notice | None, int]) -> str | None:
     return found[0].code if found[0] else None
 
 
-def doctor_says(day: Day) -> str:
+def doctor_code(day: Day) -> str:
     """What `pinel doctor` finds before the file is opened."""
     return examination._database(day.path).code
 
 
-def pinel(*words: str | Path) -> int:
+def pinel(*arguments: str | Path) -> int:
     """The exit status of a command."""
-    return CliRunner().invoke(main, [str(word) for word in words]).exit_code
+    return CliRunner().invoke(main, [str(argument) for argument in arguments]).exit_code
 
 
-def wait_until(is_so: Callable[[], bool], longest_s: float = 20.0) -> None:
-    deadline = time.monotonic() + longest_s
+def wait_until(is_so: Callable[[], bool], timeout_s: float = 20.0) -> None:
+    deadline = time.monotonic() + timeout_s
     while not is_so():
         assert time.monotonic() < deadline
         time.sleep(0.01)
 
 
-def said_when_read(day: Day) -> str | None:
+def read_error(day: Day) -> str | None:
     """What is said of the first edit that cannot be shown, when somebody opens it."""
     with open_store(day.path) as store:
         for key in day.edits:
@@ -113,33 +113,35 @@ class Outcome(NamedTuple):
 
     turn: int
     damage: str
-    said: str | None
-    n_kept: int
+    code: str | None
+    n_retained: int
     n_edits: int
-    n_told: int  # edits that came back or were in the backup, and those that could not be read
+    n_reported: int  # edits that came back or were in the backup, and those that could not be read
 
     @property
     def is_honest(self) -> bool:
         """Nothing is lost, or it is said; and no fewer are there than the backup holds."""
-        return self.n_kept == self.n_edits or self.said is not None
+        return self.n_retained == self.n_edits or self.code is not None
 
 
 def outcome_of(turn: int, folder: Path) -> Outcome:
     """Damages a file, in ways that depend on the number alone, and opens it."""
     chance = random.Random(turn)
     day = a_day(folder, n_edits=60, n_backed_up=chance.choice([30, 999]), n_in_log=20)
-    ways = [_bits, _pages, _cut, _emptied, _removed]
+    methods = [_bits, _pages, _cut, _emptied, _removed]
     target = chance.choice([day.path, log_of(day.path)])
-    way = ways[turn % len(ways)]
-    way(target, chance)
+    method = methods[turn % len(methods)]
+    method(target, chance)
     if chance.random() < 0.2:
         log_of(day.path).unlink(missing_ok=True)
-    notice, n_kept = reopened(day)
-    said = notice.code if notice else said_when_read(day)
-    told = (
+    notice, n_retained = reopened(day)
+    code = notice.code if notice else read_error(day)
+    n_reported = (
         sum(int(str(notice.params.get(k) or 0)) for k in ("n_edits", "n_unread")) if notice else 0
     )
-    return Outcome(turn, f"{way.__name__} {target.name}", said, n_kept, len(day.edits), told)
+    return Outcome(
+        turn, f"{method.__name__} {target.name}", code, n_retained, len(day.edits), n_reported
+    )
 
 
 def _bits(file: Path, chance: random.Random) -> None:

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from storage import Store, open_store
-from storage.content_check import ContentCheck
 from storage.exchange.bundle_writing import BundleInfo
 from storage.file.backups import make_backup
-from storage.file.sums import KEYS
+from storage.file.row_checksums import KEYS
+from storage.scrub import Scrubber
 from storage.sql import opened
 from storage.sqlite import sqlite3
 from storage.text import utc_now
@@ -40,7 +40,7 @@ class School:
 
     @property
     def newest_id(self) -> str:
-        with self.store._database.reading() as db:
+        with self.store._database.read_connection() as db:
             query = "SELECT id FROM versions WHERE program_id = ? ORDER BY number DESC LIMIT 1"
             return str(db.execute(query, [self.program_id]).fetchone()[0])
 
@@ -55,10 +55,10 @@ class School:
 
     def check(self) -> tuple[int, int]:
         """How many rows the daily check mended, and how many it left damaged."""
-        return ContentCheck(self.store._database, pause=lambda _: False).check_all()
+        return Scrubber(self.store._database, pause=lambda _: False).check_all()
 
     def judge(self, run_id: str, *, passed: bool) -> None:
-        self.store.checks.record(run_id, passed, {})
+        self.store.grading_results.record(run_id, passed, {})
 
     def spoil(self, table: str, key: str, column: str, value: bytes) -> None:
         """Puts other octets in the place of a text."""

@@ -62,7 +62,7 @@ class Lab:
         for pc in [pcs[n] for n in order] * 2:
             for other in pcs:
                 if other is not pc:
-                    merged(pc, self.file(other), keep_newer=True)
+                    merged(pc, self.file(other), retain_newer=True)
         programs = [{one.name for one in pc.programs.of_group(group.id)} for pc in pcs]
         return {hash_of(pc) for pc in pcs}, programs
 
@@ -86,7 +86,7 @@ class Lab:
         merged(there, self.file(here))
         return set(asked.names if asked else ()), programs, {hash_of(here), hash_of(there)}
 
-    def run_deleted_there_and_later_its_group_here(self) -> tuple[str, str]:
+    def run_deleted_there_then_its_group_here(self) -> tuple[str, str]:
         """Hashes; the deletion of the run was not confirmed at first."""
         here, there = self.pc(), self.pc()
         group = here.groups.create("Onças")
@@ -106,23 +106,23 @@ class Lab:
         file = self.file(there)
         pending = merged(here, file, delete=False).would_delete
         assert pending is not None
-        merged(here, file, keep_newer=True)
+        merged(here, file, retain_newer=True)
         return pending.work, names(here)
 
-    def groups_after_it_was_kept_and_old_files_came(self) -> list[set[str]]:
+    def groups_after_it_was_retained_and_old_files_came(self) -> list[set[str]]:
         """Of both PCs."""
         here, there, _ = self._deleted_there()
         old = self.file(there)
-        merged(here, old, keep_newer=True)
+        merged(here, old, retain_newer=True)
         merged(there, self.file(here))
         for store in (here, there):
             merged(store, old)
         return [names(here), names(there)]
 
-    def deleted_anew_after_it_was_kept(self) -> tuple[set[str], list[set[str]]]:
+    def deleted_again_after_it_was_retained(self) -> tuple[set[str], list[set[str]]]:
         """What is asked, and the groups left on both PCs."""
         here, there, group_id = self._deleted_there()
-        merged(here, self.file(there), keep_newer=True)
+        merged(here, self.file(there), retain_newer=True)
         merged(there, self.file(here))
         removed(there, group_id)
         file = self.file(there)
@@ -132,13 +132,13 @@ class Lab:
         merged(there, self.file(here))
         return {one.name for one in pending.work} if pending else set(), [names(here), names(there)]
 
-    def deleted_after_a_forged_keep(self, turn: int) -> list[set[str]]:
+    def deleted_after_a_forged_retention(self, turn: int) -> list[set[str]]:
         """The groups left on both PCs; a made-up file had decided that the group stays."""
         here, there = self.pc(), self.pc()
         group = here.groups.create("Onças")
         work(here, group, "P")
-        kept = f"INSERT INTO deletions VALUES ('{group.id}', {turn}, '{{}}')"
-        file = forged(self.file(here), f"INSERT INTO tombstones VALUES ('{group.id}'); {kept}")
+        retention = f"INSERT INTO deletions VALUES ('{group.id}', {turn}, '{{}}')"
+        file = forged(self.file(here), f"INSERT INTO tombstones VALUES ('{group.id}'); {retention}")
         for store in (here, there):
             merged(store, file)
         removed(here, group.id)

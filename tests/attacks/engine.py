@@ -13,7 +13,7 @@ from pinel_desktop.app import App
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.engine.commands import Answer
 from pinel_desktop.errors import PinelError
-from tests.live_runs import begun, command, saved
+from tests.live_runs import command, saved, start_run
 from tests.web import browser
 from tests.web.browser import Browser
 
@@ -33,12 +33,12 @@ class Flood:
 
     Attributes:
         codes: of the errors; "" where a command was taken.
-        longest_s: the longest time that one of them took.
+        max_s: the longest time that one of them took.
         grown_mb: memory of the app.
     """
 
     codes: set[str] = field(default_factory=set)
-    longest_s: float = 0.0
+    max_s: float = 0.0
     grown_mb: float = 0.0
 
 
@@ -59,7 +59,7 @@ class Desk:
         """Another run, with its end."""
         with self.browser.stream() as stream:
             stream.next()
-            begun(self.browser, saved(self.browser, NOTHING))
+            start_run(self.browser, saved(self.browser, NOTHING))
             return stream.until("run_ended")[-1]
 
     @contextmanager
@@ -67,7 +67,7 @@ class Desk:
         """A run whose engine is stopped in the middle: its id, and what waits for its end."""
         with self.browser.stream() as stream:
             stream.next()
-            run = begun(self.browser, saved(self.browser, FAR))
+            run = start_run(self.browser, saved(self.browser, FAR))
             stream.until("telemetry")
             self.process.suspend()
             frozen_s = time.monotonic()
@@ -81,20 +81,20 @@ class Desk:
         flood, app = Flood(), psutil.Process()
         before = app.memory_info().rss
         for _ in range(n):
-            began_s, code = time.monotonic(), ""
+            start_s, code = time.monotonic(), ""
             try:
                 self.engine.command(run, Answer(value=1_000 * "a"))
             except PinelError as error:
                 code = error.code
             flood.codes.add(code)
-            flood.longest_s = max(flood.longest_s, time.monotonic() - began_s)
+            flood.max_s = max(flood.max_s, time.monotonic() - start_s)
         flood.grown_mb = (app.memory_info().rss - before) / 1e6
         return flood
 
-    def command(self, run: str, do: str, **more: Any) -> tuple[browser.Answer, float]:
+    def command(self, run: str, do: str, **more: Any) -> tuple[browser.ApiResponse, float]:
         """The answer, and after how many s it came."""
-        began_s = time.monotonic()
-        return command(self.browser, run, do, **more), time.monotonic() - began_s
+        start_s = time.monotonic()
+        return command(self.browser, run, do, **more), time.monotonic() - start_s
 
 
 @contextmanager

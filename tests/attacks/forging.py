@@ -9,8 +9,8 @@ from typing import Any, cast
 import pytest
 
 from pinel_desktop.activities import shipped_activity, solution_of
-from pinel_desktop.events.stamp import EventStamp
-from pinel_desktop.events.types import KEPT, URGENT
+from pinel_desktop.events.event_sequencer import EventSequencer
+from pinel_desktop.events.types import RECORDED, URGENT
 from pinel_desktop.judge.client import JudgeClient
 from pinel_desktop.judge.server import verdict_on
 from pinel_desktop.runs.record import record_of
@@ -19,7 +19,7 @@ from pinel_desktop.runs.start import start
 from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.grading import Grader
 from sim.world import world_document
-from storage import Recorder, Store, VersionRow, open_store
+from storage import RunRecorder, Store, VersionRow, open_store
 from storage.exchange.bundle_writing import counts_of
 from storage.exchange.content_hash import content_hash
 from storage.exchange.merge_report import MergeReport
@@ -28,7 +28,7 @@ from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import give_keys_of_before
 
 MISSION = "square"
-_STANDING = {
+_IDLE_PROGRAM = {
     "pinel_ir": 1,
     "name": "",
     "functions": [],
@@ -52,7 +52,7 @@ class Pc:
         name = f"Grupo {self._folder.name} {len(self.store.groups.all())}"
         group = self.store.groups.create(name)
         program = self.store.programs.create(group.id, "Quadrado")
-        document = solution_of(MISSION) if well else _STANDING
+        document = solution_of(MISSION) if well else _IDLE_PROGRAM
         version = self.store.versions.save(program.id, {"blocks": {}}, document)
         world = str(shipped_activity(MISSION).world)
         spec = RunSpec(version.document or {}, world_document(world))
@@ -60,11 +60,14 @@ class Pc:
             spec, world_name=world, app_version="0", version_id=version.id, activity=MISSION
         )
         run = self.store.runs.begin(record)
-        stamp, recorder = EventStamp(run.id), Recorder(self.store, kept=KEPT, urgent=URGENT)
+        stamp, recorder = (
+            EventSequencer(run.id),
+            RunRecorder(self.store, recorded=RECORDED, urgent=URGENT),
+        )
         start(spec, lambda tick, event: recorder(stamp.wire(tick, event)))
         recorder.flush().result()
         recorder.close()
-        self.store.checks.record(run.id, well if passed is None else passed, {"cases": []})
+        self.store.grading_results.record(run.id, well if passed is None else passed, {"cases": []})
         return run.id
 
     def file(self, scope: Scope = ALL) -> Path:
@@ -78,7 +81,7 @@ class Pc:
         )
         return info.path
 
-    def take_along(self, run_id: str) -> Path:
+    def program_file(self, run_id: str) -> Path:
         """The file of the program of a run, which pupils carry."""
         return self.file(Scope(program_id=self.store.runs.get(run_id).program_id))
 
@@ -91,7 +94,7 @@ class Pc:
     def counts(self, run_id: str) -> bool:
         """Whether the group of the run has passed the mission here."""
         run = self.store.runs.get(run_id)
-        return self.store.checks.of_group(run.group_id or "").get(MISSION, False)
+        return self.store.grading_results.of_group(run.group_id or "").get(MISSION, False)
 
     def version(self, run_id: str) -> VersionRow:
         """What the run executed, as it is here."""

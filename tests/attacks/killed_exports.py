@@ -5,7 +5,7 @@ import sys
 from contextlib import closing
 from pathlib import Path
 
-from storage.sql import damage, opened, row_count
+from storage.sql import integrity_problem, opened, row_count
 
 # forks for each export, as loading the store takes longer than all of them; prints how many steps an export has
 _KILLED = """
@@ -79,4 +79,4 @@ def is_whole(bundle: Path) -> bool:
     if not bundle.stat().st_size:
         return False
     with closing(opened(bundle, "immutable")) as db:
-        return damage(db) is None and row_count(db, "bundle") == 1
+        return integrity_problem(db) is None and row_count(db, "bundle") == 1

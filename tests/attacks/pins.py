@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.school.pin_tries import Settings
+from pinel_desktop.school.pin_rate_limiter import Settings
 from pinel_desktop.school.teacher import TeacherSessions
 from storage import StoreError
 

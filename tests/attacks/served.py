@@ -12,22 +12,22 @@ import psutil
 from tests.attacks.damage import wait_until
 from tests.compatibility.school_day import PcClient
 from tests.e2e.app_process import AppProcess
-from tests.web.browser import Answer, Browser
+from tests.web.browser import ApiResponse, Browser
 
 WAIT_S = 90.0  # a busy PC of two cores
 PIN = "314159"
 _BUSY_S = 1.0
 
 
-class PatientBrowser(Browser):
+class RetryingBrowser(Browser):
     """Asks again where the connection was cut, as a person does who sees that nothing happened."""
 
-    def send(self, *request: Any, **options: Any) -> Answer:
-        answers: list[Answer] = []
+    def send(self, *request: Any, **options: Any) -> ApiResponse:
+        answers: list[ApiResponse] = []
 
         def has_answered() -> bool:
             with suppress(ConnectionError):
-                answers.append(super(PatientBrowser, self).send(*request, **options))
+                answers.append(super(RetryingBrowser, self).send(*request, **options))
             return bool(answers)
 
         until(has_answered)
@@ -43,7 +43,7 @@ class ServedPc:
 
     def start(self) -> None:
         browser = Browser.signed_in(self.app.start())
-        self.client = PcClient(PatientBrowser(browser.host, browser.port, browser.headers))
+        self.client = PcClient(RetryingBrowser(browser.host, browser.port, browser.headers))
 
     def stop(self) -> None:
         self.app.stop()

@@ -50,9 +50,9 @@ def test_a_made_up_id_does_not_get_in_and_later_work_goes_to_other_pcs(
     here: Store, there: Store, tmp_path: Path
 ) -> None:
     rename = f"PRAGMA foreign_keys = OFF; UPDATE version_labels SET id = '{FAR_ID}'"
-    later = f"UPDATE versions SET id = '{FAR_ID}', number = 1000000000 WHERE number = 2"
+    renumber = f"UPDATE versions SET id = '{FAR_ID}', number = 1000000000 WHERE number = 2"
     runs = f"UPDATE runs SET version_id = '{FAR_ID}'"
-    file = forged(program_file(there, tmp_path / "p.pinel"), f"{rename}; {later}; {runs}")
+    file = forged(program_file(there, tmp_path / "p.pinel"), f"{rename}; {renumber}; {runs}")
     assert refusal(lambda: here.exchange.merge_program(file)) == "bundle_hostile"
     group = here.groups.create("Tucanos")
     work(here, group, "Depois")
@@ -162,8 +162,8 @@ def test_a_file_neither_takes_a_pass_away_nor_changes_its_record(pcs: Pcs) -> No
         "DELETE FROM telemetry",
     )
     pcs("teacher").merges(file)
-    kept = pcs("teacher").store.runs.get(run)
-    assert (kept.state, kept.passed, kept.unconfirmed) == ("finished", True, None)
+    row = pcs("teacher").store.runs.get(run)
+    assert (row.state, row.passed, row.unconfirmed) == ("finished", True, None)
     assert len(pcs("teacher").store.runs.telemetry(run).rows)
 
 
@@ -224,8 +224,8 @@ def test_a_run_that_cannot_be_repeated_counts_when_the_teacher_accepts_it(pcs: P
 
 def test_a_file_that_pupils_bring_without_the_teacher_counts_only_once_repeated(pcs: Pcs) -> None:
     run, forgery = pcs("pupil").drives(), pcs("pupil").drives(well=False)
-    pcs("other").store.exchange.merge_program(pcs("pupil").take_along(run))
-    file = falsified(pcs("pupil").take_along(forgery), "UPDATE runs SET passed = 1")
+    pcs("other").store.exchange.merge_program(pcs("pupil").program_file(run))
+    file = falsified(pcs("pupil").program_file(forgery), "UPDATE runs SET passed = 1")
     pcs("other").store.exchange.merge_program(file)
     assert (pcs("other").counts(run), pcs("other").counts(forgery)) == (False, False)
     pcs("other").confirms()
@@ -312,7 +312,7 @@ def test_a_group_that_had_left_a_class_where_that_was_deleted_stays_and_is_not_a
 
 
 def test_a_deletion_that_was_not_confirmed_does_not_keep_pcs_apart(lab: Lab) -> None:
-    here, there = lab.run_deleted_there_and_later_its_group_here()
+    here, there = lab.run_deleted_there_then_its_group_here()
     assert here == there
 
 
@@ -323,17 +323,17 @@ def test_work_that_the_sender_of_a_deletion_never_saw_is_named_and_kept(lab: Lab
 
 
 def test_what_was_kept_on_one_pc_is_not_deleted_by_the_next_file(lab: Lab) -> None:
-    assert lab.groups_after_it_was_kept_and_old_files_came() == [{"Onças"}, {"Onças"}]
+    assert lab.groups_after_it_was_retained_and_old_files_came() == [{"Onças"}, {"Onças"}]
 
 
 def test_a_made_up_file_cannot_keep_for_ever_what_a_school_must_delete(lab: Lab) -> None:
-    assert lab.deleted_after_a_forged_keep(MAX_TURN - 1) == [set(), set()]
+    assert lab.deleted_after_a_forged_retention(MAX_TURN - 1) == [set(), set()]
     with pytest.raises(StoreError, match="bundle_hostile"):
-        lab.deleted_after_a_forged_keep(MAX_TURN + 1)
+        lab.deleted_after_a_forged_retention(MAX_TURN + 1)
 
 
 def test_what_was_kept_can_be_deleted_anew(lab: Lab) -> None:
-    asked, left = lab.deleted_anew_after_it_was_kept()
+    asked, left = lab.deleted_again_after_it_was_retained()
     assert asked == {"Onças"}
     assert left == [set(), set()]
 
@@ -346,9 +346,9 @@ def test_a_frozen_engine_is_replaced_its_run_is_told_as_lost_and_the_next_run_wo
     tmp_path: Path,
 ) -> None:
     with desk(tmp_path) as group, group.run_with_frozen_engine() as (_, wait_for_end):
-        end, silent_s = wait_for_end()
+        end, unresponsive_s = wait_for_end()
         assert (end["state"], end["reason"]) == ("failed", "engine_lost")
-        assert silent_s < NOTICED_S
+        assert unresponsive_s < NOTICED_S
         assert group.engine.wait_until_ready(60.0)  # on a busy PC the start alone takes long
         assert group.run_to_the_end()["state"] == "finished"
 
@@ -369,5 +369,5 @@ def test_a_hundred_thousand_commands_to_a_frozen_engine_hold_up_nobody_and_fill_
         flood = group.flood(run, 100_000)
     assert flood.codes <= {"", "engine_silent", "run_not_live"}  # taken, refused, over
     assert flood.codes > {""}
-    assert flood.longest_s < SOON_S
+    assert flood.max_s < SOON_S
     assert flood.grown_mb < 100.0

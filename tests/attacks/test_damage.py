@@ -19,7 +19,7 @@ from tests.attacks.damage import (
     Day,
     a_day,
     code_of,
-    doctor_says,
+    doctor_code,
     log_of,
     outcome_of,
     pinel,
@@ -40,20 +40,20 @@ def day(tmp_path: Path) -> Day:
 
 def test_a_missing_database_beside_its_backup_is_no_first_start(day: Day) -> None:
     day.path.unlink()
-    assert doctor_says(day) == "doctor_database_gone"
-    notice, n_kept = reopened(day)
+    assert doctor_code(day) == "doctor_database_gone"
+    notice, n_retained = reopened(day)
     assert notice
     assert notice.code == "database_gone_salvaged"
-    assert n_kept == 150 + int(str(notice.params["n_edits"])) >= 190
+    assert n_retained == 150 + int(str(notice.params["n_edits"])) >= 190
 
 
 def test_an_empty_database_without_any_backup_gives_back_what_its_log_holds(day: Day) -> None:
     shutil.rmtree(day.path.parent / "backups")
     day.path.write_bytes(b"")
-    notice, n_kept = reopened(day)
+    notice, n_retained = reopened(day)
     assert notice
     assert notice.code == "database_gone_kept"
-    assert n_kept >= 40
+    assert n_retained >= 40
 
 
 def test_a_missing_database_with_nothing_left_beside_it_is_said_once(day: Day) -> None:
@@ -69,20 +69,20 @@ def test_a_first_start_is_silent(tmp_path: Path) -> None:
 
 def test_a_damaged_file_gives_back_what_the_backup_does_not_have(day: Day) -> None:
     spoil(day.path, 20 * PAGE, 5 * PAGE)
-    notice, n_kept = reopened(day)
+    notice, n_retained = reopened(day)
     assert notice
     assert notice.code == "database_salvaged"
-    assert n_kept + int(str(notice.params["n_unread"])) == 270
-    assert n_kept >= 255
+    assert n_retained + int(str(notice.params["n_unread"])) == 270
+    assert n_retained >= 255
 
 
 def test_a_damaged_file_without_any_backup_is_not_given_up(day: Day) -> None:
     shutil.rmtree(day.path.parent / "backups")
     spoil(day.path, PAGE, 20 * PAGE)
-    notice, n_kept = reopened(day)
+    notice, n_retained = reopened(day)
     assert notice
     assert notice.code == "database_salvaged_alone"
-    assert n_kept + int(str(notice.params["n_unread"])) == 270
+    assert n_retained + int(str(notice.params["n_unread"])) == 270
 
 
 def test_an_edit_with_wrong_bits_in_a_damaged_file_is_reported_as_lost_not_imported(
@@ -91,9 +91,9 @@ def test_an_edit_with_wrong_bits_in_a_damaged_file_is_reported_as_lost_not_impor
     shutil.rmtree(day.path.parent / "backups")
     day.path.write_bytes(day.path.read_bytes().replace(b'"100 xxx', b'"101 xxx', 1))
     spoil(day.path, PAGE, PAGE)
-    notice, n_kept = reopened(day)
+    notice, n_retained = reopened(day)
     assert notice
-    assert (notice.params["n_unread"], n_kept) == (1, 269)
+    assert (notice.params["n_unread"], n_retained) == (1, 269)
 
 
 def test_what_was_deleted_for_good_stays_deleted_when_a_damaged_file_is_salvaged(
@@ -101,7 +101,7 @@ def test_what_was_deleted_for_good_stays_deleted_when_a_damaged_file_is_salvaged
 ) -> None:
     path = tmp_path / "pinel.db"
     with open_store(path) as store:
-        store.exchange.remove("group", store.groups.create("A").id)
+        store.exchange.purge("group", store.groups.create("A").id)
         store.groups.create("B")
     spoil(path, 0, 16)
     with open_store(path) as store:
@@ -111,30 +111,30 @@ def test_what_was_deleted_for_good_stays_deleted_when_a_damaged_file_is_salvaged
 
 def test_a_wrong_bit_in_the_log_does_not_cut_off_what_follows_it(day: Day) -> None:
     spoil(log_of(day.path), 32 + 30 * (24 + PAGE) + 100, 1)
-    assert doctor_says(day) == "doctor_database_end"
-    notice, n_kept = reopened(day)
+    assert doctor_code(day) == "doctor_database_end"
+    notice, n_retained = reopened(day)
     assert notice
     assert notice.code == "database_end_salvaged"
-    assert n_kept >= 268
+    assert n_retained >= 268
 
 
 def test_a_log_whose_first_page_is_overwritten_still_gives_back_what_follows(day: Day) -> None:
     spoil(log_of(day.path), 0, PAGE)
-    notice, n_kept = reopened(day)
+    notice, n_retained = reopened(day)
     assert notice
     assert notice.code == "database_end_salvaged"
-    assert n_kept >= 268
+    assert n_retained >= 268
 
 
 @pytest.mark.parametrize("n_frames", [0, 60])
 def test_a_log_that_is_shorter_than_it_was_is_noticed(day: Day, n_frames: int) -> None:
     os.truncate(log_of(day.path), 32 + n_frames * (24 + PAGE) if n_frames else 0)
-    assert doctor_says(day) == "doctor_database_earlier"
-    notice, n_kept = reopened(day)
+    assert doctor_code(day) == "doctor_database_earlier"
+    notice, n_retained = reopened(day)
     assert notice
     assert notice.code == "database_earlier"
-    assert n_kept == 270 - int(str(notice.params["n_saves"]))
-    assert reopened(day) == (None, n_kept)  # said once
+    assert n_retained == 270 - int(str(notice.params["n_saves"]))
+    assert reopened(day) == (None, n_retained)  # said once
 
 
 def test_an_earlier_copy_put_back_names_the_backup_that_knows_more(day: Day) -> None:
@@ -170,10 +170,10 @@ def test_a_file_that_was_cut_off_in_its_list_of_tables_is_salvaged(day: Day) -> 
     """SQLite calls it an error of the disk."""
     while can_list_tables(day.path):
         os.truncate(day.path, day.path.stat().st_size - PAGE)
-    notice, n_kept = reopened(day)
+    notice, n_retained = reopened(day)
     assert notice
     assert notice.code == "database_salvaged"
-    assert n_kept >= day.n_backed_up + 40  # those of the log
+    assert n_retained >= day.n_backed_up + 40  # those of the log
 
 
 def can_list_tables(path: Path) -> bool:
@@ -188,7 +188,7 @@ def can_list_tables(path: Path) -> bool:
 @pytest.mark.timeout(1800)
 def test_no_damage_of_three_hundred_loses_anything_silently(tmp_path: Path) -> None:
     outcomes = [outcome_of(turn, tmp_path / str(turn)) for turn in range(300)]
-    print("\n", Counter(outcome.said or "nothing lost" for outcome in outcomes))
+    print("\n", Counter(outcome.code or "nothing lost" for outcome in outcomes))
     assert [outcome for outcome in outcomes if not outcome.is_honest] == []
 
 
@@ -210,13 +210,13 @@ def test_a_bit_that_flips_in_a_value_is_detected_and_repaired_from_the_backup(
 def test_of_a_newest_version_that_is_damaged_the_last_sound_one_is_offered(tmp_path: Path) -> None:
     with school(tmp_path) as pc:
         pc.spoil("versions", pc.newest_id, "workspace", b'{"text": "\xff"}')
-        with pytest.raises(StoreError) as told:
+        with pytest.raises(StoreError) as error:
             pc.store.versions.newest(pc.program_id)
-        sound = pc.store.versions.newest_sound(pc.program_id)
+        sound = pc.store.versions.newest_intact(pc.program_id)
         assert sound is not None
-        assert (told.value.code, sound.number) == ("version_damaged", 1)
-        kept = pc.store.versions.save(pc.program_id, {"text": "on"}, None, parent_id=sound.id)
-        assert pc.store.versions.newest(pc.program_id) == kept
+        assert (error.value.code, sound.number) == ("version_damaged", 1)
+        saved = pc.store.versions.save(pc.program_id, {"text": "on"}, None, parent_id=sound.id)
+        assert pc.store.versions.newest(pc.program_id) == saved
 
 
 def test_a_damaged_newest_version_is_opened_as_it_was_where_a_backup_has_it(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from pinel_desktop.app import App
 from pinel_desktop.desktop.app_process import AppProcess
-from pinel_desktop.instance import AlreadyRunningError, Instance
+from pinel_desktop.instance import AlreadyRunningError, InstanceLock
 from pinel_desktop.school.teacher import TeacherSessions
 from storage import open_store
 from tests.attacks.damage import pinel
@@ -25,7 +25,7 @@ from tests.attacks.disks import (
 from tests.attacks.engine import FAR
 from tests.attacks.killed_exports import is_whole, killed_exports
 from tests.attacks.pins import PIN
-from tests.live_runs import begun, command, saved
+from tests.live_runs import command, saved, start_run
 from tests.storage.bundle_makers import work
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine
@@ -83,7 +83,7 @@ def test_on_a_full_disk_the_work_of_an_app_that_was_killed_is_shown_too(
 def test_on_a_full_disk_the_window_opens(make_disk: MakeDisk) -> None:
     path = lesson(make_disk("tmpfs") / "pinel.db")
     fill(path.parent, 0)
-    lock = Instance(path)
+    lock = InstanceLock(path)
     lock.acquire()
     app = AppProcess(path, on_show=lambda: None, on_lost=lambda: None)
     try:
@@ -105,9 +105,13 @@ def test_a_folder_in_the_place_of_the_address_keeps_no_app_from_starting_and_is_
     (tmp_path / "pinel.instance.json").mkdir()
     with served(path) as app:
         assert app.groups == ["Onças"]
-        status, words = second_start(path)
-        assert (status, "already open" in words, "pinel.instance.json" in words) == (1, True, True)
-        assert "Traceback" not in words
+        status, output = second_start(path)
+        assert (status, "already open" in output, "pinel.instance.json" in output) == (
+            1,
+            True,
+            True,
+        )
+        assert "Traceback" not in output
         assert app.end() == 0
         assert "Traceback" not in app.output
 
@@ -147,7 +151,7 @@ def stopped_when_read_only(app: Served) -> str:
     """A run that a person stops after its disk has turned read-only."""
     with app.browser.stream() as stream:
         stream.next()
-        run = begun(app.browser, saved(app.browser, FAR))
+        run = start_run(app.browser, saved(app.browser, FAR))
         stream.until("telemetry")
         make_read_only(app.path.parent)
         command(app.browser, run, "stop")

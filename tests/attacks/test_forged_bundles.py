@@ -14,7 +14,7 @@ from storage.exchange.content_hash import content_hash
 from storage.sql import column_names, opened
 from storage.sqlite import sqlite3
 from storage.tables.replicated import REPLICATED
-from storage.text import dumped
+from storage.text import to_json
 from tests.attacks.forging import Pc, pcs
 from tests.storage.bundle_makers import give_keys_of_before, hash_of
 
@@ -45,7 +45,7 @@ def forge(path: Path, chance: random.Random) -> None:
             db.execute(
                 "INSERT OR IGNORE INTO unconfirmed_runs (run_id, marked_at) SELECT id, '' FROM runs LIMIT 1"
             )
-        values = [content_hash(db), dumped(counts_of(db))]
+        values = [content_hash(db), to_json(counts_of(db))]
         db.execute("UPDATE bundle SET content_hash = ?, counts = ?", values)
 
 
@@ -54,7 +54,7 @@ def counted(store: Store) -> set[str]:
     query = (
         "SELECT id FROM runs WHERE passed = 1 AND id NOT IN (SELECT run_id FROM unconfirmed_runs)"
     )
-    with store._database.reading() as db:
+    with store._database.read_connection() as db:
         return {str(row["id"]) for row in db.execute(query)}
 
 

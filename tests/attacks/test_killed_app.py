@@ -49,18 +49,18 @@ def test_runs_whose_app_was_killed_right_after_them_are_judged_once_at_the_next_
 
 
 def test_a_run_whose_judge_was_lost_is_judged_at_the_next_start(pc: ServedPc) -> None:
-    program, told = pc.program("square"), threading.Event()
+    program, is_judged = pc.program("square"), threading.Event()
     with pc.client.browser.stream() as stream:
         stream.next()
         run = pc.begins(program, SQUARE, speed=FAST)
 
         def listen() -> None:
             stream.until("judged")
-            told.set()
+            is_judged.set()
 
         listener = threading.Thread(target=listen)
         listener.start()
-        pc.kill_judges_until(told.is_set)
+        pc.kill_judges_until(is_judged.is_set)
         listener.join()
     assert pc.run(run)["passed"] is None
     pc.stop()

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from pinel_desktop.database_locations import forget_location, is_location_missing, record_location
 from pinel_desktop.doctor import examination
-from pinel_desktop.known_places import forget_place, is_place_missing, remember_place
-from pinel_desktop.paths import database_path, own_place
+from pinel_desktop.paths import database_path, default_folder
 from tests.attacks.damage import pinel
 from tests.attacks.disks import served
 from tests.commands.typed import SQUARE
@@ -85,28 +85,28 @@ def test_of_a_folder_that_is_there_what_is_missing_is_told_as_ever(stick: Path) 
 
 def test_places_are_remembered_once_and_up_to_a_number(stick: Path) -> None:
     for n in range(30):
-        remember_place(stick / f"{n}" / "pinel.db")
-        remember_place(stick / "pinel.db")
-    assert is_place_missing(stick / "pinel.db")
-    assert is_place_missing(stick / "29" / "pinel.db")
-    assert not is_place_missing(stick / "2" / "pinel.db")
-    forget_place(stick / "pinel.db")
-    assert not is_place_missing(stick / "pinel.db")
+        record_location(stick / f"{n}" / "pinel.db")
+        record_location(stick / "pinel.db")
+    assert is_location_missing(stick / "pinel.db")
+    assert is_location_missing(stick / "29" / "pinel.db")
+    assert not is_location_missing(stick / "2" / "pinel.db")
+    forget_location(stick / "pinel.db")
+    assert not is_location_missing(stick / "pinel.db")
 
 
 def test_what_lies_in_the_place_of_the_list_keeps_nothing_from_working(stick: Path) -> None:
-    own_place().mkdir(parents=True)
-    os.mkfifo(own_place() / "places.json")
-    remember_place(stick / "pinel.db")
-    assert is_place_missing(stick / "pinel.db")  # it was replaced
-    (own_place() / "places.json").write_text('{"a": 1}', "utf-8")
-    assert not is_place_missing(stick / "pinel.db")
+    default_folder().mkdir(parents=True)
+    os.mkfifo(default_folder() / "places.json")
+    record_location(stick / "pinel.db")
+    assert is_location_missing(stick / "pinel.db")  # it was replaced
+    (default_folder() / "places.json").write_text('{"a": 1}', "utf-8")
+    assert not is_location_missing(stick / "pinel.db")
 
 
 def test_neither_pinel_s_own_folder_nor_a_temporary_one_is_noted(
     stick: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delenv("PINEL_HOME", raising=False)
-    remember_place(database_path())
-    remember_place(tmp_path / "temporary" / "x" / "pinel.db")
-    assert not own_place().exists()
+    record_location(database_path())
+    record_location(tmp_path / "temporary" / "x" / "pinel.db")
+    assert not default_folder().exists()

@@ -70,7 +70,7 @@ def test_what_is_no_file_is_said_to_be_no_picture_and_the_others_are_read(
 
 
 @pytest.mark.parametrize(
-    ("width", "height", "said"),
+    ("width", "height", "size_text"),
     [
         (
             1_000_000,
@@ -81,10 +81,10 @@ def test_what_is_no_file_is_said_to_be_no_picture_and_the_others_are_read(
     ],
 )
 def test_a_picture_of_hostile_sides_is_refused_with_its_sides_and_the_bound(
-    tmp_path: Path, hand: Path, width: int, height: int, said: str
+    tmp_path: Path, hand: Path, width: int, height: int, size_text: str
 ) -> None:
     long = tmp_path / "long.png"
     cv2.imwrite(str(long), np.zeros((height, width), np.uint8))
     letters, errors, status = classified(long, hand)
-    assert f"“{long}” {said} pixels on each side." in errors
+    assert f"“{long}” {size_text} pixels on each side." in errors
     assert (letters, status) == (["L"], 2)

@@ -11,14 +11,14 @@ from pinel_desktop.doctor import examination
 from pinel_desktop.school.teacher import TeacherSessions
 from storage import StoreError, open_store
 from storage.file.backups import make_backup
-from storage.file.mark import path_of
+from storage.file.commit_counter import path_of
 from storage.limits import N_FEATURES
 from storage.maintenance import Maintenance
 from storage.text import utc_now
 from tests.attacks.damage import PAGE, a_day, reopened, spoil
 from tests.attacks.forging import MISSION, Pc, falsified, pcs
 from tests.attacks.power_cuts import power_cut_while_read
-from tests.attacks.wrong_bits import Disk, seen
+from tests.attacks.wrong_bits import Disk, content_of
 
 Pcs = Callable[[str], Pc]
 __all__ = ["pcs"]
@@ -105,9 +105,9 @@ def test_on_a_full_disk_a_damaged_file_stays_until_there_is_room_to_read_it(
         full.setattr("storage.salvage.salvage._LEFT_FREE", 10**18)
         with pytest.raises(StoreError, match="disk_full"):
             open_store(day.path)
-    notice, n_kept = reopened(day)
+    notice, n_retained = reopened(day)
     assert notice
-    assert (notice.code, n_kept) == ("database_salvaged_alone", 30)
+    assert (notice.code, n_retained) == ("database_salvaged_alone", 30)
 
 
 def test_a_power_cut_while_a_damaged_file_is_read_leaves_no_copy_of_the_work(
@@ -186,7 +186,7 @@ def test_a_wrong_bit_in_a_key_deletes_nothing_and_lets_people_work_on(
 ) -> None:
     disk = Disk(tmp_path)
     with disk.after_a_flip(table, "id", bit) as store:
-        assert seen(store).n_rows == disk.before.n_rows
+        assert content_of(store).n_rows == disk.before.n_rows
         store.groups.create("Tucanos")
         disk.export(store)
 
@@ -196,7 +196,7 @@ def test_a_key_that_looks_made_up_by_a_wrong_bit_is_damage_and_said_to_be(tmp_pa
     with disk.after_a_flip("groups", "id", 1) as store:
         assert store.notice
         assert store.notice.code == "database_restored"
-        assert seen(store) == disk.before
+        assert content_of(store) == disk.before
 
 
 @pytest.mark.parametrize(("table", "column"), [("groups", "id"), ("programs", "group_id")])
@@ -219,7 +219,7 @@ def test_a_wrong_bit_in_a_setting_does_not_keep_pinel_from_starting(
     with disk.after_a_flip("settings", "value", bit, "key = 'computer_id'") as store:
         assert store.notice
         assert store.notice.code == "settings_mended"
-        assert seen(store) == disk.before
+        assert content_of(store) == disk.before
 
 
 @pytest.mark.parametrize("table", ["classrooms", "groups", "programs", "computers"])
@@ -232,4 +232,4 @@ def test_a_wrong_bit_in_a_name_blocks_no_list_no_other_name_and_no_export(
         assert [one.n_versions for one in store.programs.of_group(group.id)] == [2]
         disk.export(store)
         store.groups.change(group.id, {"name": "Araras"})
-        assert seen(store).groups == {"Araras"}
+        assert content_of(store).groups == {"Araras"}

@@ -15,7 +15,7 @@ from tests.storage.bundle_makers import exported, work
 _COUNTED = ("classrooms", "groups", "programs", "versions", "runs", "events", "notes")
 
 
-class Seen(NamedTuple):
+class Content(NamedTuple):
     """What is in a file after it was opened: its PC, rows by table, names of its groups."""
 
     computer: tuple[str, str]
@@ -34,7 +34,7 @@ class Disk:
             group = store.groups.create("Onças", classroom_id=store.classrooms.create("8A").id)
             work(store, group, "P")
             make_backup(store.path, utc_now())
-            self.before = seen(store)
+            self.before = content_of(store)
 
     @contextmanager
     def after_a_flip(self, table: str, column: str, bit: int, where: str = "1") -> Iterator[Store]:
@@ -56,7 +56,7 @@ class Disk:
         exported(store, self._folder / "now" / "all.pinel")
 
 
-def seen(store: Store) -> Seen:
-    with store._database.reading() as db:
+def content_of(store: Store) -> Content:
+    with store._database.read_connection() as db:
         n_rows = {table: row_count(db, table) for table in _COUNTED}
-    return Seen(store.computers.this(), n_rows, {group.name for group in store.groups.all()})
+    return Content(store.computers.this(), n_rows, {group.name for group in store.groups.all()})

@@ -13,7 +13,7 @@ from storage.file.backups import make_backup
 N_LARGE, LARGE_BYTES = 300, 500_000
 N_ALONE = 100
 PAUSE_S = 0.02
-LONGEST_MS = 1000.0  # an edit is on disk within a second
+MAX_MS = 1000.0  # an edit is on disk within a second
 
 
 def edit_ms(store: Store, program_id: str) -> float:
@@ -31,16 +31,16 @@ def test_an_edit_is_on_disk_within_a_second_while_a_large_file_is_backed_up(tmp_
         for _ in range(N_LARGE):
             store.versions.save(program.id, {"noise": os.urandom(LARGE_BYTES).hex()}, None)
         alone = [edit_ms(store, program.id) for _ in range(N_ALONE)]
-        began = time.perf_counter()
+        start_s = time.perf_counter()
         backup = threading.Thread(target=make_backup, args=(path, datetime.now(UTC)))
         backup.start()
         during = []
         while backup.is_alive():
             during.append(edit_ms(store, program.id))
-        took_s = time.perf_counter() - began
+        took_s = time.perf_counter() - start_s
     print(
         f"\nbackup of {path.stat().st_size / 1e6:.0f} MB in {took_s:.1f} s; an edit alone "
         f"{statistics.median(alone):.1f} ms (longest {max(alone):.0f}), meanwhile "
         f"{statistics.median(during):.1f} ms (longest {max(during):.0f})"
     )
-    assert max(during) <= LONGEST_MS
+    assert max(during) <= MAX_MS

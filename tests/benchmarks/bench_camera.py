@@ -15,7 +15,7 @@ import cv2
 import numpy as np
 import psutil
 
-from pinel_desktop.camera.client import Camera, CameraState
+from pinel_desktop.camera.client import CameraClient, CameraState
 from pinel_desktop.desktop.self_check import RECORDED_SIGNS
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.execution.clock import TICK_S
@@ -26,7 +26,7 @@ from tests.gestures.drawn import drawn_hand, on_wall
 WAIT_S = 60.0
 RUN_S = 10.0
 N_CAPTURES = 40
-LARGEST_JITTER_RATIO = 2.0
+MAX_JITTER_RATIO = 2.0
 DRIVE = {
     "pinel_ir": 1,
     "commands": [
@@ -46,46 +46,46 @@ print(json.dumps(late))
 """
 
 
-class Seen:
+class CameraProbe:
     """A camera with its answers and states in queues."""
 
     def __init__(self, source: str) -> None:
         self.answers: queue.Queue[Capture] = queue.Queue()
         self.states: queue.Queue[CameraState] = queue.Queue()
-        self.camera = Camera(
+        self.camera = CameraClient(
             source,
             lambda event: None,
             self.states.put,
             lambda run, capture: self.answers.put(capture),
         )
-        self.camera.use()
+        self.camera.switch_on()
         while self.states.get(timeout=WAIT_S).mode != "on":
             pass
 
     def capture(self) -> float:
         """Captures once; how long that took, in s."""
-        began_s = time.perf_counter()
+        start_s = time.perf_counter()
         self.camera.observe({"type": "capture_started", "run": "r"})
         self.answers.get(timeout=WAIT_S)
         self.camera.observe({"type": "gesture_result", "run": "r"})
-        return time.perf_counter() - began_s
+        return time.perf_counter() - start_s
 
 
 @contextmanager
-def looking_at(source: Path) -> Iterator[Seen]:
-    seen = Seen(str(source))
-    yield seen
-    seen.camera.close()
+def looking_at(source: Path) -> Iterator[CameraProbe]:
+    probe = CameraProbe(str(source))
+    yield probe
+    probe.camera.close()
 
 
 def test_answer_comes_soon_after_a_sign_is_held() -> None:
     """The recording holds each sign for 1.6 s and shows no hand for 0.8 s, in which captures may begin as well."""
-    with looking_at(RECORDED_SIGNS) as seen:
-        _print_answers(seen)
+    with looking_at(RECORDED_SIGNS) as probe:
+        _print_answers(probe)
 
 
-def _print_answers(seen: Seen) -> None:
-    times_s = sorted(seen.capture() for _ in range(N_CAPTURES))
+def _print_answers(probe: CameraProbe) -> None:
+    times_s = sorted(probe.capture() for _ in range(N_CAPTURES))
     median_s, p95_s = statistics.median(times_s), times_s[int(0.95 * N_CAPTURES)]
     print(
         f"\n{N_CAPTURES} captures: median {median_s:.2f} s, at most 1; 95 % within {p95_s:.2f} s, at most 2"
@@ -98,26 +98,26 @@ def test_control_loop_is_as_punctual_as_a_sleeper(tmp_path: Path) -> None:
     """Beside a camera whose networks look at a drawn hand, 15 times a second."""
     frame = on_wall(drawn_hand(size=320), 1280, 720, 300, 100)
     cv2.imwrite(str(tmp_path / "hand.png"), cv2.cvtColor(frame, cv2.COLOR_RGB2BGR))
-    with looking_at(tmp_path) as seen:
-        _compare(seen)
-        memory_mb = psutil.Process(seen.camera.pid).memory_info().rss / 2**20
+    with looking_at(tmp_path) as probe:
+        _compare(probe)
+        memory_mb = psutil.Process(probe.camera.pid).memory_info().rss / 2**20
     print(f"the camera's process takes {memory_mb:.0f} MB")
 
 
-def _compare(seen: Seen) -> None:
+def _compare(probe: CameraProbe) -> None:
     arrived: list[float] = []
     ended: queue.Queue[dict[str, Any]] = queue.Queue()
 
-    def take(event: dict[str, Any]) -> None:
+    def on_event(event: dict[str, Any]) -> None:
         if event["type"] == "telemetry":
             arrived.append(time.perf_counter())
         elif event["type"] == "run_ended":
             ended.put(event)
 
-    engine = EngineClient(take)
+    engine = EngineClient(on_event)
     engine.start()
     assert engine.wait_until_ready(WAIT_S)
-    seen.camera.observe({"type": "capture_started", "run": "other"})
+    probe.camera.observe({"type": "capture_started", "run": "other"})
     with subprocess.Popen([sys.executable, "-c", SLEEPER], stdout=subprocess.PIPE) as sleeper:
         engine.run("r", RunSpec(DRIVE, "empty_room", pace="live"))
         ended.get(timeout=WAIT_S)
@@ -126,9 +126,9 @@ def _compare(seen: Seen) -> None:
     ours_ms, sleeper_ms = _spread_ms(arrived), _percentile_of(late_ms)
     print(
         f"\ncontrol loop beside a capture: 95 % of ticks within {ours_ms:.2f} ms, a bare sleeper {sleeper_ms:.2f} ms, "
-        f"ratio {ours_ms / sleeper_ms:.2f}, at most {LARGEST_JITTER_RATIO}"
+        f"ratio {ours_ms / sleeper_ms:.2f}, at most {MAX_JITTER_RATIO}"
     )
-    assert ours_ms <= LARGEST_JITTER_RATIO * sleeper_ms
+    assert ours_ms <= MAX_JITTER_RATIO * sleeper_ms
 
 
 def _spread_ms(arrived: list[float]) -> float:

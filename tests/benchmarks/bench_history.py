@@ -10,14 +10,14 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import Event
-from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import Setting
+from pinel_desktop.robot import SimulationConfig
 from sim.world import list_worlds
-from storage import Recorder, RunFilter, RunLine, RunStart, Store, open_store
+from storage import RunFilter, RunRecorder, RunStart, RunSummary, Store, open_store
 from storage.sqlite import sqlite3
 from storage.text import new_id
 from tests.web.browser import Browser
@@ -25,13 +25,13 @@ from tests.web.fake_engine import FakeEngine
 
 N_RUNS, N_GROUPS, PAGE = 100_000, 10, 50
 PAIRS = 41
-LARGEST_RATIO = 2.0
-LONGEST_PAGE_MS = 100.0  # with all that is around it, as the page waits for it
-LONGEST_LOADING_MS = 50.0
-LARGEST_KB_PER_MINUTE = 60.0
+MAX_RATIO = 2.0
+MAX_PAGE_MS = 100.0  # with all that is around it, as the page waits for it
+MAX_LOADING_MS = 50.0
+MAX_KB_PER_MINUTE = 60.0
 TICK_HZ = 30
 # as it is stored: whether a pass counts is told from another table
-STORED = tuple(name for name in RunLine._fields if name != "unconfirmed")
+STORED = tuple(name for name in RunSummary._fields if name != "unconfirmed")
 LINE = ", ".join(name.removesuffix("_json").removesuffix("_bit") for name in STORED)
 DRIVE: dict[str, Any] = {
     "pinel_ir": 1,
@@ -65,7 +65,7 @@ class _EnoughError(Exception):
     pass
 
 
-def drive(store: Store, version_id: str, minutes: float, setting: Setting) -> str:
+def drive(store: Store, version_id: str, minutes: float, setting: SimulationConfig) -> str:
     """Records a run of the simulator as a live one is: a batch a second, on the robot's clock."""
     (world,) = (world for world in list_worlds() if world["name"] == "empty_room")
     start = RunStart(
@@ -78,8 +78,8 @@ def drive(store: Store, version_id: str, minutes: float, setting: Setting) -> st
         parameters=setting.as_parameters(),
     )
     run_id = store.runs.begin(start).id
-    stamp, now = EventStamp(run_id), [0.0]
-    recorder = Recorder(store, clock=lambda: now[0])
+    stamp, now = EventSequencer(run_id), [0.0]
+    recorder = RunRecorder(store, clock=lambda: now[0])
 
     def observe(tick: int, event: Event) -> None:
         now[0] = tick / TICK_HZ
@@ -113,7 +113,7 @@ def runs(folder: Path) -> dict[str, str]:
         program = store.programs.create(groups[0].id, "P")
         version = store.versions.save(program.id, {"blocks": {}}, DRIVE)
         found = {
-            preset: drive(store, version.id, 5.0, Setting(preset=preset))
+            preset: drive(store, version.id, 5.0, SimulationConfig(preset=preset))
             for preset in ("ideal", "realistic")
         }
         group_ids = [group.id for group in groups]
@@ -162,8 +162,8 @@ def test_a_page_of_a_group_s_runs_costs_at_most_twice_the_bare_query(
     assert rows == [tuple(getattr(line, name) for name in STORED) for line in found]
     ours = median_ms(lambda: store.runs.of_group(group_id, before=before, limit=PAGE))
     query_ms = median_ms(lambda: bare.execute(query, [group_id, before, PAGE]).fetchall())
-    tell("a group's runs", ours, query_ms)
-    assert ours <= LARGEST_RATIO * query_ms
+    report("a group's runs", ours, query_ms)
+    assert ours <= MAX_RATIO * query_ms
 
 
 def test_a_page_of_everybody_s_runs_costs_at_most_twice_the_bare_query(
@@ -178,14 +178,14 @@ def test_a_page_of_everybody_s_runs_costs_at_most_twice_the_bare_query(
     assert [row[0] for row in rows] == [line.run.id for line in found]
     ours = median_ms(lambda: store.history.page(RunFilter(), before=before, limit=PAGE))
     query_ms = median_ms(lambda: bare.execute(query, [before, PAGE]).fetchall())
-    tell("everybody's runs", ours, query_ms)
-    assert ours <= LARGEST_RATIO * query_ms
+    report("everybody's runs", ours, query_ms)
+    assert ours <= MAX_RATIO * query_ms
 
 
-def tell(what: str, ours_ms: float, bare_ms: float) -> None:
+def report(what: str, ours_ms: float, bare_ms: float) -> None:
     print(
         f"\n{PAGE} of {what} out of {N_RUNS}: {ours_ms:.2f} ms, bare query {bare_ms:.2f} ms, "
-        f"ratio {ours_ms / bare_ms:.2f}, at most {LARGEST_RATIO}"
+        f"ratio {ours_ms / bare_ms:.2f}, at most {MAX_RATIO}"
     )
 
 
@@ -202,7 +202,7 @@ def test_the_page_has_a_group_s_runs_and_a_replay_in_a_moment(
         replay_ms = median_ms(lambda: [browser.get(part) for part in parts])
         assert browser.get(parts[2]).status == 200
     print(f"\nover HTTP: {PAGE} runs {list_ms:.1f} ms; a five-minute run {replay_ms:.1f} ms")
-    assert list_ms <= LONGEST_PAGE_MS
+    assert list_ms <= MAX_PAGE_MS
 
 
 def test_a_five_minute_run_is_loaded_for_its_replay_in_a_moment(
@@ -222,9 +222,9 @@ def test_a_five_minute_run_is_loaded_for_its_replay_in_a_moment(
     rows_ms = median_ms(lambda: [bare.execute(query, [run_id]).fetchall() for query in queries])
     print(
         f"\na run of 5 minutes, {n_events} events: read and decoded in {ours:.1f} ms, at most "
-        f"{LONGEST_LOADING_MS}; its rows alone {rows_ms:.1f} ms"
+        f"{MAX_LOADING_MS}; its rows alone {rows_ms:.1f} ms"
     )
-    assert ours <= LONGEST_LOADING_MS
+    assert ours <= MAX_LOADING_MS
 
 
 @pytest.mark.parametrize("preset", ["ideal", "realistic"])
@@ -237,7 +237,7 @@ def test_telemetry_takes_at_most_60_kb_a_minute(
     minutes = n_rows / TICK_HZ / 60
     print(
         f"\ntelemetry of {minutes:.1f} minutes, {preset}: {n_bytes / 1000 / minutes:.1f} KB a minute, "
-        f"at most {LARGEST_KB_PER_MINUTE}"
+        f"at most {MAX_KB_PER_MINUTE}"
     )
     assert minutes >= 4.9
-    assert n_bytes / 1000 / minutes <= LARGEST_KB_PER_MINUTE
+    assert n_bytes / 1000 / minutes <= MAX_KB_PER_MINUTE

@@ -8,12 +8,12 @@ import pytest
 
 from pinel_desktop.activities import activity_names, shipped_activity, solution_of
 from pinel_desktop.judge.client import JudgeClient
-from pinel_desktop.judge.messages import Question
+from pinel_desktop.judge.messages import JudgeRequest
 from pinel_desktop.judge.server import verdict_on
 from pinel_desktop.program.python_text import read_python
 
 REPEATS = 3
-LARGEST_RATIO = 1.5
+MAX_RATIO = 1.5
 ENDLESS = {
     "calculates": "n = 0\nwhile True:\n    n = n + 1\n",
     "drives in a circle and calculates": "robot.drive(0.1, 30)\nn = 0\nwhile True:\n    n = n + 1\n",
@@ -28,20 +28,20 @@ def judge() -> Iterator[JudgeClient]:
     client.close()
 
 
-def question(name: str, program: str | None = None) -> Question:
+def question(name: str, program: str | None = None) -> JudgeRequest:
     activity = shipped_activity(name)
-    document = read_python(program).reading.document if program else solution_of(name)
-    return Question(activity.model_dump_json(), document or {}, "", None, "pt-BR")
+    document = read_python(program).result.document if program else solution_of(name)
+    return JudgeRequest(activity.model_dump_json(), document or {}, "", None, "pt-BR")
 
 
 def seconds(call: Callable[[], object]) -> float:
     """The shortest of a few."""
-    taken = []
+    durations_s = []
     for _ in range(REPEATS):
         begin = time.perf_counter()
         call()
-        taken.append(time.perf_counter() - begin)
-    return min(taken)
+        durations_s.append(time.perf_counter() - begin)
+    return min(durations_s)
 
 
 def test_a_process_of_its_own_adds_little(judge: JudgeClient) -> None:
@@ -53,10 +53,10 @@ def test_a_process_of_its_own_adds_little(judge: JudgeClient) -> None:
         asked = question(name)
         inside[name] = seconds(partial(verdict_on, asked))
         outside[name] = seconds(partial(judge.judge, asked))
-    slowest = max(outside, key=lambda name: outside[name])
+    costliest = max(outside, key=lambda name: outside[name])
     ratio = sum(outside.values()) / sum(inside.values())
-    print(f"slowest activity: {slowest}, {outside[slowest]:.2f} s; process / here: {ratio:.2f}")
-    assert ratio <= LARGEST_RATIO
+    print(f"slowest activity: {costliest}, {outside[costliest]:.2f} s; process / here: {ratio:.2f}")
+    assert ratio <= MAX_RATIO
 
 
 @pytest.mark.parametrize("kind", ENDLESS)
@@ -65,4 +65,4 @@ def test_an_endless_program_is_judged_within_seconds(judge: JudgeClient, kind: s
     asked = question("polygon", ENDLESS[kind])
     inside, outside = seconds(lambda: verdict_on(asked)), seconds(lambda: judge.judge(asked))
     print(f"\n{kind}: {outside:.2f} s; process / here: {outside / inside:.2f}")
-    assert outside / inside <= LARGEST_RATIO
+    assert outside / inside <= MAX_RATIO

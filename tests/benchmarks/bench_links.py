@@ -18,7 +18,7 @@ from pinel_desktop.links.dds.transport import DdsTransport
 from pinel_desktop.links.transport import Odometry
 from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Twist2D
 from pinel_desktop.runs.spec import RunSpec
-from tests.links.dds_domains import local_record, own_domain
+from tests.links.dds_domains import local_profile, own_domain
 from tests.links.dds_peer import DdsPeer
 from tests.links.double_process import ROOT, Double
 from tests.links.real_link_contract import FAR, LiveRun
@@ -100,7 +100,7 @@ def test_round_trip_on_loopback() -> None:
 
 def round_trips(domain: int) -> list[float]:
     receiver = Echoed()
-    transport = DdsTransport(local_record(domain), PIONEER_3DX)
+    transport = DdsTransport(local_profile(domain), PIONEER_3DX)
     with contextlib.closing(transport):
         transport.open(receiver, lambda: False)
         return [round_trip(transport, receiver, number) for number in range(1, ROUND_TRIPS + 1)]
@@ -108,13 +108,13 @@ def round_trips(domain: int) -> list[float]:
 
 def round_trip(transport: DdsTransport, receiver: Echoed, number: int) -> float:
     """The answers to the zeros of the opening may still be on their way: only that to `number` counts."""
-    began_s = time.perf_counter()
+    start_s = time.perf_counter()
     transport.send(Twist2D(float(number), 0.0))
     while number not in receiver.at_s:
         receiver.came.clear()
         assert number in receiver.at_s or receiver.came.wait(2.0)
     time.sleep(0.02)
-    return receiver.at_s[float(number)] - began_s
+    return receiver.at_s[float(number)] - start_s
 
 
 def test_stop_reaches_the_robot_at_once() -> None:
@@ -127,15 +127,15 @@ def test_stop_reaches_the_robot_at_once() -> None:
 
 def stopped_after_s() -> float:
     with own_domain() as domain, contextlib.closing(DdsPeer(domain)) as robot:
-        record = local_record(domain)
+        record = local_profile(domain)
         run = LiveRun(RunSpec(FAR, "empty_room", link="dds", robot=record))
         run.thread.start()
-        while not any(twist.v_mps > 0.1 for _, twist in robot.heard[-1:]):
+        while not any(twist.v_mps > 0.1 for _, twist in robot.received[-1:]):
             time.sleep(0.01)
         stopped_s = time.monotonic()
         run.control.stop()
         run.result()
-        zeros = [at_s for at_s, twist in robot.heard if at_s > stopped_s and twist == STANDSTILL]
+        zeros = [at_s for at_s, twist in robot.received if at_s > stopped_s and twist == STANDSTILL]
         return zeros[0] - stopped_s
 
 

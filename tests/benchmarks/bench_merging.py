@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import Recorder, RunStart, Store, open_store
+from storage import RunRecorder, RunStart, Store, open_store
 from storage.exchange.bundle_writing import export_bundle
 from storage.exchange.merge_report import MergeReport
 from storage.sql import column_names
@@ -26,9 +26,9 @@ N_RUNS = 200
 N_GROUPS = 5
 N_TICKS = 600
 PAIRS = 3
-LONGEST_S = 30.0
+MAX_S = 30.0
 # looking at every value and its checksum, and what is there already, costs several times the copying
-LARGEST_RATIO = 8.0
+MAX_RATIO = 8.0
 
 
 def seconds(work: Callable[[], object]) -> float:
@@ -40,7 +40,7 @@ def seconds(work: Callable[[], object]) -> float:
 def record(store: Store, version_id: str) -> str:
     """A run of 20 s with a block each second, flushed each second as a live one is."""
     run = store.runs.begin(RunStart("sim", "empty_room", WORLD, 1, "0.1.0", version_id=version_id))
-    recorder = Recorder(store, clock=lambda: 0.0)
+    recorder = RunRecorder(store, clock=lambda: 0.0)
     seq = 0
     for tick, sample in zip(range(N_TICKS), square(run.id, laps=2), strict=False):
         if tick % 30 == 0:
@@ -129,8 +129,8 @@ def test_a_school_is_merged_in_half_a_minute(bundles: list[Path], tmp_path: Path
     ratio = statistics.median(merging / copying for copying, merging, *_ in pairs)
     print(
         f"\n{N_COMPUTERS} bundles of {N_RUNS} runs of {N_TICKS / 30:.0f} s ({size:.0f} MB): merged in {first:.1f} s,"
-        f" at most {LONGEST_S:.0f}; bare INSERT ... SELECT {bare:.1f} s, ratio {ratio:.1f}, at most {LARGEST_RATIO};"
+        f" at most {MAX_S:.0f}; bare INSERT ... SELECT {bare:.1f} s, ratio {ratio:.1f}, at most {MAX_RATIO};"
         f" again {again:.1f} s; hash of the whole store {hashing:.1f} s"
     )
-    assert first < LONGEST_S
-    assert ratio <= LARGEST_RATIO
+    assert first < MAX_S
+    assert ratio <= MAX_RATIO

@@ -14,9 +14,9 @@ from pinel_desktop.events.model import BlockEnded, BlockStarted, Event, Telemetr
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import SMALL_ROBOT, Pose2D, Setting
+from pinel_desktop.robot import SMALL_ROBOT, Pose2D, SimulationConfig
 
-IDEAL, REALISTIC = Setting(), Setting(preset="realistic")
+IDEAL, REALISTIC = SimulationConfig(), SimulationConfig(preset="realistic")
 FLOOR = {
     "name": "floor",
     "start": {"x_m": 0, "y_m": 0, "heading_deg": 0},
@@ -30,9 +30,9 @@ N_PROGRAMS = 180
 SETTINGS = {
     "ideal": IDEAL,
     "camera": REALISTIC,
-    "wheels": Setting(preset="realistic", feedback="odometry"),
-    "small, camera": Setting(SMALL_ROBOT.name, "realistic"),
-    "small, wheels": Setting(SMALL_ROBOT.name, "realistic", "odometry"),
+    "wheels": SimulationConfig(preset="realistic", feedback="odometry"),
+    "small, camera": SimulationConfig(SMALL_ROBOT.name, "realistic"),
+    "small, wheels": SimulationConfig(SMALL_ROBOT.name, "realistic", "odometry"),
 }
 Command = dict[str, Any]
 
@@ -54,7 +54,7 @@ class Motion(NamedTuple):
     goal: Pose2D
 
 
-def driven(commands: list[Command], setting: Setting, seed: int) -> list[Event]:
+def driven(commands: list[Command], setting: SimulationConfig, seed: int) -> list[Event]:
     """What happens in a program, which must finish."""
     program = read_document({"pinel_ir": 1, "commands": commands}).program
     assert program is not None
@@ -104,7 +104,7 @@ def worst(misses: list[Miss]) -> Miss:
     [(IDEAL, range(1), Miss(0.02, 0.1, 0.003)), (REALISTIC, SEEDS, Miss(5.0, 10.0, 0.3))],
     ids=["ideal", "realistic"],
 )
-def test_arcs_end_where_they_should(setting: Setting, seeds: range, bounds: Miss) -> None:
+def test_arcs_end_where_they_should(setting: SimulationConfig, seeds: range, bounds: Miss) -> None:
     arcs = [(radius_m, angle) for radius_m in RADII_M for angle in ANGLES]
     misses = []
     for radius_m, angle in arcs:

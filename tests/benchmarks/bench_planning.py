@@ -22,12 +22,12 @@ from pinel_desktop.control.planning import (
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import PIONEER_3DX, Setting
+from pinel_desktop.robot import PIONEER_3DX, SimulationConfig
 from sim.world import world_document
 
 ROUNDS = 9
-LARGEST_RATIO = 3.0  # planning with all that belongs to it, to the bare search
-LONGEST = 1.15  # of the shortest way
+MAX_RATIO = 3.0  # planning with all that belongs to it, to the bare search
+MAX_LENGTH_RATIO = 1.15  # of the shortest way
 RADIUS_M = PIONEER_3DX.radius_m
 
 
@@ -52,13 +52,13 @@ def length(start: Point, path: list[Point]) -> float:
 
 def maze() -> tuple[Array, Point, Point]:
     """Obstacles, start and goal in the world's frame; the start looks along x."""
-    link = SimLink(world="maze", setting=Setting(), seed=0)
+    link = SimLink(world="maze", setting=SimulationConfig(), seed=0)
     x, y, _ = link.read().pose
     goal_x, goal_y = world_document("maze")["zones"][0]["center"]
     return as_array(link.sensors.obstacles()), (x, y), (goal_x, goal_y)
 
 
-def shortest(obstacles: Array, start: Point, goal: Point) -> float:
+def optimal_length_m(obstacles: Array, start: Point, goal: Point) -> float:
     """Length of a way on a fine grid whose cells all cost the same, pulled straight: nearly the shortest there is."""
     fine, comfortable = planning.CELL_M, planning.COMFORTABLE_M
     planning.CELL_M, planning.COMFORTABLE_M = 0.02, TIGHT_M + 1e-6
@@ -83,18 +83,20 @@ def test_the_way_through_the_maze_is_short_and_found_fast() -> None:
     ]
     bare = [milliseconds(lambda: dijkstra(obstacles, start, goal)) for _ in range(ROUNDS)]
     ratio = statistics.median(ours) / statistics.median(bare)
-    way, least = length(start, path), shortest(obstacles, start, goal)
+    length_m, optimum_m = length(start, path), optimal_length_m(obstacles, start, goal)
     clearance = path_clearance([start, *path], obstacles) - RADIUS_M
     there = {"x": goal[0] - start[0], "y": goal[1] - start[1], "avoid": True}
     program = read_document({"pinel_ir": 1, "commands": [{"action": "go_to", **there}]}).program
     assert program is not None
-    ended = execute(program, SimLink(world="maze", setting=Setting(), seed=0), RunOptions()).ended
+    ended = execute(
+        program, SimLink(world="maze", setting=SimulationConfig(), seed=0), RunOptions()
+    ).ended
     print(
-        f"\nmaze: way {way:.2f} m in {len(path)} legs, shortest {least:.2f} m, ratio {way / least:.3f}, "
+        f"\nmaze: {length_m:.2f} m in {len(path)} legs, shortest {optimum_m:.2f} m, ratio {length_m / optimum_m:.3f}, "
         f"clearance {clearance * 100:.1f} cm; planning {statistics.median(ours):.0f} ms, the grid's search alone "
         f"without an estimate {statistics.median(bare):.0f} ms, ratio {ratio:.2f}; driven in {ended.duration_s:.1f} s"
     )
     assert ended.state == "finished"
     assert clearance >= TIGHT_M - 1e-9
-    assert way <= LONGEST * least
-    assert ratio <= LARGEST_RATIO
+    assert length_m <= MAX_LENGTH_RATIO * optimum_m
+    assert ratio <= MAX_RATIO

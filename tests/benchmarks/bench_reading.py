@@ -13,9 +13,9 @@ from pinel_desktop.program.reading import read_document
 
 N_COMMANDS = 20_000
 PAIRS = 15
-LARGEST_RATIO = 5.0
+MAX_RATIO = 5.0
 # a text with " :" in it: only a second look at each object tells that no key is there twice
-LARGEST_RATIO_IN_DOUBT = 8.0
+MAX_RATIO_WITH_KEY_CHECK = 8.0
 
 MOVES: list[dict[str, Any]] = [
     {"action": "move_forward", "distance": 1.5},
@@ -44,10 +44,10 @@ def seconds(work: Callable[[], object]) -> float:
 
 @pytest.mark.parametrize(("name", "commands"), [("moves", MOVES), ("mixed", MIXED)])
 @pytest.mark.parametrize(
-    ("called", "largest"), [("long", LARGEST_RATIO), ("a : b", LARGEST_RATIO_IN_DOUBT)]
+    ("called", "max_ratio"), [("long", MAX_RATIO), ("a : b", MAX_RATIO_WITH_KEY_CHECK)]
 )
 def test_reading_costs_at_most_five_times_parsing(
-    name: str, commands: list[dict[str, Any]], called: str, largest: float
+    name: str, commands: list[dict[str, Any]], called: str, max_ratio: float
 ) -> None:
     text = document(commands, called)
     assert read_document(text).program is not None
@@ -59,6 +59,6 @@ def test_reading_costs_at_most_five_times_parsing(
     ratio = ours / bare
     print(
         f"\n{N_COMMANDS} commands ({name}, {called!r}, {len(text) / 1e6:.2f} MB): json.loads {bare * 1e3:.1f} ms, "
-        f"reading {ours * 1e3:.1f} ms, ratio {ratio:.1f}, at most {largest}"
+        f"reading {ours * 1e3:.1f} ms, ratio {ratio:.1f}, at most {max_ratio}"
     )
-    assert ratio <= largest
+    assert ratio <= max_ratio

@@ -10,7 +10,7 @@ from pathlib import Path
 import psutil
 from playwright.sync_api import Browser, expect, sync_playwright
 
-from pinel_desktop.links.sending import PERIOD_S
+from pinel_desktop.links.velocity_publisher import PERIOD_S
 from tests.benchmarks.bench_links import percentile, sleeper
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import CHROMIUM
@@ -47,7 +47,7 @@ def lesson(home: Path, domain: int) -> Iterator[Studio]:
         studio = open_page(browser, app, app.link)
         prepare(studio)
         record = {"domain": domain, "peers": ["127.0.0.1"], "room": ROOM.model_dump()}
-        studio.tell("PUT", "/real-robots/dds", {"record": record})
+        studio.send("PUT", "/real-robots/dds", {"record": record})
         studio["sign-out"].click()
         studio.enter_group("Os Tatus")
         write_program(studio, PROGRAM)
@@ -68,7 +68,7 @@ def begin(studio: Studio, robot: DdsPeer) -> None:
     studio["before-go"].click()
     studio.wait_for_phase("running", 60_000)
     due_s = time.monotonic() + 30.0
-    while not any(twist.omega_radps for _, twist in robot.heard[-3:]):
+    while not any(twist.omega_radps for _, twist in robot.received[-3:]):
         assert time.monotonic() < due_s, "the robot does not drive"
         time.sleep(0.05)
 
@@ -82,13 +82,13 @@ def test_commands_are_as_regular_as_a_sleeper_while_page_camera_and_store_are_bu
         lesson(tmp_path, domain) as studio,
     ):
         begin(studio, robot)
-        n_before = len(robot.heard)
+        n_before = len(robot.received)
         psutil.cpu_percent()
         with sleeper(PERIOD_S) as bare:
             time.sleep(MEASURED_S)
         busy = psutil.cpu_percent()
-        at_s = [heard_s for heard_s, _ in robot.heard[n_before:]]
-        turning = [twist.omega_radps for _, twist in robot.heard[n_before:]]
+        at_s = [received_s for received_s, _ in robot.received[n_before:]]
+        turning = [twist.omega_radps for _, twist in robot.received[n_before:]]
         studio.page.keyboard.press("F9")
         studio.wait_for_phase("stopped")
     gaps = [after - before for before, after in pairwise(at_s)]

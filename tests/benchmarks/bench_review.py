@@ -15,7 +15,7 @@ from tests.web.fake_engine import FakeEngine
 N_GROUPS, N_VERSIONS, N_RUNS = 12, 150, 30
 N_BLOCKS = 60
 REPEATS = 5
-LARGEST_RATIO = 8.0
+MAX_RATIO = 8.0
 
 
 def program() -> list[Body]:
@@ -55,12 +55,12 @@ def _ending(run_id: str, state: str) -> Callable[[Any], int]:
 
 def seconds(call: Callable[[], object]) -> float:
     """The shortest of a few."""
-    taken = []
+    durations_s = []
     for _ in range(REPEATS):
         begin = time.perf_counter()
         call()
-        taken.append(time.perf_counter() - begin)
-    return min(taken)
+        durations_s.append(time.perf_counter() - begin)
+    return min(durations_s)
 
 
 def test_the_review_of_a_long_lesson_takes_a_few_times_what_reading_its_parts_takes(
@@ -79,18 +79,18 @@ def test_the_review_of_a_long_lesson_takes_a_few_times_what_reading_its_parts_ta
         marks = [mark for group in groups for mark in group["marks"]]
         assert len(groups) == N_GROUPS
         assert sum(group["figures"]["n_edits"] for group in groups) == N_GROUPS * N_VERSIONS
-        looked_into = {mark["version_id"] for mark in marks}
+        version_ids = {mark["version_id"] for mark in marks}
         review_s = seconds(lambda: teacher.get(place))
         table_s = seconds(lambda: teacher.get(f"{place}.csv"))
         parts_s = seconds(
             lambda: (
-                store.lesson_records.of([lesson]),
-                store.lesson_records.workspaces(looked_into),
+                store.lesson_histories.of([lesson]),
+                store.lesson_histories.workspaces(version_ids),
             )
         )
     print(
         f"\n{N_GROUPS} groups, {N_VERSIONS} versions of {N_BLOCKS} blocks and {N_RUNS} runs each:"
         f" review {review_s * 1000:.0f} ms, table {table_s * 1000:.0f} ms,"
-        f" its {len(looked_into)} versions alone {parts_s * 1000:.0f} ms"
+        f" its {len(version_ids)} versions alone {parts_s * 1000:.0f} ms"
     )
-    assert review_s < LARGEST_RATIO * parts_s
+    assert review_s < MAX_RATIO * parts_s

@@ -18,12 +18,12 @@ import pytest
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.engine.commands import Stop
 from tests.engine.memory_robot import FAR, engine_command
-from tests.engine.test_real_robot import Driving, stood_after_s, wait_until_driving
+from tests.engine.test_real_robot import Driving, stopping_time_s, wait_until_driving
 from tests.engine.test_robots import Teacher
 
 REPEATS = 10
 STOP_WITHIN_S = 0.1
-STANDS_WITHIN_S = 0.3
+STANDSTILL_WITHIN_S = 0.3
 PERIOD_S = 0.01
 
 
@@ -76,26 +76,26 @@ def after_trouble(log: Path, trouble: Callable[[Driving], None]) -> float:
         wait_until_driving(log)
         moment_s = time.monotonic()
         trouble(driving)
-        return stood_after_s(log, moment_s)
+        return stopping_time_s(log, moment_s)
     finally:
         end(driving)
 
 
-def report(what: str, taken: list[float], late: list[float], bound_s: float) -> None:
-    middle = sorted(taken)[len(taken) // 2]
-    print(f"\n{what}: median {middle * 1000:.0f} ms, p95 {p95(taken) * 1000:.0f} ms", end=" ")
+def report(what: str, durations_s: list[float], late: list[float], bound_s: float) -> None:
+    middle = sorted(durations_s)[len(durations_s) // 2]
+    print(f"\n{what}: median {middle * 1000:.0f} ms, p95 {p95(durations_s) * 1000:.0f} ms", end=" ")
     print(
         f"(wanted {bound_s * 1000:.0f} ms; a sleeper is late by {max(late) * 1000:.0f} ms at most)"
     )
-    assert p95(taken) <= bound_s + max(late)
+    assert p95(durations_s) <= bound_s + max(late)
 
 
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("trouble", [freeze, kill, end_engine])
 def test_a_robot_stands_soon_after(trouble: Callable[[Driving], None], tmp_path: Path) -> None:
     with lateness() as late:
-        taken = [after_trouble(tmp_path / f"heard{n}", trouble) for n in range(REPEATS)]
-    report(trouble.__name__, taken, late, STANDS_WITHIN_S)
+        durations_s = [after_trouble(tmp_path / f"heard{n}", trouble) for n in range(REPEATS)]
+    report(trouble.__name__, durations_s, late, STANDSTILL_WITHIN_S)
 
 
 @pytest.mark.timeout(300)
@@ -104,7 +104,7 @@ def test_stop_reaches_the_robot(tmp_path: Path) -> None:
     client = EngineClient(events.put, engine_command(log))
     client.start()
     assert client.wait_until_ready(30.0)
-    taken = []
+    durations_s = []
     with lateness() as late:
         for n in range(REPEATS):
             log.unlink(missing_ok=True)
@@ -112,25 +112,25 @@ def test_stop_reaches_the_robot(tmp_path: Path) -> None:
             wait_until_driving(log)
             moment_s = time.monotonic()
             client.command(f"r{n}", Stop())
-            taken.append(stood_after_s(log, moment_s))
+            durations_s.append(stopping_time_s(log, moment_s))
             while events.get(timeout=30)["type"] != "run_ended":
                 pass
     client.close()
-    report("stop", taken, late, STOP_WITHIN_S)
+    report("stop", durations_s, late, STOP_WITHIN_S)
 
 
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize("is_told", [True, False], ids=["key let go", "page silent"])
-def test_a_robot_that_is_moved_by_keys_stands_soon_after(is_told: bool, tmp_path: Path) -> None:
+@pytest.mark.parametrize("is_released", [True, False], ids=["key let go", "page silent"])
+def test_a_robot_that_is_moved_by_keys_stands_soon_after(is_released: bool, tmp_path: Path) -> None:
     """The page says that the key was let go; or it says nothing any more, because it was closed, frozen or killed."""
-    teacher, taken = Teacher(tmp_path / "heard"), []
+    teacher, durations_s = Teacher(tmp_path / "heard"), []
     with lateness() as late:
         for _ in range(REPEATS):
             teacher.drive_until_moving()
             moment_s = time.monotonic()
             teacher.hold()
-            if is_told:
+            if is_released:
                 teacher.client.jog(teacher.robot, 0.0, 0.0, time.time())
-            taken.append(stood_after_s(teacher.log, moment_s))
+            durations_s.append(stopping_time_s(teacher.log, moment_s))
     teacher.client.close()
-    report("key let go" if is_told else "page silent", taken, late, STANDS_WITHIN_S)
+    report("key let go" if is_released else "page silent", durations_s, late, STANDSTILL_WITHIN_S)

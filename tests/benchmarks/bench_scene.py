@@ -20,8 +20,8 @@ from tests.e2e.test_running import add_move
 
 SHORT, LONG = 600, 10_500
 WATCHED_S = 5
-TOLD_BEFORE_END = 400  # ticks: the replay plays on while it is watched
-MOST_TIMES_SHORT = 2.0
+SHOWN_BEFORE_END = 400  # ticks: the replay plays on while it is watched
+MAX_TIMES_SHORT = 2.0
 COLUMNS = ("tick", "x_m", "y_m", "yaw_rad", "goal_x_m", "goal_y_m", "goal_yaw_rad")
 STROKE_TICKS = 500
 COLORS = ("red", "blue", "green", "black")
@@ -73,7 +73,7 @@ def test_a_long_run_costs_a_frame_no_more_than_a_short_one(
         print(
             f"{rows:6} samples: a frame every {median:.1f} ms (95 %: {p95:.1f}), {work:.1f} ms of work"
         )
-    assert frames[LONG].work < MOST_TIMES_SHORT * frames[SHORT].work
+    assert frames[LONG].work < MAX_TIMES_SHORT * frames[SHORT].work
 
 
 def _driven(studio: Studio) -> str:
@@ -96,7 +96,7 @@ def _replayed(page: Page, run: str, rows: int) -> Frames:
     page.goto(f"{origin}#/")
     page.goto(f"{origin}#/run/{run}")
     slider = page.get_by_test_id("replay-slider")
-    slider.fill(str(rows - TOLD_BEFORE_END))
+    slider.fill(str(rows - SHOWN_BEFORE_END))
     page.get_by_test_id("replay-play").click()
     page.wait_for_timeout(500)
     session = page.context.new_cdp_session(page)

@@ -15,12 +15,12 @@ from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import Setting
+from pinel_desktop.robot import SimulationConfig
 from sim.simulator import SUBSTEP_S, SUBSTEPS
 
 SQUARE = Path(__file__).parents[1] / "programs" / "square.json"
 PAIRS, RUNS_A_SIDE = 15, 5
-LEAST_RATIO = 0.6
+MIN_RATIO = 0.6
 
 
 def ours(program: Program) -> RunResult:
@@ -29,7 +29,7 @@ def ours(program: Program) -> RunResult:
 
 def wheel_velocities(result: RunResult) -> list[tuple[tuple[float, float], float]]:
     """The velocities that the run gave the kinematic body, tick by tick."""
-    link, velocities = SimLink(world="empty_room", setting=Setting(), seed=0), []
+    link, velocities = SimLink(world="empty_room", setting=SimulationConfig(), seed=0), []
     simulator, rows = link.simulator, result.telemetry.rows
     for i in range(0, len(rows), 8):
         simulator.tick(rows[i + 6], rows[i + 7])
@@ -39,7 +39,7 @@ def wheel_velocities(result: RunResult) -> list[tuple[tuple[float, float], float
 
 
 def bare(velocities: list[tuple[tuple[float, float], float]]) -> None:
-    simulator = SimLink(world="empty_room", setting=Setting(), seed=0).simulator
+    simulator = SimLink(world="empty_room", setting=SimulationConfig(), seed=0).simulator
     step, wheels = simulator.space.step, simulator.wheels
     for velocity, omega in velocities:
         wheels.velocity = velocity
@@ -73,5 +73,5 @@ def test_headless_square_keeps_most_of_the_speed_of_bare_pymunk() -> None:
     print(
         f"  bare pymunk, same space, same path     {theirs * 1e3:7.2f} ms  {robot_s / theirs:7.0f} x real time"
     )
-    print(f"  rate kept                              {ratio:7.2f}     at least {LEAST_RATIO}")
-    assert ratio >= LEAST_RATIO
+    print(f"  rate kept                              {ratio:7.2f}     at least {MIN_RATIO}")
+    assert ratio >= MIN_RATIO

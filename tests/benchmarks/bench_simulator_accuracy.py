@@ -13,7 +13,7 @@ import pytest
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import PIONEER_3DX, Pose2D, RobotLink, Setting
+from pinel_desktop.robot import PIONEER_3DX, Pose2D, RobotLink, SimulationConfig
 from sim.simulator import Simulator
 from tests.sim.rooms import box, boxes_depth_m, boxes_now, robot_depth_m, room
 
@@ -27,7 +27,7 @@ def true_pose(link: RobotLink) -> Pose2D:
     return pose
 
 
-def closing(name: str, setting: Setting, seed: int = 0) -> tuple[float, float]:
+def closing(name: str, setting: SimulationConfig, seed: int = 0) -> tuple[float, float]:
     """Where a closed figure truly ends: distance from its start in mm, heading in degrees."""
     program = read_document((PROGRAMS / f"{name}.json").read_bytes()).program
     assert program is not None
@@ -49,10 +49,10 @@ def test_figures_close() -> None:
     )
     print(f"  {'':<12}{'mm':>10}{'degrees':>10}{'pose by camera':>22}{'knows its wheels':>22}")
     for name in ("square", "triangle", "lemniscate"):
-        mm, degrees = closing(name, Setting())
+        mm, degrees = closing(name, SimulationConfig())
         cells = f"  {name:<12}{mm:10.4f}{degrees:10.5f}"
         for feedback in ("pose", "odometry"):
-            setting = Setting(preset="realistic", feedback=feedback)
+            setting = SimulationConfig(preset="realistic", feedback=feedback)
             ends = [closing(name, setting, seed) for seed in SEEDS]
             spread = p95([end[0] for end in ends]), p95([end[1] for end in ends])
             cells += f"{spread[0]:14.1f}{spread[1]:8.2f}"
@@ -116,8 +116,8 @@ link.sensors.scan()
 def test_simulator_takes_little_memory() -> None:
     def peak_mb(code: str) -> float:
         command = [sys.executable, "-c", f"{code}\n{PEAK}"]
-        told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-        return int(told.split()[-1]) / 1024.0
+        output = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        return int(output.split()[-1]) / 1024.0
 
     bare, ours = peak_mb(BARE), peak_mb(SIMULATES)
     print(

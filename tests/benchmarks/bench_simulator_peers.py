@@ -21,7 +21,7 @@ from pinel_desktop.execution.executor import execute
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import Setting
+from pinel_desktop.robot import SimulationConfig
 from sim.simulator import SUBSTEP_S, SUBSTEPS, Simulator
 from sim.world import world_document, world_from_document
 
@@ -62,7 +62,7 @@ class Plain(SimLink):
     """The link that reads no sensor."""
 
     def __init__(self, preset: Any = "ideal") -> None:
-        super().__init__(world=room(), setting=Setting(preset=preset), seed=0)
+        super().__init__(world=room(), setting=SimulationConfig(preset=preset), seed=0)
 
 
 class WithSonars(Plain):
@@ -99,16 +99,16 @@ def twists_of(program: Program) -> list[list[float]]:
 
 def timed(work: Callable[[], object]) -> Callable[[], float]:
     def seconds() -> float:
-        began = time.process_time()
+        start_s = time.process_time()
         work()
-        return time.process_time() - began
+        return time.process_time() - start_s
 
     return seconds
 
 
 def bare_pymunk(twists: list[list[float]]) -> Callable[[], None]:
     def drive() -> None:
-        simulator = Simulator(world_from_document(room()), Setting().robot)
+        simulator = Simulator(world_from_document(room()), SimulationConfig().robot)
         step, wheels = simulator.space.step, simulator.wheels
         for v, omega in twists:
             wheels.velocity = (v, 0.0)
@@ -131,19 +131,19 @@ def peer(script: str, twists: list[list[float]], *options: str) -> Iterator[Call
     ) as process:
         assert process.stdin is not None
         assert process.stdout is not None
-        told, heard = process.stdin, process.stdout
-        print(json.dumps({"twists": twists}), file=told, flush=True)
+        requests, output = process.stdin, process.stdout
+        print(json.dumps({"twists": twists}), file=requests, flush=True)
 
         def seconds() -> float:
-            print("go", file=told, flush=True)
-            answer = json.loads(heard.readline())
+            print("go", file=requests, flush=True)
+            answer = json.loads(output.readline())
             # wheels on a floor slip when nobody corrects them
             assert math.hypot(*answer["pose"][:2]) < 1.0
             assert 1.0 < min(distance for distance in answer["ranges"] if distance > 0.0) < 2.9
             return float(answer["seconds"])
 
         yield seconds
-        told.close()
+        requests.close()
 
 
 def test_square_with_16_beams_is_driven_faster_than_by_the_peers(square: Program) -> None:
@@ -155,7 +155,7 @@ def test_square_with_16_beams_is_driven_faster_than_by_the_peers(square: Program
         peer("on_mujoco.py", twists, "tuned") as tuned,
         peer("on_irsim.py", twists) as irsim,
     ):
-        ways = {
+        variants = {
             "pinel": timed(lambda: execute(square, WithSonars())),
             "pinel, no sensors": timed(lambda: execute(square, Plain())),
             "pinel, lidar": timed(lambda: execute(square, WithLidar())),
@@ -166,9 +166,11 @@ def test_square_with_16_beams_is_driven_faster_than_by_the_peers(square: Program
             "mujoco tuned": tuned,
             "ir-sim": irsim,
         }
-        rounds = [{name: way() for name, way in ways.items()} for _ in range(ROUNDS + 2)][2:]
-    times = {name: min(r[name] for r in rounds) for name in ways}
-    ratios = {name: times[name] / times["pinel"] for name in ways}
+        rounds = [
+            {name: variant() for name, variant in variants.items()} for _ in range(ROUNDS + 2)
+        ][2:]
+    times = {name: min(r[name] for r in rounds) for name in variants}
+    ratios = {name: times[name] / times["pinel"] for name in variants}
     lidar = times["pinel, lidar"] / times["pinel, no sensors"]
     _print_table(times, ratios, lidar, len(twists) / 30.0)
     assert ratios["ir-sim"] >= 15.0

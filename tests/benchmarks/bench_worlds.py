@@ -10,16 +10,16 @@ from typing import Any
 import pytest
 
 from sim.document import MAX_AREAS, MAX_BOXES, MAX_WALLS, WorldDocument
-from sim.reading import read_world
+from sim.parsing import read_world
 
 RADIUS_M = 0.2225
 PAIRS = 15
-LARGEST_RATIO = 15.0
+MAX_RATIO = 15.0
 
 Document = dict[str, Any]
 
 
-def largest(walls: list[Document]) -> Document:
+def max_size_world(walls: list[Document]) -> Document:
     """As many of everything as a document may hold; all boxes can be pushed."""
     places = [(-24 + i % 25 * 1.9, -23 + i // 25 * 2) for i in range(MAX_BOXES)]
     return {
@@ -70,7 +70,7 @@ def seconds(work: Callable[[], object]) -> float:
 def test_reading_costs_at_most_fifteen_times_json_and_models(
     name: str, walls: list[Document], n_faults: int
 ) -> None:
-    text = json.dumps(largest(walls))
+    text = json.dumps(max_size_world(walls))
     assert len(read_world(text, robot_radius_m=RADIUS_M).faults) == n_faults
     pairs = [
         (
@@ -82,6 +82,6 @@ def test_reading_costs_at_most_fifteen_times_json_and_models(
     bare, ours = (statistics.median(side) for side in zip(*pairs, strict=True))
     print(
         f"\n{MAX_WALLS} walls ({name}, {len(text) / 1e3:.0f} kB): json.loads and pydantic {bare * 1e3:.1f} ms, "
-        f"reading with all faults {ours * 1e3:.1f} ms, ratio {ours / bare:.1f}, at most {LARGEST_RATIO}"
+        f"reading with all faults {ours * 1e3:.1f} ms, ratio {ours / bare:.1f}, at most {MAX_RATIO}"
     )
-    assert ours / bare <= LARGEST_RATIO
+    assert ours / bare <= MAX_RATIO

@@ -4,29 +4,29 @@ from pathlib import Path
 
 import numpy as np
 
-from pinel_desktop.camera.recording import RecordedHand, write_recording
-from pinel_desktop.gestures.movements import Glimpse, Movement, MovementWatch
+from pinel_desktop.camera.landmark_sequence import RecordedHand, write_landmark_sequence
+from pinel_desktop.gestures.movements import HandObservation, Movement, MovementSegmenter
 from pinel_desktop.gestures.training import moving_hands as hands
 from pinel_desktop.gestures.training.moving_hands import Model
-from pinel_desktop.gestures.training.moving_hands import Path as Way
+from pinel_desktop.gestures.training.moving_hands import Path as MotionPath
 from tests.camera.taught_hands import shown
 
 N_EMPTY = 8  # frames without a hand, so that the recording's end is not a movement to its beginning
 
 
-def glimpses(letter: str, way: tuple[Way, float], seed: int) -> list[Glimpse]:
+def observations(letter: str, motion: tuple[MotionPath, float], seed: int) -> list[HandObservation]:
     """A video of the hand that shows a letter at rest, on a way."""
     model = Model.of(np.stack([hand.features for hand in shown(letter)]))
-    return hands.signed(model, *way, np.random.default_rng(seed))
+    return hands.signed(model, *motion, np.random.default_rng(seed))
 
 
-def movements(letter: str, way: tuple[Way, float], seeds: range) -> list[Movement]:
+def movements(letter: str, motion: tuple[MotionPath, float], seeds: range) -> list[Movement]:
     """What is cut out of such videos."""
     found = []
     for seed in seeds:
-        watch = MovementWatch()
-        seen = (watch.see(one) for one in glimpses(letter, way, seed))
-        found += [movement for movement in seen if movement is not None]
+        segmenter = MovementSegmenter()
+        results = (segmenter.update(one) for one in observations(letter, motion, seed))
+        found += [movement for movement in results if movement is not None]
     return found
 
 
@@ -35,13 +35,15 @@ def packed(movements: list[Movement]) -> bytes:
     return np.stack(movements).astype("<f2").tobytes()
 
 
-def write_moving_hand(path: Path, letter: str, way: tuple[Way, float], seeds: range) -> Path:
+def write_moving_hand(
+    path: Path, letter: str, motion: tuple[MotionPath, float], seeds: range
+) -> Path:
     """A recording of such videos, one after the other."""
     frames: list[RecordedHand | None] = []
     features = [hand.features for hand in shown(letter)]
     for seed in seeds:
-        for i, one in enumerate(glimpses(letter, way, seed)):
+        for i, one in enumerate(observations(letter, motion, seed)):
             frames.append(RecordedHand(one.points, features[i % len(features)], one.is_left))
         frames += [None] * N_EMPTY
-    write_recording(path, frames)
+    write_landmark_sequence(path, frames)
     return path

@@ -5,7 +5,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pinel_desktop.camera.recording import RecordedHand, read_recording, write_recording
+from pinel_desktop.camera.landmark_sequence import (
+    RecordedHand,
+    read_landmark_sequence,
+    write_landmark_sequence,
+)
 
 RECORDINGS = Path(__file__).parent / "recordings"
 N_FRAMES = 60
@@ -14,7 +18,7 @@ _NOISE = 0.01
 
 def shown(letter: str) -> list[RecordedHand]:
     """The frames of a recording in which there is a hand."""
-    frames = read_recording(RECORDINGS / f"{letter.lower()}.npz")
+    frames = read_landmark_sequence(RECORDINGS / f"{letter.lower()}.npz")
     return [hand for hands in frames for hand in hands]
 
 
@@ -23,7 +27,7 @@ def packed(hands: list[RecordedHand]) -> bytes:
     return np.stack([hand.features for hand in hands]).astype("<f2").tobytes()
 
 
-def write_strange_hand(path: Path) -> Path:
+def write_unknown_hand(path: Path) -> Path:
     """Between A and B, at rest, with a little noise in each frame."""
     first, second = shown("A")[0], shown("B")[0]
     chance = np.random.default_rng(5)
@@ -34,5 +38,5 @@ def write_strange_hand(path: Path) -> Path:
         features: NDArray[np.float32] = (middle + noise).astype(np.float32)
         return RecordedHand(first.points, features, is_left=False)
 
-    write_recording(path, [frame() for _ in range(N_FRAMES)])
+    write_landmark_sequence(path, [frame() for _ in range(N_FRAMES)])
     return path

@@ -14,15 +14,15 @@ import psutil
 import pytest
 
 from pinel_desktop.camera import sample_recording
-from pinel_desktop.camera.client import Camera, CameraState
-from pinel_desktop.camera.recording import read_recording, write_recording
+from pinel_desktop.camera.client import CameraClient, CameraState
+from pinel_desktop.camera.landmark_sequence import read_landmark_sequence, write_landmark_sequence
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.gestures.features import N_FEATURES
 from pinel_desktop.gestures.training import moving_hands as hands
 from pinel_desktop.processes.heartbeat import HangTimeouts
 from tests.camera.moving_hands import movements, write_moving_hand
 from tests.camera.moving_hands import packed as packed_movements
-from tests.camera.taught_hands import packed, shown, write_strange_hand
+from tests.camera.taught_hands import packed, shown, write_unknown_hand
 from tests.in_time import in_time
 
 pytestmark = pytest.mark.waits
@@ -36,12 +36,12 @@ class Harness:
     """A camera with what it told in queues."""
 
     def __init__(self, source: str = str(RECORDINGS / "b.npz"), **options: Any) -> None:
-        self.seen: queue.Queue[dict[str, Any]] = queue.Queue()
+        self.events: queue.Queue[dict[str, Any]] = queue.Queue()
         self.states: queue.Queue[CameraState] = queue.Queue()
         self.answers: queue.Queue[tuple[str, Capture]] = queue.Queue()
-        self.camera = Camera(
+        self.camera = CameraClient(
             source,
-            self.seen.put,
+            self.events.put,
             self.states.put,
             lambda run, capture: self.answers.put((run, capture)),
             **options,
@@ -80,7 +80,7 @@ def wait_for(holds: Callable[[], object]) -> None:
 
 def test_capture_is_answered_with_what_is_shown_and_how_sure_that_is(harness: Harness) -> None:
     for expected in ("B", "A"):
-        harness.camera.choose(str(RECORDINGS / f"{expected.lower()}.npz"))
+        harness.camera.set_source(str(RECORDINGS / f"{expected.lower()}.npz"))
         harness.event("capture_started")
         run, capture = harness.answers.get(timeout=WAIT_S)
         harness.event("gesture_result")
@@ -91,7 +91,7 @@ def test_capture_is_answered_with_what_is_shown_and_how_sure_that_is(harness: Ha
 
 
 def test_capture_that_a_person_answers_is_not_answered_again(harness: Harness) -> None:
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.until("on")
     harness.event("capture_started")
     harness.event("gesture_result")
@@ -111,13 +111,13 @@ def test_paused_run_takes_no_answer_until_it_goes_on(harness: Harness) -> None:
 def test_what_is_seen_is_told_at_most_ten_times_a_second_and_never_as_a_picture(
     harness: Harness,
 ) -> None:
-    harness.camera.use()
-    began = harness.seen.get(timeout=WAIT_S)
-    began_s, n = time.monotonic(), 0
-    while time.monotonic() - began_s < 2.0:
-        event = harness.seen.get(timeout=WAIT_S)
+    harness.camera.switch_on()
+    first = harness.events.get(timeout=WAIT_S)
+    start_s, n = time.monotonic(), 0
+    while time.monotonic() - start_s < 2.0:
+        event = harness.events.get(timeout=WAIT_S)
         steady, moved = {"label", "progress"}, {"moved", "moved_confidence"}
-        assert set(event) == set(began) == {"type", "hands", "aspect"} | steady | moved
+        assert set(event) == set(first) == {"type", "hands", "aspect"} | steady | moved
         assert all(
             0.0 <= value <= 1.0 for hand in event["hands"] for p in hand["points"] for value in p
         )
@@ -126,7 +126,7 @@ def test_what_is_seen_is_told_at_most_ten_times_a_second_and_never_as_a_picture(
 
 
 def test_preview_is_a_stream_of_pictures(harness: Harness) -> None:
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.until("on")  # a preview ends where none comes for a while
     pictures = harness.camera.previews()
     for _ in range(3):
@@ -135,18 +135,18 @@ def test_preview_is_a_stream_of_pictures(harness: Harness) -> None:
 
 
 def test_process_starts_without_the_camera_and_the_camera_goes_off_after_its_last_use() -> None:
-    harness = Harness(linger_s=0.5)
-    harness.camera.wake()
+    harness = Harness(idle_off_s=0.5)
+    harness.camera.start()
     assert harness.camera.wait_until_ready(WAIT_S)
     assert harness.camera.state.mode == "off"
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.until("on")
     harness.until("off")
     harness.camera.close()
 
 
 def test_killed_process_is_told_and_the_next_one_answers_the_capture(harness: Harness) -> None:
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.until("on")
     wait_for(lambda: old_enough(harness.camera.pid))
     os.kill(harness.camera.pid or 0, signal.SIGKILL)
@@ -158,7 +158,7 @@ def test_killed_process_is_told_and_the_next_one_answers_the_capture(harness: Ha
 
 
 def test_process_that_hangs_is_replaced(harness: Harness) -> None:
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.until("on")
     wait_for(lambda: old_enough(harness.camera.pid))
     before = harness.camera.pid or 0
@@ -170,7 +170,7 @@ def test_process_that_hangs_is_replaced(harness: Harness) -> None:
 
 
 def test_process_that_hangs_while_the_camera_is_off_is_replaced_too(harness: Harness) -> None:
-    harness.camera.wake()
+    harness.camera.start()
     assert harness.camera.wait_until_ready(WAIT_S)
     wait_for(lambda: old_enough(harness.camera.pid))
     before = harness.camera.pid or 0
@@ -180,22 +180,22 @@ def test_process_that_hangs_while_the_camera_is_off_is_replaced_too(harness: Har
 
 
 def test_process_that_hangs_before_the_camera_is_on_holds_up_nobody(harness: Harness) -> None:
-    harness.camera.wake()
+    harness.camera.start()
     assert harness.camera.wait_until_ready(WAIT_S)
     wait_for(lambda: old_enough(harness.camera.pid))
     os.kill(harness.camera.pid or 0, signal.SIGSTOP)
-    began_s = time.monotonic()
+    start_s = time.monotonic()
     hands = packed(shown("B")[:10])
-    harness.camera.know((("B", 5 * hands, b""),))  # more than a pipe takes
+    harness.camera.set_taught_signs((("B", 5 * hands, b""),))  # more than a pipe takes
     harness.event("capture_started")
-    assert in_time(time.monotonic() - began_s, 1.0)
+    assert in_time(time.monotonic() - start_s, 1.0)
     assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
 
 
 def test_process_that_is_slow_to_start_is_left_its_time() -> None:
     timeouts = HangTimeouts(hang_timeout_s=1.0, busy_timeout_s=1.0)
     harness = Harness(command=talking(SLOW, then="pong"), timeouts=timeouts)
-    harness.camera.use()
+    harness.camera.switch_on()
     assert harness.camera.wait_until_ready(WAIT_S)
     pid = harness.camera.pid
     threading.Event().wait(1.5)
@@ -206,7 +206,7 @@ def test_process_that_is_slow_to_start_is_left_its_time() -> None:
 def test_process_that_never_starts_is_replaced() -> None:
     timeouts = HangTimeouts(start_timeout_s=0.5)
     harness = Harness(command=talking("time.sleep(600)"), timeouts=timeouts)
-    harness.camera.use()
+    harness.camera.switch_on()
     first = harness.camera.pid
     wait_for(lambda: harness.camera.pid != first)
     harness.camera.close()
@@ -221,20 +221,20 @@ if not pathlib.Path({str(repaired)!r}).exists():
 say('camera_ready')
 say('camera_state', state='on', code=None, params={{}})"""
     harness = Harness(command=talking(script, then="pong"))
-    harness.camera.use()
+    harness.camera.switch_on()
     assert not harness.camera.wait_until_ready(WAIT_S)
     assert harness.camera.state.problem is not None
     assert harness.camera.state.problem.code == "camera_process_lost"
-    told = [harness.states.get_nowait() for _ in range(4)]
-    assert [state.problem and state.problem.code for state in told] == [
+    states = [harness.states.get_nowait() for _ in range(4)]
+    assert [state.problem and state.problem.code for state in states] == [
         *3 * ["camera_process_died"],
         "camera_process_lost",
     ]
-    harness.camera.use()
+    harness.camera.switch_on()
     assert not harness.camera.wait_until_ready(WAIT_S)
     assert harness.states.get_nowait().problem == harness.camera.state.problem
     repaired.touch()
-    harness.camera.use()
+    harness.camera.switch_on()
     assert harness.until("on").problem is None
     harness.camera.close()
 
@@ -249,14 +249,14 @@ def test_messages_that_are_none_are_passed_over() -> None:
         "say('camera_state', state='on', code=None, params={})",
     ]
     harness = Harness(command=talking("; ".join(garbage), then="pong"))
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.event("capture_started")
     assert harness.until("on").problem is None
     harness.camera.close()
 
 
 def test_an_order_that_is_none_is_passed_over(harness: Harness) -> None:
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.until("on")
     pid = harness.camera.pid
     for order in ({}, {"type": "want"}, {"type": "signs"}, {"type": "signs", "signs": [{}]}):
@@ -267,7 +267,7 @@ def test_an_order_that_is_none_is_passed_over(harness: Harness) -> None:
 
 
 def test_one_who_leaves_takes_the_picture_from_nobody(harness: Harness) -> None:
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.until("on")
     leaving, staying = harness.camera.previews(), harness.camera.previews()
     assert next(leaving)
@@ -279,25 +279,25 @@ def test_one_who_leaves_takes_the_picture_from_nobody(harness: Harness) -> None:
 
 
 def test_source_that_cannot_be_opened_is_told_and_another_can_be_chosen(harness: Harness) -> None:
-    harness.camera.choose("9")
+    harness.camera.set_source("9")
     harness.event("capture_started")
     problem = harness.until("failed").problem
     assert problem is not None
     assert problem.code == "camera_missing"
-    harness.camera.choose(str(RECORDINGS / "b.npz"))
+    harness.camera.set_source(str(RECORDINGS / "b.npz"))
     assert harness.answers.get(timeout=WAIT_S)[1].label == "B"
 
 
 def test_closing_ends_process_and_previews_within_two_seconds(harness: Harness) -> None:
-    harness.camera.use()
+    harness.camera.switch_on()
     harness.until("on")
     pictures = harness.camera.previews()
     next(pictures)
     pid = harness.camera.pid or 0
-    began_s = time.monotonic()
+    start_s = time.monotonic()
     harness.camera.close()
     assert list(pictures) == []
-    assert in_time(time.monotonic() - began_s, 2.0)
+    assert in_time(time.monotonic() - start_s, 2.0)
     assert not psutil.pid_exists(pid)
 
 
@@ -310,14 +310,14 @@ class TestTeaching:
     def test_what_a_class_taught_answers_and_says_so(
         self, harness: Harness, tmp_path: Path
     ) -> None:
-        strange = write_strange_hand(tmp_path / "strange.npz")
-        first = [hand for frame in read_recording(strange)[:10] for hand in frame]
-        harness.camera.know((("vai", packed(first), b""),))
-        harness.camera.choose(str(strange))
+        unknown_hand = write_unknown_hand(tmp_path / "strange.npz")
+        first = [hand for frame in read_landmark_sequence(unknown_hand)[:10] for hand in frame]
+        harness.camera.set_taught_signs((("vai", packed(first), b""),))
+        harness.camera.set_source(str(unknown_hand))
         harness.event("capture_started")
         _, capture = harness.answers.get(timeout=WAIT_S)
         assert (capture.label, capture.by) == ("vai", "taught")
-        harness.camera.choose(str(RECORDINGS / "b.npz"))
+        harness.camera.set_source(str(RECORDINGS / "b.npz"))
         harness.event("capture_started")
         _, capture = harness.answers.get(timeout=WAIT_S)
         assert (capture.label, capture.by) == ("B", "camera")
@@ -325,18 +325,18 @@ class TestTeaching:
     def test_what_is_not_taught_any_more_is_not_answered(
         self, harness: Harness, tmp_path: Path
     ) -> None:
-        harness.camera.know((("B", packed(shown("B")[:10]), b""),))
+        harness.camera.set_taught_signs((("B", packed(shown("B")[:10]), b""),))
         harness.event("capture_started")
         assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
-        harness.camera.know(())
+        harness.camera.set_taught_signs(())
         harness.event("capture_started")
         assert harness.answers.get(timeout=WAIT_S)[1].by == "camera"
 
     def test_the_process_that_takes_the_place_of_another_knows_it_too(
         self, harness: Harness
     ) -> None:
-        harness.camera.know((("B", packed(shown("B")[:10]), b""),))
-        harness.camera.use()
+        harness.camera.set_taught_signs((("B", packed(shown("B")[:10]), b""),))
+        harness.camera.switch_on()
         harness.until("on")
         wait_for(lambda: old_enough(harness.camera.pid))
         os.kill(harness.camera.pid or 0, signal.SIGKILL)
@@ -344,45 +344,45 @@ class TestTeaching:
         assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
 
     def test_ten_hands_at_rest_are_recorded(self, harness: Harness) -> None:
-        told: queue.Queue[tuple[bytes, ...]] = queue.Queue()
-        harness.camera.record(10, told.put, lambda: told.put(()))
+        updates: queue.Queue[tuple[bytes, ...]] = queue.Queue()
+        harness.camera.record(10, updates.put, lambda: updates.put(()))
         for n in range(1, 11):
-            samples = told.get(timeout=WAIT_S)
+            samples = updates.get(timeout=WAIT_S)
             assert len(samples) == n
         assert {len(sample) for sample in samples} == {2 * N_FEATURES}
         with pytest.raises(queue.Empty):
-            told.get(timeout=1.0)
+            updates.get(timeout=1.0)
 
     def test_a_recording_without_a_hand_is_given_up(
         self, harness: Harness, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     ) -> None:
-        monkeypatch.setattr(sample_recording, "_PATIENCE_S", 0.1)
+        monkeypatch.setattr(sample_recording, "_TIMEOUT_S", 0.1)
         nobody = tmp_path / "nobody.npz"
-        write_recording(nobody, [None])
-        harness.camera.choose(str(nobody))
+        write_landmark_sequence(nobody, [None])
+        harness.camera.set_source(str(nobody))
         stopped = threading.Event()
         harness.camera.record(10, lambda samples: None, stopped.set)
         assert stopped.wait(WAIT_S)
 
 
 class TestSignsThatMove:
-    WAY = hands.letter_path("Z")
+    MOTION = hands.letter_path("Z")
 
     def test_five_movements_are_recorded_and_then_answer(
         self, harness: Harness, tmp_path: Path
     ) -> None:
-        harness.camera.choose(
-            str(write_moving_hand(tmp_path / "taught.npz", "B", self.WAY, range(5)))
+        harness.camera.set_source(
+            str(write_moving_hand(tmp_path / "taught.npz", "B", self.MOTION, range(5)))
         )
-        told: queue.Queue[tuple[bytes, ...]] = queue.Queue()
-        harness.camera.record(5, told.put, lambda: told.put(()), is_moving=True)
+        updates: queue.Queue[tuple[bytes, ...]] = queue.Queue()
+        harness.camera.record(5, updates.put, lambda: updates.put(()), is_moving=True)
         for n in range(1, 6):
-            samples = told.get(timeout=WAIT_S)
+            samples = updates.get(timeout=WAIT_S)
             assert len(samples) == n
         assert {len(sample) for sample in samples} == {2 * N_FEATURES}
-        harness.camera.know((("Z", b"", b"".join(samples)),))
-        other = write_moving_hand(tmp_path / "other.npz", "B", self.WAY, range(50, 54))
-        harness.camera.choose(str(other))
+        harness.camera.set_taught_signs((("Z", b"", b"".join(samples)),))
+        other = write_moving_hand(tmp_path / "other.npz", "B", self.MOTION, range(50, 54))
+        harness.camera.set_source(str(other))
         harness.event("capture_started")
         _, capture = harness.answers.get(timeout=WAIT_S)
         assert (capture.label, capture.by) == ("Z", "taught")
@@ -390,8 +390,8 @@ class TestSignsThatMove:
         assert 0.3 < capture.confidence <= 1.0
 
     def test_a_letter_at_rest_is_still_the_letter(self, harness: Harness) -> None:
-        taught = packed_movements(movements("B", self.WAY, range(5)))
-        harness.camera.know((("Z", b"", taught),))
+        taught = packed_movements(movements("B", self.MOTION, range(5)))
+        harness.camera.set_taught_signs((("Z", b"", taught),))
         harness.event("capture_started")
         _, capture = harness.answers.get(timeout=WAIT_S)
         assert (capture.label, capture.by) == ("B", "camera")

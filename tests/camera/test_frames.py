@@ -11,9 +11,13 @@ import pytest
 
 import pinel_desktop
 from pinel_desktop.camera.frames import FrameReader, as_rgb, open_reader
-from pinel_desktop.camera.recording import RecordedHand, read_recording, write_recording
+from pinel_desktop.camera.landmark_sequence import (
+    RecordedHand,
+    read_landmark_sequence,
+    write_landmark_sequence,
+)
 from pinel_desktop.errors import PinelError
-from pinel_desktop.gestures.features import N_SEEN, N_SHAPE
+from pinel_desktop.gestures.features import N_ACTIVATIONS, N_SHAPE
 
 pytestmark = pytest.mark.waits
 
@@ -91,9 +95,11 @@ def test_video_begins_again_at_its_end(tmp_path: Path) -> None:
 def test_recording_gives_hands_without_pictures(tmp_path: Path) -> None:
     path = tmp_path / "hands.npz"
     hand = RecordedHand(
-        np.full((21, 2), 100, np.float32), np.ones(N_SHAPE + N_SEEN, np.float32), is_left=True
+        np.full((21, 2), 100, np.float32),
+        np.ones(N_SHAPE + N_ACTIVATIONS, np.float32),
+        is_left=True,
     )
-    write_recording(path, [hand, None])
+    write_landmark_sequence(path, [hand, None])
     reader = open_reader(str(path))
     shots = list(islice(iter(reader.read, None), 3))
     assert [len(shot.hands or ()) for shot in shots] == [1, 0, 1]
@@ -106,7 +112,7 @@ def test_damaged_recording_is_refused(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "hands.npz"
     path.write_bytes(content)
     with pytest.raises(PinelError, match="camera_source_unreadable"):
-        read_recording(path)
+        read_landmark_sequence(path)
 
 
 def test_recording_of_another_shape_is_refused(tmp_path: Path) -> None:
@@ -114,10 +120,10 @@ def test_recording_of_another_shape_is_refused(tmp_path: Path) -> None:
     one: dict[str, Any] = {"is_there": np.ones(1, bool), "is_left": np.ones(1, bool)}
     np.savez(path, points=np.zeros((1, 20, 2)), features=np.zeros((1, 3)), **one)
     with pytest.raises(PinelError, match="camera_source_unreadable"):
-        read_recording(path)
+        read_landmark_sequence(path)
     np.savez(path, points=np.array([object()]), features=np.zeros((1, 3)), **one)
     with pytest.raises(PinelError, match="camera_source_unreadable"):
-        read_recording(path)
+        read_landmark_sequence(path)
 
 
 def test_source_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
@@ -164,9 +170,9 @@ def test_recording_of_what_is_no_number_is_refused(tmp_path: Path, wrong: float)
     for points, features in ((wrong, 0.0), (0.0, wrong)):
         hand = RecordedHand(
             np.full((21, 2), points, np.float32),
-            np.full(N_SHAPE + N_SEEN, features, np.float32),
+            np.full(N_SHAPE + N_ACTIVATIONS, features, np.float32),
             False,
         )
-        write_recording(tmp_path / "hand.npz", [hand])
+        write_landmark_sequence(tmp_path / "hand.npz", [hand])
         with pytest.raises(PinelError, match="camera_source_unreadable"):
-            read_recording(tmp_path / "hand.npz")
+            read_landmark_sequence(tmp_path / "hand.npz")

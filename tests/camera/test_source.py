@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pinel_desktop.camera import source as module
-from pinel_desktop.camera.frames import Shot
+from pinel_desktop.camera.frames import RawFrame
 from pinel_desktop.camera.source import CameraSource
 from pinel_desktop.errors import PinelError
 
@@ -16,8 +16,8 @@ WAIT_S = 10.0
 NOISE = np.random.default_rng(3)
 
 
-def noisy(brightness: int) -> Shot:
-    return Shot(NOISE.integers(brightness, brightness + 9, (48, 64, 3), np.uint8))
+def noisy(brightness: int) -> RawFrame:
+    return RawFrame(NOISE.integers(brightness, brightness + 9, (48, 64, 3), np.uint8))
 
 
 class Driver:
@@ -26,7 +26,7 @@ class Driver:
     is_live = True
 
     def __init__(self) -> None:
-        self.give: Callable[[], Shot | None] = lambda: noisy(120)
+        self.give: Callable[[], RawFrame | None] = lambda: noisy(120)
         self.n_opened, self.refuses = 0, False
         self.blocked = threading.Event()
 
@@ -36,7 +36,7 @@ class Driver:
         self.n_opened += 1
         return self
 
-    def read(self) -> Shot | None:
+    def read(self) -> RawFrame | None:
         time.sleep(0.005)
         return self.give()
 
@@ -113,7 +113,7 @@ def test_driver_that_blocks_for_ever_is_noticed(driver: Driver, camera: CameraSo
     assert camera.next_frame(0.0, WAIT_S)
     release = threading.Event()
 
-    def block() -> Shot | None:
+    def block() -> RawFrame | None:
         release.wait(WAIT_S)
         return None
 
@@ -127,7 +127,7 @@ def test_driver_that_fails_in_its_own_way_is_told_and_tried_again(
 ) -> None:
     assert camera.next_frame(0.0, WAIT_S)
 
-    def broken() -> Shot | None:
+    def broken() -> RawFrame | None:
         raise RuntimeError("select timeout")
 
     driver.give = broken

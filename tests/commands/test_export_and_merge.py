@@ -121,12 +121,12 @@ def test_what_another_pc_has_deleted_goes_only_when_that_is_asked_for(
     answer("export", stick, "--db", lab)
     answer("merge", stick, "--db", teacher)
     with open_store(lab) as store:
-        store.exchange.remove("classroom", store.classrooms.all()[0].id)
+        store.exchange.purge("classroom", store.classrooms.all()[0].id)
     path = answer("export", stick, "--db", lab)["path"]
-    told = pinel("merge", path, "--db", teacher)
-    assert told.exit_code == 0
-    assert "2 groups, 2 programs, 2 runs (5º B, Araras, Onças" in told.stdout
-    assert "--delete" in told.stdout
+    done = pinel("merge", path, "--db", teacher)
+    assert done.exit_code == 0
+    assert "2 groups, 2 programs, 2 runs (5º B, Araras, Onças" in done.stdout
+    assert "--delete" in done.stdout
     (file,) = answer("merge", path, "--db", teacher)["files"]
     assert (file["removed"], file["would_delete"]["groups"]) == ({}, 2)
     (file,) = answer("merge", path, "--db", teacher, "--delete")["files"]
@@ -179,8 +179,8 @@ def test_names_can_be_left_out(lab: Path, stick: Path, teacher: Path) -> None:
     octets = Path(exported["path"]).read_bytes()
     assert [name for name in ("Onças", "Araras", "Lab 7", "5º B") if name.encode() in octets] == []
     assert Path(exported["path"]).name.startswith("PINEL-no-names-")
-    assert "2 groups" in (told := pinel("merge", stick, "--db", teacher).stdout)
-    assert "without names" in told
+    assert "2 groups" in (output := pinel("merge", stick, "--db", teacher).stdout)
+    assert "without names" in output
     assert "without names" not in pinel("merge", stick, "--db", teacher).stdout
 
 

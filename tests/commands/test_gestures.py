@@ -83,12 +83,12 @@ def test_a_missing_network_is_said_in_words(
 
 def test_what_was_learnt_from_a_folder_is_measured_on_it(tmp_path: Path) -> None:
     table = make_photos(tmp_path)
-    kept, learnt = tmp_path / "recordings.npz", tmp_path / "letters.npz"
-    folder = (str(tmp_path), "--recordings", str(kept))
-    done = pinel("gestures", "train", *folder, "--output", str(learnt))
+    recordings, trained = tmp_path / "recordings.npz", tmp_path / "letters.npz"
+    folder = (str(tmp_path), "--recordings", str(recordings))
+    done = pinel("gestures", "train", *folder, "--output", str(trained))
     assert done.exit_code == 0
     assert "3 letters" in done.stdout
-    assert learnt.is_file()
+    assert trained.is_file()
     unseen = pinel("gestures", "evaluate", *folder, "--leave-one-source-out", str(table), "--json")
     report = json.loads(unseen.stdout)
     assert report["photos"] == 24
@@ -125,8 +125,8 @@ class TestTeach:
         done = pinel("gestures", "teach", "vai", hand, hand, wall, "--class", "5º b")
         assert done.exit_code == 2
         assert wall in done.stderr
-        (told,) = lines(done.stdout)
-        assert told == {
+        (report,) = lines(done.stdout)
+        assert report == {
             "class": "5º B",
             "sign": "vai",
             "is_moving": False,
@@ -139,8 +139,8 @@ class TestTeach:
     def test_a_camera_teaches_hands_at_rest_and_movements(
         self, classroom: str, tmp_path: Path
     ) -> None:
-        way = letter_path("Z")
-        recording = str(write_moving_hand(tmp_path / "z.npz", "B", way, range(5)))
+        path = letter_path("Z")
+        recording = str(write_moving_hand(tmp_path / "z.npz", "B", path, range(5)))
         for options, added in ((("--moving",), 5), ((), 10)):
             done = pinel(
                 "gestures", "teach", "z", "--class", classroom, "--camera", recording, *options
@@ -150,7 +150,7 @@ class TestTeach:
         assert self.taught(classroom) == {"Z": (10, 5)}
 
     @pytest.mark.parametrize(
-        "words",
+        "arguments",
         [
             ("J", "--class", "5º B"),
             ("J", "a.png", "--camera", "0", "--class", "5º B"),
@@ -163,9 +163,9 @@ class TestTeach:
         ],
     )
     def test_bad_input_is_told_and_nothing_is_taught(
-        self, classroom: str, words: tuple[str, ...]
+        self, classroom: str, arguments: tuple[str, ...]
     ) -> None:
-        done = pinel("gestures", "teach", *words)
+        done = pinel("gestures", "teach", *arguments)
         assert done.exit_code != 0
         assert done.stdout == ""
         assert done.stderr

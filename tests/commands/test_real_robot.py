@@ -12,7 +12,7 @@ import pytest
 
 from pinel_desktop.commands.real_robot import chosen_robot
 from pinel_desktop.errors import PinelError
-from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.robot.robot_profile import BridgeProfile
 from tests.commands.typed import SQUARE, pinel, run_json
 from tests.links.aurora import Aurora, free_port
 
@@ -103,11 +103,11 @@ def test_unclear_options_are_named_before_anything_moves(
 
 
 def test_addresses_and_keys_are_read_as_typed() -> None:
-    assert chosen_robot("bridge", (), "[::1]:6000", "1234") == BridgeRecord(
+    assert chosen_robot("bridge", (), "[::1]:6000", "1234") == BridgeProfile(
         host="::1", port=6000, key="1234"
     )
     chosen = chosen_robot("bridge", ("max_v_mps=0.5", "room.width_m=6"), None, None)
-    assert isinstance(chosen, BridgeRecord)
+    assert isinstance(chosen, BridgeProfile)
     assert (chosen.max_v_mps, chosen.room.width_m, chosen.port) == (0.5, 6.0, 5000)
     assert chosen_robot("sim", (), None, None) is None
     with pytest.raises(PinelError, match="unclear"):

@@ -46,11 +46,11 @@ def test_square_prints_the_object_of_the_language_and_ends_with_0() -> None:
 def test_run_is_kept_with_its_events_and_telemetry(home: Path) -> None:
     _, printed = run_json(SQUARE)
     with open_store(home / "pinel.db") as store:
-        kept = store.runs.get(printed["run_id"])
-        assert kept.state == "finished"
-        assert kept.telemetry_sha256 == printed["telemetry_sha256"]
-        assert kept.document is not None
-        assert kept.document["name"] == "square"
+        row = store.runs.get(printed["run_id"])
+        assert row.state == "finished"
+        assert row.telemetry_sha256 == printed["telemetry_sha256"]
+        assert row.document is not None
+        assert row.document["name"] == "square"
 
 
 def test_no_store_leaves_nothing_behind(home: Path) -> None:
@@ -174,9 +174,9 @@ def test_a_robot_that_believes_that_it_is_back_is_not_reported_to_be() -> None:
 
 
 def test_what_the_robot_is_said_to_know_of_where_it_is_has_its_errors() -> None:
-    words = " ".join(pinel("run", "--help").stdout.split())
-    assert "true pose" not in words
-    assert "a camera sees it, to about 1 mm" in words
+    help_text = " ".join(pinel("run", "--help").stdout.split())
+    assert "true pose" not in help_text
+    assert "a camera sees it, to about 1 mm" in help_text
 
 
 def test_what_is_passed_over_in_a_bare_list_is_said() -> None:
@@ -276,11 +276,11 @@ def test_for_people_it_prints_what_was_said_marked_and_kept() -> None:
 def test_seed_decides_what_is_drawn(home: Path) -> None:
     draw = {"action": "say", "text": {"op": "random_int", "args": [1, 1_000_000]}}
     text = json.dumps([draw, draw])
-    said = [
+    texts = [
         run_json("-", "--no-store", "--seed", str(seed), text=text)[1]["said"] for seed in (1, 1, 2)
     ]
-    assert said[0] == said[1] != said[2]
-    assert said[0][0] != said[0][1]
+    assert texts[0] == texts[1] != texts[2]
+    assert texts[0][0] != texts[0][1]
     assert (
         run_json("-", "--no-store", text=text)[1]["said"]
         == run_json("-", "--seed", "0", text=text)[1]["said"]
@@ -290,9 +290,9 @@ def test_seed_decides_what_is_drawn(home: Path) -> None:
 def test_answers_and_events_of_a_program_are_kept(home: Path) -> None:
     _, printed = run_json("-", "--answers", "Ana,0.5", text=json.dumps(TALKING))
     with open_store(home / "pinel.db") as store:
-        kept = store.runs.get(printed["run_id"])
+        row = store.runs.get(printed["run_id"])
         types = {event["type"] for event in store.runs.events(printed["run_id"])}
-    assert kept.state == "finished"
+    assert row.state == "finished"
     assert {"asked", "answered", "said", "marked", "watch"} <= types
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import psutil
 
-from tests.compatibility.kept_files import (
+from tests.compatibility.archived_files import (
     DATABASE,
     FILES,
     PIN,
@@ -28,7 +28,7 @@ from tests.web.browser import Browser, Stream
 
 SCHOOL = Path(tempfile.gettempdir()) / "pinel-school"  # its paths are stored in the database
 FIRST, SECOND, STICK = SCHOOL / "first", SCHOOL / "second", SCHOOL / "stick"
-TAKEN = STICK / "quadrado.pinel"
+PROGRAM_FILE = STICK / "quadrado.pinel"
 FAST = 10.0
 OWN_WORLD = {
     "pinel_world": 1,
@@ -101,15 +101,15 @@ class PcClient:
             yield str(self.do("POST", "runs", body)["id"]), stream
 
 
-def wait_for(stream: Stream, wanted: str) -> None:
+def wait_for(stream: Stream, expected: str) -> None:
     """Waits for an event of a type, a `run_state` by its state, or telemetry of a tick; for nothing with ""."""
-    if not wanted:
+    if not expected:
         return
-    kind, _, tick = wanted.partition(" ")
+    kind, _, tick = expected.partition(" ")
     for event in stream.events():
         if kind in (event["type"], event.get("state")) and event.get("tick", 0) >= int(tick or 0):
             return
-    raise AssertionError(f"the stream ended before {wanted}")
+    raise AssertionError(f"the stream ended before {expected}")
 
 
 @contextmanager
@@ -200,10 +200,10 @@ def debugging(client: PcClient, classroom: str) -> None:
     content = blocks("stairs")
     turns = block_ids(content["document"], "turn")
     version = client.save(client.program(client.group("Passos", classroom), "Escada"), content)
-    look = ("running", "subscribe", {"sensors": ["sonar", "lidar"]})
-    pause, go_on = ("telemetry 20", "pause", None), ("paused", "resume", None)
+    subscribe = ("running", "subscribe", {"sensors": ["sonar", "lidar"]})
+    pause, resume = ("telemetry 20", "pause", None), ("paused", "resume", None)
     faster = ("running", "speed", {"factor": FAST})
-    client.run(version, look, pause, go_on, faster, speed=1.0)
+    client.run(version, subscribe, pause, resume, faster, speed=1.0)
     steps = [("paused", "step", {"mode": mode}) for mode in ("into", "over", "into", "out")]
     no_more: Act = ("paused", "breakpoints", {"blocks": []})
     at_once = ("", "resume", None)
@@ -253,9 +253,9 @@ def noon(stick: str) -> str:
             wait_for(stream, "telemetry 110")
             kill_engine(app)
             wait_for(stream, "run_ended")
-        taken = client.do("GET", f"groups/{groups['Os Robôs']}/programs")["programs"]
-        (program,) = [one["id"] for one in taken if one["name"] == "Quadrado"]
-        TAKEN.write_bytes(client.browser.get(f"/api/programs/{program}/file").body)
+        programs = client.do("GET", f"groups/{groups['Os Robôs']}/programs")["programs"]
+        (program,) = [one["id"] for one in programs if one["name"] == "Quadrado"]
+        PROGRAM_FILE.write_bytes(client.browser.get(f"/api/programs/{program}/file").body)
         return str(client.do("POST", "bundles", {"folder": str(STICK)})["path"])
 
 
@@ -266,10 +266,10 @@ def kill_engine(app: AppProcess) -> None:
     engine.kill()
 
 
-def elsewhere(stick: str) -> None:
+def at_second_pc(stick: str) -> None:
     """A group continues at the second PC, where another group is deleted for good."""
     with app_on(SECOND) as (_, client):
-        brought = bring_program(client.browser, TAKEN.read_bytes())
+        brought = bring_program(client.browser, PROGRAM_FILE.read_bytes())
         version = client.save(brought["program_id"], blocks("slalom"))
         client.run(version, world="slalom")
         client.do("POST", "bundles/merge", {"paths": [stick]})
@@ -285,11 +285,11 @@ def evening() -> None:
         (program,) = [one["id"] for one in programs if one["name"] == "Quadrado"]
         version = client.save(program, blocks("triangle"))
         client.run(version)
-    keep = ("--db", FIRST / DATABASE, "run")
+    options = ("--db", FIRST / DATABASE, "run")
     answers = ("--gestures", "B,", "--answers", "Ana,11", "--world", "furnished_room")
-    pinel(*keep, PROGRAMS / "every_command.py", *answers)
-    pinel(*keep, PROGRAMS / "original.json", "--gestures", "C", "--preset", "realistic")
-    pinel(*keep, PROGRAMS / "conversation.py", "--answers", "Ana")  # one is missing
+    pinel(*options, PROGRAMS / "every_command.py", *answers)
+    pinel(*options, PROGRAMS / "original.json", "--gestures", "C", "--preset", "realistic")
+    pinel(*options, PROGRAMS / "conversation.py", "--answers", "Ana")  # one is missing
     with app_on(FIRST) as (app, client):
         kill_in_a_run(app, client, version)
 
@@ -306,5 +306,5 @@ def play() -> None:
     shutil.rmtree(SCHOOL, ignore_errors=True)
     STICK.mkdir(parents=True)
     morning()
-    elsewhere(noon(neighbours()))
+    at_second_pc(noon(neighbours()))
     evening()

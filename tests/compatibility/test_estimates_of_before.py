@@ -9,8 +9,8 @@ from pinel_desktop.activities import RecordedRun, RunLog, check_program
 from pinel_desktop.program.reading import read_document
 from storage import open_for_reading
 from tests.activities.test_checks import activity
-from tests.compatibility import kept_files as kept
-from tests.compatibility.kept_files import DATABASE
+from tests.compatibility import archived_files as kept
+from tests.compatibility.archived_files import DATABASE
 
 ESTIMATE_M = 1.1589980098775377e-06  # truly 0.050 m
 

@@ -12,8 +12,8 @@ import pytest
 
 from storage import open_store
 from storage.sql import opened
-from tests.compatibility import kept_files as kept
-from tests.compatibility.kept_files import DATABASE
+from tests.compatibility import archived_files as kept
+from tests.compatibility.archived_files import DATABASE
 
 SUMMARY = kept.recorded("summary")
 RESULTS = kept.recorded("results")
@@ -44,8 +44,8 @@ def app_was_there(
     """The database after the app had it open, and what the app told of it."""
     home = kept.unpack("database", tmp_path_factory.mktemp("database"))
     with kept.opened(home) as browser:
-        told = kept.told(browser)
-    return home / DATABASE, told
+        report = kept.reported(browser)
+    return home / DATABASE, report
 
 
 def differences(now: Any, then: Any, within: float = 0.0, place: str = "") -> list[str]:
@@ -123,12 +123,12 @@ def test_an_anonymous_bundle_stays_anonymous_and_so_is_one_of_now(home: Path) ->
         kept.merged(home / f"{bundle.stem}.db", bundle)
         octets = bundle.read_bytes() + (home / f"{bundle.stem}.db").read_bytes()
         found[bundle.stem] = {
-            text for text in texts if any(form in octets for form in _as_kept(text))
+            text for text in texts if any(form in octets for form in _stored_forms(text))
         }
     assert found == {"all": texts, "anonymous": set(), "now": set()}
 
 
-def _as_kept(text: str) -> tuple[bytes, bytes]:
+def _stored_forms(text: str) -> tuple[bytes, bytes]:
     return text.encode(), json.dumps(text)[1:-1].encode()
 
 
@@ -138,7 +138,7 @@ def test_a_program_that_was_taken_along_comes_in(home: Path) -> None:
 
 # the distance of a realistic robot from the start was its estimate, which has a name of its own now
 # (`execution.semantics`, 3 and 4)
-TOLD_OTHERWISE = {
+CHANGED_RESULTS = {
     "stairs": {
         "closing_error_m": 0.6737980225537294,
         "estimated_closing_error_m": RESULTS["stairs"]["result"]["closing_error_m"],
@@ -148,7 +148,7 @@ TOLD_OTHERWISE = {
 
 @pytest.mark.parametrize(("name", "file"), ONCE_EACH, ids=[file.name for _, file in ONCE_EACH])
 def test_a_program_is_read_and_runs_as_it_did(name: str, file: Path) -> None:
-    then = {**RESULTS[name]["result"], **TOLD_OTHERWISE.get(name, {})}
+    then = {**RESULTS[name]["result"], **CHANGED_RESULTS.get(name, {})}
     within = 0.0 if IS_THE_PLATFORM else ANOTHER_PLATFORM_WITHIN
     if not IS_THE_PLATFORM:
         del then["telemetry_sha256"]

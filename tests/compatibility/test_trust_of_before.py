@@ -7,8 +7,8 @@ import pytest
 
 from storage import open_store
 from tests.attacks.forging import Pc
-from tests.compatibility import kept_files as kept
-from tests.compatibility.kept_files import DATABASE
+from tests.compatibility import archived_files as kept
+from tests.compatibility.archived_files import DATABASE
 
 THEN = json.loads((kept.FILES / "trust" / "runs.json").read_text("utf-8"))
 RUNS = THEN["runs"]

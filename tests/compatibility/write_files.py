@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from storage import open_store
-from tests.compatibility import kept_files as kept
-from tests.compatibility.kept_files import DATABASE, FILES, SAMPLES, pinel
-from tests.compatibility.school_day import FIRST, SCHOOL, SECOND, TAKEN, play
+from tests.compatibility import archived_files as kept
+from tests.compatibility.archived_files import DATABASE, FILES, SAMPLES, pinel
+from tests.compatibility.school_day import FIRST, PROGRAM_FILE, SCHOOL, SECOND, play
 
 
 def export(database: Path, name: str, *options: str) -> None:
@@ -34,7 +34,7 @@ def pack_all() -> None:
     """The first PC's files after the power cut, the backup, and bundles of both PCs."""
     for file in (FIRST / DATABASE, FIRST / f"{DATABASE}-wal", *(FIRST / "backups").glob("*.db")):
         pack(f"database/{file.relative_to(FIRST)}", file.read_bytes())
-    pack("bundles/program.pinel", TAKEN.read_bytes())
+    pack("bundles/program.pinel", PROGRAM_FILE.read_bytes())
     database = kept.unpack("database", SCHOOL / "copy") / DATABASE
     export(database, "all")
     export(database, "class", "--class", "6º A")
@@ -62,14 +62,14 @@ def summary(folder: Path) -> dict[str, Any]:
     with open_store(home / DATABASE) as store:
         found = store.exchange.content_hash()
     with kept.opened(home) as browser:
-        told = kept.told(browser)
-    for run in told["runs"]:
+        report = kept.reported(browser)
+    for run in report["runs"]:
         if run["reason"] == "interrupted":
             del run["ended_at"]  # for the last run this is the time of the restart
-    verdicts = {run["id"]: kept.verdict(home / DATABASE, run["id"]) for run in told["runs"]}
+    verdicts = {run["id"]: kept.verdict(home / DATABASE, run["id"]) for run in report["runs"]}
     return {
         "platform": kept.platform_of_figures(),
-        "database": {"content_hash": found, **told},
+        "database": {"content_hash": found, **report},
         "verdicts": verdicts,
         "backup": kept.backup_restored(folder / "backup"),
         "merged": kept.all_merged(folder / "merged"),
@@ -101,8 +101,8 @@ def results() -> dict[str, Any]:
         signs = ["--gestures", ",".join(values["gestures"])] if "gestures" in values else []
         options[file.name.removesuffix(".values.json")] = named + signs
     return {
-        name: {"options": words, "result": kept.result(kept.sources(name)[0], words)}
-        for name, words in options.items()
+        name: {"options": arguments, "result": kept.result(kept.sources(name)[0], arguments)}
+        for name, arguments in options.items()
     }
 
 

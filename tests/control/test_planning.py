@@ -54,8 +54,8 @@ def test_around_a_wall_it_is_hardly_longer_than_it_must_be() -> None:
     assert path is not None
     assert path[-1] == (2, 0)
     assert path_clearance([(0, 0), *path], as_array([*ROOM, wall])) >= RADIUS_M + TIGHT_M
-    shortest = 2 * math.hypot(1.0, 1.0 + RADIUS_M)
-    assert shortest <= length((0, 0), path) < 1.15 * shortest
+    min_length = 2 * math.hypot(1.0, 1.0 + RADIUS_M)
+    assert min_length <= length((0, 0), path) < 1.15 * min_length
 
 
 def test_through_a_door_that_just_fits_and_not_through_a_smaller_one() -> None:

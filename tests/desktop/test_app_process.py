@@ -12,7 +12,7 @@ import pytest
 
 from pinel_desktop.desktop.app_process import AppProcess
 from pinel_desktop.errors import PinelError
-from pinel_desktop.instance import AlreadyRunningError, Instance
+from pinel_desktop.instance import AlreadyRunningError, InstanceLock
 
 
 class Behind:
@@ -20,7 +20,7 @@ class Behind:
 
     def __init__(self, database: Path) -> None:
         self.shown, self.lost = threading.Event(), threading.Event()
-        self.lock = Instance(database)
+        self.lock = InstanceLock(database)
         self.lock.acquire()
         self.app = AppProcess(database, on_show=self.shown.set, on_lost=self.lost.set)
 
@@ -66,7 +66,7 @@ def test_a_second_start_finds_it_and_asks_for_the_window(behind: Behind, databas
     behind.app.start()
     behind.app.language()
     with pytest.raises(AlreadyRunningError) as second:
-        Instance(database).acquire()
+        InstanceLock(database).acquire()
     second.value.running.show()
     assert behind.shown.wait(10)
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from pinel_desktop.desktop.policy import fitted_size, may_open, verdict_on
+from pinel_desktop.desktop.policy import decide_navigation, fitted_size, may_open
 
 OWN = "http://127.0.0.1:40123/?key=abc"
 
@@ -48,7 +48,7 @@ def test_nothing_else_may_open(address: str) -> None:
     ],
 )
 def test_files_that_the_page_hands_out_are_saved_and_not_shown(address: str, verdict: str) -> None:
-    assert verdict_on(address, OWN) == verdict
+    assert decide_navigation(address, OWN) == verdict
 
 
 @pytest.mark.parametrize("screen", [(1366, 768), (1280, 1024), (1024, 768), (1440, 900)])
@@ -64,4 +64,4 @@ def test_a_large_screen_keeps_room_around_the_window() -> None:
 
 
 def test_the_window_may_never_be_larger_than_the_screen_asks_for() -> None:
-    assert fitted_size(800, 600).smallest == (800, 600)
+    assert fitted_size(800, 600).min_size == (800, 600)

@@ -14,14 +14,14 @@ from pinel_desktop.desktop.presenter import Presenter
 from pinel_desktop.messages import describe
 
 
-class Said(list[str]):
+class PrintedLines(list[str]):
     """Collects printed lines; `wait_for` waits for a line that contains the text."""
 
     def __init__(self) -> None:
         super().__init__()
         self._changed = threading.Condition()
 
-    def say(self, line: str) -> None:
+    def add(self, line: str) -> None:
         with self._changed:
             self.append(line)
             self._changed.notify_all()
@@ -32,8 +32,8 @@ class Said(list[str]):
 
 
 @pytest.fixture
-def said() -> Said:
-    return Said()
+def printed() -> PrintedLines:
+    return PrintedLines()
 
 
 @pytest.fixture
@@ -61,34 +61,42 @@ def fake_browser(folder: Path, script: str) -> str:
 
 
 def test_without_a_screen_the_address_is_printed_and_the_app_stays(
-    said: Said, addresses: Callable[[], str]
+    printed: PrintedLines, addresses: Callable[[], str]
 ) -> None:
     presenter = Presenter(
-        addresses, lambda: "en", say=said.say, give=said.say, pc=pc_without_gtk(None, screen=False)
+        addresses,
+        lambda: "en",
+        print_text=printed.add,
+        give=printed.add,
+        pc=pc_without_gtk(None, screen=False),
     )
     running = threading.Thread(target=presenter.run)
     running.start()
-    said.wait_for("Ctrl+C")
+    printed.wait_for("Ctrl+C")
     assert running.is_alive()
     presenter.close()
     running.join(10)
     assert not running.is_alive()
-    assert "There is no screen" in said[0]
-    assert "http://127.0.0.1:1/?key=1" in said
+    assert "There is no screen" in printed[0]
+    assert "http://127.0.0.1:1/?key=1" in printed
 
 
 def test_the_browser_takes_the_window_s_place_and_the_reason_is_said(
-    said: Said, addresses: Callable[[], str], tmp_path: Path
+    printed: PrintedLines, addresses: Callable[[], str], tmp_path: Path
 ) -> None:
     browser = fake_browser(tmp_path, f'printf "%s\\n" "$@" >"{tmp_path}/called"')
     presenter = Presenter(
-        addresses, lambda: "en", say=said.say, give=said.say, pc=pc_without_gtk(browser)
+        addresses,
+        lambda: "en",
+        print_text=printed.add,
+        give=printed.add,
+        pc=pc_without_gtk(browser),
     )
     presenter.run()
     assert presenter.backend == "browser"
     called = (tmp_path / "called").read_text("utf-8").splitlines()
     assert called[0] == "--app=http://127.0.0.1:1/?key=1"
-    assert said == [
+    assert printed == [
         "PINEL's own window does not open: the system's WebKit is missing or does not load (no WebKit2 here). "
         "Install or update it: sudo apt install python3-gi gir1.2-gtk-3.0 gir1.2-webkit2-4.1. "
         "If it stays so, get the newest PINEL."
@@ -96,36 +104,45 @@ def test_the_browser_takes_the_window_s_place_and_the_reason_is_said(
 
 
 def test_a_browser_that_dies_at_once_is_followed_by_an_address_of_its_own(
-    said: Said, addresses: Callable[[], str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    printed: PrintedLines,
+    addresses: Callable[[], str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     opened: list[str] = []
     monkeypatch.setattr("webbrowser.open", opened.append)
     presenter = Presenter(
         addresses,
         lambda: "pt-BR",
-        say=said.say,
-        give=said.say,
+        print_text=printed.add,
+        give=printed.add,
         pc=pc_without_gtk(fake_browser(tmp_path, "exit 3")),
     )
     running = threading.Thread(target=presenter.run)
     running.start()
-    said.wait_for("Ctrl+C")
+    printed.wait_for("Ctrl+C")
     presenter.close()
     running.join(10)
-    assert "status 3" in said[1]
+    assert "status 3" in printed[1]
     assert opened == ["http://127.0.0.1:1/?key=2"]
 
 
-def test_closing_ends_the_browser(said: Said, addresses: Callable[[], str], tmp_path: Path) -> None:
-    began = tmp_path / "began"
-    os.mkfifo(began)
-    browser = fake_browser(tmp_path, f'echo began >"{began}"; exec sleep 600')
+def test_closing_ends_the_browser(
+    printed: PrintedLines, addresses: Callable[[], str], tmp_path: Path
+) -> None:
+    started = tmp_path / "began"
+    os.mkfifo(started)
+    browser = fake_browser(tmp_path, f'echo began >"{started}"; exec sleep 600')
     presenter = Presenter(
-        addresses, lambda: "en", say=said.say, give=said.say, pc=pc_without_gtk(browser)
+        addresses,
+        lambda: "en",
+        print_text=printed.add,
+        give=printed.add,
+        pc=pc_without_gtk(browser),
     )
     running = threading.Thread(target=presenter.run)
     running.start()
-    began.read_text("utf-8")
+    started.read_text("utf-8")
     presenter.close()
     running.join(10)
     assert not running.is_alive()
@@ -137,7 +154,7 @@ def test_every_failure_has_a_remedy_in_every_language(language: str) -> None:
         "window_gtk_missing", "window_qt_missing", "window_webview2_missing", "window_failed",
         "window_browser_missing", "window_no_screen", "screen_virtual_missing",
     ):  # fmt: skip
-        words = describe(code, {"reason": "x", "backend": "y"}, language)
-        assert words.message != code
-        assert words.remedy
-        assert "{" not in words.message + words.remedy
+        text = describe(code, {"reason": "x", "backend": "y"}, language)
+        assert text.message != code
+        assert text.remedy
+        assert "{" not in text.message + text.remedy

@@ -14,10 +14,10 @@ from pinel_desktop.cli import main
 from pinel_desktop.desktop.backends import NoWindowError, Pc
 from pinel_desktop.desktop.self_check import RECORDED_SIGNS
 from pinel_desktop.doctor import examination
-from pinel_desktop.doctor.examination import Finding
+from pinel_desktop.doctor.examination import HealthCheckResult
 from pinel_desktop.messages import LANGUAGES, describe
 from storage import open_store
-from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
+from storage.exchange.backup_share import COPIES_BACKUPS, SHARED_FOLDER
 from storage.file.backups import list_backups, make_backup
 from storage.sqlite import sqlite3
 
@@ -206,7 +206,7 @@ def test_copies_in_the_shared_folder_are_told_with_the_time_of_the_newest(
     assert found() == ("ok", "doctor_copies_off")
     with open_store(backed_up) as store:
         store.settings.set(SHARED_FOLDER, str(tmp_path / "rede"))
-        store.settings.set(TAKES_BACKUPS, value=True)
+        store.settings.set(COPIES_BACKUPS, value=True)
         assert found() == ("warn", "doctor_copies_none")
         (tmp_path / "rede").mkdir()
         assert store.backup_share.update(20)
@@ -251,7 +251,7 @@ def test_free_space_is_judged_where_the_data_will_be(
 
 def test_sizes_are_whole_numbers_that_fit_every_language() -> None:
     sizes = (900, 25_000, 1_500_000_000, 83_400_000_000)
-    assert [examination.size_words(size) for size in sizes] == [
+    assert [examination.size_text(size) for size in sizes] == [
         "900 B",
         "25 kB",
         "1500 MB",
@@ -288,7 +288,7 @@ def test_a_camera_of_others_is_told_apart_from_none(
     assert camera.code == "doctor_camera_closed"
 
 
-def ros(folder: Path, *modules: str, **environ: str) -> Finding:
+def ros(folder: Path, *modules: str, **environ: str) -> HealthCheckResult:
     return examination._ros(environ, folder, lambda name: object() if name in modules else None)
 
 
@@ -378,12 +378,12 @@ def test_every_word_of_the_doctor_exists_in_every_language(language: str) -> Non
     )
     source = Path(examination.__file__).read_text("utf-8")
     codes = {
-        word.strip("\"',)(")
-        for word in source.replace("(", " ").split()
-        if word.startswith('"doctor_')
+        token.strip("\"',)(")
+        for token in source.replace("(", " ").split()
+        if token.startswith('"doctor_')
     }
     assert len(codes) > 15
     for code in codes:
-        words = describe(code, params, language)
-        assert words.message != code
-        assert "{" not in words.message + words.remedy
+        text = describe(code, params, language)
+        assert text.message != code
+        assert "{" not in text.message + text.remedy

@@ -37,13 +37,13 @@ def violations(studio: Studio, shows: str | Locator, *, every_theme: bool = True
     found = _found(page, "{}")
     if not every_theme:
         return found
-    seen = {first}
+    visited = {first}
     while _next_theme(page) != first:
-        seen.add(_theme(page))
+        visited.add(_theme(page))
         studio.wait_for_screen(shows)  # what fades has another contrast until then
         # the only rule that depends on the theme
         found += _found(page, "{ runOnly: ['color-contrast'] }")
-    assert seen == THEMES
+    assert visited == THEMES
     return found
 
 

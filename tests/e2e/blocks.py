@@ -8,7 +8,7 @@ from playwright.sync_api import Locator, Page, expect
 
 _WORKSPACE = ".blocklySvg .blocklyBlockCanvas"
 _NOTCH_PX = 8  # notch below a block, not part of its stacking height
-_MOUTH_PX = 16  # indentation of the body of a loop
+_STATEMENT_INPUT_PX = 16  # indentation of the body of a loop
 GRIP_PX = (20, 26)  # where a block is grabbed: on its icon
 
 
@@ -39,15 +39,15 @@ class Blocks:
 
     def all(self) -> Locator:
         """Every block, without shadow blocks."""
-        apart = ":not(.blocklyInsertionMarker):not(.blocklyShadow)"
-        return self._page.locator(f"{_WORKSPACE} .blocklyDraggable{apart}")
+        excluded = ":not(.blocklyInsertionMarker):not(.blocklyShadow)"
+        return self._page.locator(f"{_WORKSPACE} .blocklyDraggable{excluded}")
 
     def by_id(self, block: str) -> Locator:
         return self._page.locator(f'{_WORKSPACE} [data-id="{block}"]')
 
-    def by_words(self, words: str) -> Locator:
+    def by_text(self, text: str) -> Locator:
         """The innermost block with the text."""
-        return self.all().filter(has_text=words).last
+        return self.all().filter(has_text=text).last
 
     def start(self) -> Locator:
         return self.all().first
@@ -61,28 +61,28 @@ class Blocks:
     def loose(self) -> Locator:
         return self._page.locator(f"{_WORKSPACE} .pinelLoose:not(.blocklyShadow)")
 
-    def fault_words(self) -> Locator:
+    def fault_text(self) -> Locator:
         return self._page.locator(".blocklyTextBubble")
 
-    def in_flyout(self, words: str) -> Locator:
+    def in_flyout(self, text: str) -> Locator:
         """A block of the open category."""
         return self._page.locator(
-            ".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable", has_text=words
+            ".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable", has_text=text
         ).first
 
-    def drag_from_toolbox(self, category: str, words: str, to: Target) -> None:
+    def drag_from_toolbox(self, category: str, text: str, to: Target) -> None:
         """Drags a block out of its category."""
         before = self.all().count()
         self.open_category(category)
-        outline = self.in_flyout(words).locator("> .blocklyPath")
-        parts = self._parts(words)
+        outline = self.in_flyout(text).locator("> .blocklyPath")
+        parts = self._parts(text)
         self._drag(outline, to)
         expect(self.all()).to_have_count(before + parts)
 
-    def click_in_toolbox(self, category: str, words: str) -> None:
+    def click_in_toolbox(self, category: str, text: str) -> None:
         """Opens a category and clicks a block of it."""
         self.open_category(category)
-        self.click_in_flyout(words)
+        self.click_in_flyout(text)
 
     def open_category(self, name: str) -> None:
         """Clicks a category, unless its palette is open: a second click would close it."""
@@ -90,11 +90,11 @@ class Blocks:
         if category.get_attribute("aria-selected") != "true":
             category.click()
 
-    def click_in_flyout(self, words: str) -> None:
+    def click_in_flyout(self, text: str) -> None:
         """Clicks near the upper left corner, where a loop is no hole."""
-        wanted = self.all().count() + self._parts(words)
-        self.in_flyout(words).click(position={"x": 12, "y": 18})
-        expect(self.all()).to_have_count(wanted)
+        expected = self.all().count() + self._parts(text)
+        self.in_flyout(text).click(position={"x": 12, "y": 18})
+        expect(self.all()).to_have_count(expected)
 
     def drag(self, block: Locator, to: Target) -> None:
         """Moves a block of the workspace, with the blocks below it."""
@@ -109,7 +109,7 @@ class Blocks:
         return lambda: _place(block, lambda box: (0, box["height"] - _NOTCH_PX))
 
     def inside(self, loop: Locator, row_px: float = 50) -> Target:
-        return lambda: _place(loop, lambda box: (_MOUTH_PX, row_px))
+        return lambda: _place(loop, lambda box: (_STATEMENT_INPUT_PX, row_px))
 
     def beside(self, block: Locator, gap_px: float = 160) -> Target:
         return lambda: _place(block, lambda box: (box["width"] + gap_px, 40))
@@ -122,10 +122,10 @@ class Blocks:
         editor.press("Enter")
         expect(editor).to_have_count(0)
 
-    def choose(self, block: Locator, words: str) -> None:
+    def choose(self, block: Locator, text: str) -> None:
         """Picks an entry of the block's dropdown."""
         block.locator("> .blocklyDropdownField").first.click()
-        self._page.locator(".blocklyDropDownDiv .blocklyMenuItem", has_text=words).click()
+        self._page.locator(".blocklyDropDownDiv .blocklyMenuItem", has_text=text).click()
 
     def _drag(self, outline: Locator, to: Target) -> None:
         mouse = self._page.mouse
@@ -147,10 +147,10 @@ class Blocks:
             last, now = now, read()
         return now
 
-    def _parts(self, words: str) -> int:
+    def _parts(self, text: str) -> int:
         """Number of blocks that a block of the open category consists of."""
         inner = ".blocklyDraggable:not(.blocklyShadow)"
-        return 1 + self.in_flyout(words).locator(inner).count()
+        return 1 + self.in_flyout(text).locator(inner).count()
 
 
 def _place(block: Locator, offset: Callable[[Box], tuple[float, float]]) -> Place:

@@ -17,7 +17,7 @@ from tests.e2e.app_process import AppProcess
 from tests.e2e.delays import slower
 from tests.e2e.past_lesson import school_after
 from tests.e2e.review_school import Past, Teacher, play, sign_in
-from tests.e2e.studio import PATIENCE_MS, Studio
+from tests.e2e.studio import TIMEOUT_MS, Studio
 from tests.e2e.watch import Watch
 
 # Debian's headless shell, a third faster than the whole browser
@@ -27,7 +27,7 @@ CHROMIUM = (
     or "/usr/bin/chromium"
 )
 SCREEN = {"width": 1366, "height": 768}
-KEPT_BY_PAGE = [name for name, one in SETTINGS.items() if one.of_page and name != LANGUAGE]
+PAGE_SETTINGS = [name for name, one in SETTINGS.items() if one.of_page and name != LANGUAGE]
 ARTIFACTS = Path(__file__).parents[1] / "artifacts"
 
 OpenStudio = Callable[..., Studio]
@@ -49,7 +49,7 @@ def browser() -> Iterator[Browser]:
         sandbox = ["--no-sandbox"] if os.geteuid() == 0 else []
         # a tenth faster than the software GPU
         arguments = ["--disable-gpu", *sandbox]
-        expect.set_options(timeout=PATIENCE_MS)
+        expect.set_options(timeout=TIMEOUT_MS)
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
         yield browser
         browser.close()
@@ -93,7 +93,7 @@ def open_studio(
         cookies = None if link else app.signed_in
         settings = {"viewport": SCREEN, "locale": "pt-BR", "reduced_motion": "reduce", **options}
         context = browser.new_context(storage_state=cookies, **settings)
-        context.set_default_timeout(PATIENCE_MS)
+        context.set_default_timeout(TIMEOUT_MS)
         contexts.append(context)
         watch.over(context)
         studio = Studio(context.new_page())
@@ -110,10 +110,10 @@ def open_studio(
             contexts[-1],
         )  # a restart signs out the others
         assert newest.request.put(settings, data={"language": "pt-BR"}).ok
-        for name in KEPT_BY_PAGE:
+        for name in PAGE_SETTINGS:
             assert newest.request.put(f"{settings}/page", data={"name": name, "value": ""}).ok
     for number, context in enumerate(contexts):
-        _keep_picture(context, f"{request.node.name}-{number}", request)
+        _save_screenshot(context, f"{request.node.name}-{number}", request)
         context.close()
 
 
@@ -138,7 +138,7 @@ def open_pc(
                 viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
             )
             stack.callback(context.close)
-            context.set_default_timeout(PATIENCE_MS)
+            context.set_default_timeout(TIMEOUT_MS)
             watch.over(context)
             studio = Studio(context.new_page())
             studio.page.goto(link)
@@ -174,7 +174,7 @@ def pytest_runtest_makereport(
 _FAILED = pytest.StashKey[bool]()
 
 
-def _keep_picture(context: BrowserContext, name: str, request: pytest.FixtureRequest) -> None:
+def _save_screenshot(context: BrowserContext, name: str, request: pytest.FixtureRequest) -> None:
     """Saves a screenshot of a failed test."""
     if not request.node.stash.get(_FAILED, False):
         return

@@ -16,7 +16,7 @@ from pinel_desktop.web import early_server
 from pinel_desktop.web.server import Server, Wsgi
 from tests.e2e.delays import SEED
 
-_LEAST_S, _MOST_S = 0.2, 0.6
+_MIN_S, _MAX_S = 0.2, 0.6
 
 
 class LateAnswers:
@@ -35,7 +35,7 @@ class LateAnswers:
 
     def _delays(self) -> tuple[float, float]:
         with self._lock:
-            whole_s, part = self._random.uniform(_LEAST_S, _MOST_S), self._random.random()
+            whole_s, part = self._random.uniform(_MIN_S, _MAX_S), self._random.random()
         return whole_s * part, whole_s * (1 - part)
 
 

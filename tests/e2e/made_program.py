@@ -11,15 +11,15 @@ def enter_made_group(studio: Studio, *versions: list[Step], speed: float = 1.0) 
         versions: the steps of each, the oldest first.
         speed: how many times faster than the clock it runs, as chosen beside Run.
     """
-    group = studio.tell("POST", "/groups", {"name": studio.unique("Os Tatus")})["id"]
-    program = studio.tell("POST", f"/groups/{group}/programs", {"name": "Programa 1"})["id"]
+    group = studio.send("POST", "/groups", {"name": studio.unique("Os Tatus")})["id"]
+    program = studio.send("POST", f"/groups/{group}/programs", {"name": "Programa 1"})["id"]
     for steps in versions:
         version = {
             "workspace": workspace_of(steps),
             "document": document_of(steps),
             "setup": {"world": "empty_room", "speed": speed},
         }
-        studio.tell("POST", f"/programs/{program}/versions", version)
+        studio.send("POST", f"/programs/{program}/versions", version)
     studio.page.goto(f"{studio.origin}/#/program/{program}")
     studio.wait_until_open()
     studio.choose_level(3)

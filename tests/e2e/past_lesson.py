@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pinel_desktop.commands.world_file import choose_world
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import Event, RunEnded
-from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import Setting
-from storage import Recorder, RunStart, Store, open_for_reading, open_store
+from pinel_desktop.robot import SimulationConfig
+from storage import RunRecorder, RunStart, Store, open_for_reading, open_store
 from tests.attacks.damage import wait_until
 from tests.e2e.app_process import AppProcess
 
@@ -36,13 +36,13 @@ class PastLesson:
 
     def at(self, minute: float) -> None:
         """Sets the clock to a minute of the lesson, which begins at 0."""
-        self.now = BEGAN + timedelta(minutes=minute)
+        self.now = STARTED_AT + timedelta(minutes=minute)
 
     def group(self, name: str) -> "PastGroup":
         return PastGroup(self, name)
 
 
-BEGAN = datetime(2026, 11, 19, 13, 30, tzinfo=UTC)
+STARTED_AT = datetime(2026, 11, 19, 13, 30, tzinfo=UTC)
 
 
 @contextmanager
@@ -51,10 +51,10 @@ def past_lesson(home: Path) -> Iterator[PastLesson]:
     lesson: PastLesson | None = None
 
     def clock() -> datetime:
-        return lesson.now if lesson else BEGAN
+        return lesson.now if lesson else STARTED_AT
 
     with open_store(home / "pinel.db", clock=clock) as store:
-        lesson = PastLesson(store, BEGAN)
+        lesson = PastLesson(store, STARTED_AT)
         yield lesson
 
 
@@ -75,7 +75,7 @@ def school_after(
 def _waits_for_its_verdict(database: Path) -> bool:
     """Whether the app has still to judge a run that the lesson left unjudged."""
     with open_for_reading(database) as store:
-        return bool(store.checks.pending())
+        return bool(store.grading_results.pending())
 
 
 class PastGroup:
@@ -100,9 +100,9 @@ class PastGroup:
 
     def run(self, world: str = "empty_room", *, stop_at_s: float | None = None) -> str:
         """Runs the version in the simulator; `stop_at_s` ends the record there, as Stop does."""
-        chosen = choose_world(world, robot=Setting().model)
+        chosen = choose_world(world, robot=SimulationConfig().model)
         document = self._store.versions.get(self.version).document
-        begun = self._store.runs.begin(
+        started = self._store.runs.begin(
             RunStart(
                 link="sim",
                 world=world,
@@ -110,27 +110,27 @@ class PastGroup:
                 seed=0,
                 app_version="0.5",
                 version_id=self.version,
-                parameters=Setting().as_parameters(),
+                parameters=SimulationConfig().as_parameters(),
             )
         )
         assert document is not None
         program = read_document(document).program
         assert program is not None
-        observer = _Keeping(self._lesson, begun.id, stop_at_s)
-        link = open_link("sim", world=chosen.document, setting=Setting(), seed=0)
+        observer = _EventRecorder(self._lesson, started.id, stop_at_s)
+        link = open_link("sim", world=chosen.document, setting=SimulationConfig(), seed=0)
         execute(program, link, RunOptions(observer=observer))
-        return begun.id
+        return started.id
 
     def judged(self, run_id: str, *, passed: bool) -> None:
-        self._store.checks.record(run_id, passed, {"passed": passed})
+        self._store.grading_results.record(run_id, passed, {"passed": passed})
 
 
-class _Keeping:
+class _EventRecorder:
     """Records events and advances the lesson's clock with them."""
 
     def __init__(self, lesson: PastLesson, run_id: str, stop_at_s: float | None) -> None:
-        self._lesson, self._begun = lesson, lesson.now
-        self._record, self._stamp = Recorder(lesson.store), EventStamp(run_id)
+        self._lesson, self._started_at = lesson, lesson.now
+        self._record, self._stamp = RunRecorder(lesson.store), EventSequencer(run_id)
         self._stop_tick = None if stop_at_s is None else round(stop_at_s / TICK_S)
 
     def __call__(self, tick: int, event: Event) -> None:
@@ -145,7 +145,7 @@ class _Keeping:
                 params={},
                 duration_s=tick * TICK_S,
             )
-        self._lesson.now = self._begun + timedelta(seconds=tick * TICK_S)
+        self._lesson.now = self._started_at + timedelta(seconds=tick * TICK_S)
         self._record(self._stamp.wire(tick, event))
 
 

@@ -11,7 +11,7 @@ from playwright.sync_api import APIResponse, Locator, Page, Request, Response, R
 from tests.e2e.blocks import Blocks
 from tests.e2e.delays import slower
 
-PATIENCE_MS = 15_000 * slower()  # for one thing, on a busy PC
+TIMEOUT_MS = 15_000 * slower()  # for one thing, on a busy PC
 RUN_MS = 60_000 * slower()  # a run in real time
 SAVE_S = 10.0 * slower()
 POLL_MS = 50
@@ -32,12 +32,12 @@ _NUMBERS = itertools.count(1)
 
 # a picture or a stream may never end
 _FETCHED = {"document", "fetch", "script", "stylesheet", "xhr"}
-_CALM_LOOKS, _LOOK_MS = 2, 20  # what an answer leads to is asked for a moment later
+_N_IDLE_POLLS, _IDLE_POLL_MS = 2, 20  # what an answer leads to is asked for a moment later
 
 T = TypeVar("T")
 
 
-class UnderWay:
+class PendingRequests:
     """The requests of a page that are not answered yet."""
 
     def __init__(self, page: Page) -> None:
@@ -48,11 +48,11 @@ class UnderWay:
 
     def wait_for_none(self) -> None:
         """Waits until every answer is there. Raises AssertionError that names those that never come."""
-        deadline, calm = time.monotonic() + PATIENCE_MS / 1000, 0
-        while calm < _CALM_LOOKS:
+        deadline, calm = time.monotonic() + TIMEOUT_MS / 1000, 0
+        while calm < _N_IDLE_POLLS:
             assert time.monotonic() < deadline, [one.url for one in self._requests]
             calm = 0 if self._requests else calm + 1
-            self._page.wait_for_timeout(_LOOK_MS)
+            self._page.wait_for_timeout(_IDLE_POLL_MS)
 
     def _begin(self, request: Request) -> None:
         if request.is_navigation_request() and request.frame == self._page.main_frame:
@@ -70,7 +70,7 @@ class Studio:
     def __init__(self, page: Page) -> None:
         self.page = page
         self.blocks = Blocks(page)
-        self._under_way = UnderWay(page)
+        self._pending = PendingRequests(page)
 
     def __getitem__(self, test_id: str) -> Locator:
         return self.page.get_by_test_id(test_id)
@@ -84,7 +84,7 @@ class Studio:
         one = (self[shows] if isinstance(shows, str) else shows).first
         expect(one).to_be_visible()
         assert not one.evaluate(_IN_HEADER), f"{shows}: the header is on every screen"
-        self._under_way.wait_for_none()
+        self._pending.wait_for_none()
         self.page.evaluate(_TWO_FRAMES)
         self.page.wait_for_function(_AT_REST)
 
@@ -140,7 +140,7 @@ class Studio:
         """A GET request with the page's cookie."""
         return self._answer(path, self.page.context.request.get(f"{self.origin}/api{path}"))
 
-    def tell(self, method: str, path: str, data: Any = None) -> Any:
+    def send(self, method: str, path: str, data: Any = None) -> Any:
         """A request with the page's cookie."""
         send = self.page.context.request.fetch
         return self._answer(path, send(f"{self.origin}/api{path}", method=method, data=data))
@@ -149,7 +149,7 @@ class Studio:
         """Signs in as the teacher by a request, which sets the PIN where there is none yet."""
         has_pin = self.api("/teacher")["has_pin"]
         method, path = ("POST", "/teacher/enter") if has_pin else ("PUT", "/teacher/pin")
-        self.tell(method, path, {"pin": pin})
+        self.send(method, path, {"pin": pin})
 
     @property
     def origin(self) -> str:
@@ -166,12 +166,12 @@ class Studio:
         for place, value in enumerate(values):
             expect(locator.nth(place)).to_have_attribute(attribute, value)
 
-    def eventually(self, read: Callable[[], T], wanted: T) -> None:
+    def eventually(self, read: Callable[[], T], expected: T) -> None:
         """Polls until the value is as wanted: the server receives edits with a delay."""
         deadline = time.monotonic() + SAVE_S
-        while (value := read()) != wanted and time.monotonic() < deadline:
+        while (value := read()) != expected and time.monotonic() < deadline:
             self.page.wait_for_timeout(POLL_MS)
-        assert value == wanted, f"{value!r} instead of {wanted!r}"
+        assert value == expected, f"{value!r} instead of {expected!r}"
 
     def document(self) -> dict[str, Any] | None:
         """The stored program document."""
@@ -202,11 +202,11 @@ class Studio:
         """Drags repeat, move and turn into a square."""
         blocks = self.blocks
         blocks.drag_from_toolbox("flow", "repetir", blocks.below(blocks.start()))
-        loop = blocks.by_words("repetir")
+        loop = blocks.by_text("repetir")
         blocks.drag_from_toolbox("motion", "andar para frente", blocks.inside(loop))
-        move = blocks.by_words("andar para frente")
+        move = blocks.by_text("andar para frente")
         blocks.drag_from_toolbox("motion", "girar", blocks.below(move))
-        blocks.type_into(blocks.by_words("andar para frente"), side)
+        blocks.type_into(blocks.by_text("andar para frente"), side)
         metres = float(side.replace(",", "."))
         self.eventually(lambda: _inner(self.commands(), "distance"), [metres, None])
 
@@ -245,8 +245,8 @@ def _begins_run(answer: Response) -> bool:
 
 def _ten_times_faster(route: Route) -> None:
     asked = route.request
-    begun: dict[str, Any] = asked.post_data_json or {}
-    route.continue_(post_data={**begun, "speed": 10} if asked.method == "POST" else None)
+    body: dict[str, Any] = asked.post_data_json or {}
+    route.continue_(post_data={**body, "speed": 10} if asked.method == "POST" else None)
 
 
 def _inner(commands: list[dict[str, Any]], key: str) -> list[Any]:

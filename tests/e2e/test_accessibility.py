@@ -12,15 +12,15 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 def test_screens_have_names_and_contrast(studio: Studio) -> None:
     found: dict[str, list[str]] = {}
 
-    def look(screen: str, shows: str) -> None:
+    def check(screen: str, shows: str) -> None:
         found[screen] = violations(studio, shows)
 
-    look("start", "group-name")
+    check("start", "group-name")
     studio.enter_new_group()
-    look("studio, empty", "run")
+    check("studio, empty", "run")
     write_program(studio, 'robot.move_forward(0.1)\nrobot.say("oi")\n')
     open_python(studio)
-    look("studio with text", "python-text")
+    check("studio with text", "python-text")
     edit_python(studio, "robot.fly()\n")
-    look("text with a fault", "python-fault")
+    check("text with a fault", "python-fault")
     assert {screen: one for screen, one in found.items() if one} == {}

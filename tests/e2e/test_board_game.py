@@ -38,16 +38,16 @@ def answer(studio: Studio, cell: str) -> None:
     studio["send-answer"].click()
 
 
-def said(studio: Studio, words: str) -> None:
-    expect(studio["status-line"]).to_contain_text(words, timeout=GAME_MS)
+def expect_status(studio: Studio, text: str) -> None:
+    expect(studio["status-line"]).to_contain_text(text, timeout=GAME_MS)
 
 
 def marks(studio: Studio) -> list[tuple[str, str]]:
     """The marks that a person who does not see the floor is told of: symbol and place."""
     label = studio["scene"].get_attribute("aria-label") or ""
-    _, _, told = label.partition("Marcas no chão: ")
-    told = told.partition(".")[0]
-    return [(one[0], one[-1]) for one in told.split("; ") if one]
+    _, _, spoken = label.partition("Marcas no chão: ")
+    spoken = spoken.partition(".")[0]
+    return [(one[0], one[-1]) for one in spoken.split("; ") if one]
 
 
 def test_a_game_is_played_to_x_won_with_a_taken_cell_and_an_unknown_letter(
@@ -60,16 +60,16 @@ def test_a_game_is_played_to_x_won_with_a_taken_cell_and_an_unknown_letter(
     expect(studio["last-mark"]).to_have_text("O marcado em E", timeout=GAME_MS)
     sign(studio, "L")
     answer(studio, "A")
-    said(studio, "Casa ocupada por “X”: joguem de novo.")
+    expect_status(studio, "Casa ocupada por “X”: joguem de novo.")
     answer(studio, "D")
     sign(studio, "E")
-    said(studio, "Casa ocupada por “O”: joguem de novo.")
+    expect_status(studio, "Casa ocupada por “O”: joguem de novo.")
     sign(studio, "G")
     answer(studio, "H")
-    said(studio, "Não há casa “H”: joguem de novo.")
+    expect_status(studio, "Não há casa “H”: joguem de novo.")
     answer(studio, "B")
     sign(studio, "")
-    said(studio, "Não há casa “”: joguem de novo.")
+    expect_status(studio, "Não há casa “”: joguem de novo.")
     sign(studio, "I")
     studio.wait_for_phase("finished", GAME_MS)
     expect(studio["talk-line"].last).to_contain_text("X ganhou!")

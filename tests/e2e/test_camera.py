@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, expect
 
-from pinel_desktop.camera.client import LINGER_S
+from pinel_desktop.camera.client import IDLE_OFF_S
 from pinel_desktop.messages import LANGUAGES
 from storage import open_store
-from tests.camera.taught_hands import packed, shown, write_strange_hand
+from tests.camera.taught_hands import packed, shown, write_unknown_hand
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
@@ -24,7 +24,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 RECORDINGS = Path(__file__).parents[1] / "camera" / "recordings"
 NO_CAMERA = "9"
-STRANGE = "strange"
+UNKNOWN_SIGN = "strange"
 IF_B = 'if robot.gesture_result == "B":\n    robot.move_forward(0.2)\n'
 WAITS_FOR_B = f"robot.classify_gestures(timeout=60)\n{IF_B}"
 # the camera may be slow to open on a busy PC
@@ -38,8 +38,8 @@ def camera() -> str:
 
 @pytest.fixture
 def app(tmp_path: Path, camera: str) -> Iterator[AppProcess]:
-    if camera == STRANGE:  # a hand that shows no letter
-        camera = str(write_strange_hand(tmp_path / "strange.npz"))
+    if camera == UNKNOWN_SIGN:  # a hand that shows no letter
+        camera = str(write_unknown_hand(tmp_path / "strange.npz"))
     app = AppProcess(tmp_path, "--camera", camera)
     app.start()
     yield app
@@ -69,7 +69,7 @@ def test_signs_are_practised_and_spelled_without_a_program(studio: Studio) -> No
     expect(studio["practice-text"]).to_have_value(re.compile("^B*$"))
 
 
-def each_look(studio: Studio) -> Iterator[str]:
+def each_layout(studio: Studio) -> Iterator[str]:
     """Every language in every window size, one after the other; their words are for what is said of a fault."""
     for language in LANGUAGES:
         studio.choose_language(language)
@@ -86,10 +86,10 @@ def test_without_a_camera_the_buttons_answer_and_nothing_is_cut_off(studio: Stud
     expect(studio["camera-trouble"]).to_have_attribute(
         "data-code", "camera_missing", timeout=CAMERA_MS
     )
-    for look in each_look(studio):
-        assert cut(studio, "camera-trouble") == [], look
+    for layout in each_layout(studio):
+        assert cut(studio, "camera-trouble") == [], layout
         none = studio["capture-letter"].last
-        expect(none, look).to_be_in_viewport(ratio=1)
+        expect(none, layout).to_be_in_viewport(ratio=1)
     expect_names_and_contrast(studio, "camera-trouble")
     studio["capture-letter"].and_(studio.page.locator('[data-letter="B"]')).click()
     studio.wait_for_phase("finished")
@@ -109,8 +109,8 @@ def expect_names_and_contrast(studio: Studio, shown: str) -> None:
 def test_practice_goes_on_without_a_camera(studio: Studio) -> None:
     studio["practice"].click()
     expect(studio["camera-trouble"]).to_be_visible(timeout=CAMERA_MS)
-    for look in each_look(studio):
-        assert cut(studio, "camera-trouble") == [], look
+    for layout in each_layout(studio):
+        assert cut(studio, "camera-trouble") == [], layout
     studio.page.keyboard.press("l")
     expect(studio["practice-sign"].and_(studio.page.locator("[aria-pressed=true]"))).to_have_text(
         "L"
@@ -123,8 +123,8 @@ def test_practice_goes_on_without_a_camera(studio: Studio) -> None:
 
 
 def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:
-    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
-    classroom = studio.tell("POST", "/classrooms", {"name": "5º B"})["id"]
+    studio.send("PUT", "/teacher/pin", {"pin": "2468"})
+    classroom = studio.send("POST", "/classrooms", {"name": "5º B"})["id"]
     studio["practice"].click()
     studio.page.locator(".teaching__title").click()
     studio["teach-name"].fill("b")
@@ -135,8 +135,8 @@ def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:
         studio.page.set_viewport_size({"width": width, "height": height})
         assert cut(studio, "taught-sign") == [], f"{width} x {height}"
     studio["teach-letter"].and_(studio.page.locator('[data-letter="J"]')).click()
-    for look in each_look(studio):
-        assert cut(studio, "taught-sign") == [], look
+    for layout in each_layout(studio):
+        assert cut(studio, "taught-sign") == [], layout
     studio["forget-sign"].click()
     expect(studio["taught-sign"]).to_have_count(0)
     signs = studio.api(f"/classrooms/{classroom}/signs")["signs"]
@@ -161,12 +161,12 @@ def warned(studio: Studio) -> Locator:
     return studio.page.locator(".blocklyBlockCanvas .pinelNotice")
 
 
-@pytest.mark.parametrize("camera", [STRANGE])
+@pytest.mark.parametrize("camera", [UNKNOWN_SIGN])
 def test_what_a_class_teaches_is_offered_by_blocks_answered_by_the_camera_and_replayed(
     studio: Studio,
 ) -> None:
-    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
-    studio.tell("POST", "/classrooms", {"name": "5º B"})
+    studio.send("PUT", "/teacher/pin", {"pin": "2468"})
+    studio.send("POST", "/classrooms", {"name": "5º B"})
     studio["practice"].click()
     studio.page.locator(".teaching__title").click()
     studio["teach-name"].fill("vai")
@@ -199,7 +199,7 @@ def test_a_sign_that_the_class_does_not_know_is_warned_of_and_can_be_answered(
     expect(warned(studio)).to_have_count(1)
     assert studio.commands()[1]["condition"]["args"][1] == "pare"
     studio.page.locator(".pinelNotice > .blocklyWarningIcon").click()
-    expect(studio.blocks.fault_words()).to_contain_text("pare")
+    expect(studio.blocks.fault_text()).to_contain_text("pare")
     studio.run()
     answer = studio["capture-letter"].and_(studio.page.locator('[data-letter="pare"]'))
     expect(answer).to_be_visible()
@@ -226,10 +226,10 @@ def test_sixty_signs_of_a_class_leave_nothing_cut_off(
     write_program(studio, WAITS_FOR_B.replace("60", "600").replace('"B"', '"sinal 33"'))
     studio.run()
     field = studio["capture-find"]
-    for look in each_look(studio):
-        assert cut(studio, "capture-letter") == [], look
-        expect(field, look).to_be_in_viewport(ratio=1)
-        expect(studio["capture-letter"].first, look).to_be_in_viewport(ratio=1)
+    for layout in each_layout(studio):
+        assert cut(studio, "capture-letter") == [], layout
+        expect(field, layout).to_be_in_viewport(ratio=1)
+        expect(studio["capture-letter"].first, layout).to_be_in_viewport(ratio=1)
     expect_names_and_contrast(studio, "capture-letter")
     field.fill("l 33")
     field.press("Enter")
@@ -237,13 +237,13 @@ def test_sixty_signs_of_a_class_leave_nothing_cut_off(
     studio.expect_number("pose-x", pytest.approx(0.2, abs=0.001))
     studio["practice"].click()
     expect(studio["practice-sign"]).to_have_count(21 + 60)
-    for look in each_look(studio):
-        assert cut(studio, "practice-sign") == [], f"practice, {look}"
-        expect(studio["practice-hand"].first, look).to_be_in_viewport(ratio=1)
+    for layout in each_layout(studio):
+        assert cut(studio, "practice-sign") == [], f"practice, {layout}"
+        expect(studio["practice-hand"].first, layout).to_be_in_viewport(ratio=1)
 
 
 def test_the_teacher_tries_the_camera_which_is_off_again_afterwards(studio: Studio) -> None:
-    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
+    studio.send("PUT", "/teacher/pin", {"pin": "2468"})
     studio.page.goto(f"{studio.origin}/#/teacher/camera")
     studio.page.reload()
     expect(studio["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
@@ -256,7 +256,7 @@ def test_the_teacher_tries_the_camera_which_is_off_again_afterwards(studio: Stud
     assert studio.api("/camera")["state"] == "on"
     studio.page.goto(f"{studio.origin}/#/teacher/lessons")
     expect(studio["camera-picture"]).to_have_count(0)
-    deadline = time.monotonic() + LINGER_S + 30
+    deadline = time.monotonic() + IDLE_OFF_S + 30
     while studio.api("/camera")["state"] != "off":
         assert time.monotonic() < deadline
         studio.page.wait_for_timeout(100)
@@ -264,7 +264,7 @@ def test_the_teacher_tries_the_camera_which_is_off_again_afterwards(studio: Stud
 
 @pytest.mark.parametrize("camera", [NO_CAMERA])
 def test_the_teacher_is_told_that_there_is_no_camera_and_what_to_do(studio: Studio) -> None:
-    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
+    studio.send("PUT", "/teacher/pin", {"pin": "2468"})
     studio.page.goto(f"{studio.origin}/#/teacher/camera")
     studio.page.reload()
     expect(studio["camera-trouble"]).to_contain_text("Liguem o cabo", timeout=CAMERA_MS)

@@ -40,7 +40,7 @@ def test_a_lesson_with_the_camera(studio: Studio, open_studio: OpenStudio) -> No
     open_lesson(studio, "Sinais", "sign_b")
     studio["sign-out"].click()
 
-    said = {}
+    status_texts = {}
     for name, program in {
         "Araras": SOLVED,
         "Botos": ALWAYS,
@@ -52,15 +52,15 @@ def test_a_lesson_with_the_camera(studio: Studio, open_studio: OpenStudio) -> No
         write_program(group, program)
         for _ in range(3 if name == "Corujas" else 1):
             run = drive(group, name)
-        wanted = "Conseguiram" if program == SOLVED else "Ainda não"
-        expect(group["status-line"]).to_contain_text(wanted, timeout=RUN_MS)
+        expected = "Conseguiram" if program == SOLVED else "Ainda não"
+        expect(group["status-line"]).to_contain_text(expected, timeout=RUN_MS)
         group.wait_for_screen("status-line")
-        said[name] = group["status-line"].inner_text()
+        status_texts[name] = group["status-line"].inner_text()
         events = group.api(f"/runs/{run['id']}/events")["events"]
         assert {"camera"} == {one["by"] for one in events if one["type"] == "gesture_result"}
         group.page.close()
-    assert "Botos" in said
-    assert said["Botos"] != said["Corujas"], said
+    assert "Botos" in status_texts
+    assert status_texts["Botos"] != status_texts["Corujas"], status_texts
 
     studio["teacher-link"].click()
     studio["pin"].fill(PIN)

@@ -38,19 +38,19 @@ def hurry(studio: Studio) -> None:
     studio["speed"].select_option("10")
 
 
-def line(studio: Studio, words: str) -> Locator:
-    return studio["checks"].get_by_role("listitem").filter(has_text=words)
+def line(studio: Studio, text: str) -> Locator:
+    return studio["checks"].get_by_role("listitem").filter(has_text=text)
 
 
-def expect_state(studio: Studio, words: str, state: str) -> None:
-    expect(line(studio, words)).to_have_attribute("data-state", state, timeout=RUN_MS)
+def expect_state(studio: Studio, text: str, state: str) -> None:
+    expect(line(studio, text)).to_have_attribute("data-state", state, timeout=RUN_MS)
 
 
 def test_the_list_fills_while_the_robot_drives(studio: Studio) -> None:
     open_mission(studio, "left_right")
     studio.choose_level(2)
-    for words in ("Chegar ao fim", "Não encostar", "Passar por padaria", "Terminar em “praça”"):
-        expect_state(studio, words, "open")
+    for text in ("Chegar ao fim", "Não encostar", "Passar por padaria", "Terminar em “praça”"):
+        expect_state(studio, text, "open")
     write_program(studio, f"{TWO_LEFT_TURNS}robot.wait(120)\n")
     studio.run()
     studio.wait_for_phase("running")
@@ -110,8 +110,8 @@ def test_success_is_seen_heard_where_wanted_and_leads_on(studio: Studio) -> None
     studio.run()
     expect(studio["mission-done"]).to_contain_text("Missão cumprida!", timeout=RUN_MS)
     assert studio.page.evaluate("tones") == []
-    for words in ("Chegar ao fim", "Não encostar", "Terminar em “padaria”"):
-        expect_state(studio, words, "met")
+    for text in ("Chegar ao fim", "Não encostar", "Terminar em “padaria”"):
+        expect_state(studio, text, "met")
     assert violations(studio, "mission-done") == []
     studio.page.set_viewport_size({"width": 1024, "height": 768})
     assert cut(studio, "mission-done") == []

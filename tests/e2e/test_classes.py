@@ -57,8 +57,8 @@ def open_class(studio: Studio, part: str = "classes", *, named: str = "9º A") -
     """The teacher's part at a class of this test, which is the one that is shown; returns its name."""
     studio.open_teacher_part(PIN)
     name = studio.unique(named)
-    made = studio.tell("POST", "/classrooms", {"name": name})
-    studio.tell("PUT", "/settings/page", {"name": "pinel_class", "value": made["id"]})
+    made = studio.send("POST", "/classrooms", {"name": name})
+    studio.send("PUT", "/settings/page", {"name": "pinel_class", "value": made["id"]})
     studio.page.goto(f"{studio.origin}/#/teacher/{part}")
     studio.page.reload()  # the page has not heard of the class
     expect(studio["class-chip"].and_(studio.page.locator("[aria-pressed=true]"))).to_have_text(name)
@@ -117,15 +117,15 @@ def test_groups_pick_a_picture_and_know_themselves_by_it(studio: Studio) -> None
     expect(studio["group-card"]).to_have_attribute("data-picture", "turtle")
 
     studio["choose-picture"].click()
-    taken = studio.page.locator("[data-testid=picture][data-name=turtle]")
-    expect(taken.get_by_role("radio")).to_have_accessible_name("tartaruga (outro grupo já tem)")
+    used = studio.page.locator("[data-testid=picture][data-name=turtle]")
+    expect(used.get_by_role("radio")).to_have_accessible_name("tartaruga (outro grupo já tem)")
     studio.page.keyboard.press("ArrowRight")
     studio.page.keyboard.press("Enter")
-    expect(taken).to_have_count(0)
+    expect(used).to_have_count(0)
     expect(studio["choose-picture"]).to_be_focused()
     studio["choose-picture"].click()
     studio.page.locator("[data-testid=picture][data-name=moon]").click()
-    expect(taken).to_have_count(0)
+    expect(used).to_have_count(0)
     studio.enter_group("Luas")
     assert studio.api("/groups")["groups"][0]["picture"] == "moon"
 
@@ -277,7 +277,7 @@ def test_what_was_typed_stays_when_the_door_shuts(studio: Studio, watch: Watch) 
     open_class(studio)
     new = studio.unique("9º C")
     studio["new-class"].fill(new)
-    studio.tell("POST", "/teacher/leave", {})  # as half an hour without a touch does
+    studio.send("POST", "/teacher/leave", {})  # as half an hour without a touch does
     studio["make-class"].click()
     expect(studio["pin"]).to_be_visible()
     expect(studio["class-chip"].first).to_be_hidden()
@@ -292,9 +292,9 @@ def test_what_is_wrong_leaves_the_heading_whole(studio: Studio) -> None:
     studio.wait_for_screen("open-lesson")
     before = box_of(heading)
     studio["open-lesson"].click()
-    said = box_of(studio.page.get_by_role("alert"))
+    alert = box_of(studio.page.get_by_role("alert"))
     assert box_of(heading) == before
-    assert 30 < said["height"] < 45
+    assert 30 < alert["height"] < 45
 
 
 def test_it_is_time_to_swap(studio: Studio) -> None:
@@ -315,27 +315,27 @@ def test_every_part_has_names_and_contrast(first_day: Studio) -> None:
     studio = first_day
     found: dict[str, list[str]] = {}
 
-    def look(screen: str, shows: str) -> None:
+    def check(screen: str, shows: str) -> None:
         found[screen] = violations(studio, shows)
 
     studio["prepare"].click()
-    look("first day", "pin-again")
+    check("first day", "pin-again")
     studio.page.go_back()
     prepare(studio)
     studio["new-group-name"].fill("Os Tatus")
     studio["make-group"].click()
-    look("classes", "class-group")
+    check("classes", "class-group")
     to_part(studio, "computer")
-    look("this PC", "computer-name")
+    check("this PC", "computer-name")
     to_part(studio, "lessons")
     open_lesson(studio, "Quadrados", "square")
-    look("lessons", "lesson-now")
+    check("lessons", "lesson-now")
     studio["sign-out"].click()
-    look("groups", "group-card")
+    check("groups", "group-card")
     studio["choose-picture"].click()
-    look("pictures", "picture")
+    check("pictures", "picture")
     studio["teacher-link"].click()
-    look("sign-in", "pin")
+    check("sign-in", "pin")
     assert {screen: one for screen, one in found.items() if one} == {}
 
 
@@ -344,7 +344,7 @@ def test_twelve_groups_with_long_names_are_not_cut(studio: Studio) -> None:
     [classroom] = [one for one in studio.api("/classrooms")["classrooms"] if one["name"] == name]
     for number in range(12):
         group = {"name": f"{number} {LONG}"[:60], "classroom_id": classroom["id"]}
-        studio.tell("POST", "/groups", group)
+        studio.send("POST", "/groups", group)
     parts = {"lessons": "open-lesson", "computer": "computer-name", "classes": "class-group"}
     for part, shown in parts.items():
         to_part(studio, part)

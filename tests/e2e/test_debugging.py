@@ -67,7 +67,7 @@ def test_a_program_is_run_block_by_block(studio: Studio) -> None:
 def test_the_run_pauses_at_a_breakpoint(studio: Studio) -> None:
     studio.enter_new_group()
     put_two_moves(studio)
-    studio.blocks.by_words("andar para trás").click(button="right")
+    studio.blocks.by_text("andar para trás").click(button="right")
     expect(studio.page.locator(".blocklyContextMenu")).to_contain_text("F9")
     studio.page.get_by_text("Pausar aqui", exact=True).click()
     expect(dots(studio)).to_have_count(1)
@@ -84,23 +84,23 @@ def test_fast_forward_is_faster_than_the_clock(studio: Studio) -> None:
     studio.enter_new_group()
     write_program(studio, "robot.wait(20)\n")
     studio["speed"].select_option("10")
-    begun = time.monotonic()
+    start_s = time.monotonic()
     studio.run_to_the_end()
-    taken_s = time.monotonic() - begun
+    duration_s = time.monotonic() - start_s
     studio.expect_number("elapsed", pytest.approx(20, abs=0.1))
-    assert taken_s < 20
+    assert duration_s < 20
 
 
 def test_the_value_of_a_block_is_shown_while_the_run_stands(studio: Studio) -> None:
     studio.enter_new_group()
     write_program(studio, "robot.move_forward(0.25)\nrobot.say(robot.x * 2)\n")
     studio.eventually(studio.actions, ["move_forward", "say"])
-    say = studio.blocks.by_words("dizer")
-    say.click(button="right", position={"x": 20, "y": 26})
+    speech_block = studio.blocks.by_text("dizer")
+    speech_block.click(button="right", position={"x": 20, "y": 26})
     studio.page.get_by_text("Pausar aqui", exact=True).click()
     studio.run()
     studio.wait_for_phase("paused")
-    studio.blocks.by_words("posição").hover(position={"x": 20, "y": 16})
+    studio.blocks.by_text("posição").hover(position={"x": 20, "y": 16})
     expect(studio.page.locator(".pinelValue")).to_have_text("0,25")
     studio["run"].click()
     studio.wait_for_phase("finished")
@@ -114,12 +114,12 @@ def test_sensors_calls_and_variables_are_watched_while_the_run_stands(studio: St
     )
     document = studio.document() or {}
     assign, call = (command["block"] for command in document["commands"])
-    say = document["functions"][0]["commands"][0]["block"]
+    speech_block = document["functions"][0]["commands"][0]["block"]
     studio["step"].click()
     expect_paused_before(studio, assign)
     watched = studio.page.locator('[data-testid="watch-value"]')
     expect(watched.filter(visible=True)).to_have_count(1)  # the sonar; nothing has a value yet
-    for block in (call, say):
+    for block in (call, speech_block):
         studio["step"].click()
         expect_paused_before(studio, block)
     expect(studio.page.locator('[data-name="side"]')).to_have_text("2")
@@ -138,7 +138,7 @@ def test_a_long_program_has_a_map(studio: Studio) -> None:
     expect(overview).to_be_hidden()
     write_program(studio, "robot.beep()\n" * 60 + "robot.stop()\n")
     expect(overview).to_be_visible()
-    last = studio.blocks.by_words("parar")
+    last = studio.blocks.by_text("parar")
     expect(last).not_to_be_in_viewport()
     overview.click(position={"x": 12, "y": 168})
     expect(last).to_be_in_viewport()

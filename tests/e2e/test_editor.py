@@ -48,38 +48,38 @@ def test_the_hint_goes_with_the_first_block(dragged_move: Studio) -> None:
 
 
 def test_half_a_metre_is_typed_as_pupils_write_it(one_move: Studio) -> None:
-    move = one_move.blocks.by_words("andar para frente")
-    for typed, kept, shown in (("0,5", 0.5, "0,5"), ("2.25", 2.25, "2,25"), ("7", 7, "7")):
+    move = one_move.blocks.by_text("andar para frente")
+    for typed, stored, shown in (("0,5", 0.5, "0,5"), ("2.25", 2.25, "2,25"), ("7", 7, "7")):
         one_move.blocks.type_into(move, typed)
-        expect_distances(one_move, kept)
+        expect_distances(one_move, stored)
         expect(move).to_contain_text(shown)
 
 
 def test_a_field_says_beside_it_why_it_refuses_a_number(one_move: Studio) -> None:
     blocks = one_move.blocks
-    move, note = blocks.by_words("andar para frente"), one_move["field-note"]
-    for typed, kept, said in (
+    move, note = blocks.by_text("andar para frente"), one_move["field-note"]
+    for typed, stored, note_text in (
         ("abc", 1, "“abc” não é um número. Ficou 1."),
         ("99999", 100, "“99999” não vale aqui: só de 0 a 100. Ficou 100."),
         ("-1", 0, "“-1” não vale aqui: só de 0 a 100. Ficou 0."),
         ("  ", 0, "Falta um número. Ficou 0."),
     ):
         blocks.type_into(move, typed)
-        expect(note).to_have_text(said)
-        expect(one_move.page.locator("#blocklyAriaAnnounce")).to_contain_text(said)
+        expect(note).to_have_text(note_text)
+        expect(one_move.page.locator("#blocklyAriaAnnounce")).to_contain_text(note_text)
         field, box = box_of(move.locator(".blocklyInputField")), box_of(note)
-        assert 0 < box["y"] - (field["y"] + field["height"]) < 20, said
-        expect_distances(one_move, kept)
+        assert 0 < box["y"] - (field["y"] + field["height"]) < 20, note_text
+        expect_distances(one_move, stored)
 
         blocks.type_into(move, "2")
-        expect(note, said).to_have_count(0)
+        expect(note, note_text).to_have_count(0)
         expect_distances(one_move, 2)
 
 
 def test_a_note_at_a_field_goes_by_itself(one_move: Studio) -> None:
     one_move.page.clock.install()
     blocks = one_move.blocks
-    blocks.type_into(blocks.by_words("andar para frente"), "-1")
+    blocks.type_into(blocks.by_text("andar para frente"), "-1")
     expect(one_move["field-note"]).to_be_visible()
     one_move.page.clock.run_for(8000)
     expect(one_move["field-note"]).to_have_count(0)
@@ -87,26 +87,26 @@ def test_a_note_at_a_field_goes_by_itself(one_move: Studio) -> None:
 
 def test_a_right_turn_is_a_negative_angle(one_move: Studio) -> None:
     blocks = one_move.blocks
-    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_words("andar para frente")))
-    blocks.choose(blocks.by_words("girar"), "direita")
+    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_text("andar para frente")))
+    blocks.choose(blocks.by_text("girar"), "direita")
     one_move.eventually(lambda: one_move.values("angle"), [None, -90])
 
 
 def test_a_loose_block_is_dimmed_and_does_not_run(one_move: Studio) -> None:
     blocks = one_move.blocks
-    move = blocks.by_words("andar para frente")
+    move = blocks.by_text("andar para frente")
     blocks.drag_from_toolbox("motion", "parar", blocks.beside(move))
     expect(blocks.loose()).to_have_count(1)
     one_move.eventually(one_move.actions, ["move_forward"])
 
-    blocks.drag(blocks.by_words("parar"), blocks.below(move))
+    blocks.drag(blocks.by_text("parar"), blocks.below(move))
     expect(blocks.loose()).to_have_count(0)
     one_move.eventually(one_move.actions, ["move_forward", "stop"])
 
 
 def test_undo_and_redo(dragged_move: Studio) -> None:
     blocks = dragged_move.blocks
-    blocks.type_into(blocks.by_words("andar para frente"), "3")
+    blocks.type_into(blocks.by_text("andar para frente"), "3")
     dragged_move["undo"].click()
     expect_distances(dragged_move, 1)
     dragged_move["redo"].click()
@@ -119,7 +119,7 @@ def test_undo_and_redo(dragged_move: Studio) -> None:
 
 def test_a_copy_has_an_id_of_its_own(one_move: Studio) -> None:
     blocks = one_move.blocks
-    blocks.select(blocks.by_words("andar para frente"))
+    blocks.select(blocks.by_text("andar para frente"))
     one_move.page.keyboard.press("Control+c")
     one_move.page.keyboard.press("Control+v")
     expect(blocks.all()).to_have_count(3)
@@ -138,7 +138,7 @@ def test_the_start_can_neither_be_deleted_nor_copied(one_move: Studio) -> None:
 
 def test_the_trash_gives_back(one_move: Studio) -> None:
     blocks = one_move.blocks
-    move = blocks.by_words("andar para frente")
+    move = blocks.by_text("andar para frente")
     blocks.type_into(move, "4")
     blocks.select(move)
     one_move.page.keyboard.press("Delete")
@@ -152,16 +152,16 @@ def test_the_trash_gives_back(one_move: Studio) -> None:
 
 def test_another_language_says_the_same_program(one_move: Studio) -> None:
     blocks = one_move.blocks
-    blocks.type_into(blocks.by_words("andar para frente"), "0,5")
+    blocks.type_into(blocks.by_text("andar para frente"), "0,5")
     expect_distances(one_move, 0.5)
     before = one_move.commands()
-    for language, words, category in (
+    for language, block_text, category in (
         ("en", "move forward", "Motion"),
         ("es", "avanzar", "Movimiento"),
         ("pt-BR", "andar para frente", "Movimento"),
     ):
         one_move.choose_language(language)
-        expect(blocks.by_id(before[0]["block"])).to_contain_text(words)
+        expect(blocks.by_id(before[0]["block"])).to_contain_text(block_text)
         expect(blocks.category("motion")).to_contain_text(category)
         assert one_move.commands() == before
     one_move["undo"].click()
@@ -170,21 +170,21 @@ def test_another_language_says_the_same_program(one_move: Studio) -> None:
 
 def test_every_look_keeps_the_program(one_move: Studio) -> None:
     before = one_move.commands()
-    seen = set()
+    themes = set()
     for _ in range(3):
         theme = one_move["theme"].get_attribute("data-theme") or ""
-        seen.add(theme)
+        themes.add(theme)
         one_move["theme"].click()
         expect(one_move["theme"]).not_to_have_attribute("data-theme", theme)
         expect(one_move.blocks.by_id(before[0]["block"])).to_be_visible()
-    assert seen == {"light", "dark", "contrast"}
+    assert themes == {"light", "dark", "contrast"}
     assert one_move.commands() == before
 
 
 def test_the_menu_of_a_block_speaks_the_language_of_the_page(one_move: Studio) -> None:
     blocks = one_move.blocks
     menu = one_move.page.locator(".blocklyContextMenu")
-    blocks.by_words("andar para frente").locator("> .blocklyPath").first.click(
+    blocks.by_text("andar para frente").locator("> .blocklyPath").first.click(
         button="right", position={"x": 5, "y": 40}
     )
     expect(menu).to_contain_text("Duplicar")

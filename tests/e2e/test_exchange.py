@@ -46,7 +46,7 @@ def make_group(pc: Browser | Studio, name: str = "Os Tatus", classroom: str | No
 
 def ask(pc: Browser | Studio, method: str, path: str, body: Any = None) -> Any:
     if isinstance(pc, Studio):
-        return pc.tell(method, path, body)
+        return pc.send(method, path, body)
     answer = pc.send(method, f"/api{path}", body)
     assert answer.status < 300, answer.text
     return answer.data
@@ -59,8 +59,8 @@ def save_bundle(pc: Browser | Studio, folder: Path) -> str:
 
 def at_the_files(studio: Studio, folder: Path) -> None:
     """The exchange panel with the folder as the shared one."""
-    studio.tell("PUT", "/teacher/pin", {"pin": PIN})
-    studio.tell("PUT", "/folders/shared", {"path": str(folder)})
+    studio.send("PUT", "/teacher/pin", {"pin": PIN})
+    studio.send("PUT", "/folders/shared", {"path": str(folder)})
     studio.page.goto(f"{studio.origin}/#/teacher/files")
     studio.page.reload()  # the page has not heard of the PIN
     expect(studio["shared-folder"]).to_have_value(str(folder))
@@ -112,16 +112,16 @@ def test_a_group_goes_on_with_its_program_at_another_pc(
     watch.expect("422 (UNPROCESSABLE ENTITY)")  # of the file that is none
     enter_made_group(studio, [("move_forward", 0.5)])
     studio["open-work"].click()
-    with studio.page.expect_download() as taken:
+    with studio.page.expect_download() as download:
         studio["program-file"].click()
-    file = tmp_path / taken.value.suggested_filename
-    taken.value.save_as(file)
+    file = tmp_path / download.value.suggested_filename
+    download.value.save_as(file)
     assert file.suffix == ".pinel"
 
     other_pc = open_pc()
     other_pc["bring-program"].set_input_files(file)
     other_pc.wait_until_open()
-    expect(other_pc.blocks.by_words("andar para frente")).to_contain_text("0,5")
+    expect(other_pc.blocks.by_text("andar para frente")).to_contain_text("0,5")
     expect(other_pc["header-group"]).to_contain_text("Os Tatus")
     other_pc["home"].click()
     bad = tmp_path / "foto.pinel"
@@ -134,7 +134,7 @@ def test_a_group_goes_on_with_its_program_at_another_pc(
 def test_the_class_of_a_brought_group_is_the_one_at_the_start(
     studio: Studio, far_pc: Browser, tmp_path: Path
 ) -> None:
-    studio.tell("PUT", "/teacher/pin", {"pin": PIN})
+    studio.send("PUT", "/teacher/pin", {"pin": PIN})
     for pc, name in ((far_pc, "7º B"), (studio, "9º A")):
         make_group(pc, f"Do {name}", ask(pc, "POST", "/classrooms", {"name": name})["id"])
     studio.page.reload()
@@ -201,9 +201,9 @@ def test_a_group_that_was_moved_is_named_and_stays_everywhere(
     ask(studio, "POST", "/bundles/merge", {"paths": [save_bundle(far_pc, stick)]})
     ask(far_pc, "DELETE", f"/classrooms/{old}")
     save_bundle(far_pc, stick)
-    new = studio.tell("POST", "/classrooms", {"name": "9º B"})["id"]
-    studio.tell("PATCH", f"/groups/{moved}", {"classroom_id": new})
-    studio.tell("POST", f"/groups/{moved}/programs", {"name": "Volta"})
+    new = studio.send("POST", "/classrooms", {"name": "9º B"})["id"]
+    studio.send("PATCH", f"/groups/{moved}", {"classroom_id": new})
+    studio.send("POST", f"/groups/{moved}/programs", {"name": "Volta"})
 
     expect(studio["found-file"]).to_have_count(2)
     studio["merge-files"].click()
@@ -247,7 +247,7 @@ def test_a_file_without_names_is_merged_only_when_it_is_ticked(studio: Studio, s
 
 def test_what_lies_in_the_bin_is_counted_with_the_group(studio: Studio, stick: Path) -> None:
     [program] = studio.api(f"/groups/{make_group(studio)}/programs")["programs"]
-    studio.tell("DELETE", f"/programs/{program['id']}")
+    studio.send("DELETE", f"/programs/{program['id']}")
     studio.page.reload()
     expect(studio["group-card"]).to_contain_text("1 programa na lixeira · 0 rodadas")
     at_the_files(studio, stick)
@@ -255,14 +255,14 @@ def test_what_lies_in_the_bin_is_counted_with_the_group(studio: Studio, stick: P
     expect(studio["class-group"]).to_contain_text("1 programa na lixeira")
     studio["deletion-open"].click()
     studio["deletion-what"].select_option(label="O grupo Os Tatus")
-    doomed = studio.page.get_by_text("Não dá para desfazer")
-    expect(doomed).to_contain_text("1 programa (1 na lixeira) e 0 rodadas")
+    warning = studio.page.get_by_text("Não dá para desfazer")
+    expect(warning).to_contain_text("1 programa (1 na lixeira) e 0 rodadas")
 
 
 def test_classes_of_the_same_name_are_distinguished(
     studio: Studio, far_pc: Browser, stick: Path
 ) -> None:
-    studio.tell("PUT", "/teacher/pin", {"pin": PIN})
+    studio.send("PUT", "/teacher/pin", {"pin": PIN})
     for pc, name in ((far_pc, "PC 1"), (studio, "PC 2")):
         ask(pc, "PATCH", "/computer", {"name": name})
         classroom = ask(pc, "POST", "/classrooms", {"name": "7º B"})["id"]

@@ -11,8 +11,8 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
-MOST_TO_DRIVE = 5
-MOST_FOR_A_SQUARE = 8
+MAX_TO_DRIVE = 5
+MAX_FOR_A_SQUARE = 8
 CHOICE_S = 2.0  # a novice looks that long before each action
 MOVED_M = 0.05
 
@@ -52,7 +52,7 @@ def test_from_the_first_launch_to_a_driving_robot(open_studio: OpenStudio, app: 
     page_s = time.monotonic() - begin
     n = actions_of(studio)
     print(f"\nfirst launch to a driving robot: {n} actions, {n * CHOICE_S + page_s:.1f} s")
-    assert n <= MOST_TO_DRIVE
+    assert n <= MAX_TO_DRIVE
 
 
 def test_a_square_from_an_empty_program(studio: Studio) -> None:
@@ -76,7 +76,7 @@ def test_a_square_from_an_empty_program(studio: Studio) -> None:
     for axis in ("pose-x", "pose-y"):
         studio.expect_number(axis, pytest.approx(0, abs=0.001))
     print(f"\na square: {n} actions, {n * CHOICE_S + page_s:.1f} s until it drives")
-    assert n <= MOST_FOR_A_SQUARE
+    assert n <= MAX_FOR_A_SQUARE
 
 
 def test_a_square_with_dragged_blocks_and_a_typed_length(studio: Studio) -> None:
@@ -84,12 +84,12 @@ def test_a_square_with_dragged_blocks_and_a_typed_length(studio: Studio) -> None
     studio.page.evaluate(_COUNT_ACTIONS)
     blocks = studio.blocks
     blocks.drag_from_toolbox("flow", "repetir", blocks.below(blocks.start()))
-    loop = blocks.by_words("repetir")
+    loop = blocks.by_text("repetir")
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.inside(loop))
     # the palette is open at motion
-    move = blocks.by_words("andar para frente")
+    move = blocks.by_text("andar para frente")
     blocks.drag_from_toolbox("motion", "girar", blocks.below(move))
-    blocks.type_into(blocks.by_words("andar para frente"), "0,5")
+    blocks.type_into(blocks.by_text("andar para frente"), "0,5")
     studio.hurry()
     studio.run()
     studio.wait_for_phase("finished")
@@ -97,4 +97,4 @@ def test_a_square_with_dragged_blocks_and_a_typed_length(studio: Studio) -> None
         studio.expect_number(axis, pytest.approx(0, abs=0.001))
     n = actions_of(studio)
     print(f"\na square of dragged blocks with a typed length: {n} actions")
-    assert n <= MOST_FOR_A_SQUARE
+    assert n <= MAX_FOR_A_SQUARE

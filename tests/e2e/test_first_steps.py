@@ -24,7 +24,7 @@ def beginners(studio: Studio) -> Studio:
     return studio
 
 
-def said(studio: Studio) -> Locator:
+def announcement(studio: Studio) -> Locator:
     """What a screen reader announces."""
     return studio.page.locator("#blocklyAriaAnnounce")
 
@@ -35,13 +35,13 @@ def inside(studio: Studio) -> list[list[str]]:
 
 def test_the_blocks_stay_open_beside_a_workspace_with_room(beginners: Studio) -> None:
     studio = beginners
-    palette = studio.page.locator(".blocklyToolboxFlyout")
-    expect(palette).to_be_visible()
+    flyout = studio.page.locator(".blocklyToolboxFlyout")
+    expect(flyout).to_be_visible()
     for category in ("motion", "flow", "logic", "gestures", "show", "show"):
         studio.blocks.category(category).click()
-        expect(palette).to_be_visible()
-        right = box_of(palette)["x"] + box_of(palette)["width"]
-        blocks = palette.locator(".blocklyBlockCanvas > .blocklyDraggable > .blocklyPath")
+        expect(flyout).to_be_visible()
+        right = box_of(flyout)["x"] + box_of(flyout)["width"]
+        blocks = flyout.locator(".blocklyBlockCanvas > .blocklyDraggable > .blocklyPath")
         for block in blocks.all():
             box = block.bounding_box()
             assert box is not None
@@ -50,9 +50,9 @@ def test_the_blocks_stay_open_beside_a_workspace_with_room(beginners: Studio) ->
     assert pane["x"] + pane["width"] - right >= ROOM_PX
     assert box_of(studio.blocks.start())["x"] > right
     studio.blocks.select(studio.blocks.start())
-    expect(palette).to_be_visible()
+    expect(flyout).to_be_visible()
     studio["level"].select_option("2")
-    expect(palette).to_be_hidden()
+    expect(flyout).to_be_hidden()
 
 
 def test_a_click_appends_in_the_loop_that_is_selected_else_at_the_end(beginners: Studio) -> None:
@@ -60,10 +60,12 @@ def test_a_click_appends_in_the_loop_that_is_selected_else_at_the_end(beginners:
     studio.wait_for_screen("editor")
     start = box_of(blocks.start())
     blocks.click_in_toolbox("motion", "andar para frente")
-    expect(said(studio)).to_contain_text("“andar para frente 1 m” entrou no fim do programa.")
+    expect(announcement(studio)).to_contain_text(
+        "“andar para frente 1 m” entrou no fim do programa."
+    )
     blocks.click_in_toolbox("flow", "repetir")
     blocks.click_in_toolbox("motion", "girar")
-    expect(said(studio)).to_contain_text("entrou dentro de “repetir 4 vezes”.")
+    expect(announcement(studio)).to_contain_text("entrou dentro de “repetir 4 vezes”.")
     assert (box_of(blocks.start())["x"], box_of(blocks.start())["y"]) == (start["x"], start["y"])
     studio.eventually(studio.actions, ["move_forward", "repeat"])
     studio.eventually(lambda: inside(studio), [[], ["turn"]])
@@ -71,7 +73,7 @@ def test_a_click_appends_in_the_loop_that_is_selected_else_at_the_end(beginners:
     blocks.select(blocks.start())
     blocks.click_in_flyout("parar")
     studio.eventually(studio.actions, ["move_forward", "repeat", "stop"])
-    blocks.select(blocks.by_words("girar"))
+    blocks.select(blocks.by_text("girar"))
     blocks.click_in_flyout("andar para trás")
     studio.eventually(lambda: inside(studio), [[], ["turn", "move_backward"], []])
 
@@ -85,12 +87,12 @@ def test_a_value_goes_where_it_fits_or_lies_loose(beginners: Studio) -> None:
     studio, blocks = beginners, beginners.blocks
     blocks.click_in_toolbox("logic", "se")
     blocks.click_in_flyout("gesto lido")
-    wanted = {"op": "==", "args": [{"gesture": "result"}, "B"]}
-    studio.eventually(lambda: studio.values("condition"), [wanted])
+    expected = {"op": "==", "args": [{"gesture": "result"}, "B"]}
+    studio.eventually(lambda: studio.values("condition"), [expected])
     blocks.select(blocks.start())
     blocks.click_in_toolbox("gestures", "gesto lido")
     expect(blocks.loose()).to_have_count(1)
-    expect(said(studio)).to_contain_text("ficou solto")
+    expect(announcement(studio)).to_contain_text("ficou solto")
 
 
 def test_what_is_appended_below_a_long_program_is_brought_into_view(beginners: Studio) -> None:
@@ -129,13 +131,13 @@ def test_trash_zoom_and_search_work_beside_the_open_palette(beginners: Studio) -
     studio["toolbox-search"].fill("repetir")
     blocks.click_in_flyout("repetir")
     studio.eventually(studio.actions, ["repeat"])
-    before = box_of(blocks.by_words("repetir"))["width"]
-    palette = box_of(blocks.in_flyout("repetir"))["width"]
+    before = box_of(blocks.by_text("repetir"))["width"]
+    flyout_width = box_of(blocks.in_flyout("repetir"))["width"]
     studio["editor-zoom-in"].click()
-    assert box_of(blocks.by_words("repetir"))["width"] > before
-    assert box_of(blocks.in_flyout("repetir"))["width"] == palette
+    assert box_of(blocks.by_text("repetir"))["width"] > before
+    assert box_of(blocks.in_flyout("repetir"))["width"] == flyout_width
 
-    blocks.select(blocks.by_words("repetir"))
+    blocks.select(blocks.by_text("repetir"))
     studio.page.keyboard.press("Delete")
     expect(blocks.all()).to_have_count(1)
     studio.page.locator(".blocklyTrash").click()
@@ -145,17 +147,17 @@ def test_trash_zoom_and_search_work_beside_the_open_palette(beginners: Studio) -
 
 
 def test_the_search_knows_what_pupils_say_and_where_a_block_is(beginners: Studio) -> None:
-    palette = beginners.page.locator(".blocklyToolboxFlyout")
+    flyout = beginners.page.locator(".blocklyToolboxFlyout")
     beginners["toolbox-search"].fill("VIRAR")
     expect(beginners.blocks.in_flyout("girar")).to_be_visible()
     beginners["toolbox-search"].fill("parede")
-    expect(palette).to_contain_text("em outro nível")
+    expect(flyout).to_contain_text("em outro nível")
     beginners["toolbox-search"].fill("xyzw")
-    expect(palette).to_contain_text("Nenhum bloco")
+    expect(flyout).to_contain_text("Nenhum bloco")
 
 
 def test_a_new_choice_asks_nothing_about_signs(studio: Studio) -> None:
     studio.enter_new_group(level=None)
     studio.blocks.click_in_toolbox("logic", "se")
-    expect(studio.blocks.by_words("se")).to_contain_text("verdadeiro")
+    expect(studio.blocks.by_text("se")).to_contain_text("verdadeiro")
     studio.eventually(lambda: studio.values("condition"), [True])

@@ -130,9 +130,9 @@ def test_the_help_is_read_in_every_language_and_theme(studio: Studio) -> None:
     studio["help"].click()
     keys = studio.page.locator(".help__keys")
     tabs = {"blocks": studio["help-block"], "keys": keys, "tasks": studio["help-task"]}
-    for language, words in {"en": "Drive and turn", "es": "Avanzar y girar"}.items():
+    for language, heading in {"en": "Drive and turn", "es": "Avanzar y girar"}.items():
         studio.choose_language(language)
-        expect(studio["help-panel"]).to_contain_text(words)
+        expect(studio["help-panel"]).to_contain_text(heading)
         for tab, shown in tabs.items():
             to_tab(studio, tab)
             assert cut(studio, shown) == [], (language, tab)

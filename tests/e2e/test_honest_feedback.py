@@ -26,14 +26,14 @@ def group(studio: Studio) -> Studio:
     return studio
 
 
-def expect_words(studio: Studio, tone: str, *words: str) -> None:
+def expect_texts(studio: Studio, tone: str, *texts: str) -> None:
     line = studio["status-line"]
     expect(line).to_have_attribute("data-tone", tone)
-    for part in words:
+    for part in texts:
         expect(line).to_contain_text(part)
 
 
-def is_apart(one: Locator, other: Locator) -> bool:
+def is_separate(one: Locator, other: Locator) -> bool:
     a, b = box_of(one), box_of(other)
     beside = a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
     above = a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"]
@@ -44,37 +44,37 @@ def test_an_empty_loop_and_a_robot_at_rest_are_no_success(group: Studio) -> None
     group.blocks.click_in_toolbox("flow", "repetir")
     group.run()
     group.wait_for_phase("finished")
-    expect_words(group, "notice", "o robô não saiu do lugar", "Há uma repetição vazia")
+    expect_texts(group, "notice", "o robô não saiu do lugar", "Há uma repetição vazia")
 
     group.blocks.click_in_toolbox("motion", "girar")
-    expect_words(group, "calm", "Apertem Rodar")
+    expect_texts(group, "calm", "Apertem Rodar")
     group.hurry()
     group.run()
     group.wait_for_phase("finished")
-    expect_words(group, "done", "Programa terminou")
+    expect_texts(group, "done", "Programa terminou")
 
 
 def test_loose_blocks_are_said_to_have_done_nothing(group: Studio) -> None:
     blocks = group.blocks
     blocks.click_in_flyout("girar")
-    blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_words("girar"), -200))
+    blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_text("girar"), -200))
     expect(blocks.loose()).to_have_count(1)
     group.run()
     group.wait_for_phase("finished")
-    expect_words(group, "notice", "Programa terminou", "Um bloco está solto e não rodou")
+    expect_texts(group, "notice", "Programa terminou", "Um bloco está solto e não rodou")
 
 
 def test_a_number_changed_during_a_run_counts_in_the_next_one(group: Studio) -> None:
     blocks = group.blocks
     blocks.click_in_toolbox("flow", "esperar")
-    blocks.type_into(blocks.by_words("esperar"), "30")
+    blocks.type_into(blocks.by_text("esperar"), "30")
     expect(group["field-note"]).to_have_count(0)
     group.run()
     group.wait_for_phase("running")
-    blocks.type_into(blocks.by_words("esperar"), "999")
+    blocks.type_into(blocks.by_text("esperar"), "999")
     expect(group["field-note"]).to_contain_text("só de 0 a 600")
     expect(group["field-note"]).to_contain_text("Vale na próxima rodada.")
-    expect_words(group, "moving", "A mudança vale na próxima rodada.")
+    expect_texts(group, "moving", "A mudança vale na próxima rodada.")
     group["stop"].click()
     group.wait_for_phase("stopped")
 
@@ -85,25 +85,25 @@ def test_the_block_that_failed_is_shown_until_the_program_is_mended(group: Studi
     group.eventually(lambda: len(group.actions()), N_TURNS + 3)
     group.run()
     group.wait_for_phase("running")
-    failing = group.blocks.by_words("andar para frente")
+    failing = group.blocks.by_text("andar para frente")
     expect(group["status-line"]).to_contain_text("Andando", timeout=RUN_MS)
     group.page.mouse.move(600, 400)
     group.page.mouse.wheel(0, -3000)
     expect(failing).not_to_be_in_viewport()
 
     group.wait_for_phase("failed")
-    bubble = group.blocks.fault_words()
+    bubble = group.blocks.fault_text()
     expect(bubble).to_be_visible()
     expect(failing).to_be_in_viewport()
     for control in (".blocklyTrash", ".pinelZoom"):
         for part in (bubble, failing.locator("> .blocklyPath").first):
-            assert is_apart(part, group.page.locator(control)), control
+            assert is_separate(part, group.page.locator(control)), control
 
-    expect_words(group, "fault")
+    expect_texts(group, "fault")
     group.blocks.type_into(failing, "0,1")
     expect(bubble).to_have_count(0)
     expect(group.blocks.faulty()).to_have_count(0)
-    expect_words(group, "calm", "Apertem Rodar")
+    expect_texts(group, "calm", "Apertem Rodar")
 
     group.hurry()
     group.run()
@@ -124,8 +124,8 @@ def test_the_robot_says_numbers_as_the_language_does(group: Studio) -> None:
     events = group.api(
         f"/runs/{group.api(f'/groups/{_group(group)}/runs')['runs'][0]['id']}/events"
     )
-    said = [event["text"] for event in events["events"] if event["type"] == "said"]
-    assert said == ["3.33333333333", "d: 0.5"]
+    texts = [event["text"] for event in events["events"] if event["type"] == "said"]
+    assert texts == ["3.33333333333", "d: 0.5"]
 
 
 def _group(studio: Studio) -> str:
@@ -154,8 +154,8 @@ def test_a_robot_that_only_believes_that_it_is_back_is_said_to_stand_elsewhere(
     write_program(studio, SQUARE)
     choose_wheels(studio)
     studio.run_to_the_end()
-    words = ("parou a 0,07", "da partida", "O robô pensa que voltou à partida")
-    expect_words(studio, "done", *words)
+    texts = ("parou a 0,07", "da partida", "O robô pensa que voltou à partida")
+    expect_texts(studio, "done", *texts)
     expect(studio["status-line"]).not_to_contain_text("voltou ao ponto de partida")
     off_m = math.hypot(studio.number("pose-x"), studio.number("pose-y"))
     assert off_m == pytest.approx(0.068, abs=0.002), (
@@ -167,4 +167,4 @@ def test_a_robot_that_only_believes_that_it_is_back_is_said_to_stand_elsewhere(
     slider = studio["replay-slider"]
     expect(slider).to_be_visible()
     slider.press("End")
-    expect_words(studio, "done", *words)
+    expect_texts(studio, "done", *texts)

@@ -19,23 +19,25 @@ class Keys:
         for key in keys:
             self._keyboard.press(key)
 
-    def walk_to(self, words: str, key: str, at_most: int = 12) -> None:
+    def walk_to(self, text: str, key: str, max_presses: int = 12) -> None:
         """Presses a key until what has the focus says the words."""
-        for _ in range(at_most):
-            if words in self._said():
+        for _ in range(max_presses):
+            if text in self._label():
                 return
             self.press(key)
-        raise AssertionError(f"{key} never came to {words!r}, but to {self._said()!r}")
+        raise AssertionError(f"{key} never came to {text!r}, but to {self._label()!r}")
 
-    def take(self, category: str, block: str, key: str = "t", way: str = "ArrowDown") -> None:
+    def add_block(
+        self, category: str, block: str, key: str = "t", direction_key: str = "ArrowDown"
+    ) -> None:
         """Out of the toolbox, which the key goes to, to the end of the loop or the program."""
         self.press(key)
-        self.walk_to(category, way)
+        self.walk_to(category, direction_key)
         self.press("ArrowRight")
         self.walk_to(block, "ArrowDown")
         self.press("Enter")
 
-    def _said(self) -> str:
+    def _label(self) -> str:
         focused = self._focused.first
         return (focused.get_attribute("aria-label") or focused.text_content() or "").replace(
             "\u00a0", " "
@@ -64,9 +66,9 @@ def test_a_square_is_built_and_run_by_keyboard_alone(studio: Studio) -> None:
 
     keys.press("w")
     keys.walk_to("quando rodar", "ArrowDown")
-    keys.take("Controle", "repetir")
+    keys.add_block("Controle", "repetir")
     # the palette stays open
-    keys.take("Movimento", "andar para frente", key="ArrowLeft", way="ArrowUp")
+    keys.add_block("Movimento", "andar para frente", key="ArrowLeft", direction_key="ArrowUp")
     keys.walk_to("girar", "ArrowDown")
     keys.press("Enter", "Escape")
 
@@ -78,7 +80,7 @@ def test_a_square_is_built_and_run_by_keyboard_alone(studio: Studio) -> None:
     expect(studio.page.locator(".blocklyHtmlInput")).to_be_focused()
     keyboard.type("0,2")
     keys.press("Enter")
-    expect(studio.blocks.by_words("andar para frente")).to_contain_text("0,2")
+    expect(studio.blocks.by_text("andar para frente")).to_contain_text("0,2")
 
     for _ in range(60):
         if studio.page.locator('[data-testid="run"]:focus').count():

@@ -64,7 +64,7 @@ def test_a_block_is_found_by_its_words_without_accents(empty: Studio) -> None:
 def test_an_if_grows_and_shrinks_on_the_block(empty: Studio) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.start()))
-    condition = blocks.by_words("então")
+    condition = blocks.by_text("então")
     press_on_block(empty, condition, "Acrescentar um senão")
     press_on_block(empty, condition, "Acrescentar um senão")
     expect(condition).to_contain_text("senão, se")
@@ -80,17 +80,17 @@ def test_an_if_grows_and_shrinks_on_the_block(empty: Studio) -> None:
 def test_a_variable_gets_a_name_and_another(empty: Studio) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("variables", "mudar", blocks.below(blocks.start()))
-    blocks.drag_from_toolbox("variables", "somar", blocks.below(blocks.by_words("mudar")))
-    blocks.choose(blocks.by_words("mudar"), "Nova variável")
+    blocks.drag_from_toolbox("variables", "somar", blocks.below(blocks.by_text("mudar")))
+    blocks.choose(blocks.by_text("mudar"), "Nova variável")
     answer(empty.page, "  lado da casa ")
     empty.eventually(lambda: empty.values("name"), ["lado da casa", "contador"])
-    blocks.choose(blocks.by_words("somar"), "lado da casa")
-    blocks.choose(blocks.by_words("somar"), "Trocar o nome")
+    blocks.choose(blocks.by_text("somar"), "lado da casa")
+    blocks.choose(blocks.by_text("somar"), "Trocar o nome")
     answer(empty.page, "aresta")
     empty.eventually(lambda: empty.values("name"), ["aresta", "aresta"])
     empty["undo"].click()
     empty.eventually(lambda: empty.values("name"), ["lado da casa", "lado da casa"])
-    blocks.choose(blocks.by_words("mudar"), "Nova variável")
+    blocks.choose(blocks.by_text("mudar"), "Nova variável")
     answer(empty.page, "a-b")
     expect(empty.page.locator(".blocklyToast")).to_contain_text("letras, números")
 
@@ -99,13 +99,13 @@ def test_a_function_with_a_value_is_made_and_called(empty: Studio) -> None:
     blocks = empty.blocks
     start = blocks.start()
     blocks.drag_from_toolbox("functions", "definir", blocks.beside(start, 120))
-    definition = blocks.by_words("definir")
+    definition = blocks.by_text("definir")
     blocks.type_into(definition, "lado")
     press_on_block(empty, definition, "Acrescentar um valor à função")
     blocks.type_into(definition, "tamanho", 1)
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(definition))
     blocks.drag_from_toolbox("functions", "tamanho:", blocks.below(start))
-    call = blocks.by_words("tamanho:")
+    call = blocks.by_text("tamanho:")
     blocks.type_into(call, "0,5")
     empty.eventually(lambda: empty.values("arguments"), [{"tamanho": 0.5}])
     document = empty.document()
@@ -119,20 +119,22 @@ def test_a_function_with_a_value_is_made_and_called(empty: Studio) -> None:
     empty.eventually(lambda: empty.values("function"), ["aresta"])
 
 
-@pytest.mark.parametrize(("typed", "said"), [("a-b", "letras, números"), ("", "letras, números")])
-def test_what_is_no_name_is_refused_in_words(empty: Studio, typed: str, said: str) -> None:
+@pytest.mark.parametrize(
+    ("typed", "message"), [("a-b", "letras, números"), ("", "letras, números")]
+)
+def test_what_is_no_name_is_refused_in_words(empty: Studio, typed: str, message: str) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("functions", "definir", blocks.beside(blocks.start(), 120))
-    definition = blocks.by_words("definir")
+    definition = blocks.by_text("definir")
     blocks.type_into(definition, typed)
-    expect(empty.page.locator(".blocklyToast")).to_contain_text(said)
+    expect(empty.page.locator(".blocklyToast")).to_contain_text(message)
     expect(definition).to_contain_text("função")
 
 
 def test_a_variable_is_named_by_keyboard(empty: Studio) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("variables", "mudar", blocks.below(blocks.start()))
-    blocks.select(blocks.by_words("mudar"))
+    blocks.select(blocks.by_text("mudar"))
     keyboard = empty.page.keyboard
     keyboard.press("ArrowRight")
     keyboard.press("Enter")
@@ -148,11 +150,11 @@ def test_a_variable_is_named_by_keyboard(empty: Studio) -> None:
 def test_a_value_of_the_wrong_kind_does_not_snap(empty: Studio) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    place = blocks.by_words("andar para frente").locator(".blocklyInputField").first
+    place = blocks.by_text("andar para frente").locator(".blocklyInputField").first
     box = box_of(place)
-    for category, words, loose in (("text", "juntar", 1), ("sensing", "tempo", 1)):
+    for category, block_text, loose in (("text", "juntar", 1), ("sensing", "tempo", 1)):
         blocks.category(category).click()
-        outline = blocks.in_flyout(words).locator("> .blocklyPath")
+        outline = blocks.in_flyout(block_text).locator("> .blocklyPath")
         from_ = box_of(outline)
         mouse = empty.page.mouse
         mouse.move(from_["x"] + 8, from_["y"] + from_["height"] / 2)
@@ -167,7 +169,7 @@ def test_a_value_of_the_wrong_kind_does_not_snap(empty: Studio) -> None:
 def test_what_is_written_on_a_block_is_in_the_document(empty: Studio) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("show", "apitar", blocks.below(blocks.start()))
-    blocks.by_words("apitar").locator("> .blocklyPath").first.click(
+    blocks.by_text("apitar").locator("> .blocklyPath").first.click(
         button="right", position={"x": 5, "y": 40}
     )
     empty.page.locator(".blocklyContextMenu .blocklyMenuItem", has_text="comentário").click()
@@ -180,7 +182,7 @@ def test_what_is_written_on_a_block_is_in_the_document(empty: Studio) -> None:
 def test_plus_is_pressed_by_keyboard(empty: Studio) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.start()))
-    condition = blocks.by_words("então")
+    condition = blocks.by_text("então")
     blocks.select(condition)
     keyboard = empty.page.keyboard
     for _ in range(12):
@@ -205,14 +207,14 @@ def test_a_program_that_was_saved_before_opens_and_is_the_same(empty: Studio) ->
     empty.page.reload()
     empty.wait_until_open()
     blocks = empty.blocks
-    expect(blocks.by_words("ler gesto")).to_be_visible()
+    expect(blocks.by_text("ler gesto")).to_be_visible()
     assert empty.document() is None  # opening a program is no edit
 
-    blocks.type_into(blocks.by_words("ler gesto"), "2,5")
-    wanted = saved["document"]["commands"]
-    assert wanted[0]["action"] == "classify_gestures"
-    wanted[0]["timeout"] = 2.5
-    empty.eventually(lambda: without_empty_branches(empty.commands()), wanted)
+    blocks.type_into(blocks.by_text("ler gesto"), "2,5")
+    expected = saved["document"]["commands"]
+    assert expected[0]["action"] == "classify_gestures"
+    expected[0]["timeout"] = 2.5
+    empty.eventually(lambda: without_empty_branches(empty.commands()), expected)
 
 
 def without_empty_branches(value: Any) -> Any:
@@ -221,5 +223,5 @@ def without_empty_branches(value: Any) -> Any:
         return [without_empty_branches(one) for one in value]
     if not isinstance(value, dict):
         return value
-    kept = {key: one for key, one in value.items() if one != [] or key not in ("elif", "else")}
-    return {key: without_empty_branches(one) for key, one in kept.items()}
+    present = {key: one for key, one in value.items() if one != [] or key not in ("elif", "else")}
+    return {key: without_empty_branches(one) for key, one in present.items()}

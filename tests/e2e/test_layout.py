@@ -65,12 +65,12 @@ def cut(studio: Studio, shows: str | Locator) -> list[Any]:
     return list(studio.page.evaluate(_CUT))
 
 
-Look = tuple[str, tuple[int, int]]
+Layout = tuple[str, tuple[int, int]]
 
 
-def looks(
+def layouts(
     studio: Studio, languages: Sequence[str], sizes: Sequence[tuple[int, int]]
-) -> Iterator[Look]:
+) -> Iterator[Layout]:
     """Every language in every window size, one after the other."""
     for language in languages:
         studio.choose_language(language)
@@ -96,10 +96,10 @@ def test_no_words_are_cut(studio: Studio) -> None:
 
 def expect_uncut(studio: Studio, shows: str, screen: str, *, is_large: bool = False) -> None:
     """In every language and window size; large: every button is large enough, too."""
-    for look in looks(studio, LANGUAGES, SCREENS):
-        assert cut(studio, shows) == [], (screen, look)
+    for layout in layouts(studio, LANGUAGES, SCREENS):
+        assert cut(studio, shows) == [], (screen, layout)
         if is_large:
-            assert studio.page.evaluate(_SMALL) == [], (screen, look)
+            assert studio.page.evaluate(_SMALL) == [], (screen, layout)
 
 
 def test_the_lesson_gives_way_to_the_group_and_its_program(studio: Studio, watch: Watch) -> None:
@@ -109,64 +109,64 @@ def test_the_lesson_gives_way_to_the_group_and_its_program(studio: Studio, watch
     studio.page.reload()
     studio.wait_until_open()
     expect(studio["lesson-chip"]).to_be_visible()
-    for look in looks(studio, ("es", "pt-BR"), SCREENS[:2]):
-        assert _cut_names(studio) == [], look
-        _expect_ways_out(studio, look)
+    for layout in layouts(studio, ("es", "pt-BR"), SCREENS[:2]):
+        assert _cut_names(studio) == [], layout
+        _expect_exits(studio, layout)
     studio.page.route("**/api/programs/*/versions", lambda route: route.abort())
     start = studio.blocks.start()
     studio.blocks.drag_from_toolbox("motion", "andar para frente", studio.blocks.below(start))
     expect(studio["saved-mark"]).to_have_attribute("data-state", "failed")
-    for look in looks(studio, ("pt-BR", "es"), SCREENS[:2]):
+    for layout in layouts(studio, ("pt-BR", "es"), SCREENS[:2]):
         expect(studio["saved-mark"]).to_have_attribute("data-state", "failed")
-        assert _cut_names(studio) == [], look
-        assert cut(studio, "editor") == [], look
-        _expect_ways_out(studio, look)
+        assert _cut_names(studio) == [], layout
+        assert cut(studio, "editor") == [], layout
+        _expect_exits(studio, layout)
 
 
 def test_long_names_give_way_to_every_button_of_the_header(studio: Studio) -> None:
     studio.enter_new_group("Os Engenheiros da Escola Municipal")
     _begin_lesson(studio, "Quadrados e desvios no pátio da escola")
     name = "Quadrado grande com a caneta vermelha e giros"
-    studio.tell("PATCH", f"/programs/{studio.program_id}", {"name": name})
+    studio.send("PATCH", f"/programs/{studio.program_id}", {"name": name})
     studio.page.reload()
     studio.wait_until_open()
     expect(studio["lesson-chip"]).to_be_visible()
     start = studio.blocks.start()
     studio.blocks.drag_from_toolbox("gestures", "ler gesto", studio.blocks.below(start))
     expect(studio["practice"]).to_be_visible()
-    for look in looks(studio, ("pt-BR",), SCREENS[:2]):
-        _expect_ways_out(studio, look)
-        assert [one for one in cut(studio, "editor") if "program-name" not in one] == [], look
+    for layout in layouts(studio, ("pt-BR",), SCREENS[:2]):
+        _expect_exits(studio, layout)
+        assert [one for one in cut(studio, "editor") if "program-name" not in one] == [], layout
     studio.page.set_viewport_size({"width": 1920, "height": 768})
     expect(studio["open-work"]).to_contain_text("Nossos trabalhos")
 
 
 def test_in_low_windows_a_click_reaches_the_control_that_it_is_meant_for(studio: Studio) -> None:
     studio.enter_new_group("Os Engenheiros")
-    covered: dict[tuple[Look, bool], list[str]] = {}
+    covered: dict[tuple[Layout, bool], list[str]] = {}
     for more in (False, True):
         expect(studio["measure-tool"]).to_have_count(2 if more else 0)
-        for look in looks(studio, LANGUAGES, [(width, 600) for width in range(800, 1400, 50)]):
+        for layout in layouts(studio, LANGUAGES, [(width, 600) for width in range(800, 1400, 50)]):
             studio.wait_for_screen("measure-tool" if more else "editor")
             if found := studio.page.evaluate(_COVERED):
-                covered[look, more] = found
+                covered[layout, more] = found
         studio["scene-tools"].click()
     assert covered == {}
 
 
-def _expect_ways_out(studio: Studio, look: Look) -> None:
-    for way in ("open-activities", "open-work", "help", "theme", "language"):
-        expect(studio[way], f"{way}, {look}").to_be_in_viewport(ratio=1)
+def _expect_exits(studio: Studio, layout: Layout) -> None:
+    for exit_id in ("open-activities", "open-work", "help", "theme", "language"):
+        expect(studio[exit_id], f"{exit_id}, {layout}").to_be_in_viewport(ratio=1)
 
 
 def _begin_lesson(studio: Studio, title: str) -> None:
     """For the group that is in."""
     studio.open_teacher_part("314159")
     group = studio.api("/groups")["groups"][0]
-    classroom = studio.tell("POST", "/classrooms", {"name": f"Turma de {group['name']}"})["id"]
-    studio.tell("PATCH", f"/groups/{group['id']}", {"classroom_id": classroom})
-    studio.tell("POST", f"/classrooms/{classroom}/lessons", {"title": title, "activity": "square"})
-    studio.tell("POST", "/teacher/leave", {})
+    classroom = studio.send("POST", "/classrooms", {"name": f"Turma de {group['name']}"})["id"]
+    studio.send("PATCH", f"/groups/{group['id']}", {"classroom_id": classroom})
+    studio.send("POST", f"/classrooms/{classroom}/lessons", {"title": title, "activity": "square"})
+    studio.send("POST", "/teacher/leave", {})
 
 
 def _cut_names(studio: Studio) -> list[str]:

@@ -133,7 +133,7 @@ def merge_all(pc: Studio, stick: Path) -> str:
     expect(pc["merge-results"].get_by_role("listitem")).to_have_count(n_files)
     assert merged.value.ok
     paths = [str(file) for file in stick.glob("*.pinel")]
-    return str(pc.tell("POST", "/bundles/merge", {"paths": paths})["content_hash"])
+    return str(pc.send("POST", "/bundles/merge", {"paths": paths})["content_hash"])
 
 
 def at_the_stick(pc: Studio, stick: Path) -> None:
@@ -166,7 +166,7 @@ def repairs(pc: Studio) -> None:
     write_program(pc, SQUARE.format(side=0.5))
     finish(pc)
     expect(pc["status-line"]).to_contain_text("Ainda não:")
-    pc.blocks.type_into(pc.blocks.by_words("andar para frente"), "1")
+    pc.blocks.type_into(pc.blocks.by_text("andar para frente"), "1")
     pc.eventually(lambda: pc.commands()[0]["commands"][0]["distance"], 1)
     finish(pc)
     expect(pc["status-line"]).to_contain_text("A atividade está resolvida")

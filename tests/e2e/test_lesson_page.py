@@ -100,10 +100,10 @@ def test_the_page_is_brought_up_to_date_and_says_as_of_when_it_is(
     studio["review-open"].click()
     _send(studio.page, "PATCH", f"groups/{past.group}", name="Emas do 7º B")
     expect(group).to_have_attribute("data-name", "Emas")
-    seen_at = refresh.get_attribute("data-at") or ""
+    refreshed_at = refresh.get_attribute("data-at") or ""
     refresh.click()
     expect(group).to_have_attribute("data-name", "Emas do 7º B")
-    expect(refresh).not_to_have_attribute("data-at", seen_at)
+    expect(refresh).not_to_have_attribute("data-at", refreshed_at)
     expect(studio["review-detail"]).to_be_visible()
     expect(refresh).to_be_focused()
     _send(studio.page, "PATCH", f"groups/{past.group}", name="Emas")

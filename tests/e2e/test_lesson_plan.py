@@ -84,15 +84,15 @@ def test_cards_are_real_blocks_with_blanks_and_fit_on_paper(teacher: Teacher) ->
     teacher.page.emulate_media(media="screen")
 
 
-@pytest.mark.parametrize(("place", "save", "told"), [
+@pytest.mark.parametrize(("place", "save", "shown_text"), [
     ("teacher/plan", "plan-save", "Com aluno surdo"),
     ("cards", "cards-save", "andar para frente"),
 ])  # fmt: skip
 def test_a_saved_page_opens_without_the_app(
-    teacher: Teacher, browser: Browser, tmp_path: Path, place: str, save: str, told: str
+    teacher: Teacher, browser: Browser, tmp_path: Path, place: str, save: str, shown_text: str
 ) -> None:
     teacher.go(place)
-    expect(teacher.page.get_by_text(told).first).to_be_visible()
+    expect(teacher.page.get_by_text(shown_text).first).to_be_visible()
     with teacher.page.expect_download() as download:
         teacher[save].click()
     file = tmp_path / download.value.suggested_filename
@@ -102,7 +102,7 @@ def test_a_saved_page_opens_without_the_app(
     asked: list[str] = []
     alone.on("request", lambda request: asked.append(request.url))
     alone.goto(file.as_uri())
-    expect(alone.get_by_text(told).first).to_be_visible()
+    expect(alone.get_by_text(shown_text).first).to_be_visible()
     expect(alone.get_by_role("button")).to_have_count(0)
     assert [url for url in asked if not url.startswith(("file:", "data:"))] == []
     alone.close()

@@ -58,5 +58,5 @@ def test_a_program_above_the_level_stays_whole(studio: Studio) -> None:
     studio["level"].select_option("1")
     studio.page.reload()
     studio.wait_until_open()
-    expect(studio.blocks.by_words("definir")).to_be_visible()
+    expect(studio.blocks.by_text("definir")).to_be_visible()
     assert studio.actions() == ["call"]

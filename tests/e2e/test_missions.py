@@ -11,7 +11,7 @@ from tests.e2e.test_layout import cut
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
-LOOKED_FOR_EVERY_MS = 15_000  # a lesson that the teacher opens meanwhile
+POLL_INTERVAL_MS = 15_000  # a lesson that the teacher opens meanwhile
 MOVE = "andar para frente"
 
 
@@ -24,7 +24,7 @@ def sign_in_with(studio: Studio) -> None:
 def put_move(studio: Studio, distance: str) -> None:
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", MOVE, blocks.below(blocks.start()))
-    blocks.type_into(blocks.by_words(MOVE), distance)
+    blocks.type_into(blocks.by_text(MOVE), distance)
     studio.eventually(lambda: studio.values("distance"), [float(distance.replace(",", "."))])
 
 
@@ -62,7 +62,7 @@ def test_a_mission_that_the_teacher_opens_later_is_offered(
     sign_in_with(teacher)
     to_part(teacher, "lessons")
     open_lesson(teacher, "Sair do labirinto", "maze")
-    studio.page.clock.fast_forward(LOOKED_FOR_EVERY_MS)
+    studio.page.clock.fast_forward(POLL_INTERVAL_MS)
     expect(studio["lesson-mission"]).to_be_visible()
     studio["lesson-mission"].click()
     expect(studio["world-locked"]).to_contain_text("Labirinto")
@@ -96,7 +96,7 @@ def hints(studio: Studio) -> Locator:
 def test_hints_are_opened_one_by_one_and_stay_open(studio: Studio) -> None:
     studio.enter_group("Os Tatus")
     group = studio.api("/groups")["groups"][0]["id"]
-    studio.tell("POST", f"/groups/{group}/activities", {"activity": "square"})
+    studio.send("POST", f"/groups/{group}/activities", {"activity": "square"})
     studio["open-activities"].click()
     studio.page.locator("[data-testid=activity-card][data-activity=square]").click()
     studio.wait_until_open()

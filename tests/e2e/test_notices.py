@@ -26,14 +26,14 @@ def test_a_comparison_that_is_never_true_is_said_at_its_block(studio: Studio) ->
     write_program(studio, NEVER_RED)
     expect(noticed(studio)).to_have_count(2)
     noticed(studio).first.locator("> .blocklyWarningIcon").click()
-    words = studio.blocks.fault_words()
-    expect(words).to_contain_text("nunca é igual")
-    expect(words).to_contain_text("Troquem o texto pelo bloco de cor")
-    assert violations(studio, words) == []
+    bubble = studio.blocks.fault_text()
+    expect(bubble).to_contain_text("nunca é igual")
+    expect(bubble).to_contain_text("Troquem o texto pelo bloco de cor")
+    assert violations(studio, bubble) == []
 
     studio["world"].select_option("tic_tac_toe")
     noticed(studio).last.locator("> .blocklyWarningIcon").click()
-    expect(studio.blocks.fault_words().last).to_contain_text("Os lugares dele são:")
+    expect(studio.blocks.fault_text().last).to_contain_text("Os lugares dele são:")
 
     write_program(studio, NEVER_RED.replace("vermelho", "red").replace("Casa", "A"))
     expect(noticed(studio)).to_have_count(0)

@@ -50,28 +50,28 @@ def test_a_press_shows_the_moment_on_the_floor_in_the_blocks_and_in_words(studio
     drive(studio)
     requests: list[str] = []
     studio.page.on("request", lambda request: requests.append(request.url))
-    slider, words = studio["past-run-slider"], studio["status-line"]
+    slider, status = studio["past-run-slider"], studio["status-line"]
     studio.wait_for_screen("past-run-slider")
-    end_words, end_floor = words.inner_text(), floor_picture(studio)
+    end_text, end_floor = status.inner_text(), floor_picture(studio)
     end = int(slider.get_attribute("max") or 0)
     expect(slider).to_have_js_property("value", str(end))
     expect(studio.blocks.running()).to_have_count(0)
 
     press(slider, 0.3)
     expect(studio.blocks.running()).to_contain_text("andar para frente")
-    expect(words).to_contain_text("Andando:")
+    expect(status).to_contain_text("Andando:")
     studio.expect_number("pose-x", pytest.approx(0.25, abs=0.15))
     studio.expect_number("elapsed", pytest.approx(0.3 * end / 30, abs=0.3))
     studio.eventually(lambda: floor_picture(studio) != end_floor, True)
 
     press(slider, 0.9)
     expect(studio.blocks.running()).to_contain_text("girar")
-    expect(words).to_contain_text("Girando")
+    expect(status).to_contain_text("Girando")
     studio.eventually(lambda: studio.number("pose-heading") > 10, True)
 
     studio.page.keyboard.press("Escape")
     expect(studio.blocks.running()).to_have_count(0)
-    expect(words).to_have_text(end_words, use_inner_text=True)
+    expect(status).to_have_text(end_text, use_inner_text=True)
     studio.eventually(lambda: floor_picture(studio), end_floor)
     assert [url for url in requests if "/api/" in url] == []
 
@@ -89,7 +89,7 @@ def test_arrow_keys_go_from_block_to_block_and_leaving_goes_back_to_the_end(stud
     slider.press("ArrowRight")
     expect(studio.blocks.running()).to_contain_text("girar")
 
-    studio.blocks.by_words("andar para frente").click(position={"x": 20, "y": 20})
+    studio.blocks.by_text("andar para frente").click(position={"x": 20, "y": 20})
     expect(studio.blocks.running()).to_have_count(0)
     expect(studio["status-line"]).to_have_attribute("data-tone", "done")
     studio.expect_number("pose-x", pytest.approx(0.5, abs=0.001))
@@ -99,7 +99,7 @@ def test_a_block_that_is_gone_is_lit_nowhere_and_the_moment_is_shown_all_the_sam
     studio: Studio,
 ) -> None:
     drive(studio)
-    studio.blocks.by_words("girar").click(position={"x": 20, "y": 20})
+    studio.blocks.by_text("girar").click(position={"x": 20, "y": 20})
     studio.page.keyboard.press("Delete")
     studio.eventually(studio.actions, ["move_forward"])
     press(studio["past-run-slider"], 0.95)
@@ -161,11 +161,11 @@ def test_it_fits_below_floor_plots_and_text_and_axe_has_no_complaint(studio: Stu
         if opener:
             studio[opener].click()
         for width, height in _SIZES:
-            look = f"{shown}, {width} x {height}"
+            layout = f"{shown}, {width} x {height}"
             studio.page.set_viewport_size({"width": width, "height": height})
             studio.wait_for_screen(shown)
             strip, floor = (box_of(studio[name]) for name in ("past-run", "scene"))
-            assert strip["y"] + strip["height"] <= height - 60, look
-            assert floor["height"] > 100, look
-            assert [one for one in cut(studio, shown) if "program-name" not in one] == [], look
-            assert violations(studio, shown, every_theme=width == _SIZES[0][0]) == [], look
+            assert strip["y"] + strip["height"] <= height - 60, layout
+            assert floor["height"] > 100, layout
+            assert [one for one in cut(studio, shown) if "program-name" not in one] == [], layout
+            assert violations(studio, shown, every_theme=width == _SIZES[0][0]) == [], layout

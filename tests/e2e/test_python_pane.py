@@ -32,7 +32,7 @@ def test_the_text_follows_the_blocks(studio: Studio) -> None:
     open_python(studio)
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
     expect(studio["python-text"]).to_contain_text("robot.move_forward(1.0)")
-    blocks.type_into(blocks.by_words("andar para frente"), "2,5")
+    blocks.type_into(blocks.by_text("andar para frente"), "2,5")
     expect(studio["python-text"]).to_contain_text("robot.move_forward(2.5)")
 
 
@@ -43,8 +43,8 @@ def test_the_line_that_runs_is_lit(studio: Studio) -> None:
     expect(studio["python-text"]).to_contain_text("robot.move_forward(3.0)")
     lines = studio["python-text"].locator(".code__text").inner_text().splitlines()
     places = [
-        str(1 + next(at for at, line in enumerate(lines) if words in line))
-        for words in ("robot.wait", "robot.move_forward")
+        str(1 + next(at for at, line in enumerate(lines) if call in line))
+        for call in ("robot.wait", "robot.move_forward")
     ]
     studio.run()
     for place in places:
@@ -63,7 +63,7 @@ def test_a_text_becomes_blocks_and_the_blocks_before_can_come_back(studio: Studi
     edit_python(studio, SQUARE)
     expect(studio["python-state"]).to_have_attribute("data-state", "fine")
     studio["python-put"].click()
-    expect(blocks.by_words("definir")).to_contain_text("lado")
+    expect(blocks.by_text("definir")).to_contain_text("lado")
     studio.eventually(studio.actions, ["repeat"])
     expect(studio["python-text"]).to_contain_text("lado(0.5)")
 
@@ -73,7 +73,7 @@ def test_a_text_becomes_blocks_and_the_blocks_before_can_come_back(studio: Studi
     studio.eventually(studio.actions, ["repeat"])
     studio.page.reload()
     studio.wait_until_open()
-    expect(blocks.by_words("definir")).to_contain_text("lado")
+    expect(blocks.by_text("definir")).to_contain_text("lado")
 
 
 def test_the_name_in_the_text_is_the_name_of_the_program(studio: Studio) -> None:

@@ -65,7 +65,7 @@ def check_off(studio: Studio) -> None:
 def build_move(studio: Studio, metres: str) -> None:
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    blocks.type_into(blocks.by_words("andar para frente"), metres)
+    blocks.type_into(blocks.by_text("andar para frente"), metres)
     studio.eventually(lambda: studio.values("distance"), [float(metres.replace(",", "."))])
 
 
@@ -102,9 +102,9 @@ def test_group_drives_the_robot_that_its_teacher_set_up_and_stops_it_by_the_emer
         check_off(studio)
         studio.wait_for_phase("finished")
         assert aurora.has_ended(RUN_MS / 1000)
-        assert 0.1 < max(twist.v_mps for _, twist in aurora.heard) <= SPEED_MPS / 2
+        assert 0.1 < max(twist.v_mps for _, twist in aurora.received) <= SPEED_MPS / 2
 
-    studio.blocks.type_into(studio.blocks.by_words("andar para frente"), "2,5")
+    studio.blocks.type_into(studio.blocks.by_text("andar para frente"), "2,5")
     studio.eventually(lambda: studio.values("distance"), [2.5])
     with client(port) as aurora:
         studio.run()  # the list is gone through once
@@ -114,8 +114,8 @@ def test_group_drives_the_robot_that_its_teacher_set_up_and_stops_it_by_the_emer
         studio.page.keyboard.press("F9")
         studio.wait_for_phase("stopped")
         assert aurora.has_ended(RUN_MS / 1000)
-        assert aurora.stood_from_s() is not None
-        assert aurora.heard[-1][1].v_mps == 0.0
+        assert aurora.standstill_since_s() is not None
+        assert aurora.received[-1][1].v_mps == 0.0
 
     review(studio)
 
@@ -191,7 +191,7 @@ def test_teacher_tries_whether_the_robot_responds(studio: Studio) -> None:
     with client(port) as aurora:
         studio["robot-contact"].click()
         expect(studio["robot-found"]).to_contain_text("O robô responde", timeout=RUN_MS)
-        assert not any(twist.v_mps or twist.omega_radps for _, twist in aurora.heard)
+        assert not any(twist.v_mps or twist.omega_radps for _, twist in aurora.received)
     assert violations(studio, "robot-found") == []
     assert cut(studio, "robot-found") == []
 
@@ -251,12 +251,12 @@ def hold_until_moved(studio: Studio) -> None:
     studio.page.keyboard.up("ArrowUp")
     expect(studio["emergency-stop"]).to_have_count(0, timeout=RUN_MS)  # let go
     let_go = place(studio)
-    studio.eventually(lambda: stands(studio), True)  # it brakes, and the picture follows
-    stood = place(studio)
-    assert abs(stood[0] - let_go[0]) < 0.1
+    studio.eventually(lambda: is_still(studio), True)  # it brakes, and the picture follows
+    rest_pose = place(studio)
+    assert abs(rest_pose[0] - let_go[0]) < 0.1
 
 
-def stands(studio: Studio) -> bool:
+def is_still(studio: Studio) -> bool:
     """Whether the drawn robot keeps its place for so long that no picture can be on its way any more."""
     before = place(studio)
     studio.page.wait_for_timeout(1500)

@@ -87,9 +87,9 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     expect(teacher["compare-open"]).to_have_count(0)
     choose.nth(1).check()
     teacher.studio.wait_for_screen("compare-open")
-    seen_at = teacher["review-refresh"].get_attribute("data-at") or ""
+    refreshed_at = teacher["review-refresh"].get_attribute("data-at") or ""
     teacher["review-refresh"].click()
-    expect(teacher["review-refresh"]).not_to_have_attribute("data-at", seen_at)
+    expect(teacher["review-refresh"]).not_to_have_attribute("data-at", refreshed_at)
     expect(choose.nth(1)).to_be_checked()
     teacher["compare-open"].click()
     sides = teacher["compare-side"]
@@ -118,15 +118,15 @@ def test_blocks_that_differ_are_marked_on_both_sides_and_read_in_words(teacher: 
     first, second = _sides(teacher)
     expect(first.locator(".pinelSign")).to_have_count(1)
     expect(second.locator(".pinelSign")).to_have_count(7)
-    told = teacher["difference"]
-    expect(told).to_have_attribute("data-kind", "changed")
-    expect(told).to_contain_text("andar para frente 9 m → andar para frente 1 m")
-    expect(told).to_contain_text("1 de 7")
+    difference = teacher["difference"]
+    expect(difference).to_have_attribute("data-kind", "changed")
+    expect(difference).to_contain_text("andar para frente 9 m → andar para frente 1 m")
+    expect(difference).to_contain_text("1 de 7")
     for side in (first, second):
         expect(side.locator(".pinelRunning")).to_have_count(1)
     teacher["difference-next"].click()
-    expect(told).to_have_attribute("data-kind", "added")
-    expect(told).to_contain_text("2 de 7")
+    expect(difference).to_have_attribute("data-kind", "added")
+    expect(difference).to_contain_text("2 de 7")
     expect(first.locator(".pinelRunning")).to_have_count(0)
     for place in ("apart", "together"):
         teacher.page.locator(f"[data-testid=compare-view][data-value={place}]").click()
@@ -252,14 +252,14 @@ def _sides(teacher: Teacher) -> list[Locator]:
 def _long_runs(teacher: Teacher) -> list[str]:
     """Two runs of one program of thirty turns; the second waits after them."""
     name = {"name": f"Longo {time.monotonic()}"}
-    program = teacher.studio.tell("POST", f"/groups/{teacher.past.group}/programs", name)["id"]
+    program = teacher.studio.send("POST", f"/groups/{teacher.past.group}/programs", name)["id"]
     turns: list[Step] = [("turn", 1)] * 30
     runs = []
     for steps in (turns, [*turns, ("wait", 1)]):
         content = {"workspace": workspace_of(steps), "document": document_of(steps)}
-        version = teacher.studio.tell("POST", f"/programs/{program}/versions", content)
+        version = teacher.studio.send("POST", f"/programs/{program}/versions", content)
         begin = {"version_id": version["id"], "world": "empty_room", "speed": 10}
-        run = teacher.studio.tell("POST", "/runs", begin)["id"]
+        run = teacher.studio.send("POST", "/runs", begin)["id"]
         runs.append(run)
         teacher.studio.eventually(
             lambda: teacher.studio.api(f"/runs/{runs[-1]}")["state"], "finished"
@@ -272,11 +272,11 @@ def _notes(teacher: Teacher, run: str) -> list[dict[str, Any]]:
     return notes
 
 
-def _begin_note(teacher: Teacher, n: int, words: str) -> str:
+def _begin_note(teacher: Teacher, n: int, text: str) -> str:
     """Types a note at the replay of the lesson's run of that number, from 0; returns the run."""
     teacher.open_lesson()
     run = teacher.past.runs[n]
     teacher.go(f"run/{run}")
     teacher["note-open"].click()
-    teacher["note-text"].fill(words)
+    teacher["note-text"].fill(text)
     return run

@@ -25,7 +25,7 @@ def test_the_turtlebot_drives_and_is_the_robot_of_its_run(studio: Studio) -> Non
     expect(studio["robot-model"]).to_have_value("pioneer_3dx")
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    blocks.type_into(blocks.by_words("andar para frente"), "0,3")
+    blocks.type_into(blocks.by_text("andar para frente"), "0,3")
     studio["robot-model"].select_option(label="TurtleBot3 Burger")
     studio.run_to_the_end()
     studio.wait_for_phase("finished")
@@ -49,7 +49,7 @@ def test_a_block_that_reads_a_sonar_is_marked_before_the_turtlebot_moves(
     studio["robot-model"].select_option(label="TurtleBot3 Burger")
     studio["run"].click()
     expect(studio.blocks.faulty()).to_have_count(1)
-    expect(studio.blocks.fault_words()).to_contain_text("não tem o sensor")
+    expect(studio.blocks.fault_text()).to_contain_text("não tem o sensor")
     studio.wait_for_phase("idle")
 
     studio["robot-model"].select_option(label="Pioneer 3-DX")
@@ -67,7 +67,7 @@ def test_the_scanner_of_the_turtlebot_sees_behind_it_that_of_the_pioneer_does_no
     write_program(studio, READS_LASER)
     studio["speed"].select_option("10")
     studio["run"].click()
-    expect(studio.blocks.fault_words()).to_contain_text("O ângulo 180 está fora")
+    expect(studio.blocks.fault_text()).to_contain_text("O ângulo 180 está fora")
     studio["robot-model"].select_option(label="TurtleBot3 Burger")
     studio.run_to_the_end()
     studio.wait_for_phase("finished")

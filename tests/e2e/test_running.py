@@ -25,7 +25,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
 def add_move(studio: Studio, metres: str) -> None:
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    blocks.type_into(blocks.by_words("andar para frente"), metres)
+    blocks.type_into(blocks.by_text("andar para frente"), metres)
     studio.eventually(lambda: studio.values("distance"), [float(metres.replace(",", "."))])
 
 
@@ -42,8 +42,8 @@ def test_stop_stops_where_the_robot_is(studio: Studio) -> None:
     stopped_at = studio.number("pose-x")
     assert 0.1 < stopped_at < 2.5
     studio.page.evaluate(_TEN_FRAMES)
-    later_at = studio.number("pose-x")
-    assert later_at == stopped_at
+    current_at = studio.number("pose-x")
+    assert current_at == stopped_at
     expect(studio.blocks.running()).to_have_count(0)
     expect(studio["status-line"]).to_have_attribute("data-tone", "notice")
     expect(studio["run"]).to_have_attribute("data-does", "run")
@@ -98,17 +98,17 @@ def test_a_block_with_a_fault_says_so_until_it_is_mended(studio: Studio) -> None
     studio.enter_new_group()
     blocks = studio.blocks
     blocks.drag_from_toolbox("flow", "repetir até que", blocks.below(blocks.start()))
-    blocks.drag(blocks.by_words("bateu"), blocks.beside(blocks.by_words("até que")))
+    blocks.drag(blocks.by_text("bateu"), blocks.beside(blocks.by_text("até que")))
 
     expect(blocks.faulty()).to_have_count(1)
     expect(blocks.faulty()).to_contain_text("até que")
-    expect(blocks.fault_words()).to_be_visible()
+    expect(blocks.fault_text()).to_be_visible()
     expect(studio["status-line"]).to_have_attribute("data-tone", "notice")
     expect(blocks.loose()).not_to_have_count(0)
 
     studio["undo"].click()
     expect(blocks.faulty()).to_have_count(0)
-    expect(blocks.fault_words()).to_have_count(0)
+    expect(blocks.fault_text()).to_have_count(0)
     expect(blocks.loose()).to_have_count(0)
     studio.eventually(lambda: studio.values("condition"), [{"sensor": "bumper"}])
 
@@ -117,21 +117,21 @@ def test_the_words_of_a_fault_stand_once_however_quickly_they_are_asked_for(stud
     studio.enter_new_group()
     blocks = studio.blocks
     blocks.drag_from_toolbox("flow", "repetir até que", blocks.below(blocks.start()))
-    blocks.drag(blocks.by_words("bateu"), blocks.beside(blocks.by_words("até que")))
-    expect(blocks.fault_words()).to_be_visible()
+    blocks.drag(blocks.by_text("bateu"), blocks.beside(blocks.by_text("até que")))
+    expect(blocks.fault_text()).to_be_visible()
     blocks.faulty().locator(".blocklyWarningIcon").click()
-    expect(blocks.fault_words()).to_have_count(0)
+    expect(blocks.fault_text()).to_have_count(0)
 
     studio["fault"].evaluate("button => { button.click(); button.click(); }")
-    expect(blocks.fault_words()).to_be_visible()
+    expect(blocks.fault_text()).to_be_visible()
     studio.page.wait_for_timeout(500)  # a second one would come a moment later
-    expect(blocks.fault_words()).to_have_count(1)
+    expect(blocks.fault_text()).to_have_count(1)
 
 
 def test_a_failed_run_says_why_and_leaves_the_workspace_alone(studio: Studio) -> None:
     enter_made_group(studio, [("move_forward", 9)])
     blocks = studio.blocks
-    blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_words("andar para frente")))
+    blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_text("andar para frente")))
     studio.eventually(studio.stacks, 2)
     before = studio.workspace()
 
@@ -147,12 +147,12 @@ def test_a_sign_answered_by_hand_decides_what_the_robot_does(studio: Studio) -> 
     studio.enter_new_group()
     blocks = studio.blocks
     blocks.drag_from_toolbox("gestures", "ler gesto", blocks.below(blocks.start()))
-    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.by_words("ler gesto")))
+    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.by_text("ler gesto")))
     blocks.click_in_toolbox("logic", "gesto lido")
     blocks.drag_from_toolbox(
-        "motion", "andar para frente", blocks.inside(blocks.by_words("então"), row_px=56)
+        "motion", "andar para frente", blocks.inside(blocks.by_text("então"), row_px=56)
     )
-    blocks.type_into(blocks.by_words("andar para frente"), "0,2")
+    blocks.type_into(blocks.by_text("andar para frente"), "0,2")
     studio.eventually(studio.actions, ["classify_gestures", "conditional_execution"])
 
     studio.run()

@@ -138,8 +138,8 @@ def test_the_protractor_tells_how_far_to_turn(studio: Studio) -> None:
     named(studio, "measure-tool", "protractor").click()
     studio["scene"].focus()
     keyboard = studio.page.keyboard
-    for way in ((), ("ArrowRight",) * 4, ("ArrowLeft",) * 4 + ("ArrowUp",) * 3):
-        for key in way:
+    for keys in ((), ("ArrowRight",) * 4, ("ArrowLeft",) * 4 + ("ArrowUp",) * 3):
+        for key in keys:
             keyboard.press(key)
         keyboard.press("Enter")
     expect(studio["measure"]).to_have_attribute("data-value", "90.000")
@@ -178,10 +178,10 @@ def test_a_run_is_as_true_to_life_as_was_chosen(studio: Studio) -> None:
     studio["lifelike"].select_option("wheels")
     with studio.page.expect_request(
         lambda request: request.url.endswith("/api/runs") and request.method == "POST"
-    ) as begun:
+    ) as request_info:
         studio.run()
-    wanted: Any = begun.value.post_data_json
-    assert (wanted["preset"], wanted["feedback"]) == ("realistic", "odometry")
+    body: Any = request_info.value.post_data_json
+    assert (body["preset"], body["feedback"]) == ("realistic", "odometry")
     studio.wait_for_phase("finished")
 
 

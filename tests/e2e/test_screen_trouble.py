@@ -26,11 +26,11 @@ def test_a_group_that_is_deleted_while_its_program_is_open_is_reported_once_and_
     studio.page.on("response", lambda answer: answers.append(answer.status))
     enter_made_group(studio, [("move_forward", 0.3)])
     group = studio.api(f"/programs/{studio.program_id}")["group_id"]
-    studio.tell("PUT", "/teacher/pin", {"pin": "314159"})
-    studio.tell("DELETE", f"/groups/{group}")
+    studio.send("PUT", "/teacher/pin", {"pin": "314159"})
+    studio.send("DELETE", f"/groups/{group}")
 
     studio.page.clock.install()
-    studio.blocks.type_into(studio.blocks.by_words("andar para frente"), "0,5")
+    studio.blocks.type_into(studio.blocks.by_text("andar para frente"), "0,5")
     expect(studio["deleted"]).to_contain_text("O grupo foi apagado")
     studio["run"].click()
     studio.page.clock.run_for(10_000)  # longer than any pause between two tries
@@ -43,10 +43,10 @@ def test_a_group_that_is_deleted_while_its_program_is_open_is_reported_once_and_
     expect(studio["program-name"]).to_have_count(0)
     expect(studio["open-work"]).to_be_disabled()
 
-    with studio.page.expect_download() as taken:
+    with studio.page.expect_download() as download:
         studio["take-text"].click()
-    assert taken.value.suggested_filename == "programa-1.py"
-    assert "0.5" in taken.value.path().read_text(encoding="utf-8")
+    assert download.value.suggested_filename == "programa-1.py"
+    assert "0.5" in download.value.path().read_text(encoding="utf-8")
     studio["deleted"].get_by_role("link").click()
     expect(studio["group-name"]).to_be_visible()
 
@@ -58,11 +58,11 @@ def test_the_blocks_stay_visible_while_the_server_does_not_answer(
     enter_made_group(studio, [("move_forward", 0.3)])
     place = studio.page.url
     studio.page.route("**/api/**", lambda route: route.abort())
-    studio.blocks.type_into(studio.blocks.by_words("andar para frente"), "0,5")
-    for way_out in ("open-history", "open-work", "home"):
-        studio[way_out].click()
+    studio.blocks.type_into(studio.blocks.by_text("andar para frente"), "0,5")
+    for exit_id in ("open-history", "open-work", "home"):
+        studio[exit_id].click()
         expect(studio["gone"]).to_be_visible()
-        expect(studio.blocks.by_words("andar para frente")).to_contain_text("0,5")
+        expect(studio.blocks.by_text("andar para frente")).to_contain_text("0,5")
         expect(studio.page).to_have_url(place)
     expect(studio["problem"]).to_have_count(0)
 
@@ -118,8 +118,8 @@ def test_a_screen_whose_first_question_is_answered_with_an_error_says_so_and_can
     studio: Studio, watch: Watch, place: str, question: str, sign: str
 ) -> None:
     watch.expect("500 (Internal Server Error)")
-    group = studio.tell("POST", "/groups", {"name": studio.unique("Os Tatus")})["id"]
-    program = studio.tell("POST", f"/groups/{group}/programs", {"name": "Programa 1"})["id"]
+    group = studio.send("POST", "/groups", {"name": studio.unique("Os Tatus")})["id"]
+    program = studio.send("POST", f"/groups/{group}/programs", {"name": "Programa 1"})["id"]
     where = place.format(group=group, program=program)
     failing = Failing()
     studio.page.route(question, failing.answer)

@@ -37,17 +37,17 @@ def test_what_was_chosen_for_a_program_is_there_tomorrow_and_nowhere_else(
     app.stop()
     expect(studio["gone"]).to_be_visible()
     app.start()
-    later = open_studio()
-    later.enter_group("Robôs")
-    expect_chosen(later, *at_first)
-    later.page.goto(f"{later.origin}/#/")
-    later["group-card"].filter(has_text="Os Tatus").click()
-    later.wait_until_open()
-    later.choose_level(3)  # this window knows no choice of the group
-    expect_chosen(later, *now)
-    later.run()
-    later.wait_for_phase("finished")
-    (run,) = later.api(f"/groups/{later.api('/groups')['groups'][0]['id']}/runs")["runs"]
+    reopened = open_studio()
+    reopened.enter_group("Robôs")
+    expect_chosen(reopened, *at_first)
+    reopened.page.goto(f"{reopened.origin}/#/")
+    reopened["group-card"].filter(has_text="Os Tatus").click()
+    reopened.wait_until_open()
+    reopened.choose_level(3)  # this window knows no choice of the group
+    expect_chosen(reopened, *now)
+    reopened.run()
+    reopened.wait_for_phase("finished")
+    (run,) = reopened.api(f"/groups/{reopened.api('/groups')['groups'][0]['id']}/runs")["runs"]
     assert run["world"] == "maze"
 
 

@@ -22,7 +22,7 @@ _PIXELS = """(wanted) => {
   return count;
 }"""
 # Notes in the page itself whether more pixels than that were ever drawn: a look from outside may come too late.
-_LOOK_OUT = f"""([wanted, most]) => {{
+_WATCH_PIXELS = f"""([wanted, most]) => {{
   window.wasSeen = false;
   const pixels = {_PIXELS};
   const look = () => {{
@@ -66,7 +66,7 @@ def newest_run(studio: Studio) -> str:
     return str(studio.api(f"/groups/{group}/runs?limit=1")["runs"][0]["id"])
 
 
-def kept_events(studio: Studio) -> list[str]:
+def recorded_events(studio: Studio) -> list[str]:
     """The types of the newest run's events on the server's disk."""
     events = studio.api(f"/runs/{newest_run(studio)}/events")["events"]
     return [event["type"] for event in events]
@@ -221,7 +221,7 @@ def test_a_beep_is_seen_at_the_robot_also_without_sound_and_motion(
     )
     studio["mute"].click()
     calm = pixels(studio, INK)
-    studio.page.evaluate(_LOOK_OUT, [list(INK), calm + SIGN_PIXELS])
+    studio.page.evaluate(_WATCH_PIXELS, [list(INK), calm + SIGN_PIXELS])
     studio.run()
     expect(studio["status-line"]).to_contain_text("Bipe × 3", timeout=RUN_MS)
     expect(studio["talk-line"]).to_have_count(1)
@@ -232,9 +232,9 @@ def test_a_beep_is_seen_at_the_robot_also_without_sound_and_motion(
 
     studio.page.evaluate("run => { location.hash = `#/run/${run}` }", newest_run(studio))
     slider = studio["replay-slider"]
-    for tick, seen in (("20", True), ("5", False), ("80", False), ("20", True)):
+    for tick, is_shown in (("20", True), ("5", False), ("80", False), ("20", True)):
         slider.fill(tick)
-        studio.eventually(lambda: pixels(studio, INK) > calm + SIGN_PIXELS, seen)
+        studio.eventually(lambda: pixels(studio, INK) > calm + SIGN_PIXELS, is_shown)
     studio.page.wait_for_timeout(1500)  # a sign of a beep that sounds goes sooner
     assert pixels(studio, INK) > calm + SIGN_PIXELS  # for as long as the moment is looked at
 
@@ -245,12 +245,12 @@ def test_a_replay_beeps_unless_it_hurries(studio: Studio) -> None:
     write_program(studio, "robot.wait(0.3)\nrobot.beep()\nrobot.wait(1)\nrobot.beep()\n")
     run_to_the_end(studio)
     studio.page.evaluate("run => { location.hash = `#/run/${run}` }", newest_run(studio))
-    for speed, heard in (("1", 4), ("16", 4)):
+    for speed, n_tones in (("1", 4), ("16", 4)):
         studio["replay-speed"].select_option(speed)
         studio["replay-play"].click()
         slider = studio["replay-slider"]
         expect(slider).to_have_value(slider.get_attribute("max") or "")
-        studio.eventually(lambda: tones(studio), heard)
+        studio.eventually(lambda: tones(studio), n_tones)
 
 
 def test_a_page_reloaded_in_the_middle_of_a_run_knows_what_was_said(studio: Studio) -> None:
@@ -258,7 +258,7 @@ def test_a_page_reloaded_in_the_middle_of_a_run_knows_what_was_said(studio: Stud
     write_program(studio, 'n = 4\nrobot.say("Olá")\nresposta = robot.ask("E agora?")\n')
     studio.run()
     expect(studio["question"]).to_be_visible(timeout=RUN_MS)
-    studio.eventually(lambda: "asked" in kept_events(studio), True)
+    studio.eventually(lambda: "asked" in recorded_events(studio), True)
     studio.page.reload()
     expect(studio["question-text"]).to_have_text("E agora?")
     studio["answer"].fill("fim")

@@ -25,13 +25,13 @@ def test_a_group_drags_a_square_and_sees_the_robot_drive_it(studio: Studio) -> N
     studio.wait_for_screen("scene")
     floor_before = studio["scene"].screenshot()
     studio.run()
-    lit = studio.blocks.running()
-    expect(lit).to_have_attribute("data-id", move["block"], timeout=RUN_MS)
-    expect(lit).to_have_attribute("data-id", turn["block"], timeout=RUN_MS)
+    active = studio.blocks.running()
+    expect(active).to_have_attribute("data-id", move["block"], timeout=RUN_MS)
+    expect(active).to_have_attribute("data-id", turn["block"], timeout=RUN_MS)
     expect(studio["status-line"]).to_contain_text("Girando")
     studio.wait_for_phase("finished")
 
-    expect(lit).to_have_count(0)
+    expect(active).to_have_count(0)
     for axis in ("pose-x", "pose-y"):
         studio.expect_number(axis, pytest.approx(0, abs=0.001))
     # the robot is back where it began, so what is new on the floor is its path
@@ -55,27 +55,27 @@ def test_a_program_and_its_run_are_there_the_next_day(
 
     app.stop()
     app.start()
-    later = open_studio()
-    later["group-card"].filter(has_text="Os Tatus").click()
-    later.wait_until_open()
-    assert later.commands() == [loop]
+    reopened = open_studio()
+    reopened["group-card"].filter(has_text="Os Tatus").click()
+    reopened.wait_until_open()
+    assert reopened.commands() == [loop]
 
-    later["open-work"].click()
-    card = later["run-card"]
+    reopened["open-work"].click()
+    card = reopened["run-card"]
     expect(card).to_have_count(1)
     expect(card).to_have_attribute("data-state", "finished")
     card.click()
 
     move, turn = loop["commands"]
-    slider = later["replay-slider"]
+    slider = reopened["replay-slider"]
     expect(slider).to_be_visible()
-    ticks = _first_ticks(later)
+    ticks = _first_ticks(reopened)
     slider.fill(str(ticks[turn["block"]] + 1))
-    expect(later.blocks.running()).to_have_attribute("data-id", turn["block"])
-    later.expect_number("pose-x", pytest.approx(0.3, abs=0.01))
+    expect(reopened.blocks.running()).to_have_attribute("data-id", turn["block"])
+    reopened.expect_number("pose-x", pytest.approx(0.3, abs=0.01))
     slider.fill(str(ticks[move["block"]] + 1))
-    expect(later.blocks.running()).to_have_attribute("data-id", move["block"])
-    later.eventually(lambda: later.number("pose-x") < 0.05, True)
+    expect(reopened.blocks.running()).to_have_attribute("data-id", move["block"])
+    reopened.eventually(lambda: reopened.number("pose-x") < 0.05, True)
 
 
 def test_the_link_of_a_second_start_opens_the_same_app(

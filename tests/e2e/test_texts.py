@@ -35,7 +35,7 @@ _ATTRIBUTES = (
     "aria-description",
     "aria-roledescription",
 )
-_SEEN = """attributes => {
+_SHOWN_TEXTS = """attributes => {
   const seen = [];
   for (const element of document.querySelectorAll("body *")) {
     if (element.closest("[lang]:not(html)") || !element.checkVisibility()) continue;
@@ -47,7 +47,9 @@ _SEEN = """attributes => {
 # how the browser writes days in the language of the page
 _DAY = re.compile(r"(?i)(?:\b\w+(?:-feira|\.)?, )?\b\d\d?\sde\s\w+\.?(?:\sde\s\d{4})?")
 # the program's own name, units, and how an axis or a key is called everywhere
-_NO_WORDS = re.compile(r"PINEL|F\d+|Esc|Ctrl|Shift|Enter|Space|Tab|\b(?:m|s|cm|kg|rad|min|x|y|v)\b")
+_UNTRANSLATED = re.compile(
+    r"PINEL|F\d+|Esc|Ctrl|Shift|Enter|Space|Tab|\b(?:m|s|cm|kg|rad|min|x|y|v)\b"
+)
 _KEYS = re.compile(r"⟦[^⟧]*⟧")
 
 
@@ -68,11 +70,11 @@ def _hard_coded(page: Page, data: set[str]) -> set[str]:
         text = _KEYS.sub("", text)
         for known in sorted(filter(lambda one: len(one) > 1, data), key=len, reverse=True):
             text = text.replace(known, "")
-        text = _NO_WORDS.sub("", _DAY.sub("", text))
+        text = _UNTRANSLATED.sub("", _DAY.sub("", text))
         return "" if text in data else text
 
-    seen = [str(text) for text in page.evaluate(_SEEN, _ATTRIBUTES)]
-    return {text for text in seen if re.search(r"[^\W\d_]", rest(text))}
+    shown = [str(text) for text in page.evaluate(_SHOWN_TEXTS, _ATTRIBUTES)]
+    return {text for text in shown if re.search(r"[^\W\d_]", rest(text))}
 
 
 def _strings(value: Any) -> set[str]:
@@ -83,7 +85,7 @@ def _strings(value: Any) -> set[str]:
     return {text for one in inside for text in _strings(one)}
 
 
-def _told(found: dict[str, set[str]]) -> list[str]:
+def _lines(found: dict[str, set[str]]) -> list[str]:
     return [f"{screen}: {text}" for screen, texts in found.items() for text in sorted(texts)]
 
 
@@ -104,21 +106,21 @@ def keys(open_studio: OpenStudio) -> Studio:
 def test_no_text_of_a_pupil_s_screen_is_written_into_the_code(keys: Studio) -> None:
     found: dict[str, set[str]] = {}
 
-    def look(screen: str) -> None:
+    def check(screen: str) -> None:
         found[screen] = _hard_coded(keys.page, _strings(keys.api("/groups")) | data)
 
     data = _strings([keys.api("/worlds"), keys.api("/classrooms"), keys.api("/robots")])
-    look("start")
+    check("start")
     keys.enter_new_group()
     data |= _strings(keys.api(f"/programs/{keys.program_id}"))
-    look("studio")
+    check("studio")
     for button in ("ir-toggle", "plots-toggle", "scene-tools"):
         keys[button].click()
-        look(button)
+        check(button)
     keys["open-work"].click()
     keys["program-card"].first.wait_for()
-    look("work")
-    assert _told(found) == []
+    check("work")
+    assert _lines(found) == []
 
 
 def test_no_text_of_the_teacher_s_screens_is_written_into_the_code(
@@ -142,4 +144,4 @@ def test_no_text_of_the_teacher_s_screens_is_written_into_the_code(
         keys.page.goto(f"{keys.origin}#/{place}")
         expect(keys[ready].first).to_be_visible()
         found[place] = _hard_coded(keys.page, data)
-    assert _told(found) == []
+    assert _lines(found) == []

@@ -66,7 +66,7 @@ def test_a_new_group_drives_by_doing_each_step(studio: Studio) -> None:
     expect_step(studio, "watch")
     assert not covers(studio["tour"], studio["scene"])
     expect_step(studio, "turn")
-    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_words("andar para frente")))
+    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_text("andar para frente")))
     expect_step(studio, "again")
     studio.hurry()
     studio.run()
@@ -196,10 +196,10 @@ def test_it_is_done_by_keyboard(studio: Studio) -> None:
 
 def test_a_group_of_a_lesson_with_an_activity_begins_with_that(open_pc: OpenStudio) -> None:
     studio = open_pc()
-    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
-    classroom = studio.tell("POST", "/classrooms", {"name": "5º A"})["id"]
+    studio.send("PUT", "/teacher/pin", {"pin": "2468"})
+    classroom = studio.send("POST", "/classrooms", {"name": "5º A"})["id"]
     lesson = {"title": "Quadrados", "activity": "square"}
-    studio.tell("POST", f"/classrooms/{classroom}/lessons", lesson)
+    studio.send("POST", f"/classrooms/{classroom}/lessons", lesson)
     studio.page.reload()
     studio["class-chip"].filter(has_text="5º A").click()
     studio["group-name"].fill("Os Tatus")
@@ -227,7 +227,7 @@ def test_in_a_narrow_window_it_covers_neither_the_block_nor_the_program(
     expect_step(studio, "turn")
     expect(studio["tour-ring"]).to_have_count(2)  # the category and the program
     assert not covers(studio["tour"], blocks.category("motion"))
-    assert not covers(studio["tour"], blocks.by_words("andar para frente"))
+    assert not covers(studio["tour"], blocks.by_text("andar para frente"))
     assert cut(studio, "tour") == []
 
 

@@ -34,11 +34,11 @@ def test_a_damaged_file_gives_way_to_its_backup_and_the_page_says_so(
     database.write_bytes(b"no database at all " * 1000)
 
     app.start()
-    later = open_studio()
-    expect(later["notice"]).to_contain_text("voltou a cópia de segurança")
+    reopened = open_studio()
+    expect(reopened["notice"]).to_contain_text("voltou a cópia de segurança")
     [damaged] = tmp_path.glob("pinel.damaged-*.db")
-    expect(later["notice"]).to_contain_text(damaged.name)
-    expect(later["group-card"].filter(has_text="Os Tatus")).to_be_visible()
+    expect(reopened["notice"]).to_contain_text(damaged.name)
+    expect(reopened["group-card"].filter(has_text="Os Tatus")).to_be_visible()
 
 
 def test_a_frozen_engine_is_said_and_the_next_run_works(
@@ -48,7 +48,7 @@ def test_a_frozen_engine_is_said_and_the_next_run_works(
     studio.enter_group("Os Tatus")
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    blocks.type_into(blocks.by_words("andar para frente"), "9")
+    blocks.type_into(blocks.by_text("andar para frente"), "9")
     studio.eventually(lambda: studio.values("distance"), [9.0])
     studio.run()
     studio.wait_for_phase("running")

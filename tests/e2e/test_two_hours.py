@@ -39,13 +39,13 @@ class Pictures:
     """Pictures of the steps, in order; without a folder, none."""
 
     folder: Path | None
-    taken: set[str] = field(default_factory=set)
+    photographed: set[str] = field(default_factory=set)
 
-    def take(self, studio: Studio, step: str, shows: str | Locator) -> None:
+    def photograph(self, studio: Studio, step: str, shows: str | Locator) -> None:
         """The first of each step is kept."""
         studio.wait_for_screen(shows)
-        if self.folder is not None and step not in self.taken:
-            self.taken.add(step)
+        if self.folder is not None and step not in self.photographed:
+            self.photographed.add(step)
             self.folder.mkdir(parents=True, exist_ok=True)
             studio.page.screenshot(path=self.folder / f"lesson-{step}.png")
 
@@ -92,13 +92,13 @@ def before_the_lesson(pc: Studio, stick: Path, pictures: Pictures) -> None:
         expect(pc["class-group"].filter(has_text=name)).to_be_visible()
     to_part(pc, "camera")
     expect(pc["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
-    pictures.take(pc, "camera", "camera-ready")
+    pictures.photograph(pc, "camera", "camera-ready")
     to_part(pc, "plan")
     expect(pc["plan-step"]).to_have_count(8)
-    pictures.take(pc, "plan", "plan-step")
+    pictures.photograph(pc, "plan", "plan-step")
     pc["plan-cards"].click()
     expect(pc["card"].first).to_be_visible()
-    pictures.take(pc, "cards", "card")
+    pictures.photograph(pc, "cards", "card")
     pc.page.go_back()
     at_the_stick(pc, stick)
     pc["sign-out"].click()
@@ -129,7 +129,7 @@ def what_does_a_robot_obey(pc: Studio, pictures: Pictures) -> None:
     pc.run()
     pc.wait_for_phase("running")
     expect(pc["pose-x"]).not_to_have_attribute("data-value", "0.0000")
-    pictures.take(pc, "vacuum", "scene")
+    pictures.photograph(pc, "vacuum", "scene")
     pc["stop"].click()
     pc.wait_for_phase("stopped")
 
@@ -141,7 +141,7 @@ def the_alphabet(pc: Studio, pictures: Pictures) -> None:
     expect(pc["practice-sign"].first).to_be_visible()
     expect(pc["camera-picture"]).to_have_attribute("data-state", "on", timeout=CAMERA_MS)
     assert violations(pc, "camera-picture") == []
-    pictures.take(pc, "alphabet", "practice-sign")
+    pictures.photograph(pc, "alphabet", "practice-sign")
 
 
 def open_on_all(pcs: list[Studio], activity: str, stick: Path, pictures: Pictures) -> None:
@@ -157,7 +157,7 @@ def open_on_all(pcs: list[Studio], activity: str, stick: Path, pictures: Picture
         mine["lesson-file-save"].click()
     file = stick.parent / download.value.suggested_filename
     download.value.save_as(file)
-    pictures.take(mine, "file", "lesson-now")
+    pictures.photograph(mine, "file", "lesson-now")
     mine["sign-out"].click()
     for pc in others:
         pc["home"].click()
@@ -198,10 +198,10 @@ def with_group(pc: Studio, name: str, work: Work, pictures: Pictures) -> None:
 
 def append(pc: Studio, *steps: tuple[str, str]) -> None:
     """Clicks blocks of the palette, one below the other, and types their numbers."""
-    for words, value in steps:
-        pc.blocks.click_in_toolbox("show" if words == PEN else "motion", words)
-        if words != PEN:
-            pc.blocks.type_into(pc.blocks.by_words(words), value)
+    for text, value in steps:
+        pc.blocks.click_in_toolbox("show" if text == PEN else "motion", text)
+        if text != PEN:
+            pc.blocks.type_into(pc.blocks.by_text(text), value)
 
 
 def passed(pc: Studio) -> None:
@@ -209,43 +209,43 @@ def passed(pc: Studio) -> None:
     expect(pc["mission-done"]).to_be_visible(timeout=RUN_MS)
 
 
-def told(pc: Studio, words: str) -> None:
+def expect_not_passed(pc: Studio, text: str) -> None:
     """Not yet, and why."""
     pc.run_to_the_end()
     expect(pc["status-line"]).to_contain_text("Ainda não", timeout=RUN_MS)
-    expect(pc["status-line"]).to_contain_text(words)
+    expect(pc["status-line"]).to_contain_text(text)
 
 
 def corner_at_once(pc: Studio, pictures: Pictures) -> None:
-    pictures.take(pc, "mission", "mission")
+    pictures.photograph(pc, "mission", "mission")
     append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
     passed(pc)
-    pictures.take(pc, "done", "mission-done")
+    pictures.photograph(pc, "done", "mission-done")
 
 
 def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
     append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
-    pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
-    told(pc, "a escola ficou de que lado?")
-    expect(pc.blocks.fault_words()).to_have_count(1)
-    expect(pc.blocks.fault_words()).to_contain_text("que lado?")
-    pictures.take(pc, "not-yet", "status-line")
+    pc.blocks.choose(pc.blocks.by_text(TURN), "direita")
+    expect_not_passed(pc, "a escola ficou de que lado?")
+    expect(pc.blocks.fault_text()).to_have_count(1)
+    expect(pc.blocks.fault_text()).to_contain_text("que lado?")
+    pictures.photograph(pc, "not-yet", "status-line")
     pc["mission-hint"].click()
-    pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
+    pc.blocks.choose(pc.blocks.by_text(TURN), "esquerda")
     pc.eventually(lambda: pc.values("angle"), [None, 90, None])
     passed(pc)
 
 
 def corner_turns_first(pc: Studio, pictures: Pictures) -> None:
     append(pc, (TURN, "90"), (MOVE, "3"))
-    told(pc, "O que vem antes?")
+    expect_not_passed(pc, "O que vem antes?")
     write_program(pc, "robot.move_forward(3.0)\nrobot.turn(90)\nrobot.move_forward(3.0)\n")
     passed(pc)
 
 
 def corner_without_the_last_move(pc: Studio, pictures: Pictures) -> None:
     append(pc, (MOVE, "3"), (TURN, "90"))
-    told(pc, "falta “andar”")
+    expect_not_passed(pc, "falta “andar”")
 
 
 AROUND_THE_CORNER: dict[str, Work] = {
@@ -267,24 +267,24 @@ def writes(program: str) -> Work:
 
 def mirrored_letter(pc: Studio, pictures: Pictures) -> None:
     append(pc, (TURN, "90"))
-    pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
+    pc.blocks.choose(pc.blocks.by_text(TURN), "direita")
     append(pc, (PEN, ""), (MOVE, "2"), (TURN, "90"))
-    pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
+    pc.blocks.choose(pc.blocks.by_text(TURN), "direita")
     append(pc, (MOVE, "1"))
-    told(pc, "L no espelho")
-    pictures.take(pc, "mirrored", "status-line")
-    pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
+    expect_not_passed(pc, "L no espelho")
+    pictures.photograph(pc, "mirrored", "status-line")
+    pc.blocks.choose(pc.blocks.by_text(TURN), "esquerda")
     passed(pc)
 
 
 def open_triangle(pc: Studio, pictures: Pictures) -> None:
     write_program(pc, A.format(60))
-    told(pc, "")
+    expect_not_passed(pc, "")
 
 
 def forgotten_pen(pc: Studio, pictures: Pictures) -> None:
     write_program(pc, NO_PEN)
-    told(pc, "a caneta começa levantada")
+    expect_not_passed(pc, "a caneta começa levantada")
 
 
 LETTERS: dict[str, Work] = {
@@ -302,18 +302,18 @@ def sign_decides(pc: Studio, pictures: Pictures) -> None:
     # the camera may see the sign before anybody sees the panel
     sign = pc["capture"].or_(pc["mission-done"])
     expect(sign.first).to_be_visible(timeout=CAMERA_MS)
-    pictures.take(pc, "sign", sign)
+    pictures.photograph(pc, "sign", sign)
     expect(pc["mission-done"]).to_be_visible(timeout=CAMERA_MS + RUN_MS)
 
 
 def decides_before_reading(pc: Studio, pictures: Pictures) -> None:
     write_program(pc, MOVE_IF_B + READ)
-    told(pc, "antes de")
+    expect_not_passed(pc, "antes de")
 
 
 def drives_always(pc: Studio, pictures: Pictures) -> None:
     write_program(pc, READ + "robot.move_forward(1.0)\n")
-    told(pc, "")
+    expect_not_passed(pc, "")
 
 
 SIGNS: dict[str, Work] = {
@@ -335,4 +335,4 @@ def the_last_eight_minutes(pc: Studio, pictures: Pictures) -> None:
     expect(pc["review-group"]).to_have_count(5)
     expect(pc["lesson-summary"]).to_contain_text("3 de 5")
     assert violations(pc, "review-group") == []
-    pictures.take(pc, "review", "review-group")
+    pictures.photograph(pc, "review", "review-group")

@@ -56,7 +56,7 @@ def build(studio: Studio, *distances: str) -> None:
 
 
 def set_distance(studio: Studio, distance: str) -> None:
-    studio.blocks.type_into(studio.blocks.by_words(MOVE), distance)
+    studio.blocks.type_into(studio.blocks.by_text(MOVE), distance)
     studio.eventually(lambda: studio.values("distance"), [float(distance.replace(",", "."))])
 
 
@@ -70,26 +70,26 @@ def test_undo_goes_on_after_the_app_was_closed(
     expect(studio["gone"]).to_be_visible()
 
     app.start()
-    later = open_studio()
-    card(later, name).click()
-    later.wait_until_open()
-    later["undo"].click()
-    later.eventually(lambda: later.values("distance"), [0.7])
-    expect(later.blocks.by_words(MOVE)).to_contain_text("0,7")
-    later["redo"].click()
-    later.eventually(lambda: later.values("distance"), [2])
+    reopened = open_studio()
+    card(reopened, name).click()
+    reopened.wait_until_open()
+    reopened["undo"].click()
+    reopened.eventually(lambda: reopened.values("distance"), [0.7])
+    expect(reopened.blocks.by_text(MOVE)).to_contain_text("0,7")
+    reopened["redo"].click()
+    reopened.eventually(lambda: reopened.values("distance"), [2])
 
-    later["undo"].click()
-    later.eventually(lambda: later.values("distance"), [0.7])
-    later.blocks.select(later.blocks.start())
-    later.page.keyboard.press("Control+z")
-    later.eventually(lambda: later.values("distance"), [1])
-    later["undo"].click()
-    later.eventually(lambda: len(later.commands()), 0)
-    later["undo"].click()  # nothing is left
+    reopened["undo"].click()
+    reopened.eventually(lambda: reopened.values("distance"), [0.7])
+    reopened.blocks.select(reopened.blocks.start())
+    reopened.page.keyboard.press("Control+z")
+    reopened.eventually(lambda: reopened.values("distance"), [1])
+    reopened["undo"].click()
+    reopened.eventually(lambda: len(reopened.commands()), 0)
+    reopened["undo"].click()  # nothing is left
     for distance in (1, 0.7, 2):
-        later["redo"].click()
-        later.eventually(lambda: later.values("distance"), [distance])
+        reopened["redo"].click()
+        reopened.eventually(lambda: reopened.values("distance"), [distance])
 
 
 def test_what_was_undone_is_not_gone_through_again_after_a_restart(
@@ -100,11 +100,11 @@ def test_what_was_undone_is_not_gone_through_again_after_a_restart(
     studio["undo"].click()
     studio.eventually(lambda: studio.values("distance"), [0.7])
 
-    later = open_studio()
-    card(later, name).click()
-    later.wait_until_open()
-    later["undo"].click()
-    later.eventually(lambda: later.values("distance"), [1])
+    reopened = open_studio()
+    card(reopened, name).click()
+    reopened.wait_until_open()
+    reopened["undo"].click()
+    reopened.eventually(lambda: reopened.values("distance"), [1])
 
 
 def open_history(studio: Studio) -> None:
@@ -115,8 +115,8 @@ def open_history(studio: Studio) -> None:
 def numbers(studio: Studio) -> list[str]:
     """The number of the version on the screen, and of the step that is lit in the list."""
     shown = studio["version-shown"].get_attribute("data-number") or ""
-    lit = studio.page.locator('[data-testid=version-step][aria-current="true"]')
-    return [shown, lit.get_attribute("data-number") or ""]
+    current = studio.page.locator('[data-testid=version-step][aria-current="true"]')
+    return [shown, current.get_attribute("data-number") or ""]
 
 
 def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio: Studio) -> None:
@@ -153,7 +153,7 @@ def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio
 
     studio["version-go-on"].click()
     studio.wait_until_open()
-    expect(studio.blocks.by_words(MOVE)).to_contain_text("0,7")
+    expect(studio.blocks.by_text(MOVE)).to_contain_text("0,7")
     assert studio.values("distance") == [0.7]
     line = studio.api(f"/programs/{studio.program_id}/versions")["versions"]
     assert [one["number"] for one in line] == [4, 3, 2, 1]
@@ -246,20 +246,20 @@ def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
             (program,),
         )
     app.start()
-    later = open_studio()
-    card(later, name).click()
-    expect(later.page.get_by_text("PC 3 também continuou este programa")).to_be_visible()
-    later["elsewhere"].click()
-    expect(later["difference-count"]).to_have_text("0 diferenças")
-    later.page.go_back()
-    later.wait_until_open()
-    expect(later["elsewhere"]).to_have_count(0)  # it was seen
-    later.page.goto(f"{app.origin}#/versions/{program}")
-    expect(later["version-fork"]).to_contain_text("2 computadores")
-    expect(later["version-branch"]).to_have_count(2)
-    expect(later["version-branch"].locator("h3")).to_have_text(["PC 3", "PC 7"])
-    later["version-compare-fork"].click()
-    expect(later["difference-count"]).to_have_text("0 diferenças")
+    reopened = open_studio()
+    card(reopened, name).click()
+    expect(reopened.page.get_by_text("PC 3 também continuou este programa")).to_be_visible()
+    reopened["elsewhere"].click()
+    expect(reopened["difference-count"]).to_have_text("0 diferenças")
+    reopened.page.go_back()
+    reopened.wait_until_open()
+    expect(reopened["elsewhere"]).to_have_count(0)  # it was seen
+    reopened.page.goto(f"{app.origin}#/versions/{program}")
+    expect(reopened["version-fork"]).to_contain_text("2 computadores")
+    expect(reopened["version-branch"]).to_have_count(2)
+    expect(reopened["version-branch"].locator("h3")).to_have_text(["PC 3", "PC 7"])
+    reopened["version-compare-fork"].click()
+    expect(reopened["difference-count"]).to_have_text("0 diferenças")
 
 
 def test_a_program_goes_into_the_bin_and_comes_back(studio: Studio) -> None:
@@ -293,7 +293,7 @@ def test_a_double_click_makes_one_program(studio: Studio) -> None:
     names = [one["name"] for one in studio.api(programs)["programs"]]
     assert names == ["Programa 2", "Programa 1"]
 
-    studio.tell("POST", "/groups", {"name": (name := studio.unique("As Emas"))})
+    studio.send("POST", "/groups", {"name": (name := studio.unique("As Emas"))})
     studio["home"].click()
     card(studio, name).dblclick()
     studio.wait_until_open()
@@ -349,7 +349,7 @@ def test_a_group_reads_what_its_teacher_wrote(studio: Studio, open_studio: OpenS
 
 def write_note(teacher: Studio, run: str) -> None:
     teacher.open_teacher_part("314159")
-    teacher.tell("POST", f"/runs/{run}/notes", {"text": "Por que 90°?"})
+    teacher.send("POST", f"/runs/{run}/notes", {"text": "Por que 90°?"})
 
 
 def test_history_bin_and_letters_have_names_and_contrast(studio: Studio) -> None:
@@ -401,13 +401,13 @@ def test_where_the_disk_damaged_the_newest_version_the_last_sound_one_is_opened_
             "UPDATE versions SET workspace = '{' WHERE number = 2 AND program_id = ?", (program,)
         )
     app.start()
-    later = open_studio()
-    card(later, name).click()
-    expect(later["open-sound-version"]).to_contain_text("Abrir a última versão sem defeito")
-    later["open-sound-version"].click()
-    later.wait_until_open()
-    expect(later.blocks.by_words(MOVE)).to_contain_text("1")
-    later.blocks.type_into(later.blocks.by_words(MOVE), "3")
-    address = f"{later.origin}/api/programs/{later.program_id}"
-    later.eventually(lambda: later.page.context.request.get(address).ok, True)
-    assert later.values("distance") == [3]
+    reopened = open_studio()
+    card(reopened, name).click()
+    expect(reopened["open-sound-version"]).to_contain_text("Abrir a última versão sem defeito")
+    reopened["open-sound-version"].click()
+    reopened.wait_until_open()
+    expect(reopened.blocks.by_text(MOVE)).to_contain_text("1")
+    reopened.blocks.type_into(reopened.blocks.by_text(MOVE), "3")
+    address = f"{reopened.origin}/api/programs/{reopened.program_id}"
+    reopened.eventually(lambda: reopened.page.context.request.get(address).ok, True)
+    assert reopened.values("distance") == [3]

@@ -55,46 +55,46 @@ def test_a_wall_that_was_drawn_is_in_the_robots_way(studio: Studio, board: World
     studio.wait_until_open()
     expect(studio["world"]).to_have_value("own")
     board.open()
-    expect(board.thing("wall", 4)).to_have_count(1)
+    expect(board.world_object("wall", 4)).to_have_count(1)
 
 
 def test_things_are_drawn_moved_turned_and_typed_exactly(board: WorldBoard) -> None:
     board.choose("box")
     board.drag((1, 1), (2, 2))
-    board.eventually(lambda: board.kept("boxes", "center"), [[1.5, 1.5]])
+    board.eventually(lambda: board.stored("boxes", "center"), [[1.5, 1.5]])
     board.choose("select")
     board.drag((1.5, 1.5), (-1.5, 1.5))
-    board.eventually(lambda: board.kept("boxes", "center"), [[-1.5, 1.5]])
+    board.eventually(lambda: board.stored("boxes", "center"), [[-1.5, 1.5]])
     turn = box_of(board.handle("turn").locator("circle").last)
-    taken = type(board.at(0, 0))(turn["x"] + turn["width"] / 2, turn["y"] + turn["height"] / 2)
-    board.pull(taken, board.at(-1.5, 3))
-    board.eventually(lambda: board.kept("boxes", "heading_deg"), [90])
+    grip = type(board.at(0, 0))(turn["x"] + turn["width"] / 2, turn["y"] + turn["height"] / 2)
+    board.pull(grip, board.at(-1.5, 3))
+    board.eventually(lambda: board.stored("boxes", "heading_deg"), [90])
     board.number("width").fill("0,75")
-    board.eventually(lambda: board.kept("boxes", "size"), [[0.75, 1]])
+    board.eventually(lambda: board.stored("boxes", "size"), [[0.75, 1]])
     board["movable"].last.click()
-    board.eventually(lambda: board.kept("boxes", "movable"), [True])
+    board.eventually(lambda: board.stored("boxes", "movable"), [True])
 
     board.number("width").fill("99")
     expect(board["panel"]).to_contain_text("Escrevam um número de 0,05 a 50.")
-    assert board.kept("boxes", "size") == [[0.75, 1]]
+    assert board.stored("boxes", "size") == [[0.75, 1]]
 
 
 def test_a_place_has_the_numbers_that_blocks_use_for_it(studio: Studio, board: WorldBoard) -> None:
     """The start looks along the edge of the floor; the zone lies 2 m ahead of it and 1 m to its right."""
-    board.thing("start").click()
+    board.world_object("start").click()
     for name, value in {"x": "-3", "y": "-2", "heading": "90"}.items():
         board.number(name).fill(value)
     expect(board["panel"]).to_contain_text("Só a partida conta do meio do chão")
     board.choose("zone")
     board.drag((-2.5, -0.5), (-1.5, 0.5))
-    board.eventually(lambda: board.kept("zones", "center"), [[-2, 0]])
+    board.eventually(lambda: board.stored("zones", "center"), [[-2, 0]])
     expect(board.number("x")).to_have_value("2")
     expect(board.number("y")).to_have_value("-1")
     expect(board.number("heading")).to_have_value("-90")
     board.number("x").fill("3")
     board.number("heading").fill("0")
-    board.eventually(lambda: board.kept("zones", "center"), [[-2, 1]])
-    board.eventually(lambda: board.kept("zones", "heading_deg"), [90])
+    board.eventually(lambda: board.stored("zones", "center"), [[-2, 1]])
+    board.eventually(lambda: board.stored("zones", "heading_deg"), [90])
 
 
 def test_places_and_colours_are_kept_for_the_sensors(board: WorldBoard) -> None:
@@ -105,9 +105,9 @@ def test_places_and_colours_are_kept_for_the_sensors(board: WorldBoard) -> None:
     board["editor"].locator('.world-tools [data-color="green"]').click()
     board.drag((-2, -2), (-1, -1))
     board["shape"].last.click()
-    board.eventually(lambda: board.kept("zones", "name"), ["Casa"])
-    board.eventually(lambda: board.kept("floor", "color"), ["green"])
-    board.eventually(lambda: board.kept("floor", "radius"), [0.5])
+    board.eventually(lambda: board.stored("zones", "name"), ["Casa"])
+    board.eventually(lambda: board.stored("floor", "color"), ["green"])
+    board.eventually(lambda: board.stored("floor", "radius"), [0.5])
 
 
 def test_the_keys_do_what_hands_do(studio: Studio, board: WorldBoard) -> None:
@@ -118,19 +118,19 @@ def test_the_keys_do_what_hands_do(studio: Studio, board: WorldBoard) -> None:
     page.keyboard.press("ArrowRight")
     for _ in range(3):
         page.keyboard.press("Shift+ArrowUp")
-    board.thing("start").focus()
+    board.world_object("start").focus()
     for _ in range(9):
         page.keyboard.press("ArrowLeft")
-    board.eventually(lambda: board.kept("boxes", "center"), [[0.1, 0.03]])
+    board.eventually(lambda: board.stored("boxes", "center"), [[0.1, 0.03]])
     board.eventually(lambda: board.world().get("start", {}).get("x_m"), -0.9)
     page.keyboard.press("Control+z")
     page.keyboard.press("Control+y")
     board.choose("select")
-    board.thing("box").focus()
+    board.world_object("box").focus()
     page.keyboard.press("Delete")
-    board.eventually(lambda: board.kept("boxes", "center"), [])
+    board.eventually(lambda: board.stored("boxes", "center"), [])
     page.keyboard.press("Control+z")
-    board.eventually(lambda: board.kept("boxes", "center"), [[0.1, 0.03]])
+    board.eventually(lambda: board.stored("boxes", "center"), [[0.1, 0.03]])
 
 
 def test_a_finger_draws_too(open_studio: OpenStudio) -> None:
@@ -146,23 +146,23 @@ def test_a_finger_draws_too(open_studio: OpenStudio) -> None:
 def test_a_fault_is_told_where_it_is_and_nothing_is_lost(studio: Studio, board: WorldBoard) -> None:
     board.choose("box")
     board.drag((1, 1), (2, 2))
-    board.eventually(lambda: board.kept("boxes", "center"), [[1.5, 1.5]])
+    board.eventually(lambda: board.stored("boxes", "center"), [[1.5, 1.5]])
     board.choose("select")
     board.drag((1.5, 1.5), (0.1, 0.1))
     expect(board["fault-note"]).to_contain_text("caixa 1")
-    board.expect_faulty(board.thing("start"))
+    board.expect_faulty(board.world_object("start"))
     expect(studio["saved-mark"]).to_have_attribute("data-state", "refused")
-    assert board.kept("boxes", "center") == [[1.5, 1.5]]
+    assert board.stored("boxes", "center") == [[1.5, 1.5]]
 
     studio.page.reload()
     studio.wait_until_open()
     studio["run"].click()
-    board.expect_faulty(board.thing("start"))
+    board.expect_faulty(board.world_object("start"))
     board.choose("start")
     board.drag((-2, -2), (-2, 0))
-    board.expect_faulty(board.thing("start"), False)
+    board.expect_faulty(board.world_object("start"), False)
     expect(board["faults"]).to_have_count(0)
-    board.eventually(lambda: board.kept("boxes", "center"), [[0.1, 0.1]])
+    board.eventually(lambda: board.stored("boxes", "center"), [[0.1, 0.1]])
     studio.wait_until_saved()
 
 
@@ -211,9 +211,9 @@ def test_a_file_with_a_fault_is_opened_to_be_mended(board: WorldBoard, tmp_path:
     }
     file.write_text(json.dumps(world), encoding="utf-8")
     board["file"].set_input_files(file)
-    board.expect_faulty(board.thing("start"))
+    board.expect_faulty(board.world_object("start"))
     board.choose("select")
-    board.thing("box").focus()
+    board.world_object("box").focus()
     board["delete"].click()
     board.eventually(lambda: board.world().get("title"), "De fora")
 
@@ -222,7 +222,7 @@ def test_the_own_world_stays_with_the_program_and_comes_back_when_deleted(
     studio: Studio, board: WorldBoard
 ) -> None:
     board["begin"].select_option("obstacles")
-    board.eventually(lambda: len(board.kept("boxes", "center")), 3)
+    board.eventually(lambda: len(board.stored("boxes", "center")), 3)
     board.done()
     studio["world"].select_option("empty_room")
     studio["world"].select_option("own")
@@ -232,7 +232,7 @@ def test_the_own_world_stays_with_the_program_and_comes_back_when_deleted(
     board.eventually(board.is_own, False)
     expect(studio["world"].locator('option[value="own"]')).to_have_count(0)
     board["bring-back"].click()
-    board.eventually(lambda: len(board.kept("boxes", "center")), 3)
+    board.eventually(lambda: len(board.stored("boxes", "center")), 3)
     expect(studio["world"]).to_have_value("own")
 
 
@@ -248,17 +248,17 @@ def test_changing_a_world_that_ships_can_be_undone_to_the_own_one(
     studio: Studio, board: WorldBoard
 ) -> None:
     board["begin"].select_option("obstacles")
-    board.eventually(lambda: len(board.kept("boxes", "center")), 3)
+    board.eventually(lambda: len(board.stored("boxes", "center")), 3)
     board.done()
     studio["world"].select_option("empty_room")
     board.open()
     expect(board["own-instead"]).to_be_visible()
     board.choose("box")
     board.drag((1, 1), (2, 2))
-    board.eventually(lambda: len(board.kept("boxes", "center")), 1)
+    board.eventually(lambda: len(board.stored("boxes", "center")), 1)
     board["undo"].click()
     board["undo"].click()
-    board.eventually(lambda: len(board.kept("boxes", "center")), 3)
+    board.eventually(lambda: len(board.stored("boxes", "center")), 3)
 
 
 def test_it_has_names_and_contrast(studio: Studio, board: WorldBoard) -> None:
@@ -269,19 +269,19 @@ def test_it_has_names_and_contrast(studio: Studio, board: WorldBoard) -> None:
     assert violations(studio, "world-fault-note") == [], "a box with a fault"
     board.choose("paint")
     board.drag((1, 1), (2, 2))
-    expect(board.thing("paint")).to_have_count(1)
+    expect(board.world_object("paint")).to_have_count(1)
     assert violations(studio, "world-editor") == [], "a colour"
 
 
 def test_no_words_are_cut(studio: Studio, board: WorldBoard) -> None:
     expect_uncut(studio, "the world")
-    n_things = board["thing"].count()
+    n_objects = board["thing"].count()
     for tool in ("wall", "box", "zone", "paint", "start"):
         board.choose(tool)
         if tool != "start":
-            n_things += 1
+            n_objects += 1
             board.drag((1, 1), (2, 2))
-            expect(board["thing"]).to_have_count(n_things)
+            expect(board["thing"]).to_have_count(n_objects)
         expect_uncut(studio, tool)
 
 

@@ -31,7 +31,7 @@ class WorldBoard:
         button.click()
         expect(button).to_have_attribute("aria-pressed", "true")
 
-    def thing(self, kind: str, index: int = 0) -> Locator:
+    def world_object(self, kind: str, index: int = 0) -> Locator:
         at = f'[data-index="{index}"]' if kind != "start" else ""
         return self._studio.page.locator(f'[data-testid="world-thing"][data-kind="{kind}"]{at}')
 
@@ -69,15 +69,15 @@ class WorldBoard:
     def is_own(self) -> bool:
         return bool(self.world())
 
-    def kept(self, key: str, part: str) -> list[Any]:
+    def stored(self, key: str, part: str) -> list[Any]:
         """One part of each entry of a list of that world."""
         return [entry[part] for entry in self.world().get(key, [])]
 
     def inner_walls(self) -> list[Any]:
         return [[wall["from"], wall["to"]] for wall in self.world().get("walls", [])[4:]]
 
-    def eventually(self, read: Any, wanted: Any) -> None:
-        self._studio.eventually(read, wanted)
+    def eventually(self, read: Any, expected: Any) -> None:
+        self._studio.eventually(read, expected)
 
-    def expect_faulty(self, thing: Locator, is_faulty: bool = True) -> None:
-        expect(thing).to_have_attribute("data-faulty", re.compile(str(is_faulty).lower()))
+    def expect_faulty(self, world_object: Locator, is_faulty: bool = True) -> None:
+        expect(world_object).to_have_attribute("data-faulty", re.compile(str(is_faulty).lower()))

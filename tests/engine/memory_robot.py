@@ -22,19 +22,19 @@ from typing import Any
 from pinel_desktop import links
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.links.real import RealLink, real_link
-from pinel_desktop.robot import Setting, Twist2D
-from pinel_desktop.robot.record import BridgeRecord, RobotRecord, Room
+from pinel_desktop.robot import SimulationConfig, Twist2D
+from pinel_desktop.robot.robot_profile import BridgeProfile, RobotProfile, Room
 from pinel_desktop.runs.spec import RunSpec
 from tests.links.unicycle import MemoryTransport, Unicycle
 
-RECORD = BridgeRecord(
+PROFILE = BridgeProfile(
     host=f"memory-{os.getpid()}",  # a robot of its own: other tests drive theirs at the same time
     max_v_mps=1.2,
     max_omega_dps=300.0,
     room=Room(width_m=40.0, depth_m=40.0),
 )
 FAR = RunSpec(
-    [{"action": "move_forward", "distance": 10}], "empty_room", link="bridge", robot=RECORD
+    [{"action": "move_forward", "distance": 10}], "empty_room", link="bridge", robot=PROFILE
 )
 
 
@@ -43,13 +43,15 @@ class LoggedUnicycle(Unicycle):
 
     log: Path
 
-    def hear(self, twist: Twist2D) -> None:
-        super().hear(twist)
+    def receive(self, twist: Twist2D) -> None:
+        super().receive(twist)
         with self.log.open("a") as log:
-            log.write(f"{self.heard[-1][0]} {twist.v_mps} {twist.omega_radps}\n")
+            log.write(f"{self.received[-1][0]} {twist.v_mps} {twist.omega_radps}\n")
 
 
-def memory_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:
+def memory_link(
+    *, world: Any, setting: SimulationConfig, seed: int, robot: RobotProfile | None
+) -> RealLink:
     """The link `bridge`, over memory."""
     return real_link(lambda record: MemoryTransport(_unicycle()), setting, robot)
 
@@ -95,7 +97,7 @@ def jog() -> None:
     client.start()
     assert client.wait_until_ready(20.0)
     while True:
-        client.jog(RECORD, 1.0, 0.0, time.time())
+        client.jog(PROFILE, 1.0, 0.0, time.time())
         time.sleep(0.1)
 
 

@@ -50,12 +50,12 @@ class Harness:
 
     def until(self, kind: str, **fields: Any) -> list[dict[str, Any]]:
         """All events up to the first of that type with those fields."""
-        seen = []
+        received = []
         while True:
             event = self.events.get(timeout=WAIT_S)
-            seen.append(event)
+            received.append(event)
             if event["type"] == kind and fields.items() <= event.items():
-                return seen
+                return received
 
 
 @pytest.fixture
@@ -130,9 +130,9 @@ def test_run_begins_held_is_stepped_looked_into_and_hastened(engine: Harness) ->
         engine.client.command("r", Evaluate(expression={"op": "+", "args": [{"var": "n"}, 1]})) == 8
     )
     engine.client.command("r", Resume())
-    began = time.monotonic()
+    started_s = time.monotonic()
     engine.until("run_ended", state="finished")
-    assert in_time(time.monotonic() - began, 4.0)  # six seconds of robot time
+    assert in_time(time.monotonic() - started_s, 4.0)  # six seconds of robot time
     with pytest.raises(PinelError, match="run_not_live"):
         engine.client.command("r", Evaluate(expression=1))
 
@@ -166,15 +166,15 @@ def test_question_is_answered_by_hand_and_the_seed_reaches_the_run(engine: Harne
             {"action": "say", "text": {"op": "join", "args": [{"var": "name"}, " ", draw]}},
         ],
     }
-    said = []
+    texts = []
     for run, seed in (("r", 1), ("s", 1), ("t", 2)):
         engine.client.run(run, RunSpec(document, "empty_room", seed=seed, pace="live"))
         assert engine.until("asked")[-1]["question"] == "Name?"
         engine.client.command(run, Answer(value="Ana"))
-        said.append(engine.until("said", run=run)[-1]["text"])
+        texts.append(engine.until("said", run=run)[-1]["text"])
         engine.until("run_ended", run=run, state="finished")
-    assert said[0].startswith("Ana ")
-    assert said[0] == said[1] != said[2]
+    assert texts[0].startswith("Ana ")
+    assert texts[0] == texts[1] != texts[2]
 
 
 def test_loop_without_motion_leaves_stop_its_100_ms(engine: Harness) -> None:
@@ -273,7 +273,7 @@ def test_engine_that_dies_soon_is_started_again_and_a_lost_one_when_somebody_wan
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(
-        supervisor, "_SHORT_LIFE_S", WAIT_S
+        supervisor, "_MIN_UPTIME_S", WAIT_S
     )  # on a busy PC the start alone takes long
     harness = Harness()
     try:
@@ -283,7 +283,7 @@ def test_engine_that_dies_soon_is_started_again_and_a_lost_one_when_somebody_wan
             process = psutil.Process(harness.client.pid)
             process.kill()
             process.wait(WAIT_S)
-            _until(partial(_gone_or_lost, harness.client, process.pid))
+            _until(partial(_replaced_or_lost, harness.client, process.pid))
         assert harness.client.state == "lost"
         with pytest.raises(PinelError, match="engine_not_ready"):
             harness.client.run("r", RunSpec(SHORT, "empty_room", pace="live"))
@@ -294,7 +294,7 @@ def test_engine_that_dies_soon_is_started_again_and_a_lost_one_when_somebody_wan
         harness.client.close()
 
 
-def _gone_or_lost(client: EngineClient, pid: int) -> bool:
+def _replaced_or_lost(client: EngineClient, pid: int) -> bool:
     return client.pid != pid or client.state == "lost"
 
 

@@ -24,10 +24,10 @@ from tests.engine.memory_robot import FAR, engine_command
 pytestmark = pytest.mark.waits
 
 # 0.3 s on a PC at rest, measured by tests/benchmarks/bench_robot_stops.py; other tests may keep this one busy
-STANDS_WITHIN_S = 1.0
+MAX_STOPPING_TIME_S = 1.0
 
 
-def heard(log: Path) -> list[tuple[float, float]]:
+def received(log: Path) -> list[tuple[float, float]]:
     """What reached the robot: seconds and m/s."""
     if not log.exists():
         return []
@@ -39,30 +39,30 @@ def heard(log: Path) -> list[tuple[float, float]]:
 def wait_until_driving(log: Path, since: int = 0) -> None:
     """Waits for a velocity after the first `since` ones."""
     due_s = time.monotonic() + 30.0
-    while not any(v > 0.3 for _, v in heard(log)[since:]):
+    while not any(v > 0.3 for _, v in received(log)[since:]):
         assert time.monotonic() < due_s, "the robot does not drive"
         time.sleep(0.02)
 
 
 def wait_until_left_alone(log: Path) -> None:
     """Waits until a robot has been sent nothing, not even zeros, for half a second: its run has ended."""
-    n_heard, changed_s = -1, time.monotonic()
+    n_received, changed_s = -1, time.monotonic()
     due_s = changed_s + 30.0
     while time.monotonic() - changed_s < 0.5:
         assert time.monotonic() < due_s, "the run goes on"
-        if len(heard(log)) != n_heard:
-            n_heard, changed_s = len(heard(log)), time.monotonic()
+        if len(received(log)) != n_received:
+            n_received, changed_s = len(received(log)), time.monotonic()
         time.sleep(0.02)
 
 
-def stood_after_s(log: Path, moment_s: float) -> float:
+def stopping_time_s(log: Path, event_s: float) -> float:
     """How long after a moment the robot heard its first zero that no other velocity followed for a second."""
     time.sleep(1.5)
-    after = [(at_s, v) for at_s, v in heard(log) if at_s > moment_s]
+    after = [(at_s, v) for at_s, v in received(log) if at_s > event_s]
     moving = [at_s for at_s, v in after if v]
     zeros = [at_s for at_s, v in after if not v and at_s > max(moving, default=0.0)]
     assert zeros, "no zeros came"
-    return min(zeros) - moment_s
+    return min(zeros) - event_s
 
 
 class Driving:
@@ -105,10 +105,10 @@ class TestFrozenApp:
     def test_the_robot_waits_and_drives_on_when_the_app_is_back(self, driving: Driving) -> None:
         frozen_s = time.monotonic()
         driving.app.send_signal(signal.SIGSTOP)
-        assert stood_after_s(driving.log, frozen_s) < STANDS_WITHIN_S
-        n_heard = len(heard(driving.log))
+        assert stopping_time_s(driving.log, frozen_s) < MAX_STOPPING_TIME_S
+        n_received = len(received(driving.log))
         driving.app.send_signal(signal.SIGCONT)
-        wait_until_driving(driving.log, since=n_heard)
+        wait_until_driving(driving.log, since=n_received)
 
     def test_the_run_ends_when_the_app_stays_away(self, driving: Driving) -> None:
         driving.app.send_signal(signal.SIGSTOP)
@@ -129,7 +129,7 @@ def test_a_robot_that_nobody_watches_any_more_stands_and_its_run_ends(tmp_path: 
     wait_until_driving(log)
     closed_s = time.monotonic()
     watched.clear()  # the last page was closed
-    assert stood_after_s(log, closed_s) < STANDS_WITHIN_S
+    assert stopping_time_s(log, closed_s) < MAX_STOPPING_TIME_S
     while (ended := events.get(timeout=30))["type"] != "run_ended":
         pass
     client.close()
@@ -140,15 +140,15 @@ def test_an_app_that_is_killed_leaves_no_robot_driving(driving: Driving) -> None
     engine = driving.engine()
     killed_s = time.monotonic()
     driving.app.kill()
-    assert stood_after_s(driving.log, killed_s) < STANDS_WITHIN_S
+    assert stopping_time_s(driving.log, killed_s) < MAX_STOPPING_TIME_S
     engine.wait(timeout=10)
 
 
 def test_an_engine_that_is_told_to_end_stops_the_robot_first(driving: Driving) -> None:
     engine = driving.engine()
-    told_s = time.monotonic()
+    terminated_s = time.monotonic()
     engine.send_signal(signal.SIGTERM)
-    assert stood_after_s(driving.log, told_s) < STANDS_WITHIN_S
+    assert stopping_time_s(driving.log, terminated_s) < MAX_STOPPING_TIME_S
     assert driving.ended()["state"] == "stopped"
 
 
@@ -156,7 +156,7 @@ def test_an_app_that_closes_stops_the_robot_first(driving: Driving) -> None:
     closed_s = time.monotonic()
     assert driving.app.stdin is not None
     driving.app.stdin.close()
-    assert stood_after_s(driving.log, closed_s) < STANDS_WITHIN_S
+    assert stopping_time_s(driving.log, closed_s) < MAX_STOPPING_TIME_S
     driving.app.wait(timeout=10)
 
 
@@ -197,7 +197,7 @@ def test_contact_tells_where_the_robot_is_and_leaves_it_standing(tmp_path: Path)
     client.close()
     assert (found["x_m"], found["y_m"], found["battery"]) == (0.0, 0.0, None)
     assert found["rate_hz"] > 10.0
-    assert {v for _, v in heard(log)} == {0.0}
+    assert {v for _, v in received(log)} == {0.0}
 
 
 def test_contact_is_refused_while_a_run_drives(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ import pytest
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
 from tests.engine.memory_robot import FAR, engine_command
-from tests.engine.test_real_robot import STANDS_WITHIN_S, heard, stood_after_s
+from tests.engine.test_real_robot import MAX_STOPPING_TIME_S, received, stopping_time_s
 
 pytestmark = pytest.mark.waits
 
@@ -59,10 +59,10 @@ class Teacher:
         raise AssertionError("such a state was not told")
 
     def drive_until_moving(self) -> None:
-        n_heard = len(heard(self.log))
+        n_received = len(received(self.log))
         self.hold_until(lambda state: state["use"] == "jog" and state["state"] == "connected")
         due_s = time.monotonic() + SOON_S
-        while not any(v for _, v in heard(self.log)[n_heard:]):
+        while not any(v for _, v in received(self.log)[n_received:]):
             assert time.monotonic() < due_s, "the robot does not move"
             self.hold()
             time.sleep(0.05)
@@ -83,7 +83,7 @@ def test_watched_robot_is_told_of_and_hears_nothing(teacher: Teacher) -> None:
     state = teacher.watch_until(lambda state: is_connected(state) and state["rate_hz"])
     assert (state["x_m"], state["y_m"], state["code"]) == (0.0, 0.0, None)
     assert state["rate_hz"] > 10.0
-    assert heard(teacher.log) == []
+    assert received(teacher.log) == []
 
 
 def test_run_takes_the_watched_robot_and_gives_it_back(teacher: Teacher) -> None:
@@ -104,30 +104,30 @@ def _stop() -> Any:
 
 def test_held_key_moves_slowly_and_a_key_that_is_let_go_stops(teacher: Teacher) -> None:
     teacher.drive_until_moving()
-    assert 0.0 < max(v for _, v in heard(teacher.log)) <= SLOW_MPS
+    assert 0.0 < max(v for _, v in received(teacher.log)) <= SLOW_MPS
     let_go_s = time.monotonic()
     teacher.client.jog(teacher.robot, 0.0, 0.0, time.time())
-    assert stood_after_s(teacher.log, let_go_s) < STANDS_WITHIN_S
+    assert stopping_time_s(teacher.log, let_go_s) < MAX_STOPPING_TIME_S
     state = teacher.watch_until(is_connected)  # let go by itself
     assert state["x_m"] > 0.0
 
 
 def test_silence_of_the_page_stops(teacher: Teacher) -> None:
     teacher.drive_until_moving()
-    silent_s = time.monotonic()
-    assert stood_after_s(teacher.log, silent_s) < STANDS_WITHIN_S
+    last_hold_s = time.monotonic()
+    assert stopping_time_s(teacher.log, last_hold_s) < MAX_STOPPING_TIME_S
 
 
 def test_command_that_was_long_on_its_way_moves_nothing(teacher: Teacher) -> None:
     teacher.drive_until_moving()
     teacher.client.jog(teacher.robot, 0.0, 0.0, time.time())
     time.sleep(0.5)
-    n_heard = len(heard(teacher.log))
+    n_received = len(received(teacher.log))
     teacher.client.jog(teacher.robot, 1.0, 0.0, time.time() - 1.0)
     time.sleep(0.5)
-    later = [v for _, v in heard(teacher.log)[n_heard:]]
-    assert later
-    assert not any(later)
+    velocities = [v for _, v in received(teacher.log)[n_received:]]
+    assert velocities
+    assert not any(velocities)
 
 
 def test_emergency_stop_ends_a_key_that_is_still_held(teacher: Teacher) -> None:
@@ -138,7 +138,7 @@ def test_emergency_stop_ends_a_key_that_is_still_held(teacher: Teacher) -> None:
     while time.monotonic() < until_s:
         teacher.hold()
         time.sleep(0.1)
-    assert stood_after_s(teacher.log, halted_s) < STANDS_WITHIN_S
+    assert stopping_time_s(teacher.log, halted_s) < MAX_STOPPING_TIME_S
     teacher.drive_until_moving()  # pressed anew
 
 
@@ -161,7 +161,7 @@ def test_place_is_counted_from_where_somebody_said_that_it_stands_at_the_start(
     teacher.drive_until_moving()
     teacher.client.jog(teacher.robot, 0.0, 0.0, time.time())
     moved = teacher.watch_until(lambda state: is_connected(state) and state["x_m"] > 0.0)
-    teacher.client.stand_at_start(teacher.robot)
+    teacher.client.set_start_here(teacher.robot)
     state = teacher.watch_until(lambda state: is_connected(state) and state != moved)
     assert (state["x_m"], state["y_m"]) == (0.0, 0.0)
 
@@ -176,12 +176,12 @@ def test_frozen_or_killed_app_leaves_no_robot_moving_by_keys(tmp_path: Path, how
     )
     with app:
         due_s = time.monotonic() + SOON_S
-        while not any(v for _, v in heard(log)):
+        while not any(v for _, v in received(log)):
             assert time.monotonic() < due_s, "the robot does not move"
             time.sleep(0.02)
         engines = psutil.Process(app.pid).children()
-        gone_s = time.monotonic()
+        signalled_s = time.monotonic()
         os.kill(app.pid, getattr(signal, how))
-        assert stood_after_s(log, gone_s) < STANDS_WITHIN_S
+        assert stopping_time_s(log, signalled_s) < MAX_STOPPING_TIME_S
         app.kill()
         psutil.wait_procs(engines, timeout=10)

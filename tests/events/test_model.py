@@ -2,10 +2,10 @@ from dataclasses import fields
 
 import pytest
 
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import RunState
 from pinel_desktop.events.model import StreamEvent as Declared
-from pinel_desktop.events.stamp import EventStamp
-from pinel_desktop.events.types import APP_EVENTS, KEPT, LOSSY, RUN_EVENTS, URGENT
+from pinel_desktop.events.types import APP_EVENTS, LOSSY, RECORDED, RUN_EVENTS, URGENT
 from pinel_desktop.web.models.events import RunEvent, StreamEvent, described
 
 DECLARED = RUN_EVENTS | APP_EVENTS
@@ -29,8 +29,8 @@ def test_the_described_interface_has_the_same_events_with_the_same_fields() -> N
 
 
 def test_a_record_holds_all_that_a_run_reports_but_measurements_and_waits() -> None:
-    assert set(RUN_EVENTS) - KEPT == {"ranges", "countdown", "commands_awaited"}
-    assert set(RUN_EVENTS) >= KEPT
+    assert set(RUN_EVENTS) - RECORDED == {"ranges", "countdown", "commands_awaited"}
+    assert set(RUN_EVENTS) >= RECORDED
 
 
 def test_only_samples_may_be_dropped_and_none_of_them_is_waited_for() -> None:
@@ -39,7 +39,7 @@ def test_only_samples_may_be_dropped_and_none_of_them_is_waited_for() -> None:
 
 
 def test_wire_objects_are_flat_and_numbered() -> None:
-    stamp = EventStamp("r")
+    stamp = EventSequencer("r")
     assert stamp.wire(0, RunState("running")) == {
         "v": 1,
         "type": "run_state",

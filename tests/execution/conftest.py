@@ -39,20 +39,23 @@ def execute_commands() -> Execute:
 
         setup = replace(RunOptions(**options), observer=observe)
         result = execute(program, open_link("sim", world=world), setup)
-        _assert_in_words(result)
+        _assert_has_texts(result)
         return result, log
 
     return run
 
 
-def _assert_in_words(result: RunResult) -> None:
+def _assert_has_texts(result: RunResult) -> None:
     """Checks that the reason has a text in every language, with all parameters."""
     ended = result.ended
     if ended.reason is not None:
         for language in LANGUAGES:
-            words = describe(ended.reason, ended.params, language)
-            assert words.message != ended.reason
-            assert not re.search(r"\{\w+\}", words.message + words.remedy), (ended.reason, words)
+            description = describe(ended.reason, ended.params, language)
+            assert description.message != ended.reason
+            assert not re.search(r"\{\w+\}", description.message + description.remedy), (
+                ended.reason,
+                description,
+            )
 
 
 @pytest.fixture

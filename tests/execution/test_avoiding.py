@@ -8,7 +8,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import PIONEER_3DX, Sensors, Setting
+from pinel_desktop.robot import PIONEER_3DX, Sensors, SimulationConfig
 from sim.world import world_document
 
 RADIUS_M = PIONEER_3DX.radius_m
@@ -28,7 +28,7 @@ class Nearness:
     """The simulator, with how near the robot ever was to something."""
 
     def __init__(self, world: str | dict[str, Any], sensors: type[Sensors] | None = None) -> None:
-        self.link = SimLink(world=world, setting=Setting(), seed=0)
+        self.link = SimLink(world=world, setting=SimulationConfig(), seed=0)
         if sensors is not None:
             self.link.sensors = sensors()
         self.touched = False

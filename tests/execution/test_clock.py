@@ -6,7 +6,7 @@ from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import Preset, Setting
+from pinel_desktop.robot import Preset, SimulationConfig
 
 
 class FakeTime:
@@ -71,7 +71,7 @@ def test_another_speed_holds_at_once_also_within_a_slow_tick() -> None:
 def test_stop_takes_no_longer_in_slow_motion(speed: float, preset: Preset, paused: bool) -> None:
     time, control, commands = FakeTime(), RunControl(), []
     control.set_speed(speed)
-    seen: list[float] = []
+    requested_s: list[float] = []
 
     def observe(tick: int, event: Event) -> None:
         if type(event) is Telemetry:
@@ -80,11 +80,11 @@ def test_stop_takes_no_longer_in_slow_motion(speed: float, preset: Preset, pause
                     control.pause()
                 else:
                     control.stop()
-                seen.append(time.now)
+                requested_s.append(time.now)
             if tick == 61 and paused:  # in the middle of coming to rest
                 control.stop()
-                seen[0] = time.now
-            if control.stop_requested and len(seen) == 1 and tick > 60 + paused:
+                requested_s[0] = time.now
+            if control.stop_requested and len(requested_s) == 1 and tick > 60 + paused:
                 commands.append((event.command_v_mps, event.command_omega_radps))
 
     drive = {"action": "drive", "linear": 1.2, "angular": 60}
@@ -95,11 +95,11 @@ def test_stop_takes_no_longer_in_slow_motion(speed: float, preset: Preset, pause
     ]
     program = read_document(commands_of_run).program
     assert program is not None
-    link = open_link("sim", world="empty_room", setting=Setting(preset=preset))
+    link = open_link("sim", world="empty_room", setting=SimulationConfig(preset=preset))
     clock = LiveClock(WallTime(lambda: time.now, time.sleep), speed=lambda: control.pace)
     options = RunOptions(observer=observe, clock=clock, control=control)
     ended = execute(program, link, options).ended
     assert ended.state == "stopped"
     # wheels with inertia take a while from 1.2 m/s
-    assert time.now - seen[0] < (0.2 if preset == "ideal" else 0.6)
+    assert time.now - requested_s[0] < (0.2 if preset == "ideal" else 0.6)
     assert set(commands) == {(0.0, 0.0)}

@@ -7,14 +7,14 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.activities.evidence import LogWriter
+from pinel_desktop.activities.evidence import RunLogBuilder
 from pinel_desktop.events.model import RunEnded
 from pinel_desktop.links.sim import SimLink
-from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset, RobotState, Setting
+from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset, RobotState, SimulationConfig
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
 from sim.world import world_document
-from tests.execution.test_way import SQUARE
+from tests.execution.test_path_length import SQUARE
 from tests.test_programs import PROGRAMS
 
 FAILS_AT_ONCE = {**SQUARE, "commands": [{"action": "say", "text": {"var": "nobody"}}]}
@@ -29,8 +29,8 @@ def driven(
     **more: Any,
 ) -> tuple[RunEnded, float]:
     """How the run ended, and how far from its start the robot truly was then."""
-    writer = LogWriter()
-    setting = Setting(PIONEER_3DX.name, preset, feedback)
+    writer = RunLogBuilder()
+    setting = SimulationConfig(PIONEER_3DX.name, preset, feedback)
     spec = RunSpec(document, world_document(world), setting=setting, seed=1, **more)
     ended = start(spec, writer.observe).ended
     x_m, y_m, _ = writer.log().poses[-1]

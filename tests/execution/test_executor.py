@@ -20,7 +20,7 @@ from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import STANDSTILL, RobotState, Setting, Twist2D
+from pinel_desktop.robot import STANDSTILL, RobotState, SimulationConfig, Twist2D
 
 FORWARD = {"action": "move_forward", "distance": 1}
 STOP = {"action": "stop"}
@@ -116,7 +116,7 @@ def test_loop_without_motion_lets_time_pass_and_is_reported_five_times_a_second(
     started = [
         tick for tick, event in log if isinstance(event, BlockStarted) and event.block == "s"
     ]
-    assert all(later - earlier >= 5 for earlier, later in pairwise(started))
+    assert all(following - earlier >= 5 for earlier, following in pairwise(started))
 
 
 def test_empty_program_finishes_at_once(execute_commands: Any) -> None:
@@ -226,7 +226,7 @@ class SlipperyLink(SimLink):
     """A simulated robot that somebody may push, or that falls silent."""
 
     def __init__(self, fail_at: int | None = None) -> None:
-        super().__init__(world="empty_room", setting=Setting(), seed=0)
+        super().__init__(world="empty_room", setting=SimulationConfig(), seed=0)
         self.commands: list[Twist2D] = []
         self.fail_at = fail_at
         self.closed = False
@@ -368,7 +368,7 @@ def test_commands_that_turn_out_to_take_no_time_are_reported_five_times_a_second
     ticks = [tick for tick, event in log if isinstance(event, BlockStarted) and event.block == "b"]
     assert result.ended.state == "finished"
     assert len(ticks) > 2
-    assert all(later - earlier >= 5 for earlier, later in pairwise(ticks))
+    assert all(following - earlier >= 5 for earlier, following in pairwise(ticks))
 
 
 def test_command_that_takes_time_the_second_time_in_a_tick_is_reported_when_it_does(

@@ -51,8 +51,8 @@ class OpenRun:
         return start(RunSpec([], "empty_room", pace="max"), self.observe, self.control)
 
     @property
-    def kept(self) -> list[tuple[int, Event]]:
-        return [one for one in self.events if type(one[1]).kept]
+    def recorded(self) -> list[tuple[int, Event]]:
+        return [one for one in self.events if type(one[1]).is_recorded]
 
 
 @pytest.mark.parametrize("at_end", [RunControl.finish, RunControl.stop])
@@ -68,15 +68,15 @@ def test_an_open_run_is_tick_by_tick_the_run_of_its_whole_program(
     )
     assert result.ended == expected.ended
     assert result.ended.state == "finished"
-    assert open_run.kept == whole
+    assert open_run.recorded == whole
     assert result.variables == {"n": 2400}
 
 
 def test_it_tells_how_many_commands_were_executed_and_the_gesture_result() -> None:
     open_run = OpenRun([[GO], [{"action": "set_gesture_result", "result": "B"}]], RunControl.finish)
     open_run.run()
-    told = [event for _, event in open_run.events if type(event) is CommandsAwaited]
-    assert told[:3] == [CommandsAwaited(0, ""), CommandsAwaited(1, ""), CommandsAwaited(2, "B")]
+    awaited = [event for _, event in open_run.events if type(event) is CommandsAwaited]
+    assert awaited[:3] == [CommandsAwaited(0, ""), CommandsAwaited(1, ""), CommandsAwaited(2, "B")]
 
 
 def test_a_pause_between_two_calls_holds_the_first_tick_of_the_next_one() -> None:
@@ -92,7 +92,7 @@ def test_a_pause_between_two_calls_holds_the_first_tick_of_the_next_one() -> Non
 
     spec = RunSpec([], "empty_room", pace="max")
     assert start(spec, pausing, control).ended.state == "finished"
-    kinds = [type(event).__name__ for _, event in open_run.kept if type(event) is not Telemetry]
+    kinds = [type(event).__name__ for _, event in open_run.recorded if type(event) is not Telemetry]
     pause = ["RunState", "RunState"]
     assert kinds == [
         "RunState", "BlockStarted", "BlockEnded", "BlockStarted", *pause, "BlockEnded", "RunEnded"

@@ -63,7 +63,7 @@ def test_run_ends_once_at_rest_with_a_reason_in_words_and_the_same_again_to_the_
     _assert_balanced(log, all_closed=ended.state == "finished")
     again, log_again = run(document, world, gestures, seed)
     assert (again.ended, log_again) == (ended, log)
-    assert (again.said, again.variables) == (result.said, result.variables)
+    assert (again.shown_texts, again.variables) == (result.shown_texts, result.variables)
     json.dumps([ended.params, result.variables], allow_nan=False)
 
 
@@ -94,12 +94,12 @@ def test_normal_form_runs_like_the_document_it_came_from(
 def test_stop_ends_every_program_wherever_it_comes(document: Any, at: int) -> None:
     program = read_document(document).program
     assert program is not None
-    control, seen = RunControl(), 0
+    control, n_events = RunControl(), 0
 
     def press(_tick: int, _event: Event) -> None:
-        nonlocal seen
-        seen += 1
-        if seen > at:
+        nonlocal n_events
+        n_events += 1
+        if n_events > at:
             control.stop()
 
     options = RunOptions(observer=press, control=control)

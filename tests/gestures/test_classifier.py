@@ -6,8 +6,8 @@ import pytest
 from pinel_desktop.gestures.classifier import (
     NO_SIGN,
     Calibration,
-    Doubt,
-    Judgement,
+    ClassScores,
+    RejectThresholds,
     Samples,
     SignClassifier,
     calibrated,
@@ -31,30 +31,30 @@ def halfway(a: str, b: str, n: int = 30) -> Samples:
     return Samples(((first + second) / 2).astype(np.float32), (NO_SIGN,) * n)
 
 
-LEARNT = SignClassifier.fit(cloud("A") + cloud("B") + cloud("T"), BLOCKS)
+TRAINED = SignClassifier.fit(cloud("A") + cloud("B") + cloud("T"), BLOCKS)
 
 
 def signs_of(classifier: SignClassifier, samples: Samples) -> set[str | None]:
-    return {classifier.read(features).sign for features in samples.features}
+    return {classifier.predict(features).sign for features in samples.features}
 
 
 def test_other_samples_of_a_sign_are_recognised() -> None:
     for name in "ABT":
-        assert signs_of(LEARNT, cloud(name, 20, seed=8)) == {name}
+        assert signs_of(TRAINED, cloud(name, 20, seed=8)) == {name}
 
 
 def test_learning_twice_gives_the_same() -> None:
     again = SignClassifier.fit(cloud("A") + cloud("B") + cloud("T"), BLOCKS)
-    assert np.array_equal(again.weights, LEARNT.weights)
-    assert np.array_equal(again.points, LEARNT.points)
+    assert np.array_equal(again.weights, TRAINED.weights)
+    assert np.array_equal(again.points, TRAINED.points)
 
 
 def test_an_unknown_sign_is_refused() -> None:
-    assert signs_of(LEARNT, cloud("3", 20)) == {None}
+    assert signs_of(TRAINED, cloud("3", 20)) == {None}
 
 
 def test_the_best_two_are_named_in_doubt_as_well() -> None:
-    reading = LEARNT.read(halfway("A", "T", 1).features[0])
+    reading = TRAINED.predict(halfway("A", "T", 1).features[0])
     assert reading.sign is None
     assert {reading.best, reading.second} == {"A", "T"}
     assert reading.confidence >= reading.second_confidence > 0.1
@@ -65,13 +65,13 @@ def test_what_was_learnt_to_be_no_sign_is_refused_even_without_doubt() -> None:
         cloud("A") + cloud("B") + cloud("T") + halfway("A", "B", 60), BLOCKS
     )
     between = halfway("A", "B", 10).features
-    careless = Doubt(score=0.5, margin=0, strangeness=np.inf)
-    assert not trained.judge(between).is_clear(careless).any()
+    careless = RejectThresholds(min_score=0.5, min_margin=0, max_novelty=np.inf)
+    assert not trained.score(between).is_clear(careless).any()
     assert signs_of(trained, cloud("A", 20, seed=8)) == {"A"}
 
 
 def test_four_samples_teach_a_new_sign_and_the_old_ones_stay() -> None:
-    taught = LEARNT.teach(cloud("3", 4))
+    taught = TRAINED.with_samples(cloud("3", 4))
     assert taught.signs == ("A", "B", "T", "3")
     assert signs_of(taught, cloud("3", 20, seed=9)) == {"3"}
     assert signs_of(taught, cloud("A", 20, seed=9)) == {"A"}
@@ -79,26 +79,28 @@ def test_four_samples_teach_a_new_sign_and_the_old_ones_stay() -> None:
 
 def test_a_person_s_own_way_is_taught_to_a_known_sign() -> None:
     own = Samples(cloud("3", 4).features, ("T",) * 4)
-    assert {LEARNT.teach(own).read(f).best for f in cloud("3", 20, seed=9).features} == {"T"}
+    assert {TRAINED.with_samples(own).predict(f).best for f in cloud("3", 20, seed=9).features} == {
+        "T"
+    }
 
 
 def test_what_was_taught_is_forgotten_without_a_trace() -> None:
-    forgotten = LEARNT.teach(cloud("3", 4)).forget("3")
-    assert forgotten.signs == LEARNT.signs
-    assert np.array_equal(forgotten.points, LEARNT.points)
-    assert forgotten.weights == pytest.approx(LEARNT.weights, abs=1e-6)
+    forgotten = TRAINED.with_samples(cloud("3", 4)).without_sign("3")
+    assert forgotten.signs == TRAINED.signs
+    assert np.array_equal(forgotten.points, TRAINED.points)
+    assert forgotten.weights == pytest.approx(TRAINED.weights, abs=1e-6)
 
 
 def test_a_sign_in_the_middle_is_forgotten_and_the_others_keep_their_names() -> None:
-    forgotten = LEARNT.forget("B")
+    forgotten = TRAINED.without_sign("B")
     assert forgotten.signs == ("A", "T")
     assert signs_of(forgotten, cloud("T", 20, seed=8)) == {"T"}
 
 
 def test_an_answer_needs_score_margin_and_likeness() -> None:
     scores = np.array([[0.9, 0.1], [0.4, 0.0], [0.9, 0.8], [0.9, 0.1]])
-    judged = Judgement(scores, np.array([0.0, 0.0, 0.0, 9.0]))
-    assert judged.is_clear(Doubt(0.5, 0.2, 1)).tolist() == [True, False, False, False]
+    judged = ClassScores(scores, np.array([0.0, 0.0, 0.0, 9.0]))
+    assert judged.is_clear(RejectThresholds(0.5, 0.2, 1)).tolist() == [True, False, False, False]
 
 
 def test_probabilities_add_up_to_one_with_that_of_no_sign() -> None:

@@ -35,11 +35,11 @@ def oracle(which: Original) -> Any:
 @pytest.mark.parametrize("which", ORIGINALS, ids=["palm", "hand"])
 def test_every_output_agrees_with_the_original(which: Original) -> None:
     network, interpreter = Network(which.target), oracle(which)
-    told = interpreter.get_input_details()[0]
+    details = interpreter.get_input_details()[0]
     for seed in range(3):
         random = np.random.default_rng(seed)
-        picture = random.integers(0, 256, told["shape"][1:], dtype=np.uint8)
-        interpreter.set_tensor(told["index"], picture[None].astype(np.float32) / 255)
+        picture = random.integers(0, 256, details["shape"][1:], dtype=np.uint8)
+        interpreter.set_tensor(details["index"], picture[None].astype(np.float32) / 255)
         interpreter.invoke()
         for tensor, found in zip(which.outputs.values(), network(picture), strict=True):
             expected: NDArray[np.float32] = interpreter.get_tensor(tensor)[0]

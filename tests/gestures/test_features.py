@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 
 from pinel_desktop.gestures.features import BLOCKS, N_FEATURES, N_SHAPE, features
-from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.hands import HandDetector
 from pinel_desktop.gestures.landmarks import Hand
 from tests.gestures.drawn import OPEN, drawn_hand, mirrored, on_wall
 
 
 @pytest.fixture(scope="module")
-def finder() -> HandFinder:
-    return HandFinder()
+def detector() -> HandDetector:
+    return HandDetector()
 
 
 @pytest.fixture(scope="module")
-def hand(finder: HandFinder) -> Hand:
-    (found,) = finder.find(drawn_hand(OPEN))
+def hand(detector: HandDetector) -> Hand:
+    (found,) = detector.detect(drawn_hand(OPEN))
     return found
 
 
@@ -41,21 +41,21 @@ def test_a_direction_in_the_picture_is_kept(hand: Hand) -> None:
     assert np.abs(features(lying)[:N_SHAPE] - features(hand)[:N_SHAPE]).max() > 0.5
 
 
-def test_a_left_hand_has_nearly_the_numbers_of_its_mirror_image(finder: HandFinder) -> None:
-    (one,) = finder.find(drawn_hand(OPEN))
-    (other,) = finder.find(mirrored(drawn_hand(OPEN)))
-    bent, *_ = finder.find(drawn_hand(()))
+def test_a_left_hand_has_nearly_the_numbers_of_its_mirror_image(detector: HandDetector) -> None:
+    (one,) = detector.detect(drawn_hand(OPEN))
+    (other,) = detector.detect(mirrored(drawn_hand(OPEN)))
+    bent, *_ = detector.detect(drawn_hand(()))
     same = np.linalg.norm(features(one) - features(other))
     assert same < 0.5 * np.linalg.norm(features(one) - features(bent))
 
 
 def test_the_same_hand_elsewhere_in_a_larger_picture_has_nearly_the_same_numbers(
-    finder: HandFinder, hand: Hand
+    detector: HandDetector, hand: Hand
 ) -> None:
-    (small,) = finder.find(on_wall(drawn_hand(OPEN, 400), 1280, 720, 700, 200))
-    bent, *_ = finder.find(drawn_hand(()))
-    apart = np.linalg.norm(features(small) - features(hand))
-    assert apart < 0.5 * np.linalg.norm(features(bent) - features(hand))
+    (small,) = detector.detect(on_wall(drawn_hand(OPEN, 400), 1280, 720, 700, 200))
+    bent, *_ = detector.detect(drawn_hand(()))
+    distance = np.linalg.norm(features(small) - features(hand))
+    assert distance < 0.5 * np.linalg.norm(features(bent) - features(hand))
 
 
 def test_degenerate_landmarks_give_finite_numbers(hand: Hand) -> None:

@@ -5,15 +5,15 @@ import pytest
 from numpy.typing import NDArray
 
 from pinel_desktop.gestures.movements import (
-    MOST_S,
+    MAX_DURATION_S,
     N_FRAMES,
     N_NUMBERS,
+    PATH,
     SHAPE,
     TIME,
-    WAY,
-    Glimpse,
+    HandObservation,
     Movement,
-    MovementWatch,
+    MovementSegmenter,
     movement,
     shape,
 )
@@ -24,22 +24,22 @@ SIZE = float(np.ptp(HAND, axis=0).max())
 
 def video(
     *phases: tuple[float, float], size: float = 1.0, rate_hz: float = 15.0, is_left: bool = False
-) -> list[Glimpse]:
+) -> list[HandObservation]:
     """A hand that goes to the side: phases of (seconds, hand sizes a second)."""
-    glimpses, x, time_s = [], 0.0, 0.0
+    observations, x, time_s = [], 0.0, 0.0
     for lasts_s, speed in phases:
         for _ in range(round(lasts_s * rate_hz)):
             time_s += 1 / rate_hz
             x += speed * SIZE / rate_hz
             points = (HAND + np.array([x, 0.0])) * size
             points[:, 0] *= -1 if is_left else 1
-            glimpses.append(Glimpse(time_s, (points + 300).astype(np.float32), is_left))
-    return glimpses
+            observations.append(HandObservation(time_s, (points + 300).astype(np.float32), is_left))
+    return observations
 
 
-def cut(glimpses: list[Glimpse]) -> list[Movement]:
-    watch = MovementWatch()
-    return [found for one in glimpses if (found := watch.see(one)) is not None]
+def cut(observations: list[HandObservation]) -> list[Movement]:
+    segmenter = MovementSegmenter()
+    return [found for one in observations if (found := segmenter.update(one)) is not None]
 
 
 MOVED = ((0.6, 0.0), (0.8, 2.0), (0.6, 0.0))
@@ -63,7 +63,7 @@ def test_a_movement_from_rest_to_rest_is_one() -> None:
 def test_size_rate_and_chirality_change_little(other: dict[str, float]) -> None:
     (one,), (same,) = cut(video(*MOVED)), cut(video(*MOVED, **other))  # type: ignore[arg-type]
     assert same[:, SHAPE] == pytest.approx(one[:, SHAPE], abs=0.02)
-    assert same[-1, WAY] == pytest.approx(one[-1, WAY], abs=0.35)
+    assert same[-1, PATH] == pytest.approx(one[-1, PATH], abs=0.35)
 
 
 @pytest.mark.parametrize(
@@ -72,7 +72,7 @@ def test_size_rate_and_chirality_change_little(other: dict[str, float]) -> None:
         ((3.0, 0.0),),
         ((1.0, 0.3), (1.0, 0.0)),  # it drifts
         ((0.6, 0.0), (0.8, 2.0)),  # it goes on
-        ((0.6, 0.0), (MOST_S + 1, 2.0), (0.6, 0.0)),
+        ((0.6, 0.0), (MAX_DURATION_S + 1, 2.0), (0.6, 0.0)),
     ],
 )
 def test_what_does_not_move_from_rest_to_rest_is_none(phases: tuple[tuple[float, float]]) -> None:
@@ -93,12 +93,12 @@ def test_a_pause_as_at_the_corners_of_a_z_does_not_end_it() -> None:
 
 
 def test_a_hand_that_was_away_begins_anew() -> None:
-    glimpses = video(*MOVED)
-    without = [one for one in glimpses if not 0.9 < one.time_s < 1.25]
+    observations = video(*MOVED)
+    without = [one for one in observations if not 0.9 < one.time_s < 1.25]
     assert [found[-1, TIME] for found in cut(without)] == []
 
 
 def test_a_hand_at_rest_has_the_shape_of_a_movement_s_frames() -> None:
-    glimpses = video(*MOVED, is_left=True)
-    seen: NDArray[np.float64] = shape(glimpses[0].points, is_left=True)
-    assert movement(glimpses)[0, SHAPE] == pytest.approx(seen, abs=1e-3)
+    observations = video(*MOVED, is_left=True)
+    rest_shape: NDArray[np.float64] = shape(observations[0].points, is_left=True)
+    assert movement(observations)[0, SHAPE] == pytest.approx(rest_shape, abs=1e-3)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pinel_desktop.gestures.moving_signs import MovingSigns
+from pinel_desktop.gestures.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.training import moving_hands as hands
 from tests.camera.moving_hands import movements
 from tests.camera.taught_hands import shown
@@ -13,8 +13,8 @@ EXAMPLES, OTHERS = range(5), range(100, 120)
 
 
 @pytest.fixture(scope="module")
-def known() -> MovingSigns:
-    return MovingSigns(
+def known() -> MovingSignClassifier:
+    return MovingSignClassifier(
         {
             sign: np.array(movements(hand, hands.letter_path(sign), EXAMPLES))
             for sign, hand in TAUGHT.items()
@@ -22,13 +22,15 @@ def known() -> MovingSigns:
     )
 
 
-def read(known: MovingSigns, hand: str, way: str) -> list[str | None]:
-    return [known.read(one).sign for one in movements(hand, hands.letter_path(way), OTHERS)]
+def read(known: MovingSignClassifier, hand: str, path_letter: str) -> list[str | None]:
+    return [
+        known.predict(one).sign for one in movements(hand, hands.letter_path(path_letter), OTHERS)
+    ]
 
 
 @pytest.mark.parametrize(("sign", "hand"), TAUGHT.items())
 def test_five_examples_are_enough_at_another_speed_size_and_place(
-    known: MovingSigns, sign: str, hand: str
+    known: MovingSignClassifier, sign: str, hand: str
 ) -> None:
     found = read(known, hand, sign)
     assert len(found) >= 18
@@ -36,34 +38,36 @@ def test_five_examples_are_enough_at_another_speed_size_and_place(
     assert found.count(sign) >= 0.85 * len(found)
 
 
-@pytest.mark.parametrize(("hand", "way"), [("A", "Z"), ("B", "J"), ("A", "X"), ("B", "H")])
-def test_another_hand_or_another_way_is_no_sign(known: MovingSigns, hand: str, way: str) -> None:
-    found = read(known, hand, way)
+@pytest.mark.parametrize(("hand", "path_letter"), [("A", "Z"), ("B", "J"), ("A", "X"), ("B", "H")])
+def test_another_hand_or_another_way_is_no_sign(
+    known: MovingSignClassifier, hand: str, path_letter: str
+) -> None:
+    found = read(known, hand, path_letter)
     assert len(found) >= 15
     assert found.count(None) >= 0.9 * len(found)
 
 
-def test_what_is_thought_of_a_movement_names_the_likeliest_two(known: MovingSigns) -> None:
-    reading = known.read(movements("B", hands.letter_path("Z"), range(100, 101))[0])
+def test_what_is_thought_of_a_movement_names_the_likeliest_two(known: MovingSignClassifier) -> None:
+    reading = known.predict(movements("B", hands.letter_path("Z"), range(100, 101))[0])
     assert (reading.sign, reading.best, reading.second) == ("Z", "Z", "J")
     assert 0.5 < reading.confidence <= 1.0
 
 
-def test_a_hand_may_begin_a_sign_that_begins_like_it(known: MovingSigns) -> None:
-    only_z = MovingSigns({"Z": np.array(movements("B", hands.letter_path("Z"), EXAMPLES))})
+def test_a_hand_may_begin_a_sign_that_begins_like_it(known: MovingSignClassifier) -> None:
+    only_z = MovingSignClassifier({"Z": np.array(movements("B", hands.letter_path("Z"), EXAMPLES))})
     b, a = (shown(letter)[3] for letter in "BA")
     assert only_z.may_begin(b.points, is_left=b.is_left)
     assert not only_z.may_begin(a.points, is_left=a.is_left)
 
 
 def test_without_examples_nothing_is_a_sign() -> None:
-    none = MovingSigns({})
+    none = MovingSignClassifier({})
     found = movements("B", hands.letter_path("Z"), range(1))
-    assert none.read(found[0]).sign is None
+    assert none.predict(found[0]).sign is None
     assert not none.may_begin(shown("B")[0].points, is_left=False)
 
 
 def test_one_example_will_do() -> None:
     one = np.array(movements("B", hands.letter_path("Z"), range(1)))
-    found = read(MovingSigns({"Z": one}), "B", "Z")
+    found = read(MovingSignClassifier({"Z": one}), "B", "Z")
     assert found.count("Z") >= 0.5 * len(found)

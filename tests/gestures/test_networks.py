@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.hands import HandDetector
 from pinel_desktop.gestures.networks import FOLDER, HAND, PALM, checked
 
 
@@ -24,7 +24,7 @@ def test_the_files_that_set_up_made_are_whole() -> None:
 def test_a_missing_file_is_named(folder: Path) -> None:
     (folder / HAND.name).unlink()
     with pytest.raises(PinelError) as raised:
-        HandFinder(folder)
+        HandDetector(folder)
     assert raised.value.code == "gesture_model_missing"
     assert raised.value.params == {"file": str(folder / HAND.name)}
 
@@ -35,5 +35,5 @@ def test_a_damaged_file_is_never_opened(folder: Path, damage: bytes | None) -> N
     flipped = content[:-1] + bytes([content[-1] ^ 1])
     (folder / PALM.name).write_bytes(flipped if damage is None else damage)
     with pytest.raises(PinelError) as raised:
-        HandFinder(folder)
+        HandDetector(folder)
     assert raised.value.code == "gesture_model_damaged"

@@ -6,9 +6,9 @@ import time
 import numpy as np
 import pytest
 
-from pinel_desktop.gestures.classifier import Reading, Samples
+from pinel_desktop.gestures.classifier import Samples, SignPrediction
 from pinel_desktop.gestures.features import features
-from pinel_desktop.gestures.recognition import Recogniser, SeenHand, clearest
+from pinel_desktop.gestures.recognition import RecognisedHand, Recogniser, clearest
 from tests.gestures.drawn import OPEN, drawn_hand, mirrored, on_wall
 
 
@@ -19,18 +19,18 @@ def recogniser() -> Recogniser:
 
 @pytest.mark.parametrize("hand", [drawn_hand(), mirrored(drawn_hand())], ids=["left", "right"])
 def test_the_drawn_l_is_an_l_with_either_hand(recogniser: Recogniser, hand: np.ndarray) -> None:
-    (seen,) = recogniser.read(hand)
-    assert seen.reading.sign == "L"
-    assert 0.3 < seen.reading.confidence <= 1
+    (recognised,) = recogniser.read(hand)
+    assert recognised.prediction.sign == "L"
+    assert 0.3 < recognised.prediction.confidence <= 1
 
 
 @pytest.mark.parametrize("stretched", [OPEN, ()])
 def test_a_hand_that_shows_no_letter_is_not_answered(
     recogniser: Recogniser, stretched: tuple[str, ...]
 ) -> None:
-    for seen in recogniser.read(drawn_hand(stretched)):
-        assert seen.reading.sign is None
-        assert seen.reading.confidence < 0.5
+    for recognised in recogniser.read(drawn_hand(stretched)):
+        assert recognised.prediction.sign is None
+        assert recognised.prediction.confidence < 0.5
 
 
 def test_a_wall_shows_nothing(recogniser: Recogniser) -> None:
@@ -39,47 +39,47 @@ def test_a_wall_shows_nothing(recogniser: Recogniser) -> None:
 
 def test_a_followed_hand_reads_the_same(recogniser: Recogniser) -> None:
     read = [
-        recogniser.follow(on_wall(drawn_hand(size=320), 960, 540, left, 100))
+        recogniser.track(on_wall(drawn_hand(size=320), 960, 540, left, 100))
         for left in range(100, 160, 10)
     ]
-    assert [[seen.reading.best for seen in frame] for frame in read] == [["L"]] * 6
+    assert [[recognised.prediction.best for recognised in frame] for frame in read] == [["L"]] * 6
 
 
 def test_of_two_hands_the_one_that_signs_counts(recogniser: Recogniser) -> None:
     picture = on_wall(drawn_hand(OPEN, 320), 960, 540, 20, 100)
     picture[100:420, 600:920] = drawn_hand(size=320)
-    seen = recogniser.read(picture)
-    assert len(seen) == 2
-    best = clearest(seen)
+    recognised = recogniser.read(picture)
+    assert len(recognised) == 2
+    best = clearest(recognised)
     assert best is not None
-    assert best.reading.best == "L"
+    assert best.prediction.best == "L"
     assert clearest([]) is None
 
 
 def test_an_answer_comes_before_a_surer_guess() -> None:
-    guess = Reading(None, "A", 0.9, "S", 0.1)
-    answer = Reading("L", "L", 0.6, "G", 0.1)
-    pair = [SeenHand(None, None, reading) for reading in (guess, answer)]  # type: ignore[arg-type]
+    guess = SignPrediction(None, "A", 0.9, "S", 0.1)
+    answer = SignPrediction("L", "L", 0.6, "G", 0.1)
+    pair = [RecognisedHand(None, None, reading) for reading in (guess, answer)]  # type: ignore[arg-type]
     best = clearest(pair)
     assert best is not None
-    assert best.reading is answer
+    assert best.prediction is answer
 
 
 def test_a_new_sign_is_taught_from_a_few_frames(recogniser: Recogniser) -> None:
     frames = [on_wall(drawn_hand(OPEN, 300 + 4 * i), 960, 540, 100, 50) for i in range(6)]
     hands = [recogniser.read(frame)[0].hand for frame in frames]
     samples = Samples(np.array([features(hand) for hand in hands[:4]]), ("open",) * 4)
-    taught = recogniser.classifier.teach(samples)
-    assert [taught.read(features(hand)).sign for hand in hands] == ["open"] * 6
+    taught = recogniser.classifier.with_samples(samples)
+    assert [taught.predict(features(hand)).sign for hand in hands] == ["open"] * 6
 
 
 def test_a_frame_takes_no_longer_than_a_camera_gives(recogniser: Recogniser) -> None:
     """The bound is that of a busy PC: make bench has the figures."""
     frame = on_wall(drawn_hand(size=320), 1280, 720, 300, 100)
-    recogniser.follow(frame)
+    recogniser.track(frame)
     times = []
     for _ in range(15):
         started = time.perf_counter()
-        recogniser.follow(frame)
+        recogniser.track(frame)
         times.append(time.perf_counter() - started)
     assert statistics.median(times) < 0.1

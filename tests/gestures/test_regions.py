@@ -28,7 +28,7 @@ def test_the_crop_of_a_hand_moves_turns_and_grows_with_it(
     middle = turned(np.array([before.x, before.y]), angle) * scale + shift
     assert (after.x, after.y) == pytest.approx(tuple(middle), abs=1e-6 * max(1, scale) * 1000)
     assert after.side == pytest.approx(before.side * scale)
-    assert math.remainder(after.turn - before.turn - angle, 2 * math.pi) == pytest.approx(
+    assert math.remainder(after.angle_rad - before.angle_rad - angle, 2 * math.pi) == pytest.approx(
         0, abs=1e-9
     )
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.gestures.training import evaluation, learning
+from pinel_desktop.gestures.training import evaluation, letter_training
 from pinel_desktop.gestures.training.folds import leave_one_source_out, strict
+from pinel_desktop.gestures.training.photo_features import PhotoFeatures, load_photo_features
 from pinel_desktop.gestures.training.photos import Photo, read_photos
-from pinel_desktop.gestures.training.recordings import Recordings, recorded
 from tests.gestures.photo_folder import LETTERS, SOURCES, make_photos
 
 
@@ -26,8 +26,8 @@ def photos(folder: Path) -> list[Photo]:
 
 
 @pytest.fixture(scope="module")
-def recordings(photos: list[Photo]) -> Recordings:
-    return recorded(photos)
+def dataset(photos: list[Photo]) -> PhotoFeatures:
+    return load_photo_features(photos)
 
 
 def test_a_photo_gets_its_shape_back_and_one_without_a_letter_is_left_out(
@@ -73,49 +73,49 @@ def test_recordings_are_made_once_and_anew_for_other_photos(
     photos: list[Photo], tmp_path: Path
 ) -> None:
     cache = tmp_path / "build" / "a.npz"
-    seen: list[int] = []
+    ticks: list[int] = []
     for chosen in (photos[:2], photos[:2], photos[:3]):
-        before = len(seen)
-        made = recorded(chosen, cache, lambda: seen.append(1))
+        before = len(ticks)
+        made = load_photo_features(chosen, cache, lambda: ticks.append(1))
         assert len(made) == len(chosen)
-        seen.append(len(seen) - before)
-    assert [n for n in seen if n != 1] == [2, 0, 3]
+        ticks.append(len(ticks) - before)
+    assert [n for n in ticks if n != 1] == [2, 0, 3]
 
 
-def test_every_drawn_hand_is_found_that_keeps_its_shape(recordings: Recordings) -> None:
-    assert recordings.is_hand[recordings.sources != "g8_phone_mix"].all()
-    assert set(recordings.letters) == set(LETTERS)
+def test_every_drawn_hand_is_found_that_keeps_its_shape(dataset: PhotoFeatures) -> None:
+    assert dataset.is_hand[dataset.sources != "g8_phone_mix"].all()
+    assert set(dataset.letters) == set(LETTERS)
 
 
-def test_nobody_who_is_tested_was_learnt_from(recordings: Recordings) -> None:
-    for fold in leave_one_source_out(recordings.sources):
-        assert set(recordings.sources[fold.test]) == {fold.source}
-        assert fold.source not in recordings.sources[fold.train]
-    tested = {fold.source for fold in strict(recordings.sources)}
+def test_nobody_who_is_tested_was_learnt_from(dataset: PhotoFeatures) -> None:
+    for fold in leave_one_source_out(dataset.sources):
+        assert set(dataset.sources[fold.test]) == {fold.source}
+        assert fold.source not in dataset.sources[fold.train]
+    tested = {fold.source for fold in strict(dataset.sources)}
     assert tested == {"p1_webcam", "p2_webcam", "p3_webcam"}
-    for fold in strict(recordings.sources):
-        assert not {fold.source, "g8_phone_mix"} & set(recordings.sources[fold.train])
+    for fold in strict(dataset.sources):
+        assert not {fold.source, "g8_phone_mix"} & set(dataset.sources[fold.train])
 
 
 def test_training_is_the_same_with_the_same_seed_and_not_with_another(
-    recordings: Recordings,
+    dataset: PhotoFeatures,
 ) -> None:
-    one, again, other = (learning.train(recordings, seed) for seed in (1, 1, 2))
+    one, again, other = (letter_training.train(dataset, seed) for seed in (1, 1, 2))
     assert np.array_equal(one.points, again.points)
     assert np.array_equal(one.weights, again.weights)
     assert not np.array_equal(one.points, other.points)
 
 
 def test_a_hand_between_two_letters_is_of_one_source_and_shows_nothing(
-    recordings: Recordings,
+    dataset: PhotoFeatures,
 ) -> None:
-    between = learning.transitions(recordings, 20, np.random.default_rng(1))
+    between = letter_training.transitions(dataset, 20, np.random.default_rng(1))
     assert set(between.signs) == {""}
     assert 5 <= len(between.signs) <= 20
 
 
-def test_the_report_of_unseen_people_has_every_figure(recordings: Recordings) -> None:
-    report = evaluation.evaluate_unseen(recordings)
+def test_the_report_of_unseen_people_has_every_figure(dataset: PhotoFeatures) -> None:
+    report = evaluation.evaluate_unseen(dataset)
     for part in (report["leave_one_source_out"], report["strict"]):
         assert part["accuracy"]["of"] == sum(share["of"] for share in part["by_source"].values())
         assert part["accuracy"]["n"] == sum(share["n"] for share in part["by_letter"].values())
@@ -125,6 +125,6 @@ def test_the_report_of_unseen_people_has_every_figure(recordings: Recordings) ->
     assert report["strict"]["taught"]["accuracy"]["of"] == 0  # all of so few are taught
 
 
-def test_the_report_of_the_letters_that_ship_counts_every_photo(recordings: Recordings) -> None:
-    report = evaluation.evaluate_known(recordings, learning.learn(recordings))
-    assert report["photos"] == len(recordings) == report["accuracy"]["of"]
+def test_the_report_of_the_letters_that_ship_counts_every_photo(dataset: PhotoFeatures) -> None:
+    report = evaluation.evaluate_known(dataset, letter_training.fit_letters(dataset))
+    assert report["photos"] == len(dataset) == report["accuracy"]["of"]

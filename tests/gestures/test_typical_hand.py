@@ -5,11 +5,11 @@ import pytest
 from numpy.typing import NDArray
 
 from pinel_desktop.gestures.features import features
-from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.hands import HandDetector
 from pinel_desktop.gestures.landmarks import Hand
 from pinel_desktop.gestures.movements import SHAPE
 from pinel_desktop.gestures.training.moving_hands import letter_path
-from pinel_desktop.gestures.typical_hand import landmarks_of_movement, typical_landmarks
+from pinel_desktop.gestures.typical_hand import landmarks_of_movement, medoid_landmarks
 from tests.camera.moving_hands import movements
 from tests.gestures.drawn import OPEN, drawn_hand, mirrored
 
@@ -17,7 +17,7 @@ Landmarks = NDArray[np.float64]
 
 
 def hand_in(picture: NDArray[np.uint8]) -> Hand:
-    return HandFinder().find(picture)[0]
+    return HandDetector().detect(picture)[0]
 
 
 def packed(hand: Hand) -> bytes:
@@ -34,20 +34,20 @@ def from_wrist(points: Landmarks) -> Landmarks:
 def test_landmarks_of_a_right_hand_are_those_of_its_mirror_image() -> None:
     hand = hand_in(mirrored(drawn_hand(OPEN)))
     assert hand.handedness == "right"
-    seen = from_wrist(hand.points * [-1, 1, 1])
-    assert np.array(typical_landmarks([packed(hand)])) == pytest.approx(seen, abs=2e-3)
+    expected = from_wrist(hand.points * [-1, 1, 1])
+    assert np.array(medoid_landmarks([packed(hand)])) == pytest.approx(expected, abs=2e-3)
 
 
 def test_landmarks_of_a_left_hand_are_those_of_a_right_one() -> None:
     hand = hand_in(drawn_hand(OPEN))
     assert hand.handedness == "left"
-    seen = from_wrist(hand.points)  # its mirror image, a right hand, in a mirror
-    assert np.array(typical_landmarks([packed(hand)])) == pytest.approx(seen, abs=2e-3)
+    expected = from_wrist(hand.points)  # its mirror image, a right hand, in a mirror
+    assert np.array(medoid_landmarks([packed(hand)])) == pytest.approx(expected, abs=2e-3)
 
 
 def test_of_several_hands_the_one_most_like_all_is_drawn() -> None:
     one, other = (packed(hand_in(drawn_hand(bent))) for bent in (OPEN, ()))
-    assert typical_landmarks([one, other, other]) == typical_landmarks([other])
+    assert medoid_landmarks([one, other, other]) == medoid_landmarks([other])
 
 
 def test_a_sign_that_moves_is_drawn_as_its_hand_begins() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pinel_desktop.gestures.warping import distances
+from pinel_desktop.gestures.warping import dtw_distances
 
 
 def by_definition(one: NDArray[np.float64], other: NDArray[np.float64], band: int) -> float:
@@ -16,10 +16,10 @@ def by_definition(one: NDArray[np.float64], other: NDArray[np.float64], band: in
     def best(i: int, j: int) -> float:
         if i < 0 or j < 0 or abs(i - j) > band:
             return float("inf")
-        apart = float(np.linalg.norm(one[i] - other[j]))
+        cost = float(np.linalg.norm(one[i] - other[j]))
         if i == j == 0:
-            return 2 * apart
-        return min(best(i - 1, j - 1) + 2 * apart, best(i - 1, j) + apart, best(i, j - 1) + apart)
+            return 2 * cost
+        return min(best(i - 1, j - 1) + 2 * cost, best(i - 1, j) + cost, best(i, j - 1) + cost)
 
     return best(len(one) - 1, len(other) - 1) / (2 * len(one))
 
@@ -29,12 +29,15 @@ def test_it_is_the_cheapest_way_within_the_band(band: int) -> None:
     chance = np.random.default_rng(band)
     one, others = chance.normal(size=(12, 3)), chance.normal(size=(5, 12, 3))
     expected = [by_definition(one, other, band) for other in others]
-    assert distances(one, others, band) == pytest.approx(expected)
+    assert dtw_distances(one, others, band) == pytest.approx(expected)
 
 
 def test_another_pace_hardly_counts() -> None:
     even, late = np.linspace(0, 1, 38), np.linspace(0, 1, 38) ** 1.3
-    way, slower = (np.stack([np.sin(6 * at), at], axis=1) for at in (even, late))
-    warped, straight = distances(way, slower[None])[0], np.linalg.norm(way - slower, axis=1).mean()
+    path, slower = (np.stack([np.sin(6 * at), at], axis=1) for at in (even, late))
+    warped, straight = (
+        dtw_distances(path, slower[None])[0],
+        np.linalg.norm(path - slower, axis=1).mean(),
+    )
     assert warped < 0.25 * straight
-    assert distances(way, way[None]) == pytest.approx([0.0])
+    assert dtw_distances(path, path[None]) == pytest.approx([0.0])

@@ -32,7 +32,7 @@ def test_a_classifier_judges_the_same_after_it_was_saved(
     save(small, tmp_path / "a.npz")
     again = load(tmp_path / "a.npz")
     probe = np.random.default_rng(3).normal(size=(5, N_FEATURES)).astype(np.float32)
-    assert np.array_equal(small.judge(probe).scores, again.judge(probe).scores)
+    assert np.array_equal(small.score(probe).scores, again.score(probe).scores)
     assert again.signs == small.signs
 
 
@@ -82,8 +82,8 @@ def test_arrays_that_do_not_fit_are_refused(
     small: SignClassifier, tmp_path: Path, name: str, values: Any
 ) -> None:
     save(small, tmp_path / "a.npz")
-    with np.load(tmp_path / "a.npz") as kept:
-        arrays = {key: kept[key] for key in kept}
+    with np.load(tmp_path / "a.npz") as archive:
+        arrays = {key: archive[key] for key in archive}
     del arrays[name]
     np.savez(tmp_path / "b.npz", **(arrays if values is None else {**arrays, name: values}))
     with pytest.raises(PinelError) as raised:

@@ -15,24 +15,24 @@ from pinel_desktop.activities import activity_names, shipped_activity, solution_
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.errors import PinelError
 from pinel_desktop.judge.client import JudgeClient
-from pinel_desktop.judge.messages import Question
+from pinel_desktop.judge.messages import JudgeRequest
 from pinel_desktop.judge.server import verdict_on
 from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.program.python_text import read_python
 
-ENDLESS = read_python("while True:\n    n = 1\n").reading.document or {}
-DEAF = 'import sys,time; print(\'{"type":"judge_ready"}\', flush=True); time.sleep(600)'
+ENDLESS = read_python("while True:\n    n = 1\n").result.document or {}
+UNRESPONSIVE = 'import sys,time; print(\'{"type":"judge_ready"}\', flush=True); time.sleep(600)'
 
 
-def question(name: str = "square", **changes: Any) -> Question:
+def judge_request(name: str = "square", **changes: Any) -> JudgeRequest:
     given = {
         "activity": shipped_activity(name).model_dump_json(),
         "document": solution_of(name) or {},
         "world": str(shipped_activity(name).world),
-        "seen": None,
+        "observed": None,
         "language": "en",
     }
-    return Question(**{**given, **changes})
+    return JudgeRequest(**{**given, **changes})
 
 
 @pytest.fixture
@@ -42,7 +42,7 @@ def judge() -> Iterator[JudgeClient]:
     client.close()
 
 
-def code_of(client: JudgeClient, asked: Question) -> str:
+def code_of(client: JudgeClient, asked: JudgeRequest) -> str:
     with pytest.raises(PinelError) as caught:
         client.judge(asked)
     return caught.value.code
@@ -56,16 +56,16 @@ def test_an_activity_comes_through_the_pipe_unchanged(name: str) -> None:
 
 def test_verdicts_of_the_process_are_those_of_the_checker(judge: JudgeClient) -> None:
     one_side = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 1}]}
-    for asked in (question(), question(document=one_side), question("polygon")):
+    for asked in (judge_request(), judge_request(document=one_side), judge_request("polygon")):
         given, found = judge.judge(asked), verdict_on(asked)
         assert (given.passed, given.missing) == (found.passed, found.missing)
         assert [case["checks"] != [] for case in given.cases] == [True] * len(found.cases)
-    assert judge.judge(question()).passed is True
+    assert judge.judge(judge_request()).passed is True
 
 
 def test_an_endless_calculation_is_told_and_ends_within_seconds(judge: JudgeClient) -> None:
-    judge.judge(question())  # warm
-    verdict = judge.judge(question("polygon", document=ENDLESS))  # three cases
+    judge.judge(judge_request())  # warm
+    verdict = judge.judge(judge_request("polygon", document=ENDLESS))  # three cases
     assert verdict.passed is False
     assert verdict.missing is not None
     assert "steps without driving or waiting" in verdict.missing
@@ -75,30 +75,30 @@ def test_an_endless_calculation_is_told_and_ends_within_seconds(judge: JudgeClie
 def test_what_cannot_be_judged_is_refused_and_the_next_program_is_judged(
     judge: JudgeClient,
 ) -> None:
-    assert code_of(judge, question(activity='{"pinel_activity": 9}')) == "internal_error"
+    assert code_of(judge, judge_request(activity='{"pinel_activity": 9}')) == "internal_error"
     lost_world = shipped_activity("square").model_copy(update={"world": "no_such_world"})
-    assert code_of(judge, question(activity=lost_world.model_dump_json())) == "unknown_world"
-    assert judge.judge(question()).passed is True
+    assert code_of(judge, judge_request(activity=lost_world.model_dump_json())) == "unknown_world"
+    assert judge.judge(judge_request()).passed is True
 
 
 def test_a_judge_that_is_killed_is_told_and_replaced(judge: JudgeClient) -> None:
-    judge.judge(question())
+    judge.judge(judge_request())
     first = judge.pid
     assert first is not None
     psutil.Process(first).suspend()
     threading.Timer(0.3, os.kill, (first, signal.SIGKILL)).start()
-    assert code_of(judge, question()) == "judge_lost"
-    assert judge.judge(question()).passed is True
+    assert code_of(judge, judge_request()) == "judge_lost"
+    assert judge.judge(judge_request()).passed is True
     assert judge.pid != first
 
 
 def test_a_judge_that_hangs_is_ended() -> None:
     quick = HangTimeouts(hang_timeout_s=0.3, busy_timeout_s=0.3, beat_s=0.1)
-    client = JudgeClient([sys.executable, "-c", DEAF], quick)
+    client = JudgeClient([sys.executable, "-c", UNRESPONSIVE], quick)
     try:
-        client.wake()
+        client.start()
         pid = client.pid
-        assert code_of(client, question()) == "judge_lost"
+        assert code_of(client, judge_request()) == "judge_lost"
         deadline = time.monotonic() + 20
         while client.pid == pid and time.monotonic() < deadline:
             time.sleep(0.02)
@@ -109,18 +109,18 @@ def test_a_judge_that_hangs_is_ended() -> None:
 
 def test_a_judge_that_does_not_start_is_told() -> None:
     client = JudgeClient(["/no/such/program"])
-    assert code_of(client, question()) == "judge_lost"
+    assert code_of(client, judge_request()) == "judge_lost"
     client.close()
 
 
 def test_closing_frees_who_waits_and_ends_the_process() -> None:
     client = JudgeClient()
-    client.judge(question())
+    client.judge(judge_request())
     pid = client.pid
     assert pid is not None
     psutil.Process(pid).suspend()
     codes: list[str] = []
-    asking = threading.Thread(target=lambda: codes.append(code_of(client, question())))
+    asking = threading.Thread(target=lambda: codes.append(code_of(client, judge_request())))
     asking.start()
     time.sleep(0.2)
     psutil.Process(pid).resume()
@@ -129,4 +129,4 @@ def test_closing_frees_who_waits_and_ends_the_process() -> None:
     assert codes in (["judge_lost"], [])
     assert not asking.is_alive()
     assert not psutil.pid_exists(pid)
-    assert code_of(client, question()) == "judge_lost"
+    assert code_of(client, judge_request()) == "judge_lost"

@@ -8,7 +8,7 @@ import threading
 from pathlib import Path
 
 from pinel_desktop.robot import Twist2D
-from tests.links.unicycle import stood_from_s
+from tests.links.unicycle import standstill_since_s
 
 _DOUBLE = Path(__file__).with_name("aurora_double.py")
 # Below the ports that Linux gives away by itself: a client that asks for one of those before anybody listens can
@@ -33,13 +33,13 @@ class Aurora:
     """The double, looking for PINEL at a port of this PC from now on.
 
     Attributes:
-        heard: all velocities that reached it, with the time (s, monotonic).
-        places: where it truly was each time, from where it was switched on.
+        received: all velocities that reached it, with the time (s, monotonic).
+        positions: where it truly was each time, from where it was switched on.
     """
 
     def __init__(self, port: int, *options: str) -> None:
-        self.heard: list[tuple[float, Twist2D]] = []
-        self.places: list[tuple[float, float]] = []
+        self.received: list[tuple[float, Twist2D]] = []
+        self.positions: list[tuple[float, float]] = []
         self._is_mute = threading.Event()
         self._process = subprocess.Popen(
             [sys.executable, str(_DOUBLE), f"http://127.0.0.1:{port}", *options],
@@ -58,8 +58,8 @@ class Aurora:
                 self._is_mute.set()
                 continue
             at_s, v, omega, x, y = map(float, line.split())
-            self.places.append((x, y))
-            self.heard.append((at_s, Twist2D(v, omega)))
+            self.positions.append((x, y))
+            self.received.append((at_s, Twist2D(v, omega)))
 
     @property
     def is_mute(self) -> bool:
@@ -77,9 +77,9 @@ class Aurora:
         assert self._process.stdin is not None
         self._process.stdin.write(f"{line}\n")
 
-    def stood_from_s(self) -> float | None:
+    def standstill_since_s(self) -> float | None:
         """Since when only zeros have come (monotonic); None if the last velocity was another one."""
-        return stood_from_s(self.heard)
+        return standstill_since_s(self.received)
 
     def kill(self) -> None:
         """Ends it at once, as a crash would."""

@@ -26,8 +26,8 @@ import threading
 import time
 import urllib.request
 
-PATIENCE_S = 2.0
-LONGEST_STEP_S = 0.1
+REQUEST_TIMEOUT_S = 2.0
+MAX_STEP_S = 0.1
 
 
 class Client:
@@ -46,7 +46,7 @@ class Client:
         return self._ask(urllib.request.Request(self._url + path, body, self._headers))
 
     def _ask(self, request: urllib.request.Request) -> dict[str, float]:
-        with urllib.request.urlopen(request, timeout=PATIENCE_S) as answer:
+        with urllib.request.urlopen(request, timeout=REQUEST_TIMEOUT_S) as answer:
             found: dict[str, float] = json.load(answer)
             return found
 
@@ -102,7 +102,7 @@ class Loop:
                 self._obey(*self.orders.get())
                 at_s = time.monotonic()
             now_s = time.monotonic()
-            passed_s, at_s = min(now_s - at_s, LONGEST_STEP_S + self._period_s), now_s
+            passed_s, at_s = min(now_s - at_s, MAX_STEP_S + self._period_s), now_s
             try:
                 if self._step(self._period_s if self._chosen.fixed_step else passed_s):
                     return

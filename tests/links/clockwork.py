@@ -7,7 +7,7 @@ import pytest
 
 from pinel_desktop import links
 from pinel_desktop.execution.clock import WallTime
-from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Sensors, Setting, Twist2D
+from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Sensors, SimulationConfig, Twist2D
 
 
 class ClockworkLink:
@@ -18,7 +18,7 @@ class ClockworkLink:
     slips = False
     wall: ClassVar[WallTime]
 
-    def __init__(self, *, world: Any, setting: Setting, seed: int, robot: Any) -> None:
+    def __init__(self, *, world: Any, setting: SimulationConfig, seed: int, robot: Any) -> None:
         self.sensors = Sensors()
         self._now = self.wall.now
         self._pose, self._twist, self._at_s = Pose2D(), STANDSTILL, self._now()
@@ -37,7 +37,7 @@ class ClockworkLink:
     def bumper(self) -> bool:
         return False
 
-    def things(self) -> dict[int, Pose2D]:
+    def movable_boxes(self) -> dict[int, Pose2D]:
         return {}
 
     def command(self, twist: Twist2D) -> None:

@@ -5,7 +5,7 @@ import random
 import socket
 from collections.abc import Iterator
 
-from pinel_desktop.robot.record import DdsRecord, Room
+from pinel_desktop.robot.robot_profile import DdsProfile, Room
 
 ROOM = Room(width_m=20.0, depth_m=20.0)
 # Domains whose ports no other program is given by chance, and a port for each that says that it is taken.
@@ -28,7 +28,7 @@ def own_domain() -> Iterator[int]:
     raise RuntimeError("no free DDS domain")
 
 
-def local_record(domain: int, **fields: object) -> DdsRecord:
+def local_profile(domain: int, **fields: object) -> DdsProfile:
     """A robot on this PC, as fast as a Pioneer, in a room of 20 m."""
     values = {"max_v_mps": 1.2, "max_omega_dps": 300.0, "room": ROOM, "peers": ("127.0.0.1",)}
-    return DdsRecord.model_validate({"domain": domain, **values, **fields})
+    return DdsProfile.model_validate({"domain": domain, **values, **fields})

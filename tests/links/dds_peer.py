@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from pinel_desktop.robot import Twist2D
-from tests.links.unicycle import stood_from_s
+from tests.links.unicycle import standstill_since_s
 
 _ROOT = Path(__file__).parents[2]
 _ANSWERS_WITHIN_S = 30.0
@@ -19,16 +19,16 @@ class DdsPeer:
     """A robot in a process of its own (`tests/links/dds_robot.py`).
 
     Attributes:
-        heard: velocities that reached it, with the time (s, monotonic, the same clock in all processes of a PC).
-        senders: who sent each of `heard`.
+        received: velocities that reached it, with the time (s, monotonic, the same clock in all processes of a PC).
+        senders: who sent each of `received`.
         stamps: seconds of the stamps of the commands that had one.
     """
 
     def __init__(self, domain: int, **behaviour: Any) -> None:
-        self.heard: list[tuple[float, Twist2D]] = []
+        self.received: list[tuple[float, Twist2D]] = []
         self.senders: list[int] = []
         self.stamps: list[int] = []
-        self._answers: queue.Queue[str] = queue.Queue()
+        self._responses: queue.Queue[str] = queue.Queue()
         self._is_mute = bool(behaviour.get("is_mute"))
         started = json.dumps({"domain": domain, **behaviour})
         self.process = subprocess.Popen(
@@ -40,7 +40,7 @@ class DdsPeer:
         )
         self._listener = threading.Thread(target=self._listen, daemon=True)
         self._listener.start()
-        assert self._answers.get(timeout=_ANSWERS_WITHIN_S) == "ready"
+        assert self._responses.get(timeout=_ANSWERS_WITHIN_S) == "ready"
 
     @property
     def is_mute(self) -> bool:
@@ -56,11 +56,11 @@ class DdsPeer:
         assert self.process.stdin is not None
         self.process.stdin.write(json.dumps(behaviour) + "\n")
         self.process.stdin.flush()
-        assert self._answers.get(timeout=_ANSWERS_WITHIN_S) == "changed"
+        assert self._responses.get(timeout=_ANSWERS_WITHIN_S) == "changed"
 
-    def stood_from_s(self) -> float | None:
+    def standstill_since_s(self) -> float | None:
         """Since when only zeros have come (monotonic); None if the last velocity was another one."""
-        return stood_from_s(list(self.heard))
+        return standstill_since_s(list(self.received))
 
     def close(self) -> None:
         self.process.kill()
@@ -74,8 +74,8 @@ class DdsPeer:
             if "heard" in message:
                 at_s, v, omega = message["heard"]
                 self.senders.append(message["by"])
-                self.heard.append((at_s, Twist2D(v, omega)))
+                self.received.append((at_s, Twist2D(v, omega)))
                 if message["stamp"] is not None:
                     self.stamps.append(message["stamp"])
             else:
-                self._answers.put(next(iter(message)))
+                self._responses.put(next(iter(message)))

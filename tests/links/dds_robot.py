@@ -87,7 +87,7 @@ class DdsRobot:
 
     def work(self) -> None:
         threading.Thread(target=self._report, daemon=True).start()
-        say({"ready": True})
+        send({"ready": True})
         while True:
             if self._commands is not None and "cmd_vel" in self.behaviour.gone:
                 delete(self._commands)
@@ -95,24 +95,24 @@ class DdsRobot:
             for sample in self._commands.take(1) if self._commands else ():
                 twist = sample if isinstance(sample, m.Twist) else getattr(sample, "twist", None)
                 if twist is not None:
-                    self._hear(Twist2D(twist.linear.x, twist.angular.z), sample)
+                    self._receive(Twist2D(twist.linear.x, twist.angular.z), sample)
             time.sleep(0.001)
 
-    def _hear(self, twist: Twist2D, sample: Any) -> None:
+    def _receive(self, twist: Twist2D, sample: Any) -> None:
         stamp = sample.header.stamp.sec if isinstance(sample, m.TwistStamped) else None
-        self.robot.hear(twist)
+        self.robot.receive(twist)
         by = sample.sample_info.publication_handle
-        say({"heard": [*self.robot.heard[-1][0:1], *twist], "stamp": stamp, "by": by})
+        send({"heard": [*self.robot.received[-1][0:1], *twist], "stamp": stamp, "by": by})
 
     def _report(self) -> None:
         while True:
             self._share_commands()
             if not self.behaviour.is_mute and self._odometry is not None:
                 self._odometry.write(self._message())
-            self._tell_sensors()
+            self._publish_sensors()
             time.sleep(self.behaviour.period_s)
 
-    def _tell_sensors(self) -> None:
+    def _publish_sensors(self) -> None:
         for topic in set(self.behaviour.gone) & set(self._sensors):
             delete(self._sensors.pop(topic)[0])
         for writer, messages in self._sensors.values():
@@ -120,13 +120,13 @@ class DdsRobot:
                 writer.write(message)
 
     def _share_commands(self) -> None:
-        wanted = self.behaviour.publishes_commands
-        if wanted and self._others is None:
+        is_desired = self.behaviour.publishes_commands
+        if is_desired and self._others is None:
             self._others = Session(self.behaviour.domain, ("127.0.0.1",))
             if self.behaviour.listens_to_commands:
                 self._others.reader(self._prefix + "cmd_vel", m.Twist)
             self._others.writer(self._prefix + "cmd_vel", m.Twist)
-        elif not wanted and self._others is not None:
+        elif not is_desired and self._others is not None:
             self._others.close()
             self._others = None
 
@@ -175,7 +175,7 @@ SENSORS: tuple[tuple[str, Any], ...] = (
 )
 
 
-def say(message: dict[str, Any]) -> None:
+def send(message: dict[str, Any]) -> None:
     sys.stdout.write(json.dumps(message) + "\n")
     sys.stdout.flush()
 
@@ -185,7 +185,7 @@ def listen(robot: DdsRobot) -> None:
     for line in sys.stdin:
         for name, value in json.loads(line).items():
             setattr(robot.behaviour, name, value)
-        say({"changed": True})
+        send({"changed": True})
     sys.exit()
 
 

@@ -16,10 +16,10 @@ class Double:
     """A Pioneer double (`tests/links/pioneer_double.py`) in a process of its own.
 
     Attributes:
-        way_m: how far it really drove, once it has ended.
+        path_length_m: how far it really drove, once it has ended.
     """
 
-    way_m = math.nan
+    path_length_m = math.nan
 
     def __init__(self, domain: int, seed: int = 0) -> None:
         self._domain = domain
@@ -52,7 +52,7 @@ class Double:
     def closing_error_m(self) -> float:
         """Ends the robot; how far from its start it really stands."""
         end = json.loads(self.process.communicate(timeout=20)[0])
-        self.way_m = float(end["way_m"])
+        self.path_length_m = float(end["way_m"])
         return math.hypot(end["x_m"], end["y_m"])
 
     def close(self) -> None:

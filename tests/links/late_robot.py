@@ -12,11 +12,11 @@ from pinel_desktop import links
 from pinel_desktop.execution.clock import WallTime
 from pinel_desktop.links.real import delay_s
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Sensors, Twist2D
-from pinel_desktop.robot.record import BridgeRecord, Room
+from pinel_desktop.robot.robot_profile import BridgeProfile, Room
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
 
-RECORD = BridgeRecord(max_v_mps=0.5, max_omega_dps=90.0, room=Room(width_m=20.0, depth_m=20.0))
+PROFILE = BridgeProfile(max_v_mps=0.5, max_omega_dps=90.0, room=Room(width_m=20.0, depth_m=20.0))
 _STEP_S = 0.001
 _TRACK_M = 0.33
 
@@ -81,9 +81,9 @@ class LateRobot:
         self._reports_at_s = draw.random() * trouble.period_s
         self._loops_at_s = draw.random() * self._loop_s
         self._at_s = 0.0
-        self._on_the_way: list[tuple[float, Twist2D]] = []
+        self._in_transit: list[tuple[float, Twist2D]] = []
         self._goal = self._twist = STANDSTILL
-        self._seen = RobotState(Pose2D(), STANDSTILL)
+        self._reported = RobotState(Pose2D(), STANDSTILL)
 
     def connect(self, cancelled: Any = None) -> None:
         known = self.trouble.known_delay_s
@@ -93,18 +93,18 @@ class LateRobot:
         while self._at_s < self.clock.now_s:
             self._at_s += _STEP_S
             self._step()
-        return self._seen
+        return self._reported
 
     def command(self, twist: Twist2D) -> None:
         self.read()
-        v, omega = RECORD.max_v_mps, math.radians(RECORD.max_omega_dps)
+        v, omega = PROFILE.max_v_mps, math.radians(PROFILE.max_omega_dps)
         limited = Twist2D(min(max(twist.v_mps, -v), v), min(max(twist.omega_radps, -omega), omega))
-        self._on_the_way.append((self.clock.now_s + self.trouble.latency_s, limited))
+        self._in_transit.append((self.clock.now_s + self.trouble.latency_s, limited))
 
     def bumper(self) -> bool:
         return False
 
-    def things(self) -> dict[int, Pose2D]:
+    def movable_boxes(self) -> dict[int, Pose2D]:
         return {}
 
     def advance(self, dt_s: float) -> None:
@@ -116,8 +116,8 @@ class LateRobot:
     def _step(self) -> None:
         if self._at_s >= self._loops_at_s:
             self._loops_at_s += self._loop_s
-            while self._on_the_way and self._on_the_way[0][0] <= self._at_s:
-                self._goal = self._turning(self._on_the_way.pop(0)[1])
+            while self._in_transit and self._in_transit[0][0] <= self._at_s:
+                self._goal = self._turning(self._in_transit.pop(0)[1])
         v, omega = self._twist
         part = min(1.0, _STEP_S / (self.trouble.lag_s or _STEP_S))
         v += (self._goal.v_mps - v) * part
@@ -131,7 +131,7 @@ class LateRobot:
         if self._at_s >= self._reports_at_s:
             self._reports_at_s += self.trouble.period_s
             pose = Pose2D(self.x_m, self.y_m, math.remainder(self.yaw_rad, math.tau))
-            self._seen = RobotState(pose, Twist2D(v * grip, omega * grip))
+            self._reported = RobotState(pose, Twist2D(v * grip, omega * grip))
 
     def _turning(self, twist: Twist2D) -> Twist2D:
         """What becomes of a velocity when slow wheels do not turn."""
@@ -145,7 +145,7 @@ def drive(document: Any, trouble: Trouble, monkeypatch: Any) -> tuple[Any, LateR
     global _robot  # noqa: PLW0603 - `open_link` finds a backend by its name in a module
     _robot = LateRobot(trouble)
     monkeypatch.setitem(links._BACKENDS, "late", (__name__, "late_link"))
-    spec = RunSpec(document, "empty_room", link="late", robot=RECORD, pace="live")
+    spec = RunSpec(document, "empty_room", link="late", robot=PROFILE, pace="live")
     return start(spec, wall=_robot.clock.wall()).ended, _robot
 
 

@@ -18,31 +18,31 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
 from pinel_desktop.robot import Twist2D
 from pinel_desktop.runs.spec import RunSpec
-from tests.links.dds_domains import local_record
+from tests.links.dds_domains import local_profile
 from tests.links.dds_peer import DdsPeer
 from tests.links.real_link_contract import FAR, LiveRun
 
 _GET_FLAGS, _SET_FLAGS, _UP = 0x8913, 0x8914, 0x1  # linux/sockios.h, linux/if.h
 _DOMAIN = 1
-_PATIENCE_S = 20.0
+_TIMEOUT_S = 20.0
 
 
 def switch(is_up: bool) -> None:
     """Switches the loopback on or off."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
-        told = fcntl.ioctl(any_socket, _GET_FLAGS, struct.pack("16sh14x", b"lo", 0))
-        (flags,) = struct.unpack("16xh14x", told)
-        wanted = flags | _UP if is_up else flags & ~_UP
-        fcntl.ioctl(any_socket, _SET_FLAGS, struct.pack("16sh14x", b"lo", wanted))
+        response = fcntl.ioctl(any_socket, _GET_FLAGS, struct.pack("16sh14x", b"lo", 0))
+        (flags,) = struct.unpack("16xh14x", response)
+        new_flags = flags | _UP if is_up else flags & ~_UP
+        fcntl.ioctl(any_socket, _SET_FLAGS, struct.pack("16sh14x", b"lo", new_flags))
 
 
 def until(condition: Callable[[], bool]) -> float:
     """Waits; how long it took, in s."""
-    began_s = time.monotonic()
+    started_s = time.monotonic()
     while not condition():
-        assert time.monotonic() - began_s < _PATIENCE_S, "it did not come"
+        assert time.monotonic() - started_s < _TIMEOUT_S, "it did not come"
         time.sleep(0.01)
-    return time.monotonic() - began_s
+    return time.monotonic() - started_s
 
 
 def is_lost(link: Any) -> bool:
@@ -57,26 +57,26 @@ def is_lost(link: Any) -> bool:
 
 def a_link(robot: DdsPeer) -> dict[str, Any]:
     """A link that is kept open: as soon as the network is back, it lets the robot stand."""
-    link = open_link("dds", world="empty_room", robot=local_record(_DOMAIN))
+    link = open_link("dds", world="empty_room", robot=local_profile(_DOMAIN))
     link.connect()
-    until(lambda: not is_lost(link) and bool(robot.heard) and robot.heard[-1][1].v_mps == 0.2)
+    until(lambda: not is_lost(link) and bool(robot.received) and robot.received[-1][1].v_mps == 0.2)
     switch(is_up=False)
     lost_s = until(lambda: is_lost(link))
     time.sleep(0.5)
-    was_driving = robot.stood_from_s() is None
+    was_driving = robot.standstill_since_s() is None
     switch(is_up=True)
-    stood_s = until(lambda: robot.stood_from_s() is not None)
+    standstill_s = until(lambda: robot.standstill_since_s() is not None)
     link.close()
-    return {"lost_s": lost_s, "was_driving": was_driving, "stood_s": stood_s}
+    return {"lost_s": lost_s, "was_driving": was_driving, "stood_s": standstill_s}
 
 
 def a_run(robot: DdsPeer, document: list[Any], drops: bool) -> dict[str, Any]:
     """How a run ends whose network goes away, or does not."""
-    run = LiveRun(RunSpec(document, "empty_room", link="dds", robot=local_record(_DOMAIN)))
-    n_before = len(robot.heard)
+    run = LiveRun(RunSpec(document, "empty_room", link="dds", robot=local_profile(_DOMAIN)))
+    n_before = len(robot.received)
     run.thread.start()
     if drops:
-        until(lambda: any(twist.v_mps > 0.1 for _, twist in robot.heard[n_before:]))
+        until(lambda: any(twist.v_mps > 0.1 for _, twist in robot.received[n_before:]))
         switch(is_up=False)
     ended = run.result().ended
     switch(is_up=True)
@@ -88,14 +88,14 @@ def main() -> None:
     robot = DdsPeer(_DOMAIN)
     try:
         near = [{"action": "move_forward", "distance": 0.3}]
-        told = {
+        results = {
             "link": a_link(robot),
             "run": a_run(robot, FAR, drops=True),
             "again": a_run(robot, near, drops=False),
         }
     finally:
         robot.close()
-    json.dump(told, sys.stdout)
+    json.dump(results, sys.stdout)
 
 
 if __name__ == "__main__":

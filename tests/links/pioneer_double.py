@@ -10,11 +10,11 @@ import sys
 import threading
 import time
 
-from pinel_desktop.execution.recorder import Recorder
+from pinel_desktop.execution.recorder import TelemetryRecorder
 from pinel_desktop.links.dds import messages as m
 from pinel_desktop.links.dds.session import Session
 from pinel_desktop.links.sim import SimLink
-from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, Setting, Twist2D
+from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, SimulationConfig, Twist2D
 from sim.simulator import TICK_S
 
 WATCHDOG_S = 0.6
@@ -31,7 +31,7 @@ class PioneerDouble:
     """
 
     def __init__(self, domain: int, seed: int) -> None:
-        setting = Setting(preset="realistic", feedback="pose")
+        setting = SimulationConfig(preset="realistic", feedback="pose")
         self.link = SimLink(world="empty_room", setting=setting, seed=seed)
         session = Session(domain, ("127.0.0.1",))
         self._commands = session.reader("cmd_vel", m.Twist)
@@ -41,7 +41,7 @@ class PioneerDouble:
         self._session = session
         self._commanded_s = -math.inf
         self._ticks = 0
-        self.recorder = Recorder()
+        self.recorder = TelemetryRecorder()
 
     def tick(self) -> None:
         for sample in self._commands.take(1):
@@ -105,7 +105,7 @@ def main() -> None:
         due_s = max(due_s + TICK_S, time.monotonic() - TICK_S)
         ended.wait(max(0.0, due_s - time.monotonic()))
     end = double.true_pose().relative_to(start)._asdict()
-    print(json.dumps({**end, "way_m": double.recorder.true_way_m()}), flush=True)
+    print(json.dumps({**end, "way_m": double.recorder.true_path_length_m()}), flush=True)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import pytest
 
 from pinel_desktop.links.ros2 import installed
 from pinel_desktop.robot import Twist2D
-from tests.links.unicycle import stood_from_s
+from tests.links.unicycle import standstill_since_s
 
 _PROGRAM = Path(__file__).parent / "rclpy_robot.py"
 # What `make test` installs: rclpy as wheels, which bring Fast DDS and no set-up file.
@@ -45,11 +45,11 @@ class RclpyProgram:
         behaviour: as `rclpy_robot.py` describes.
 
     Attributes:
-        heard: the velocities that came, with their times (s, monotonic).
+        received: the velocities that came, with their times (s, monotonic).
     """
 
     def __init__(self, domain: int, **behaviour: Any) -> None:
-        self.heard: list[tuple[float, Twist2D]] = []
+        self.received: list[tuple[float, Twist2D]] = []
         command = _command([str(_PROGRAM), str(domain), json.dumps(behaviour)])
         assert command is not None
         self.process = subprocess.Popen(
@@ -64,7 +64,7 @@ class RclpyProgram:
         assert self.process.stdout is not None
         for line in self.process.stdout:
             at_s, v, omega = json.loads(line)
-            self.heard.append((at_s, Twist2D(v, omega)))
+            self.received.append((at_s, Twist2D(v, omega)))
 
     def change(self, **behaviour: Any) -> None:
         """What it does from now on, of what can change."""
@@ -72,9 +72,9 @@ class RclpyProgram:
         self.process.stdin.write(json.dumps(behaviour) + "\n")
         self.process.stdin.flush()
 
-    def stood_from_s(self) -> float | None:
+    def standstill_since_s(self) -> float | None:
         """Since when only zeros have come; None if the last velocity was another one."""
-        return stood_from_s(list(self.heard))
+        return standstill_since_s(list(self.received))
 
     def close(self) -> None:
         """Ends it, frozen or not."""

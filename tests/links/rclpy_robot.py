@@ -56,13 +56,13 @@ class Robot:
             durability = DurabilityPolicy[behaviour["durability"].upper()]
             deadline = Duration(seconds=behaviour["deadline_s"] or 0)  # 0: none
             quality = QoSProfile(depth=10, durability=durability, deadline=deadline)
-            node.create_subscription(Twist, "cmd_vel", self._hear, quality)
+            node.create_subscription(Twist, "cmd_vel", self._receive, quality)
         if behaviour["drives"] or behaviour["offers"]:
             self._commands = node.create_publisher(Twist, "cmd_vel", 10)
             node.create_timer(0.1, self._drive)
 
-    def _hear(self, message):
-        self._go_on()
+    def _receive(self, message):
+        self._advance()
         self._v, self._omega = message.linear.x, message.angular.z
         print(json.dumps([time.monotonic(), self._v, self._omega]), flush=True)
 
@@ -72,7 +72,7 @@ class Robot:
             message.linear.x, message.angular.z = self.behaviour["drives"]
             self._commands.publish(message)
 
-    def _go_on(self):
+    def _advance(self):
         now_s = time.monotonic()
         dt_s, self._at_s = now_s - self._at_s, now_s
         middle = self._yaw + self._omega * dt_s / 2
@@ -81,7 +81,7 @@ class Robot:
         self._yaw += self._omega * dt_s
 
     def _report(self):
-        self._go_on()
+        self._advance()
         yaw = self._yaw + self.behaviour["turned_rad"]
         message = Odometry()
         message.header.frame_id = "odom"

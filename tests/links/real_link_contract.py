@@ -13,16 +13,16 @@ from pinel_desktop.events.model import Event
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunResult
 from pinel_desktop.links import open_link
-from pinel_desktop.links.real import SILENT_S, RealLink
+from pinel_desktop.links.real import ODOMETRY_TIMEOUT_S, RealLink
 from pinel_desktop.robot import STANDSTILL, RobotLink, Twist2D
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot.robot_profile import RobotProfile
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
 from tests.in_time import in_time
 from tests.links.link_contract import LinkContract
 
 # 0.3 s on a PC at rest, measured by tests/benchmarks/bench_robot_stops.py; other tests may keep this one busy
-STANDS_WITHIN_S = 1.0
+MAX_STOPPING_TIME_S = 1.0
 AHEAD = Twist2D(0.3, 0.0)
 FAR = [{"action": "move_forward", "distance": 1.5}]
 
@@ -31,9 +31,9 @@ class Peer(Protocol):
     """The robot at the other end, a unicycle that the test may look at."""
 
     is_mute: bool
-    heard: list[tuple[float, Twist2D]]
+    received: list[tuple[float, Twist2D]]
 
-    def stood_from_s(self) -> float | None:
+    def standstill_since_s(self) -> float | None:
         """Since when only zeros have come (monotonic); None if the last velocity was another one."""
         ...
 
@@ -50,13 +50,13 @@ class RealLinkContract(LinkContract):
     def with_robot(self) -> Iterator[None]:
         """Starts the robot, and ends it and all opened links."""
         self.opened: list[RobotLink] = []
-        self.peer, self.record = self.start_peer()
+        self.peer, self.profile = self.start_peer()
         yield
         for link in self.opened:
             link.close()
         self.stop_peer()
 
-    def start_peer(self) -> tuple[Peer, RobotRecord]:
+    def start_peer(self) -> tuple[Peer, RobotProfile]:
         """Starts a robot, and gives the record that leads to it: as fast as a Pioneer, in a room of 20 m."""
         raise NotImplementedError
 
@@ -64,7 +64,7 @@ class RealLinkContract(LinkContract):
         """Ends the robot."""
 
     def open(self) -> RobotLink:
-        link = open_link(self.link, world="empty_room", robot=self.record)
+        link = open_link(self.link, world="empty_room", robot=self.profile)
         self.opened.append(link)
         link.connect()
         return link
@@ -100,21 +100,21 @@ class RealLinkContract(LinkContract):
 
     def start_run(self, document: list[Any] | None = None, **options: Any) -> "LiveRun":
         run = LiveRun(
-            RunSpec(document or FAR, "empty_room", link=self.link, robot=self.record, **options)
+            RunSpec(document or FAR, "empty_room", link=self.link, robot=self.profile, **options)
         )
         run.thread.start()
         return run
 
     def wait_until_driving(self) -> None:
         due_s = time.monotonic() + 15.0
-        while not any(twist.v_mps > 0.1 for _, twist in self.peer.heard[-3:]):
+        while not any(twist.v_mps > 0.1 for _, twist in self.peer.received[-3:]):
             assert time.monotonic() < due_s, "the robot does not drive"
             time.sleep(0.01)
 
-    def stands_since_s(self) -> float:
+    def wait_for_standstill_s(self) -> float:
         """Waits for the robot to stand; gives the time of the first of the zeros."""
         due_s = time.monotonic() + 3.0
-        while (since_s := self.peer.stood_from_s()) is None:
+        while (since_s := self.peer.standstill_since_s()) is None:
             assert time.monotonic() < due_s, "the robot drives on"
             time.sleep(0.01)
         return since_s
@@ -124,12 +124,12 @@ class RealLinkContract(LinkContract):
         self.drive(link, AHEAD, 0.5)
         last_s = time.monotonic()
         time.sleep(1.0)
-        assert self.stands_since_s() - last_s < STANDS_WITHIN_S
+        assert self.wait_for_standstill_s() - last_s < MAX_STOPPING_TIME_S
 
     def test_commands_are_repeated(self) -> None:
         link = self.open()
         self.drive(link, AHEAD, 1.0)
-        assert len(self.peer.heard) > 20
+        assert len(self.peer.received) > 20
 
     def test_a_robot_that_falls_silent_is_lost_within_a_second_and_stopped(self) -> None:
         link = self.open()
@@ -137,22 +137,24 @@ class RealLinkContract(LinkContract):
         self.peer.is_mute = True
         muted_s = time.monotonic()
         with pytest.raises(PinelError, match="link_lost"):
-            self.drive_and_read(link, 3 * SILENT_S)
-        assert in_time(time.monotonic() - muted_s, SILENT_S + 1.0)
-        self.stands_since_s()
+            self.drive_and_read(link, 3 * ODOMETRY_TIMEOUT_S)
+        assert in_time(time.monotonic() - muted_s, ODOMETRY_TIMEOUT_S + 1.0)
+        self.wait_for_standstill_s()
 
     def test_closing_sends_zeros(self) -> None:
         link = self.open()
         self.drive(link, AHEAD, 0.3)
         link.close()
-        self.stands_since_s()
-        assert [twist for _, twist in self.peer.heard[-2:]] == [STANDSTILL, STANDSTILL]
+        self.wait_for_standstill_s()
+        assert [twist for _, twist in self.peer.received[-2:]] == [STANDSTILL, STANDSTILL]
 
     def test_impossible_commands_are_zeros(self) -> None:
         link = self.open()
         self.drive(link, Twist2D(float("nan"), float("inf")), 0.3)
-        self.drive_until(link, Twist2D(float("nan"), float("inf")), lambda: bool(self.peer.heard))
-        assert {twist for _, twist in self.peer.heard} == {STANDSTILL}
+        self.drive_until(
+            link, Twist2D(float("nan"), float("inf")), lambda: bool(self.peer.received)
+        )
+        assert {twist for _, twist in self.peer.received} == {STANDSTILL}
 
     def test_connecting_can_be_cancelled(self) -> None:
         self.peer.is_mute = True
@@ -164,11 +166,11 @@ class RealLinkContract(LinkContract):
         assert in_time(time.monotonic() - stopped_s, 3.0)
 
     def test_a_run_drives_in_real_time_whatever_its_pace(self) -> None:
-        began_s = time.monotonic()
+        started_s = time.monotonic()
         result = self.start_run([{"action": "move_forward", "distance": 0.5}], pace="max").result()
         assert result.ended.state == "finished", result.ended
-        assert time.monotonic() - began_s > 0.5 / 0.6
-        self.stands_since_s()
+        assert time.monotonic() - started_s > 0.5 / 0.6
+        self.wait_for_standstill_s()
 
     def test_stop_ends_a_run_with_zeros(self) -> None:
         run = self.start_run()
@@ -176,7 +178,7 @@ class RealLinkContract(LinkContract):
         stopped_s = time.monotonic()
         run.control.stop()
         assert run.result().ended.state == "stopped"
-        assert self.stands_since_s() - stopped_s < STANDS_WITHIN_S
+        assert self.wait_for_standstill_s() - stopped_s < MAX_STOPPING_TIME_S
 
     def test_an_app_that_reads_no_events_does_not_keep_the_robot_driving(self) -> None:
         run = self.start_run()
@@ -185,7 +187,7 @@ class RealLinkContract(LinkContract):
         blocked_s = time.monotonic()
         try:
             time.sleep(1.0)
-            assert self.stands_since_s() - blocked_s < STANDS_WITHIN_S
+            assert self.wait_for_standstill_s() - blocked_s < MAX_STOPPING_TIME_S
         finally:
             run.control.stop()
             run.blocked.set()
@@ -197,45 +199,45 @@ class RealLinkContract(LinkContract):
         self.peer.is_mute = True
         ended = run.result().ended
         assert (ended.state, ended.reason) == ("failed", "link_lost")
-        self.stands_since_s()
+        self.wait_for_standstill_s()
 
     def test_without_a_robot_a_run_says_so(self) -> None:
         self.peer.is_mute = True
         ended = self.start_run().result().ended
         assert (ended.state, ended.reason) == ("failed", "robot_silent")
-        assert not any(twist != STANDSTILL for _, twist in self.peer.heard)
+        assert not any(twist != STANDSTILL for _, twist in self.peer.received)
 
     def test_listening_hears_the_robot_and_leaves_it_to_whoever_drives_it(self) -> None:
         link = self.listen()
         assert link.pose is not None
-        assert not any(twist != STANDSTILL for _, twist in self.peer.heard)
+        assert not any(twist != STANDSTILL for _, twist in self.peer.received)
         link.close()
-        self.drive_until(self.open(), AHEAD, self.has_heard_a_velocity)
+        self.drive_until(self.open(), AHEAD, self.has_received_a_velocity)
 
-    def has_heard_a_velocity(self) -> bool:
-        return any(twist != STANDSTILL for _, twist in self.peer.heard)
+    def has_received_a_velocity(self) -> bool:
+        return any(twist != STANDSTILL for _, twist in self.peer.received)
 
     def listen(self) -> RealLink:
         """A link that has heard the robot."""
-        link = open_link(self.link, world="empty_room", robot=self.record)
+        link = open_link(self.link, world="empty_room", robot=self.profile)
         assert isinstance(link, RealLink)
         self.opened.append(link)
         link.listen()
         due_s = time.monotonic() + 15.0
-        while not link.n_heard:
+        while not link.n_odometry:
             assert time.monotonic() < due_s, "the robot is not heard"
             time.sleep(0.01)
         return link
 
     def test_the_edge_of_the_room_stops_the_robot(self) -> None:
-        room = self.record.room.model_copy(update={"width_m": 1.0, "depth_m": 1.0})
-        self.record = self.record.model_copy(update={"room": room})
+        room = self.profile.room.model_copy(update={"width_m": 1.0, "depth_m": 1.0})
+        self.profile = self.profile.model_copy(update={"room": room})
         ended = self.start_run().result().ended
         assert (ended.state, ended.reason) == ("failed", "left_room")
         assert ended.params == {"width": 1.0, "depth": 1.0}
         assert ended.pose is not None
         assert ended.pose["x_m"] < 0.5
-        self.stands_since_s()
+        self.wait_for_standstill_s()
 
 
 class LiveRun:

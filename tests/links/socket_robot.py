@@ -14,7 +14,7 @@ import pytest
 
 from pinel_desktop.links.ros2 import installed, transport
 from pinel_desktop.robot import Twist2D
-from tests.links.two_pcs import Heard
+from tests.links.two_pcs import ReceivedVelocity
 from tests.links.unicycle import Unicycle
 
 FAKE = Path(__file__).parent / "fake_ros"
@@ -51,69 +51,69 @@ class SocketRobot:
 
     Attributes:
         types: message types of the velocities that came.
-        heard: the velocities with the connection that they came over.
+        received: the velocities with the connection that they came over.
     """
 
     def __init__(self) -> None:
         self.unicycle = Unicycle()
         self.types: set[str] = set()
-        self.heard: list[Heard] = []
-        self._gone: list[str] = []
+        self.received: list[ReceivedVelocity] = []
+        self._withdrawn: list[str] = []
         self._others: list[str] = []
         self._publishers: dict[socket.socket, str] = {}
         self._nodes: list[socket.socket] = []
-        self._lock, self._telling = threading.Lock(), threading.Lock()
+        self._lock, self._publishing = threading.Lock(), threading.Lock()
         self._server = socket.create_server(("127.0.0.1", 0))
         self.port = self._server.getsockname()[1]
         self._ending = threading.Event()
         self._threads = [threading.Thread(target=self._accept, daemon=True)]
         self._threads[0].start()
 
-    def take_leave_of(self, topics: Iterable[str]) -> None:
+    def withdraw(self, topics: Iterable[str]) -> None:
         """Neither publishes these topics any more nor subscribes to them."""
-        self._gone = list(topics)
-        self._tell_graph()
+        self._withdrawn = list(topics)
+        self._publish_graph()
 
     def let_drive(self, others: Iterable[str]) -> None:
         """Nodes of these names command it, too."""
         self._others = list(others)
-        self._tell_graph()
+        self._publish_graph()
 
     def _accept(self) -> None:
         with contextlib.suppress(OSError):
             while True:
                 node, _ = self._server.accept()
                 self._nodes.append(node)
-                self._tell_graph()
-                for work in (self._hear, self._report):
+                self._publish_graph()
+                for work in (self._receive, self._report):
                     thread = threading.Thread(target=work, args=(node,), daemon=True)
                     self._threads.append(thread)
                     thread.start()
 
-    def _hear(self, node: socket.socket) -> None:
+    def _receive(self, node: socket.socket) -> None:
         with node, contextlib.suppress(OSError), node.makefile("r", encoding="utf-8") as lines:
             for line in lines:
                 sent = json.loads(line)
                 if "publishes" in sent:
                     self._publishers[node] = sent["publishes"]
-                    self._tell_graph()
+                    self._publish_graph()
                     continue
                 self.types.add(sent["type"])
-                if "/cmd_vel" not in self._gone:
-                    self.unicycle.hear(Twist2D(*sent["twist"]))
-                    self.heard.append(Heard(*self.unicycle.heard[-1], id(node)))
+                if "/cmd_vel" not in self._withdrawn:
+                    self.unicycle.receive(Twist2D(*sent["twist"]))
+                    self.received.append(ReceivedVelocity(*self.unicycle.received[-1], id(node)))
         self._nodes.remove(node)
         self._publishers.pop(node, None)
-        self._tell_graph()
+        self._publish_graph()
 
-    def _tell_graph(self) -> None:
-        with self._telling:  # what is told last is the newest
+    def _publish_graph(self) -> None:
+        with self._publishing:  # what is told last is the newest
             names = [*self._publishers.values(), *self._others]
-            graph = {"kind": "graph", "publishers": names, "gone": self._gone}
+            graph = {"kind": "graph", "publishers": names, "gone": self._withdrawn}
             for node in list(self._nodes):
-                self._tell(node, graph)
+                self._send(node, graph)
 
-    def _tell(self, node: socket.socket, report: dict[str, Any]) -> None:
+    def _send(self, node: socket.socket, report: dict[str, Any]) -> None:
         with contextlib.suppress(OSError), self._lock:
             node.sendall(json.dumps(report).encode() + b"\n")
 
@@ -123,14 +123,14 @@ class SocketRobot:
                 return
             if not self.unicycle.is_mute:
                 pose = list(self.unicycle.report())
-                self._tell(node, {"kind": "odometry", "pose": pose})
+                self._send(node, {"kind": "odometry", "pose": pose})
             if n % SENSORS_EVERY == 0:
-                self._tell_sensors(node)
+                self._publish_sensors(node)
 
-    def _tell_sensors(self, node: socket.socket) -> None:
+    def _publish_sensors(self, node: socket.socket) -> None:
         for topic, reading in SENSORS:
-            if topic not in self._gone:
-                self._tell(node, reading)
+            if topic not in self._withdrawn:
+                self._send(node, reading)
 
     def close(self) -> None:
         self._ending.set()
@@ -142,8 +142,8 @@ class SocketRobot:
 
 def fake_environment(robot: SocketRobot, **graph: Any) -> dict[str, str]:
     """The environment in which a node meets the fake ROS."""
-    told = {**GRAPH, "port": robot.port, **graph}
-    return {"PINEL_FAKE_ROS": json.dumps(told), "PYTHONPATH": str(FAKE)}
+    full_graph = {**GRAPH, "port": robot.port, **graph}
+    return {"PINEL_FAKE_ROS": json.dumps(full_graph), "PYTHONPATH": str(FAKE)}
 
 
 def use_fake_ros(monkeypatch: pytest.MonkeyPatch, robot: SocketRobot, **graph: Any) -> None:

@@ -16,14 +16,14 @@ from typing import Any
 import pytest
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.links.bridge import listener as listening
-from pinel_desktop.links.bridge.listener import MAX_BODY_BYTES, MAX_CONNECTIONS, Listener
-from pinel_desktop.links.bridge.routes import STATUS, Answer
+from pinel_desktop.links.bridge import http_server as listening
+from pinel_desktop.links.bridge.http_server import MAX_BODY_BYTES, MAX_CONNECTIONS, BridgeHttpServer
+from pinel_desktop.links.bridge.routes import STATUS, Response
 from pinel_desktop.links.bridge.transport import BridgeTransport
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.links.transport import Odometry
-from pinel_desktop.robot import STANDSTILL, Setting, Twist2D
-from pinel_desktop.robot.record import BridgeRecord, RobotRecord, Room
+from pinel_desktop.robot import STANDSTILL, SimulationConfig, Twist2D
+from pinel_desktop.robot.robot_profile import BridgeProfile, RobotProfile, Room
 from tests.in_time import in_time
 from tests.links.aurora import Aurora, free_port
 from tests.links.real_link_contract import Peer, RealLinkContract
@@ -38,8 +38,8 @@ class TestBridgeLink(RealLinkContract):
     link = "bridge"
     twist_error = 0.3  # of poses that come early or late on a busy PC
 
-    def start_peer(self) -> tuple[Peer, RobotRecord]:
-        record = BridgeRecord(port=free_port(), max_v_mps=1.2, max_omega_dps=300.0, room=ROOM)
+    def start_peer(self) -> tuple[Peer, RobotProfile]:
+        record = BridgeProfile(port=free_port(), max_v_mps=1.2, max_omega_dps=300.0, room=ROOM)
         self.aurora = Aurora(record.port)
         return self.aurora, record
 
@@ -48,7 +48,7 @@ class TestBridgeLink(RealLinkContract):
 
     def test_no_client_hears_a_velocity_beyond_the_robot(self) -> None:
         self.drive(self.open(), Twist2D(50.0, -50.0), 0.5)
-        velocities = [twist for _, twist in self.peer.heard]
+        velocities = [twist for _, twist in self.peer.received]
         assert max(twist.v_mps for twist in velocities) == 1.2
         assert min(twist.omega_radps for twist in velocities) >= -math.radians(300.0)
 
@@ -90,7 +90,7 @@ class Bridge:
 
     def __init__(self, **record: Any) -> None:
         self.robot = Robot()
-        self.transport = BridgeTransport(BridgeRecord(port=0, **record))
+        self.transport = BridgeTransport(BridgeProfile(port=0, **record))
         # opening waits for a client: here for nobody
         self.transport.open(self.robot, lambda: True)
 
@@ -208,9 +208,9 @@ def test_an_impossible_pose_is_refused_by_its_field(
 
 
 def test_a_robot_that_posts_impossible_poses_only_is_named() -> None:
-    record = BridgeRecord(port=free_port())
+    record = BridgeProfile(port=free_port())
     transport = BridgeTransport(record)
-    link = RealLink(record, Setting(), transport)
+    link = RealLink(record, SimulationConfig(), transport)
     problems: list[PinelError] = []
 
     def connect() -> None:
@@ -252,8 +252,8 @@ def test_a_body_of_a_megabyte_is_refused_before_it_is_read(bridge: Bridge) -> No
             b"POST /bridge/pose HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1048576\r\n\r\n"
         )
         assert client.recv(100).startswith(b"HTTP/1.1 413 ")
-    largest = {**POSE, "note": "a" * (MAX_BODY_BYTES - 100)}
-    assert bridge.post("/bridge/pose", largest)[0] == 200
+    max_pose = {**POSE, "note": "a" * (MAX_BODY_BYTES - 100)}
+    assert bridge.post("/bridge/pose", max_pose)[0] == 200
 
 
 @pytest.mark.parametrize(
@@ -430,12 +430,12 @@ def test_who_connects_while_the_bridge_closes_is_not_forgotten() -> None:
     with warnings.catch_warnings(record=True) as caught, contextlib.ExitStack() as clients:
         warnings.simplefilter("always")
         for _ in range(30):
-            listener = Listener("127.0.0.1", 0, lambda request: Answer(200, {}))
-            listener.start()
+            server = BridgeHttpServer("127.0.0.1", 0, lambda request: Response(200, {}))
+            server.start()
             for _ in range(3):
-                client = socket.create_connection(("127.0.0.1", listener.port))
+                client = socket.create_connection(("127.0.0.1", server.port))
                 clients.enter_context(client)
-            listener.close()
+            server.close()
         gc.collect()
     assert [str(one.message) for one in caught if one.category is ResourceWarning] == []
 
@@ -445,7 +445,7 @@ def test_a_port_in_use_is_named() -> None:
         first.bind(("127.0.0.1", 0))
         first.listen()
         port = first.getsockname()[1]
-        transport = BridgeTransport(BridgeRecord(port=port))
+        transport = BridgeTransport(BridgeProfile(port=port))
         with pytest.raises(PinelError) as busy:
             transport.open(Robot(), lambda: False)
         transport.close()
@@ -458,13 +458,13 @@ def test_a_port_in_use_is_named() -> None:
 @pytest.mark.parametrize("host", ["192.0.2.1", "a..b", "no-such-name.invalid"])
 def test_an_address_that_is_not_this_pcs_is_named(host: str) -> None:
     with pytest.raises(PinelError) as wrong:
-        BridgeTransport(BridgeRecord(host=host, port=0)).open(Robot(), lambda: False)
+        BridgeTransport(BridgeProfile(host=host, port=0)).open(Robot(), lambda: False)
     assert wrong.value.code == "bridge_address_wrong"
     assert wrong.value.params["host"] == host
 
 
 def test_opening_waits_for_a_client_no_longer_than_the_record_says() -> None:
-    transport = BridgeTransport(BridgeRecord(port=0, wait_s=0.2))
+    transport = BridgeTransport(BridgeProfile(port=0, wait_s=0.2))
     with pytest.raises(PinelError) as nobody:
         transport.open(Robot(), lambda: False)
     transport.close()
@@ -472,9 +472,9 @@ def test_opening_waits_for_a_client_no_longer_than_the_record_says() -> None:
 
 
 def test_nobody_is_waited_for_at_the_end_if_nobody_is_there(bridge: Bridge) -> None:
-    began_s = time.monotonic()
+    started_s = time.monotonic()
     bridge.transport.close()
-    assert in_time(time.monotonic() - began_s, 0.5)
+    assert in_time(time.monotonic() - started_s, 0.5)
     with pytest.raises(ConnectionRefusedError):
         bridge.connect()
 

@@ -12,9 +12,9 @@ import pytest
 
 from pinel_desktop.messages import LANGUAGES, describe
 from pinel_desktop.robot import STANDSTILL
-from pinel_desktop.robot.record import BridgeRecord, Room
+from pinel_desktop.robot.robot_profile import BridgeProfile, Room
 from pinel_desktop.runs.robots.jog import Jog
-from pinel_desktop.runs.robots.watched import WatchedRobot
+from pinel_desktop.runs.robots.monitor import RobotMonitor
 from pinel_desktop.runs.spec import RunSpec
 from tests.links.aurora import Aurora, free_port
 from tests.links.real_link_contract import LiveRun
@@ -33,7 +33,7 @@ class Trial:
 
     def __init__(self, document: list[Any], *options: str) -> None:
         room = Room(width_m=20.0, depth_m=20.0)
-        record = BridgeRecord(port=free_port(), room=room)
+        record = BridgeProfile(port=free_port(), room=room)
         self.robot = Aurora(record.port, *options)
         spec = RunSpec(document, "empty_room", link="bridge", robot=record)
         self.run = LiveRun(spec)
@@ -41,14 +41,14 @@ class Trial:
 
     def until_driven(self, metres: float) -> None:
         """Waits until the robot is so far from its start."""
-        self._until(lambda: bool(self.robot.places) and self.robot_is_at() >= metres)
+        self._until(lambda: bool(self.robot.positions) and self.robot_is_at() >= metres)
 
     def robot_is_at(self) -> float:
         """The robot's true distance from its start."""
-        return math.hypot(*self.robot.places[-1])
+        return math.hypot(*self.robot.positions[-1])
 
-    def until_standing(self) -> None:
-        self._until(lambda: self.robot.heard[-1][1] == STANDSTILL)
+    def until_standstill(self) -> None:
+        self._until(lambda: self.robot.received[-1][1] == STANDSTILL)
 
     def _until(self, condition: Callable[[], bool]) -> None:
         due_s = time.monotonic() + WAIT_S
@@ -82,11 +82,11 @@ def test_a_robot_side_that_begins_anew_ends_the_run_at_once(
     trial.robot.order(f"restart {away_s}")
     ended = trial.run.result().ended
     assert (ended.state, ended.reason) == ("failed", "reference_lost")
-    trial.until_standing()
+    trial.until_standstill()
     assert trial.robot_is_at() < after_m + 0.3
     for language in LANGUAGES:
-        words = describe("reference_lost", ended.params, language)
-        assert "{" not in words.line
+        text = describe("reference_lost", ended.params, language)
+        assert "{" not in text.line
 
 
 @pytest.mark.parametrize("jump", ["jump 1", "jump -1", "turn 1.57"])
@@ -99,7 +99,7 @@ def test_a_jump_ends_the_run_whatever_the_rate(
     trial.robot.order(jump)
     ended = trial.run.result().ended
     assert (ended.state, ended.reason) == ("failed", "reference_lost")
-    trial.until_standing()
+    trial.until_standstill()
     assert trial.robot_is_at() < 1.2
 
 
@@ -109,26 +109,26 @@ def test_impossible_poses_for_a_second_are_called_so(try_out: Callable[..., Tria
     trial.robot.order("nonsense")
     ended = trial.run.result().ended
     assert (ended.state, ended.reason) == ("failed", "odometry_invalid")
-    trial.until_standing()
+    trial.until_standstill()
 
 
 def test_keys_stop_where_the_robot_jumps_and_its_place_is_counted_anew() -> None:
-    record = BridgeRecord(port=free_port(), room=Room(width_m=20.0, depth_m=20.0))
+    record = BridgeProfile(port=free_port(), room=Room(width_m=20.0, depth_m=20.0))
     states: list[dict[str, Any]] = []
-    watched = WatchedRobot(record, states.append)
+    watched = RobotMonitor(record, states.append)
     jog, aurora = Jog(watched), Aurora(record.port)
 
     def hold_until(condition: Callable[[], bool], drive: float = 1.0) -> None:
         due_s = time.monotonic() + WAIT_S
         while not condition():
             assert time.monotonic() < due_s, states[-1]
-            watched.renew(record)
+            watched.renew_lease(record)
             jog.command(record, drive, 0.0, time.time())
             time.sleep(0.1)
 
     with closing(aurora), closing(watched):
         hold_until(lambda: watched.start is not None, drive=0.0)
-        hold_until(lambda: aurora.places[-1][0] > 0.2)
+        hold_until(lambda: aurora.positions[-1][0] > 0.2)
         aurora.order("jump -1")
         hold_until(lambda: any(state["code"] == "reference_lost" for state in states))
         jog.end()
@@ -136,7 +136,7 @@ def test_keys_stop_where_the_robot_jumps_and_its_place_is_counted_anew() -> None
         assert aurora.has_ended(WAIT_S)  # a client takes the end of a drive for that of a run
     time.sleep(0.6)  # the keys count again once they were let go for so long
     with closing(Aurora(record.port)) as again, closing(watched):
-        hold_until(lambda: any(v > 0.0 for _, (v, _) in again.heard))
+        hold_until(lambda: any(v > 0.0 for _, (v, _) in again.received))
         jog.end()
 
 
@@ -168,7 +168,7 @@ def test_the_square_closes_with_a_client_that_is_slow_late_or_begins_anew_in_pla
         trial.robot.order("pause 0.5")
     ended = trial.run.result(100.0).ended
     assert ended.state == "finished", ended
-    trial.until_standing()
+    trial.until_standstill()
     off_m = trial.robot_is_at()
     print(f"{options}, {n_pauses} pauses: {off_m * 1e3:.2f} mm off after {ended.duration_s:.1f} s")
     assert off_m < CLOSES_WITHIN_M

@@ -16,14 +16,14 @@ import pytest
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
 from pinel_desktop.links.dds import session, transport
-from pinel_desktop.links.dds.finding import find_robots
+from pinel_desktop.links.dds.discovery import discover_robots
 from pinel_desktop.links.dds.graph import Graph
 from pinel_desktop.links.dds.messages import Twist, Vector3
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.robot import RobotLink, Twist2D
-from pinel_desktop.robot.record import RobotRecord, RosRecord
+from pinel_desktop.robot.robot_profile import RobotProfile, RosProfile
 from tests.in_time import in_time
-from tests.links.dds_domains import local_record, own_domain
+from tests.links.dds_domains import local_profile, own_domain
 from tests.links.dds_peer import DdsPeer
 from tests.links.dds_robot import reader_of_last
 from tests.links.real_link_contract import RealLinkContract
@@ -35,12 +35,12 @@ class TestDdsLink(RealLinkContract):
     link = "dds"
     peer: DdsPeer
 
-    def start_peer(self) -> tuple[DdsPeer, RobotRecord]:
+    def start_peer(self) -> tuple[DdsPeer, RobotProfile]:
         self._ending = contextlib.ExitStack()
         domain = self._ending.enter_context(own_domain())
         peer = DdsPeer(domain)
         self._ending.callback(peer.close)
-        return peer, local_record(domain)
+        return peer, local_profile(domain)
 
     def stop_peer(self) -> None:
         self._ending.close()
@@ -59,8 +59,8 @@ class TestDdsLink(RealLinkContract):
 
     def others_in_the_domain(self) -> Iterator[Graph]:
         """A second party, which has had time to hear of everybody, and has heard of the robot."""
-        assert isinstance(self.record, RosRecord)
-        party = session.Session(self.record.domain, ("127.0.0.1",))
+        assert isinstance(self.profile, RosProfile)
+        party = session.Session(self.profile.domain, ("127.0.0.1",))
         try:
             graph, due_s = Graph(party), time.monotonic() + 10.0
             while not (graph.subscribers("cmd_vel") and graph.publishers("odom")):
@@ -95,7 +95,7 @@ def connect(domain: int) -> Iterator[Callable[..., RobotLink]]:
     with contextlib.ExitStack() as ending:
 
         def begin(**fields: Any) -> RobotLink:
-            link = open_link("dds", world="empty_room", robot=local_record(domain, **fields))
+            link = open_link("dds", world="empty_room", robot=local_profile(domain, **fields))
             try:
                 link.connect()
             except PinelError:
@@ -145,7 +145,7 @@ def test_a_robot_that_takes_stamped_commands_gets_them_in_its_own_time(
 ) -> None:
     robot = start_robot(command="TwistStamped", broken="clock")
     link = connect()
-    wait_for(lambda: commanded(link, Twist2D(0.3, 0.0)) in [twist for _, twist in robot.heard])
+    wait_for(lambda: commanded(link, Twist2D(0.3, 0.0)) in [twist for _, twist in robot.received])
     assert robot.stamps[-1] == pytest.approx(time.time() - 1e6, abs=30.0)
 
 
@@ -259,7 +259,7 @@ def test_impossible_odometry_stops_the_robot(
     link = connect()
     robot.change(broken=broken)
     assert problem_of(link) == code
-    wait_for(lambda: robot.stood_from_s() is not None)
+    wait_for(lambda: robot.standstill_since_s() is not None)
 
 
 @pytest.mark.parametrize("broken", ["clock", "ahead"])
@@ -275,7 +275,7 @@ def test_a_clock_that_is_set_interrupts_for_less_than_a_second(
             link.command(Twist2D(0.2, 0.0))
             link.read()
             time.sleep(0.02)
-    wait_for(lambda: commanded(link, Twist2D(0.25, 0.0)) == robot.heard[-1][1])
+    wait_for(lambda: commanded(link, Twist2D(0.25, 0.0)) == robot.received[-1][1])
 
 
 def test_a_robot_that_no_longer_listens_ends_the_run(
@@ -303,14 +303,14 @@ def test_sensors_that_vanish_are_silent_and_the_robot_drives_on(
     for topic, (sensor, read) in reads.items():
         eventually(read)
         robot.change(gone=[topic])
-        wait_for(partial(is_silent, read, sensor))
+        wait_for(partial(is_unresponsive, read, sensor))
     robot.change(gone=["battery_state"])
     wait_for(lambda: link.battery is None)
-    wait_for(lambda: commanded(link, Twist2D(0.25, 0.0)) == robot.heard[-1][1])
+    wait_for(lambda: commanded(link, Twist2D(0.25, 0.0)) == robot.received[-1][1])
     assert not link.bumper()
 
 
-def is_silent(read: Callable[[], Any], sensor: str) -> bool:
+def is_unresponsive(read: Callable[[], Any], sensor: str) -> bool:
     """Whether the sensor is told to be silent, not missing."""
     try:
         read()
@@ -349,11 +349,11 @@ def test_a_ring_of_sonars_on_one_topic_is_heard_as_a_whole(
 ) -> None:
     start_robot(sensors=True)
     sensors = connect(sonar_topic="sonar_ring").sensors
-    wait_for(lambda: len(silent_or(sensors.sonars)) == 16)
+    wait_for(lambda: len(values_or_empty(sensors.sonars)) == 16)
     assert eventually(sensors.sonars) == pytest.approx([1.5 + index / 10 for index in range(16)])
 
 
-def silent_or(read: Callable[[], list[float]]) -> list[float]:
+def values_or_empty(read: Callable[[], list[float]]) -> list[float]:
     try:
         return read()
     except PinelError:
@@ -388,7 +388,7 @@ def test_somebody_else_who_listens_to_commands_and_gives_some_is_not_the_robot(
     link = connect()
     robot.change(publishes_commands=True)
     assert problem_of(link) == "robot_held"
-    wait_for(lambda: robot.stood_from_s() is not None)
+    wait_for(lambda: robot.standstill_since_s() is not None)
 
 
 @pytest.mark.parametrize("asks_for_last", [False, True])
@@ -400,7 +400,7 @@ def test_the_last_command_is_kept_for_a_robot_that_asks_for_it_and_for_no_other(
 ) -> None:
     robot = start_robot(asks_for_last=asks_for_last)
     link, looking = connect(), session.Session(domain, ("127.0.0.1",))
-    wait_for(lambda: commanded(link, Twist2D(0.3, 0.0)) in [twist for _, twist in robot.heard])
+    wait_for(lambda: commanded(link, Twist2D(0.3, 0.0)) in [twist for _, twist in robot.received])
     graph = Graph(looking)
     wait_for(lambda: bool(graph.publishers("cmd_vel")))
     assert [found.is_transient_local for found in graph.publishers("cmd_vel")] == [asks_for_last]
@@ -415,14 +415,14 @@ def test_a_robot_that_comes_late_is_not_told_an_old_velocity(domain: int) -> Non
     reader = reader_of_last(robot, "cmd_vel", Twist)
     wait_for(lambda: bool(writer.get_matched_subscriptions()))
     writer.write(Twist())
-    heard: list[Any] = []
+    received: list[Any] = []
 
-    def has_heard() -> bool:
-        heard.extend(reader.take(10))
-        return bool(heard)
+    def has_received() -> bool:
+        received.extend(reader.take(10))
+        return bool(received)
 
-    wait_for(has_heard)
-    assert [twist.linear.x for twist in heard] == [0.0]
+    wait_for(has_received)
+    assert [twist.linear.x for twist in received] == [0.0]
     for each in (pc, robot):
         each.close()
 
@@ -433,13 +433,13 @@ def test_a_robot_that_is_silent_at_the_end_is_told_for_a_while_to_stand(
     """It may have been out of reach, and drive on with the last velocity that it heard."""
     robot = start_robot()
     link = connect()
-    wait_for(lambda: commanded(link, Twist2D(0.3, 0.0)) in [twist for _, twist in robot.heard])
+    wait_for(lambda: commanded(link, Twist2D(0.3, 0.0)) in [twist for _, twist in robot.received])
     robot.is_mute = True
     assert problem_of(link) == "link_lost"
     closing_s = time.monotonic()
     link.close()
-    wait_for(lambda: robot.heard[-1][0] > closing_s + 0.3)
-    assert robot.stood_from_s() is not None
+    wait_for(lambda: robot.received[-1][0] > closing_s + 0.3)
+    assert robot.standstill_since_s() is not None
 
 
 def test_a_bridge_to_ros_1_that_publishes_commands_too_is_the_robot(
@@ -457,9 +457,9 @@ def test_a_pc_of_the_same_name_is_another_pc(
 ) -> None:
     """PCs that were set up from one image have one name, and a process there is none of here."""
     start_robot()
-    told = f"pinel={platform.node()}/4194304999/abc;".encode()
+    user_data = f"pinel={platform.node()}/4194304999/abc;".encode()
     with monkeypatch.context() as other_pc:
-        other_pc.setattr(session, "own_user_data", lambda: told)
+        other_pc.setattr(session, "own_user_data", lambda: user_data)
         other = session.Session(domain, ("127.0.0.1",))
     other.writer("cmd_vel", Twist)
     problem = refused(connect)
@@ -474,7 +474,7 @@ def test_somebody_else_who_begins_to_drive_stops_the_run(
     link = connect()
     robot.change(publishes_commands=True)
     assert problem_of(link) == "robot_held"
-    wait_for(lambda: robot.stood_from_s() is not None)
+    wait_for(lambda: robot.standstill_since_s() is not None)
 
 
 def test_the_link_is_loaded_for_a_robot_only() -> None:
@@ -490,8 +490,8 @@ def test_robots_of_a_domain_are_found_with_their_namespace_and_who_drives_them()
     with own_domain() as domain, contextlib.ExitStack() as ending:
         for namespace, more in {"": {}, "lab/r2": {"publishes_commands": True}}.items():
             ending.callback(DdsPeer(domain, namespace=namespace, **more).close)
-        found = find_robots(local_record(domain, namespace="nobody"))
-        assert find_robots(local_record(domain)) == found
+        found = discover_robots(local_profile(domain, namespace="nobody"))
+        assert discover_robots(local_profile(domain)) == found
     assert [(one.namespace, one.command_topic, one.odometry_topic) for one in found] == [
         ("", "cmd_vel", "odom"),
         ("lab/r2", "cmd_vel", "odom"),

@@ -9,31 +9,31 @@ from rosbags.typesys import Stores, get_typestore
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
-from pinel_desktop.links.real import SILENT_S
+from pinel_desktop.links.real import ODOMETRY_TIMEOUT_S
 from pinel_desktop.robot import STANDSTILL, RobotLink
-from pinel_desktop.robot.record import DdsRecord
+from pinel_desktop.robot.robot_profile import DdsProfile
 from pinel_desktop.runs.spec import RunSpec
 from tests.in_time import in_time
-from tests.links.dds_domains import local_record, own_domain
+from tests.links.dds_domains import local_profile, own_domain
 from tests.links.fastdds_peer.build import built_peer
 from tests.links.fastdds_peer.process import CommandType, FastDdsPeer
-from tests.links.real_link_contract import AHEAD, FAR, STANDS_WITHIN_S, LiveRun
+from tests.links.real_link_contract import AHEAD, FAR, MAX_STOPPING_TIME_S, LiveRun
 
 pytestmark = pytest.mark.waits
 
 HASHES = get_typestore(Stores.ROS2_JAZZY)
 Robots = Callable[..., FastDdsPeer]
-DDS_SAYS_SO_S = 10.0  # lease duration of participants
+DDS_LEASE_S = 10.0  # lease duration of participants
 
 
 @pytest.fixture
-def record() -> Iterator[DdsRecord]:
+def record() -> Iterator[DdsProfile]:
     with own_domain() as domain:
-        yield local_record(domain)
+        yield local_profile(domain)
 
 
 @pytest.fixture
-def start_robot(record: DdsRecord) -> Iterator[Robots]:
+def start_robot(record: DdsProfile) -> Iterator[Robots]:
     """Starts robots in the record's domain; they end with the test."""
     built_peer()
     started: list[FastDdsPeer] = []
@@ -48,7 +48,7 @@ def start_robot(record: DdsRecord) -> Iterator[Robots]:
 
 
 @pytest.fixture
-def link(record: DdsRecord) -> Iterator[RobotLink]:
+def link(record: DdsProfile) -> Iterator[RobotLink]:
     """Not yet connected."""
     link = open_link("dds", world="empty_room", robot=record)
     yield link
@@ -67,41 +67,41 @@ def drive(link: RobotLink, seconds: float) -> None:
         time.sleep(0.02)
 
 
-def run_of(record: DdsRecord, document: list[dict[str, object]]) -> LiveRun:
+def run_of(record: DdsProfile, document: list[dict[str, object]]) -> LiveRun:
     run = LiveRun(RunSpec(document, "empty_room", link="dds", robot=record))
     run.thread.start()
     return run
 
 
-def wait_until_it_stands(robot: FastDdsPeer) -> float:
+def wait_for_standstill_s(robot: FastDdsPeer) -> float:
     """Gives the time of the first of the zeros."""
     due_s = time.monotonic() + 5.0
-    while (since_s := robot.stood_from_s()) is None:
+    while (since_s := robot.standstill_since_s()) is None:
         assert time.monotonic() < due_s, "the robot drives on"
         time.sleep(0.01)
     return since_s
 
 
 def test_a_program_drives_the_robot_a_metre_by_its_odometry(
-    record: DdsRecord, start_robot: Robots
+    record: DdsProfile, start_robot: Robots
 ) -> None:
     robot = start_robot()
     ended = run_of(record, [{"action": "move_forward", "distance": 1.0}]).result().ended
     assert ended.state == "finished", ended
     assert ended.pose is not None
     assert ended.pose["x_m"] == pytest.approx(1.0, abs=0.02)
-    wait_until_it_stands(robot)
-    assert [twist for _, twist in robot.heard[-2:]] == [STANDSTILL, STANDSTILL]
+    wait_for_standstill_s(robot)
+    assert [twist for _, twist in robot.received[-2:]] == [STANDSTILL, STANDSTILL]
 
 
-def test_stop_reaches_the_robot(record: DdsRecord, start_robot: Robots) -> None:
+def test_stop_reaches_the_robot(record: DdsProfile, start_robot: Robots) -> None:
     robot = start_robot()
     run = run_of(record, FAR)
     robot.wait_until_driven()
     stopped_s = time.monotonic()
     run.control.stop()
     assert run.result().ended.state == "stopped"
-    assert wait_until_it_stands(robot) - stopped_s < STANDS_WITHIN_S
+    assert wait_for_standstill_s(robot) - stopped_s < MAX_STOPPING_TIME_S
 
 
 def test_velocities_come_back_as_odometry(link: RobotLink, start_robot: Robots) -> None:
@@ -111,12 +111,12 @@ def test_velocities_come_back_as_odometry(link: RobotLink, start_robot: Robots) 
     state = link.read()
     assert state.twist == pytest.approx(AHEAD)
     assert state.pose.x_m > 0.1
-    assert all(twist in (STANDSTILL, AHEAD) for _, twist in robot.heard)
+    assert all(twist in (STANDSTILL, AHEAD) for _, twist in robot.received)
 
 
 @pytest.mark.parametrize("happens", [FastDdsPeer.freeze, FastDdsPeer.kill])
 def test_a_robot_that_freezes_or_is_switched_off_is_lost_long_before_dds_says_so(
-    record: DdsRecord, start_robot: Robots, happens: Callable[[FastDdsPeer], None]
+    record: DdsProfile, start_robot: Robots, happens: Callable[[FastDdsPeer], None]
 ) -> None:
     robot = start_robot()
     run = run_of(record, FAR)
@@ -125,7 +125,7 @@ def test_a_robot_that_freezes_or_is_switched_off_is_lost_long_before_dds_says_so
     lost_s = time.monotonic()
     ended = run.result().ended
     assert (ended.state, ended.reason) == ("failed", "link_lost")
-    assert in_time(time.monotonic() - lost_s, DDS_SAYS_SO_S / 2)
+    assert in_time(time.monotonic() - lost_s, DDS_LEASE_S / 2)
 
 
 def test_a_robot_that_is_mute_hears_zeros_in_the_end(link: RobotLink, start_robot: Robots) -> None:
@@ -134,8 +134,8 @@ def test_a_robot_that_is_mute_hears_zeros_in_the_end(link: RobotLink, start_robo
     drive(link, 0.3)
     robot.is_mute = True
     with pytest.raises(PinelError, match="link_lost"):
-        drive(link, 5 * SILENT_S)
-    wait_until_it_stands(robot)
+        drive(link, 5 * ODOMETRY_TIMEOUT_S)
+    wait_for_standstill_s(robot)
 
 
 def test_a_robot_that_starts_after_the_link_is_found(link: RobotLink, start_robot: Robots) -> None:
@@ -159,9 +159,9 @@ def test_a_robot_that_takes_stamped_velocities_gets_them(
     link.connect()
     drive(link, 0.5)
     assert link.read().twist == pytest.approx(AHEAD)
-    told = robot.commands[-1]
-    assert told["frame"] == "base_link"
-    assert told["stamp"] == pytest.approx(time.time(), abs=5.0)
+    last_command = robot.commands[-1]
+    assert last_command["frame"] == "base_link"
+    assert last_command["stamp"] == pytest.approx(time.time(), abs=5.0)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ ROBOT, TELEOP, RECORDER = "robot", "teleop", "recorder"
 
 
 @pytest.mark.parametrize(
-    ("publish", "listen", "tell", "others"),
+    ("publish", "listen", "report", "others"),
     [
         pytest.param({TELEOP}, {ROBOT}, {ROBOT}, {TELEOP}, id="who commands"),
         pytest.param({TELEOP}, {ROBOT, TELEOP}, {ROBOT}, {TELEOP}, id="who listens as well"),
@@ -19,6 +19,6 @@ ROBOT, TELEOP, RECORDER = "robot", "teleop", "recorder"
     ],
 )
 def test_the_robot_itself_and_who_only_listens_do_not_drive(
-    publish: set[str], listen: set[str], tell: set[str], others: set[str]
+    publish: set[str], listen: set[str], report: set[str], others: set[str]
 ) -> None:
-    assert drivers(publish, listen, tell) == others
+    assert drivers(publish, listen, report) == others

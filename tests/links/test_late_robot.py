@@ -11,7 +11,7 @@ import pytest
 from pinel_desktop.control import Breakaway
 from pinel_desktop.control.goal import MOVE_GOAL
 from pinel_desktop.links.real import delay_s, real_link
-from pinel_desktop.robot import STANDSTILL, Setting
+from pinel_desktop.robot import STANDSTILL, SimulationConfig
 from tests.links.late_robot import Trouble, drive
 from tests.links.test_real import FAST
 from tests.links.unicycle import MemoryTransport, Unicycle
@@ -103,7 +103,7 @@ def test_the_delay_follows_from_how_often_the_robot_reports(
 
 
 def test_the_delay_is_measured_when_the_link_connects() -> None:
-    link = real_link(lambda record: MemoryTransport(Unicycle(), 0.15), Setting(), FAST)
+    link = real_link(lambda record: MemoryTransport(Unicycle(), 0.15), SimulationConfig(), FAST)
     assert link.command_delay_s == 0.1
     link.connect()
     link.close()

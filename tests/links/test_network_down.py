@@ -29,10 +29,10 @@ def test_a_network_that_goes_away_loses_the_robot_and_stops_it_when_it_is_back()
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    told = json.loads(done.stdout)
-    print(told)
-    assert told["link"]["lost_s"] < 3.0
-    assert told["link"]["was_driving"], "the double has no watchdog of its own"
-    assert told["link"]["stood_s"] < 5.0
-    assert told["run"] == {"state": "failed", "reason": "link_lost"}
-    assert told["again"] == {"state": "finished", "reason": None}
+    results = json.loads(done.stdout)
+    print(results)
+    assert results["link"]["lost_s"] < 3.0
+    assert results["link"]["was_driving"], "the double has no watchdog of its own"
+    assert results["link"]["stood_s"] < 5.0
+    assert results["run"] == {"state": "failed", "reason": "link_lost"}
+    assert results["again"] == {"state": "finished", "reason": None}

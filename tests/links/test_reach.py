@@ -38,17 +38,17 @@ def driven(twist: Twist2D, rate_hz: float, seconds: float) -> tuple[OdometryFilt
     checked, robot = OdometryFilter(), Robot()
     checked.command(STANDSTILL, 0.0)
     checked.command(twist, 5.0)
-    checked.take(report(robot.pose), 5.0)
+    checked.add(report(robot.pose), 5.0)
     n_reports = math.ceil(seconds * rate_hz)
     for number in range(1, n_reports + 1):
         robot.move(twist, seconds / n_reports)
-        checked.take(report(robot.pose), 5.0 + number * seconds / n_reports)
+        checked.add(report(robot.pose), 5.0 + number * seconds / n_reports)
     return checked, robot, 5.0 + seconds
 
 
 def is_jump(checked: OdometryFilter, pose: Pose2D, now_s: float) -> bool:
     try:
-        checked.take(report(pose), now_s)
+        checked.add(report(pose), now_s)
     except PinelError as problem:
         return problem.code == "reference_lost"
     return False
@@ -117,13 +117,13 @@ def test_a_jump_over_the_half_turn_is_none() -> None:
     for side in (1.0, -1.0):
         checked = OdometryFilter()
         checked.command(STANDSTILL, 0.0)
-        checked.take(report(Pose2D(yaw_rad=side * math.radians(179.5))), 5.0)
+        checked.add(report(Pose2D(yaw_rad=side * math.radians(179.5))), 5.0)
         assert not is_jump(checked, Pose2D(yaw_rad=-side * math.radians(179.5)), 5.1)
 
 
 def test_before_the_first_command_anybody_may_drive_the_robot() -> None:
     checked, robot = OdometryFilter(), Robot()
-    checked.take(report(robot.pose), 0.0)
+    checked.add(report(robot.pose), 0.0)
     for number in range(1, 20):
         robot.move(Twist2D(-1.2, 3.0), 0.5)
         assert not is_jump(checked, robot.pose, number * 0.5)
@@ -226,4 +226,4 @@ def require_no_jump(robot: Honest, speeds: tuple[float, float], draw: Random) ->
             checked.command(commands[number][1], commands[number][0])
             number += 1
         assert not is_jump(checked, pose, arrived_s), arrived_s
-    assert checked.n_taken > _LONG_S
+    assert checked.n_valid > _LONG_S

@@ -16,11 +16,11 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.links.odometry import OdometryFilter
 from pinel_desktop.links.real import RealLink, real_link
 from pinel_desktop.links.transport import Cancelled, Odometry, Receiver
-from pinel_desktop.robot import STANDSTILL, RobotState, Sensors, Setting, Twist2D
-from pinel_desktop.robot.record import BridgeRecord, Room
+from pinel_desktop.robot import STANDSTILL, RobotState, Sensors, SimulationConfig, Twist2D
+from pinel_desktop.robot.robot_profile import BridgeProfile, Room
 
-RECORD = BridgeRecord(host=f"fuzz-{os.getpid()}", room=Room(width_m=50.0, depth_m=50.0))
-MAX_V_MPS, MAX_OMEGA_RADPS = RECORD.max_v_mps, math.radians(RECORD.max_omega_dps)
+PROFILE = BridgeProfile(host=f"fuzz-{os.getpid()}", room=Room(width_m=50.0, depth_m=50.0))
+MAX_V_MPS, MAX_OMEGA_RADPS = PROFILE.max_v_mps, math.radians(PROFILE.max_omega_dps)
 # The link keeps a problem of the first kind; those of the second pass with their cause.
 LASTING = {"reference_lost", "odometry_frame_changed"}
 PASSING = {"left_room", "link_lost"}
@@ -45,7 +45,7 @@ floods = st.lists(messages, min_size=1, max_size=5).map(lambda some: some * 40)
 velocities = st.builds(Twist2D, anything, anything)
 
 
-class Silent:
+class RecordingTransport:
     """A transport that keeps what it is given; its robot says a few times that it is there.
 
     Attributes:
@@ -68,8 +68,8 @@ class Silent:
 
     def wait_for_more(self) -> None:
         """Waits until what was commanded last has been sent, and whatever was on its way before."""
-        wanted, due_s = len(self.sent) + 3, time.monotonic() + 10.0
-        while len(self.sent) < wanted:
+        n_expected, due_s = len(self.sent) + 3, time.monotonic() + 10.0
+        while len(self.sent) < n_expected:
             assert time.monotonic() < due_s, "nothing is sent any more"
             time.sleep(0.001)
 
@@ -81,9 +81,9 @@ class Silent:
 
 
 @contextmanager
-def opened() -> Iterator[tuple[RealLink, Silent]]:
-    transport = Silent()
-    link = real_link(lambda record: transport, Setting(), RECORD)
+def opened() -> Iterator[tuple[RealLink, RecordingTransport]]:
+    transport = RecordingTransport()
+    link = real_link(lambda record: transport, SimulationConfig(), PROFILE)
     link.connect()
     try:
         yield link, transport
@@ -112,12 +112,12 @@ def test_checked_odometry_is_finite_or_a_named_problem(
     checked, now_s = OdometryFilter(), 0.0
     for message, passes_s in sequence:
         now_s += passes_s
-        assert code_of(partial(checked.take, message, now_s)) in {None, *LASTING}
+        assert code_of(partial(checked.add, message, now_s)) in {None, *LASTING}
         if checked.state is not None:
             require_possible(checked.state)
 
 
-def tell(link: RealLink, step: Any) -> None:
+def apply(link: RealLink, step: Any) -> None:
     """Lets the robot or the program do one thing."""
     match step:
         case Odometry():
@@ -137,7 +137,7 @@ def test_after_a_problem_only_zeros_are_sent(steps: list[Any]) -> None:
     with opened() as (link, transport):
         n_before: int | None = None
         for step in steps:
-            tell(link, step)
+            apply(link, step)
             code = code_of(lambda: require_possible(link.read()))
             assert code in {None, *LASTING, *PASSING}
             assert n_before is None or code in LASTING
@@ -157,10 +157,10 @@ def test_after_a_problem_only_zeros_are_sent(steps: list[Any]) -> None:
 @settings(max_examples=20, deadline=None)
 @given(st.lists(messages, min_size=1, max_size=60), st.lists(velocities, min_size=1, max_size=60))
 def test_messages_and_commands_at_the_same_time_end_in_zeros_too(
-    said: list[Odometry], commanded: list[Twist2D]
+    reports: list[Odometry], commanded: list[Twist2D]
 ) -> None:
     with opened() as (link, transport):
-        robot = threading.Thread(target=tell, args=(link, said))
+        robot = threading.Thread(target=apply, args=(link, reports))
         robot.start()
         for twist in commanded:
             link.command(twist)

@@ -10,16 +10,16 @@ from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import ROBOTS, Pose2D, RobotLink, Setting, Twist2D
+from pinel_desktop.robot import ROBOTS, Pose2D, RobotLink, SimulationConfig, Twist2D
 from sim.simulator import TICK_S
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
-KNOWS_POSE = Setting(preset="realistic", feedback="pose")
-KNOWS_WHEELS = Setting(preset="realistic", feedback="odometry")
+POSE_FEEDBACK = SimulationConfig(preset="realistic", feedback="pose")
+ODOMETRY_FEEDBACK = SimulationConfig(preset="realistic", feedback="odometry")
 
 
 def run(
-    setting: Setting, seed: int, program: str = "square", world: str = "empty_room"
+    setting: SimulationConfig, seed: int, program: str = "square", world: str = "empty_room"
 ) -> tuple[RunResult, Pose2D]:
     """The run of a program, and where it really ends in the start frame."""
     read = read_document((PROGRAMS / f"{program}.json").read_bytes()).program
@@ -40,7 +40,7 @@ def p95(values: list[float]) -> float:
     return sorted(values)[math.ceil(0.95 * len(values)) - 1]
 
 
-def closing_errors(setting: Setting) -> tuple[float, float]:
+def closing_errors(setting: SimulationConfig) -> tuple[float, float]:
     """95th percentiles over 20 seeds: how far from the start, in m, and how much turned, in degrees, a square ends."""
     runs = [run(setting, seed) for seed in range(20)]
     assert {result.ended.state for result, _ in runs} == {"finished"}
@@ -49,20 +49,20 @@ def closing_errors(setting: Setting) -> tuple[float, float]:
 
 
 def test_square_of_a_robot_that_knows_its_pose_closes_within_5_mm() -> None:
-    distance_m, heading_deg = closing_errors(KNOWS_POSE)
+    distance_m, heading_deg = closing_errors(POSE_FEEDBACK)
     print(f"closing error p95 over 20 seeds: {distance_m * 1e3:.1f} mm, {heading_deg:.2f} degrees")
     assert distance_m < 0.005
     assert heading_deg < 0.3
 
 
 def test_square_of_a_robot_that_knows_its_wheels_only_drifts_for_all_to_see() -> None:
-    distance_m, heading_deg = closing_errors(KNOWS_WHEELS)
+    distance_m, heading_deg = closing_errors(ODOMETRY_FEEDBACK)
     assert 0.02 < distance_m < 0.3
     assert heading_deg > 1.0
 
 
 def test_robot_that_knows_its_wheels_only_believes_that_all_is_well() -> None:
-    result, end = run(KNOWS_WHEELS, seed=4)
+    result, end = run(ODOMETRY_FEEDBACK, seed=4)
     assert result.ended.estimated_closing_error_m is not None
     assert result.ended.estimated_closing_error_m < 0.01
     assert math.hypot(end.x_m, end.y_m) > 3 * result.ended.estimated_closing_error_m
@@ -70,7 +70,7 @@ def test_robot_that_knows_its_wheels_only_believes_that_all_is_well() -> None:
 
 @pytest.mark.parametrize("model", ROBOTS)
 def test_ideal_square_of_every_robot_closes(model: str) -> None:
-    result, end = run(Setting(model=model), seed=0)
+    result, end = run(SimulationConfig(model=model), seed=0)
     assert result.ended.state == "finished"
     assert math.hypot(end.x_m, end.y_m) < 1e-4
     assert abs(math.degrees(end.yaw_rad)) < 0.02
@@ -78,7 +78,7 @@ def test_ideal_square_of_every_robot_closes(model: str) -> None:
 
 @pytest.mark.parametrize("feedback", ["pose", "odometry"])
 def test_ideal_robot_knows_its_true_pose_by_whatever_feedback(feedback: str) -> None:
-    link = open_link("sim", world="empty_room", setting=Setting(feedback=feedback))  # type: ignore[arg-type]
+    link = open_link("sim", world="empty_room", setting=SimulationConfig(feedback=feedback))  # type: ignore[arg-type]
     for _ in range(30):
         link.command(Twist2D(0.5, 0.5))
         link.advance(TICK_S)
@@ -86,30 +86,32 @@ def test_ideal_robot_knows_its_true_pose_by_whatever_feedback(feedback: str) -> 
     assert state.pose == state.true_pose
 
 
-@pytest.mark.parametrize("setting", [KNOWS_POSE, KNOWS_WHEELS])
-def test_realistic_run_is_the_same_again_and_another_with_another_seed(setting: Setting) -> None:
+@pytest.mark.parametrize("setting", [POSE_FEEDBACK, ODOMETRY_FEEDBACK])
+def test_realistic_run_is_the_same_again_and_another_with_another_seed(
+    setting: SimulationConfig,
+) -> None:
     first, again, other = (run(setting, seed)[0].ended.telemetry_sha256 for seed in (7, 7, 8))
     assert first == again != other
 
 
 def test_what_sensors_are_read_does_not_change_a_realistic_run() -> None:
     def poses(reads: bool) -> list[Pose2D]:
-        link, draw = SimLink(world="obstacles", setting=KNOWS_POSE, seed=3), random.Random(1)
-        seen = []
+        link, draw = SimLink(world="obstacles", setting=POSE_FEEDBACK, seed=3), random.Random(1)
+        recorded = []
         for tick in range(150):
             link.command(Twist2D(0.4, math.sin(tick / 10)))
             link.advance(TICK_S)
             if reads and draw.random() < 0.5:
                 link.sensors.sonar(draw.randrange(16))
                 link.sensors.scan()
-            seen.append(link.read().pose)
-        return seen
+            recorded.append(link.read().pose)
+        return recorded
 
     assert poses(reads=True) == poses(reads=False)
 
 
 def test_reading_again_within_a_tick_gives_the_same() -> None:
-    link = SimLink(world="obstacles", setting=KNOWS_POSE, seed=3)
+    link = SimLink(world="obstacles", setting=POSE_FEEDBACK, seed=3)
     link.command(Twist2D(0.4, 0.2))
     link.advance(TICK_S)
     assert link.read() == link.read()
@@ -119,8 +121,8 @@ def test_reading_again_within_a_tick_gives_the_same() -> None:
 
 
 def test_sensors_err_a_little_and_stay_in_their_range() -> None:
-    exact = SimLink(world="obstacles", setting=Setting(), seed=3).sensors
-    link = SimLink(world="obstacles", setting=KNOWS_POSE, seed=3)
+    exact = SimLink(world="obstacles", setting=SimulationConfig(), seed=3).sensors
+    link = SimLink(world="obstacles", setting=POSE_FEEDBACK, seed=3)
     errors = []
     for _ in range(100):
         link.advance(TICK_S)  # it stands, and measures anew
@@ -131,7 +133,7 @@ def test_sensors_err_a_little_and_stay_in_their_range() -> None:
 
 
 def test_realistic_robot_starts_where_it_is_put_and_stands_until_it_is_told() -> None:
-    link = SimLink(world="obstacles", setting=KNOWS_POSE, seed=3)
+    link = SimLink(world="obstacles", setting=POSE_FEEDBACK, seed=3)
     start = link.read()
     assert start.pose == start.true_pose
     for _ in range(30):
@@ -140,7 +142,7 @@ def test_realistic_robot_starts_where_it_is_put_and_stands_until_it_is_told() ->
 
 
 def test_command_takes_its_time_to_the_wheels() -> None:
-    link = SimLink(world="empty_room", setting=KNOWS_WHEELS, seed=1)
+    link = SimLink(world="empty_room", setting=ODOMETRY_FEEDBACK, seed=1)
     link.command(Twist2D(0.5, 0.0))
     link.advance(TICK_S)
     assert true_pose(link).x_m == 0.0
@@ -151,7 +153,7 @@ def test_command_takes_its_time_to_the_wheels() -> None:
 
 
 def test_wheels_that_are_blocked_count_nothing() -> None:
-    link = SimLink(world="empty_room", setting=KNOWS_WHEELS, seed=1)
+    link = SimLink(world="empty_room", setting=ODOMETRY_FEEDBACK, seed=1)
     for _ in range(400):
         link.command(Twist2D(1.0, 0.0))
         link.advance(TICK_S)
@@ -163,6 +165,6 @@ def test_wheels_that_are_blocked_count_nothing() -> None:
 
 @pytest.mark.parametrize("feedback", ["pose", "odometry"])
 def test_realistic_robot_that_is_blocked_says_so(feedback: str) -> None:
-    setting = Setting(preset="realistic", feedback=feedback)  # type: ignore[arg-type]
+    setting = SimulationConfig(preset="realistic", feedback=feedback)  # type: ignore[arg-type]
     result, _ = run(setting, 2, "into_the_wall")
     assert (result.ended.state, result.ended.reason) == ("failed", "blocked")

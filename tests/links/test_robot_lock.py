@@ -10,16 +10,16 @@ import pytest
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.robot_lock import RobotLock
-from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.robot.robot_profile import BridgeProfile
 
 pytestmark = pytest.mark.waits
 
-RECORD = BridgeRecord(host="robot-lock-test")
+RECORD = BridgeProfile(host="robot-lock-test")
 WAIT_S = 60.0
 HOLD = """
 import sys
 from pinel_desktop.links.robot_lock import RobotLock
-from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.robot.robot_profile import BridgeRecord
 lock = RobotLock(BridgeRecord(host="robot-lock-test"))
 lock.acquire()
 print("locked", flush=True)
@@ -30,7 +30,7 @@ RACE = """
 import os, sys
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.robot_lock import RobotLock
-from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.robot.robot_profile import BridgeRecord
 n_left = 150
 while n_left:
     lock = RobotLock(BridgeRecord(host="robot-lock-test"))

@@ -21,17 +21,17 @@ from pinel_desktop.links import open_link
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.links.ros2 import installed, transport
 from pinel_desktop.robot import PIONEER_3DX, RobotLink, Twist2D
-from pinel_desktop.robot.record import RobotRecord, Room, Ros2Record
+from pinel_desktop.robot.robot_profile import RobotProfile, Room, Ros2Profile
 from tests.links.real_link_contract import Peer, RealLinkContract
 from tests.links.socket_robot import SocketRobot, use_fake_ros
 
 pytestmark = pytest.mark.waits
 
 
-def a_record() -> Ros2Record:
+def a_profile() -> Ros2Profile:
     """A robot of its own: other tests drive theirs at the same time."""
     domain = os.getpid() % 233
-    return Ros2Record(
+    return Ros2Profile(
         domain=domain,
         max_v_mps=1.2,
         max_omega_dps=300.0,
@@ -58,8 +58,8 @@ class TestRos2Link(RealLinkContract):
     def _robot(self, _ros: None) -> Iterator[None]:
         yield from self.with_robot()
 
-    def start_peer(self) -> tuple[Peer, RobotRecord]:
-        return self._robot_process.unicycle, a_record()
+    def start_peer(self) -> tuple[Peer, RobotProfile]:
+        return self._robot_process.unicycle, a_profile()
 
     def stop_peer(self) -> None:
         self._robot_process.close()
@@ -74,7 +74,7 @@ def robot() -> Iterator[SocketRobot]:
 
 @contextlib.contextmanager
 def connected(**more: Any) -> Iterator[RobotLink]:
-    link = open_link("ros2", world="empty_room", robot=a_record().model_copy(update=more))
+    link = open_link("ros2", world="empty_room", robot=a_profile().model_copy(update=more))
     try:
         link.connect()
         yield link
@@ -101,7 +101,7 @@ def test_a_robot_that_wants_stamped_twists_gets_them(
     use_fake_ros(monkeypatch, robot, command_type="geometry_msgs/msg/TwistStamped")
     with connected() as link:
         link.command(Twist2D(0.3, 0.0))
-        wait_for(lambda: any(twist.v_mps == 0.3 for _, twist in robot.unicycle.heard))
+        wait_for(lambda: any(twist.v_mps == 0.3 for _, twist in robot.unicycle.received))
     assert robot.types == {"TwistStamped"}
 
 
@@ -146,7 +146,7 @@ def test_another_node_that_begins_to_command_stops_the_run(
     with connected() as link:
         robot.let_drive(["joystick"])
         wait_for(lambda: problem_of(link) == "robot_held")
-        wait_for(lambda: robot.unicycle.stood_from_s() is not None)
+        wait_for(lambda: robot.unicycle.standstill_since_s() is not None)
 
 
 def test_while_another_pinel_is_there_the_robot_stands_and_drives_on_when_that_withdraws(
@@ -193,8 +193,8 @@ def test_a_robot_that_is_silent_at_the_end_is_told_for_a_while_to_stand(
         robot.unicycle.is_mute = True
         wait_for(lambda: problem_of(link) == "link_lost")
         closing_s = time.monotonic()
-    assert robot.unicycle.heard[-1][0] > closing_s + 0.3
-    assert robot.unicycle.stood_from_s() is not None
+    assert robot.unicycle.received[-1][0] > closing_s + 0.3
+    assert robot.unicycle.standstill_since_s() is not None
 
 
 def test_a_node_that_also_listens_to_commands_is_the_robot(
@@ -227,7 +227,7 @@ def test_sensors_are_those_that_the_robot_publishes(
         assert sensors.sonars() == pytest.approx([1.5 + n / 10 for n in range(16)], abs=1e-3)
 
 
-def is_silent(read: Callable[[], Any]) -> bool:
+def is_unresponsive(read: Callable[[], Any]) -> bool:
     """Whether a sensor is told to be silent, not missing."""
     try:
         read()
@@ -260,11 +260,11 @@ def test_what_vanishes_in_a_run_is_told(
         }
         for count, read in enumerate(reads.values(), 1):
             wait_for(partial(answers, read))
-            robot.take_leave_of(list(reads)[:count])
-            wait_for(partial(is_silent, read))
-        robot.take_leave_of([*reads, "/battery_state"])
+            robot.withdraw(list(reads)[:count])
+            wait_for(partial(is_unresponsive, read))
+        robot.withdraw([*reads, "/battery_state"])
         wait_for(lambda: link.battery is None)
-        robot.take_leave_of(["/cmd_vel"])
+        robot.withdraw(["/cmd_vel"])
         wait_for(lambda: problem_of(link) == "robot_deaf")
 
 
@@ -301,11 +301,11 @@ def test_a_ros_that_is_still_starting_does_not_hold_up_the_end(
     slow = [sys.executable, "-c", "import time; time.sleep(60)"]
     monkeypatch.setattr(transport, "node_command", lambda configuration: slow)
     monkeypatch.setattr(transport, "_END_S", 60.0)
-    began_s = time.monotonic()
-    link = open_link("ros2", world="empty_room", robot=a_record())
+    started_s = time.monotonic()
+    link = open_link("ros2", world="empty_room", robot=a_profile())
     link.connect(lambda: True)
     link.close()
-    assert time.monotonic() - began_s < 30.0
+    assert time.monotonic() - started_s < 30.0
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGSTOP")
@@ -329,8 +329,8 @@ class TestNode:
     def test_a_node_that_hangs_does_not_hold_up_the_end(self) -> None:
         with connected():
             self.node().send_signal(signal.SIGSTOP)
-            began_s = time.monotonic()
-        assert time.monotonic() - began_s < 20.0
+            started_s = time.monotonic()
+        assert time.monotonic() - started_s < 20.0
 
     @pytest.mark.parametrize("graph", [{"command_type": ""}, {"others": ["joystick"]}])
     def test_a_node_whose_app_has_gone_ends_in_the_middle_of_its_search(
@@ -338,24 +338,24 @@ class TestNode:
     ) -> None:
         """One that went on would end by itself, and say what it did not find."""
         use_fake_ros(monkeypatch, robot, **graph)
-        said, _ = self.begun().communicate()
-        assert "problem" not in said
+        output, _ = self.start_node().communicate()
+        assert "problem" not in output
 
-    def begun(self) -> subprocess.Popen[str]:
-        it = transport.Ros2Transport(a_record(), PIONEER_3DX)
+    def start_node(self) -> subprocess.Popen[str]:
+        it = transport.Ros2Transport(a_profile(), PIONEER_3DX)
         configuration = json.dumps(it._configuration())
         return it._started([sys.executable, str(installed.NODE), configuration])
 
     def test_a_silent_app_leaves_the_robot_standing(self, robot: SocketRobot) -> None:
         """The whole process is frozen, so that the link's own sender is, too."""
-        node = self.begun()
+        node = self.start_node()
         assert node.stdin is not None
         with node:
-            wait_for(lambda: len(robot.unicycle.heard) > 3)  # its own zeros
+            wait_for(lambda: len(robot.unicycle.received) > 3)  # its own zeros
             node.stdin.write('{"twist": [0.3, 0.0]}\n')
             node.stdin.flush()
-            wait_for(lambda: any(twist.v_mps == 0.3 for _, twist in robot.unicycle.heard))
-            wait_for(lambda: robot.unicycle.stood_from_s() is not None)
+            wait_for(lambda: any(twist.v_mps == 0.3 for _, twist in robot.unicycle.received))
+            wait_for(lambda: robot.unicycle.standstill_since_s() is not None)
         assert node.returncode == 0
 
 

@@ -11,7 +11,7 @@ import pytest
 from pinel_desktop.links import open_link
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.robot import STANDSTILL
-from pinel_desktop.robot.record import DdsRecord, RobotRecord, Room, Ros2Record
+from pinel_desktop.robot.robot_profile import DdsProfile, RobotProfile, Room, Ros2Profile
 from pinel_desktop.runs.spec import RunSpec
 from tests.links.dds_domains import own_domain
 from tests.links.rclpy_process import RclpyProgram, use_real_ros
@@ -27,7 +27,7 @@ FAR = [{"action": "move_forward", "distance": 8.0}]
 SLOWLY = [0.05, 0.1]
 COMMANDER = {"hears": False, "tells": False, "drives": SLOWLY}
 
-both_links = pytest.mark.parametrize("kind", [Ros2Record, DdsRecord])
+both_links = pytest.mark.parametrize("kind", [Ros2Profile, DdsProfile])
 Start = Callable[..., RclpyProgram]
 
 
@@ -55,27 +55,27 @@ def begin(domain: int) -> Iterator[Start]:
         yield start
 
 
-def record_of(kind: type[RobotRecord], domain: int) -> RobotRecord:
-    here = {"peers": ("127.0.0.1",)} if kind is DdsRecord else {}
+def profile_of(kind: type[RobotProfile], domain: int) -> RobotProfile:
+    here = {"peers": ("127.0.0.1",)} if kind is DdsProfile else {}
     room = Room(width_m=20.0, depth_m=20.0)
     return kind.model_validate({"domain": domain, "room": room, **here})
 
 
-def run_of(record: RobotRecord, document: list[dict[str, Any]]) -> LiveRun:
+def run_of(record: RobotProfile, document: list[dict[str, Any]]) -> LiveRun:
     run = LiveRun(RunSpec(document, "empty_room", link=record.link, robot=record))
     run.thread.start()
     return run
 
 
 def moves(robot: RclpyProgram) -> bool:
-    return any(twist != STANDSTILL for _, twist in robot.heard[-3:])
+    return any(twist != STANDSTILL for _, twist in robot.received[-3:])
 
 
 @both_links
 def test_a_robot_is_driven_and_its_sensors_are_read(
-    begin: Start, domain: int, kind: type[RobotRecord]
+    begin: Start, domain: int, kind: type[RobotProfile]
 ) -> None:
-    robot, record = begin(), record_of(kind, domain)
+    robot, record = begin(), profile_of(kind, domain)
     ended = run_of(record, NEAR).result().ended
     assert ended.state == "finished", ended
     link = open_link(record.link, world="empty_room", robot=record)
@@ -85,8 +85,8 @@ def test_a_robot_is_driven_and_its_sensors_are_read(
     assert link.read().pose.x_m == pytest.approx(0.3, abs=0.05)
     wait_for(lambda: link.battery == 0.75)
     link.close()
-    wait_for(lambda: robot.stood_from_s() is not None)
-    assert max(twist.v_mps for _, twist in robot.heard) > 0.1
+    wait_for(lambda: robot.standstill_since_s() is not None)
+    assert max(twist.v_mps for _, twist in robot.received) > 0.1
 
 
 @both_links
@@ -99,10 +99,10 @@ def test_a_robot_is_driven_and_its_sensors_are_read(
     ],
 )
 def test_another_program_that_begins_to_command_the_robot_ends_the_run(
-    begin: Start, domain: int, kind: type[RobotRecord], who: dict[str, Any]
+    begin: Start, domain: int, kind: type[RobotProfile], who: dict[str, Any]
 ) -> None:
     robot = begin()
-    run = run_of(record_of(kind, domain), FOR_EVER)
+    run = run_of(profile_of(kind, domain), FOR_EVER)
     wait_for(lambda: moves(robot))
     begin(**{**COMMANDER, **who})
     ended = run.result().ended
@@ -111,51 +111,51 @@ def test_another_program_that_begins_to_command_the_robot_ends_the_run(
 
 @both_links
 def test_a_robot_that_another_program_commands_is_refused_whatever_its_name(
-    begin: Start, domain: int, kind: type[RobotRecord]
+    begin: Start, domain: int, kind: type[RobotProfile]
 ) -> None:
     begin()
     begin(**{**COMMANDER, "node": "robot", "hears": True, "drives": None, "offers": True})
-    ended = run_of(record_of(kind, domain), NEAR).result().ended
+    ended = run_of(profile_of(kind, domain), NEAR).result().ended
     assert (ended.state, ended.reason) == ("failed", "robot_held")
 
 
 @both_links
 def test_programs_that_only_listen_and_a_robot_that_passes_commands_on_hold_nobody_up(
-    begin: Start, domain: int, kind: type[RobotRecord]
+    begin: Start, domain: int, kind: type[RobotProfile]
 ) -> None:
     begin(offers=True)  # as a bridge to ROS 1
     begin(node="recorder", tells=False)
-    ended = run_of(record_of(kind, domain), NEAR).result().ended
+    ended = run_of(profile_of(kind, domain), NEAR).result().ended
     assert ended.state == "finished", ended
 
 
 @both_links
 def test_a_robot_that_asks_for_the_last_command_is_driven(
-    begin: Start, domain: int, kind: type[RobotRecord]
+    begin: Start, domain: int, kind: type[RobotProfile]
 ) -> None:
     robot = begin(durability="transient_local")
-    ended = run_of(record_of(kind, domain), NEAR).result().ended
+    ended = run_of(profile_of(kind, domain), NEAR).result().ended
     assert ended.state == "finished", ended
-    assert max(twist.v_mps for _, twist in robot.heard) > 0.1
+    assert max(twist.v_mps for _, twist in robot.received) > 0.1
 
 
 @both_links
 def test_a_robot_that_asks_for_more_than_pinel_offers_is_said_to_hear_nothing(
-    begin: Start, domain: int, kind: type[RobotRecord]
+    begin: Start, domain: int, kind: type[RobotProfile]
 ) -> None:
     begin(deadline_s=1.0)
-    ended = run_of(record_of(kind, domain), NEAR).result().ended
+    ended = run_of(profile_of(kind, domain), NEAR).result().ended
     assert (ended.state, ended.reason) == ("failed", "robot_deaf")
 
 
 @both_links
 def test_a_robot_whose_heading_jumps_ends_the_run_as_one_that_was_carried(
-    begin: Start, domain: int, kind: type[RobotRecord]
+    begin: Start, domain: int, kind: type[RobotProfile]
 ) -> None:
     robot = begin()
-    run = run_of(record_of(kind, domain), FAR)
+    run = run_of(profile_of(kind, domain), FAR)
     wait_for(lambda: moves(robot))
     robot.change(turned_rad=math.pi / 2)
     ended = run.result().ended
     assert (ended.state, ended.reason) == ("failed", "reference_lost")
-    wait_for(lambda: robot.stood_from_s() is not None)
+    wait_for(lambda: robot.standstill_since_s() is not None)

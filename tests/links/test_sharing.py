@@ -10,7 +10,7 @@ import pytest
 from tests.links.dds_domains import own_domain
 from tests.links.dds_peer import DdsPeer
 from tests.links.socket_robot import SocketRobot, fake_environment
-from tests.links.two_pcs import Heard, race, require_one_driver
+from tests.links.two_pcs import ReceivedVelocity, race, require_one_driver
 
 pytestmark = pytest.mark.waits
 
@@ -26,12 +26,13 @@ def test_over_dds(head_start_s: float, tmp_path: Path) -> None:
     with own_domain() as domain, contextlib.closing(DdsPeer(domain)) as robot:
         settings = (f"domain={domain}", 'peers=["127.0.0.1"]')
         options = [text for each in settings for text in ("--robot-setting", each)]
-        results = race(tmp_path, ["--robot", "dds", *options], robot.heard, head_start_s)
-        heard = [
-            Heard(*one, sender) for one, sender in zip(robot.heard, robot.senders, strict=False)
+        results = race(tmp_path, ["--robot", "dds", *options], robot.received, head_start_s)
+        received = [
+            ReceivedVelocity(*one, sender)
+            for one, sender in zip(robot.received, robot.senders, strict=False)
         ]
     print(head_start_s, [(result["state"], result["reason"]) for result in results])
-    require_one_driver(results, heard, platform.node())
+    require_one_driver(results, received, platform.node())
 
 
 @head_starts
@@ -41,8 +42,8 @@ def test_over_an_installed_ros(head_start_s: float, tmp_path: Path) -> None:
         environment = {"ROS_VERSION": "2", **fake_environment(robot)}
         setting = f"domain={os.getpid() % 233}"
         options = ["--robot", "ros2", "--robot-setting", setting]
-        results = race(tmp_path, options, robot.heard, head_start_s, **environment)
+        results = race(tmp_path, options, robot.received, head_start_s, **environment)
     finally:
         robot.close()
     print(head_start_s, [(result["state"], result["reason"]) for result in results])
-    require_one_driver(results, robot.heard, "pinel_")
+    require_one_driver(results, robot.received, "pinel_")

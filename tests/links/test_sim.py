@@ -7,8 +7,8 @@ import pytest
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links import LINK_NAMES, open_link
 from pinel_desktop.messages import LANGUAGES, catalogue, describe
-from pinel_desktop.robot import PIONEER_3DX, PRESETS, ROBOTS, Laser, Setting, Sonar
-from pinel_desktop.robot.record import RECORDS
+from pinel_desktop.robot import PIONEER_3DX, PRESETS, ROBOTS, Laser, SimulationConfig, Sonar
+from pinel_desktop.robot.robot_profile import PROFILES
 from tests.links.link_contract import LinkContract
 
 
@@ -19,7 +19,7 @@ class TestSimLink(LinkContract):
 @pytest.mark.parametrize("name", LINK_NAMES)
 def test_every_backend_is_held_to_the_contract(name: str) -> None:
     tests = Path(__file__).with_name(f"test_{name}.py").read_text("utf-8")
-    contract = "RealLinkContract" if name in RECORDS else "LinkContract"
+    contract = "RealLinkContract" if name in PROFILES else "LinkContract"
     assert f'({contract}):\n    link = "{name}"\n' in tests
 
 
@@ -54,8 +54,8 @@ def test_sonars_and_scanner_measure_from_their_places(monkeypatch: pytest.Monkey
     """The wall to the left of the start is 1.99 m away, all others further than the scanner sees."""
     sonars = (Sonar(0.1, 0.05, 0.0), Sonar(0.1, 0.05, math.pi / 2))
     laser = Laser(field_deg=360, range_m=3.0, min_m=1.0, x_m=-0.1, y_m=0.2)
-    odd = replace(PIONEER_3DX, sonars=sonars, laser=laser)
-    monkeypatch.setitem(ROBOTS, PIONEER_3DX.name, odd)
+    custom = replace(PIONEER_3DX, sonars=sonars, laser=laser)
+    monkeypatch.setitem(ROBOTS, PIONEER_3DX.name, custom)
     sensors = open_link("sim", world="tic_tac_toe").sensors
     assert sensors.sonars() == pytest.approx([sensors.sonar(0), sensors.sonar(1)], abs=1e-9)
     assert sensors.sonars() == pytest.approx([5.0, 1.94])  # 5 m is a sonar's range
@@ -72,7 +72,7 @@ def test_what_is_too_near_for_the_scanner_reads_as_the_nearest(
     blind = replace(PIONEER_3DX, laser=Laser(field_deg=180, range_m=3.0, min_m=2.1))
     monkeypatch.setitem(ROBOTS, PIONEER_3DX.name, blind)
     for preset in PRESETS:
-        setting = Setting(preset=preset)
+        setting = SimulationConfig(preset=preset)
         sensors = open_link("sim", world="tic_tac_toe", setting=setting).sensors
         assert sensors.lidar(math.pi / 2) == pytest.approx(2.1, abs=0.03)
         assert min(sensors.scan()) >= 2.1
@@ -89,10 +89,10 @@ def test_a_robot_without_a_bumper_reads_none_but_is_seen_touching(
     assert link.bumper() is False
 
 
-@pytest.mark.parametrize("name", RECORDS)
+@pytest.mark.parametrize("name", PROFILES)
 def test_every_kind_of_real_robot_has_a_name_and_a_description_in_every_language(name: str) -> None:
     for language in LANGUAGES:
-        words = describe(f"robot_link_{name}", {}, language)
-        assert words.message
-        assert words.remedy
+        text = describe(f"robot_link_{name}", {}, language)
+        assert text.message
+        assert text.remedy
         assert f"review_robot_{name}" in catalogue(language)

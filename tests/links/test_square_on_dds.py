@@ -22,10 +22,10 @@ def test_the_square_closes_over_dds() -> None:
             error_m = double.closing_error_m()
         finally:
             double.close()
-    told_m = result["path_length_m"]
-    print(f"way: told {told_m:.3f} m, driven {double.way_m:.3f} m")
+    reported_m = result["path_length_m"]
+    print(f"way: told {reported_m:.3f} m, driven {double.path_length_m:.3f} m")
     # Beside the square, the way past each corner and back that the delay of a busy PC makes.
-    assert told_m == pytest.approx(double.way_m, rel=0.03)
+    assert reported_m == pytest.approx(double.path_length_m, rel=0.03)
     print(f"closing error: {error_m * 1e3:.1f} mm")
     # Ticks of a busy PC come late; bench_links.py holds 5 mm over ten seeds on one at rest.
     assert error_m < 0.02

@@ -21,7 +21,7 @@ _ENDS_WITHIN_S = 90.0
 AN_INSTANT_S = 0.5
 
 
-class Heard(NamedTuple):
+class ReceivedVelocity(NamedTuple):
     """A velocity that reached the robot: when (s, monotonic), which, and from whom."""
 
     at_s: float
@@ -76,14 +76,14 @@ class Pc:
 def race(
     folder: Path,
     options: Sequence[str],
-    heard: Sequence[tuple[Any, ...]],
+    received: Sequence[tuple[Any, ...]],
     head_start_s: float = 0.0,
     **environment: str,
 ) -> list[dict[str, Any]]:
     """The results of two PCs of which the second begins `head_start_s` later; when one gives up, the other is stopped.
 
     Args:
-        heard: what the robot hears, as it comes: times, velocities.
+        received: what the robot hears, as it comes: times, velocities.
     """
     with contextlib.ExitStack() as ending:
         pcs = []
@@ -95,7 +95,7 @@ def race(
         for pc in pcs:
             pc.stop()
         results = [pc.result() for pc in pcs]
-        _wait(lambda: not heard or heard[-1][1] == STANDSTILL, "the robot drives on")
+        _wait(lambda: not received or received[-1][1] == STANDSTILL, "the robot drives on")
         return results
 
 
@@ -106,9 +106,9 @@ def _wait(is_so: Callable[[], bool], otherwise: str) -> None:
         time.sleep(0.01)
 
 
-def both_drove_for_s(heard: list[Heard]) -> float:
+def both_drove_for_s(received: list[ReceivedVelocity]) -> float:
     """For how long velocities of more than one sender came."""
-    moving = [one for one in heard if one.twist != STANDSTILL]
+    moving = [one for one in received if one.twist != STANDSTILL]
     spans = {
         sender: [one.at_s for one in moving if one.sender == sender]
         for sender in {one.sender for one in moving}
@@ -118,9 +118,11 @@ def both_drove_for_s(heard: list[Heard]) -> float:
     return max(0.0, min(max(at) for at in spans.values()) - max(min(at) for at in spans.values()))
 
 
-def require_one_driver(results: list[dict[str, Any]], heard: list[Heard], holder: str) -> None:
+def require_one_driver(
+    results: list[dict[str, Any]], received: list[ReceivedVelocity], holder: str
+) -> None:
     """Never two drove, and who gave up was told who drives: `holder` is part of that name."""
-    assert both_drove_for_s(heard) < AN_INSTANT_S
+    assert both_drove_for_s(received) < AN_INSTANT_S
     refused = [result for result in results if result["state"] != "stopped"]
     assert refused, results
     assert {result["reason"] for result in refused} == {"robot_held"}, results

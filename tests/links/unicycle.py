@@ -14,7 +14,7 @@ class Unicycle:
     """Integrates velocities over wall time.
 
     Attributes:
-        heard: all velocities that reached it, with the time (s, monotonic).
+        received: all velocities that reached it, with the time (s, monotonic).
         is_mute: reports nothing more; it still drives.
     """
 
@@ -22,40 +22,40 @@ class Unicycle:
     y_m: float = 0.0
     yaw_rad: float = 0.0
     twist: Twist2D = STANDSTILL
-    heard: list[tuple[float, Twist2D]] = field(default_factory=list)
+    received: list[tuple[float, Twist2D]] = field(default_factory=list)
     is_mute: bool = False
     _at_s: float = field(default_factory=time.monotonic)
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
-    def hear(self, twist: Twist2D) -> None:
+    def receive(self, twist: Twist2D) -> None:
         """Follows a velocity from now on."""
-        self.heard.append((time.monotonic(), twist))
+        self.received.append((time.monotonic(), twist))
         with self._lock:
-            self._go_on()
+            self._advance()
             self.twist = twist
 
     def report(self) -> Odometry:
         """Pose and velocity now."""
         with self._lock:
-            self._go_on()
+            self._advance()
             return Odometry(self.x_m, self.y_m, self.yaw_rad, *self.twist, time.time(), "odom")
 
-    def _go_on(self) -> None:
+    def _advance(self) -> None:
         dt_s, self._at_s = time.monotonic() - self._at_s, time.monotonic()
         (v, omega), middle = self.twist, self.yaw_rad + self.twist.omega_radps * dt_s / 2
         self.x_m += v * dt_s * math.cos(middle)
         self.y_m += v * dt_s * math.sin(middle)
         self.yaw_rad += omega * dt_s
 
-    def stood_from_s(self) -> float | None:
+    def standstill_since_s(self) -> float | None:
         """Since when only zeros have come (monotonic); None if the last velocity was another one."""
-        return stood_from_s(self.heard)
+        return standstill_since_s(self.received)
 
 
-def stood_from_s(heard: list[tuple[float, Twist2D]]) -> float | None:
-    """The time of the first of the zeros at the end of `heard`; None if the last velocity was another one."""
+def standstill_since_s(received: list[tuple[float, Twist2D]]) -> float | None:
+    """The time of the first of the zeros at the end of `received`; None if the last velocity was another one."""
     since: float | None = None
-    for at_s, twist in heard:
+    for at_s, twist in received:
         if twist != STANDSTILL:
             since = None
         elif since is None:
@@ -86,7 +86,7 @@ class MemoryTransport:
                 receiver.on_odometry(self._robot.report())
 
     def send(self, twist: Twist2D) -> None:
-        self._robot.hear(twist)
+        self._robot.receive(twist)
 
     def bumper(self) -> bool:
         return False

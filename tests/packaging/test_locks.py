@@ -45,27 +45,29 @@ LOCKS = {
 @pytest.mark.parametrize("file", LOCKS)
 def test_a_lock_holds_every_requirement_in_a_version_that_it_allows(file: str) -> None:
     for text in LOCKS[file]:
-        wanted = Requirement(text)
-        assert wanted.specifier.contains(locked(file)[canonicalize_name(wanted.name)]), text
+        requirement = Requirement(text)
+        assert requirement.specifier.contains(locked(file)[canonicalize_name(requirement.name)]), (
+            text
+        )
 
 
 def needed_by(requirements: Iterable[str]) -> set[str]:
     """Names of all that these need on any platform, as far as it is installed here."""
-    waiting, seen = [Requirement(text) for text in requirements], set()
+    waiting, visited = [Requirement(text) for text in requirements], set()
     while waiting:
-        wanted = waiting.pop()
-        name = canonicalize_name(wanted.name)
-        key = (name, *sorted(wanted.extras))
-        if key in seen:
+        requirement = waiting.pop()
+        name = canonicalize_name(requirement.name)
+        key = (name, *sorted(requirement.extras))
+        if key in visited:
             continue
-        seen.add(key)
+        visited.add(key)
         for text in _requires(name):
             found = Requirement(text)
             if "extra" not in str(found.marker) or any(
-                f'extra == "{extra}"' in str(found.marker) for extra in wanted.extras
+                f'extra == "{extra}"' in str(found.marker) for extra in requirement.extras
             ):
                 waiting.append(found)
-    return {str(key[0]) for key in seen}
+    return {str(key[0]) for key in visited}
 
 
 def _requires(name: str) -> list[str]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts, SilenceCounter, hangs
+from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts, ResponseTimer, is_hung
 from pinel_desktop.processes.supervisor import Supervisor
 
 BEAT_S = 0.5
@@ -20,28 +20,28 @@ for line in sys.stdin: print('{"type": "pong"}', flush=True); print('{"type": "h
 """
 
 
-def silences(beats: list[tuple[float, int, bool]]) -> list[float]:
+def response_times(beats: list[tuple[float, int, bool]]) -> list[float]:
     """The silence at each beat of (s, messages heard, whether the app is busy)."""
-    silence = SilenceCounter(BEAT_S, now_s=0.0)
-    return [silence.beat(now_s, n, is_app_busy=busy) for now_s, n, busy in beats]
+    response_timer = ResponseTimer(BEAT_S, now_s=0.0)
+    return [response_timer.beat(now_s, n, is_app_busy=busy) for now_s, n, busy in beats]
 
 
 def test_silence_is_counted_in_beats_and_ends_with_any_message() -> None:
     beats = [(0.5, 7, False), (1.0, 7, False), (1.5, 7, False), (2.0, 8, False), (2.5, 8, False)]
-    assert silences(beats) == [0.0, 0.5, 1.0, 0.0, 0.5]
+    assert response_times(beats) == [0.0, 0.5, 1.0, 0.0, 0.5]
 
 
 def test_a_pc_that_slept_counts_no_silence() -> None:
     beats = [(0.5, 7, False), (1.0, 7, False), (9_000.0, 7, False), (9_000.5, 7, False)]
-    assert silences(beats) == [0.0, 0.5, 0.0, 0.5]
+    assert response_times(beats) == [0.0, 0.5, 0.0, 0.5]
 
 
 def test_an_app_that_has_not_read_what_was_said_counts_no_silence() -> None:
-    assert silences([(0.5, 7, True), (1.0, 7, True), (1.5, 7, False)]) == [0.0, 0.0, 0.5]
+    assert response_times([(0.5, 7, True), (1.0, 7, True), (1.5, 7, False)]) == [0.0, 0.0, 0.5]
 
 
 @pytest.mark.parametrize(
-    ("silent_s", "is_ready", "doing", "is_ended"),
+    ("unresponsive_s", "is_ready", "doing", "is_ended"),
     [
         (1.5, True, "nothing", False),
         (2.0, True, "nothing", True),
@@ -53,19 +53,19 @@ def test_an_app_that_has_not_read_what_was_said_counts_no_silence() -> None:
     ],
 )
 def test_time_out_depends_on_what_the_process_does(
-    silent_s: float, is_ready: bool, doing: str, is_ended: bool
+    unresponsive_s: float, is_ready: bool, doing: str, is_ended: bool
 ) -> None:
-    assert hangs(silent_s, TIMEOUTS, is_ready=is_ready, doing=doing) == is_ended  # type: ignore[arg-type] # a table
+    assert is_hung(unresponsive_s, TIMEOUTS, is_ready=is_ready, doing=doing) == is_ended  # type: ignore[arg-type] # a table
 
 
 def test_a_process_that_computes_and_answers_late_is_the_same_afterwards(tmp_path: Path) -> None:
-    heard: list[object] = []
+    received: list[object] = []
     free = tmp_path / "free"
     supervisor = Supervisor(
         "some",
         [sys.executable, "-c", BUSY, str(free)],
         "some_lost",
-        on_message=heard.append,
+        on_message=received.append,
         timeouts=HangTimeouts(hang_timeout_s=0.4, busy_timeout_s=600.0, beat_s=0.1),
     )
     supervisor.start()
@@ -73,7 +73,7 @@ def test_a_process_that_computes_and_answers_late_is_the_same_afterwards(tmp_pat
     first, due_s = supervisor.pid, time.monotonic() + WAIT_S
     time.sleep(1.5)  # several times what a process that does nothing is given
     free.touch()
-    while not heard:
+    while not received:
         assert time.monotonic() < due_s
         time.sleep(0.02)
     supervisor.close()

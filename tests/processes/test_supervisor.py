@@ -17,7 +17,7 @@ from tests.in_time import in_time
 
 WAIT_S = 30.0
 READY = 'print(\'{"type": "some_ready"}\', flush=True)'
-DEAF = f"import time; {READY}; time.sleep(600)"
+UNRESPONSIVE = f"import time; {READY}; time.sleep(600)"
 ECHO = f"import sys; {READY}\nfor line in sys.stdin: sys.stdout.write(line)"
 
 
@@ -52,12 +52,12 @@ def process(
 
 
 def test_all_that_was_sent_arrives_in_order_before_the_process_ends() -> None:
-    heard: list[dict[str, Any]] = []
-    supervisor = process(ECHO, heard.append)
+    received: list[dict[str, Any]] = []
+    supervisor = process(ECHO, received.append)
     for n in range(500):
         supervisor.send({"n": n})
     supervisor.close()
-    assert heard == [{"n": n} for n in range(500)]
+    assert received == [{"n": n} for n in range(500)]
 
 
 def replaced(supervisor: Supervisor, first: int | None) -> bool:
@@ -68,10 +68,10 @@ def replaced(supervisor: Supervisor, first: int | None) -> bool:
 
 
 def test_process_that_hangs_and_does_not_read_holds_up_nobody_and_is_replaced() -> None:
-    supervisor = process(DEAF, timeouts=QUICK)
-    first, began_s = supervisor.pid, time.monotonic()
+    supervisor = process(UNRESPONSIVE, timeouts=QUICK)
+    first, start_s = supervisor.pid, time.monotonic()
     supervisor.send({"much": "a" * 10_000_000})
-    assert in_time(time.monotonic() - began_s, 1.0)
+    assert in_time(time.monotonic() - start_s, 1.0)
     assert replaced(supervisor, first)
     supervisor.close()
 
@@ -119,26 +119,26 @@ def test_who_waits_while_a_process_is_being_replaced_waits_for_the_next_one() ->
 
 def lost(command: list[str]) -> list[str]:
     """What is told of a process that cannot live, until it is not started again."""
-    told: list[str] = []
+    events: list[str] = []
     supervisor = Supervisor(
         "some",
         command,
         "some_lost",
-        on_death=lambda: told.append("died"),
-        on_lost=lambda: told.append("lost"),
+        on_death=lambda: events.append("died"),
+        on_lost=lambda: events.append("lost"),
     )
     supervisor.start()
     assert not supervisor.wait_until_ready(WAIT_S)
     assert supervisor.state == "lost"
     supervisor.close()
-    return told
+    return events
 
 
 def test_process_that_dies_three_times_soon_after_its_start_is_reported_as_lost(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(
-        supervision, "_SHORT_LIFE_S", WAIT_S
+        supervision, "_MIN_UPTIME_S", WAIT_S
     )  # on a busy PC Python itself starts slowly
     assert lost([sys.executable, "-c", ""]) == ["died", "died", "died", "lost"]
 
@@ -148,14 +148,14 @@ def test_process_that_cannot_be_started_is_reported_as_lost() -> None:
 
 
 def test_a_process_that_does_not_read_takes_only_so_much_and_the_rest_is_refused_at_once() -> None:
-    supervisor = process(DEAF)
-    line, began_s = {"much": "a" * 1_000}, time.monotonic()
-    taken = [supervisor.send(line) for _ in range(50_000)]
-    assert time.monotonic() - began_s < WAIT_S
+    supervisor = process(UNRESPONSIVE)
+    line, start_s = {"much": "a" * 1_000}, time.monotonic()
+    accepted = [supervisor.send(line) for _ in range(50_000)]
+    assert time.monotonic() - start_s < WAIT_S
     assert (
-        MAX_WAITING - 2_000 < 1_012 * sum(taken) < MAX_WAITING + 200_000
+        MAX_WAITING - 2_000 < 1_012 * sum(accepted) < MAX_WAITING + 200_000
     )  # with what the pipe holds
-    assert not taken[-1]
+    assert not accepted[-1]
     supervisor.close()
 
 

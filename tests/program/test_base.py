@@ -22,12 +22,12 @@ def program(*commands: dict[str, Any]) -> Program:
 
 
 def test_what_was_read_does_not_change() -> None:
-    say = program(*COMMANDS).commands[0]
+    command = program(*COMMANDS).commands[0]
     with pytest.raises(FrozenInstanceError, match="block"):
-        say.block = "c"  # type: ignore[misc]
+        command.block = "c"  # type: ignore[misc]
     with pytest.raises(FrozenInstanceError, match="block"):
-        del say.block
-    assert say.block == "b"
+        del command.block
+    assert command.block == "b"
 
 
 def test_commands_have_no_room_for_more_than_their_fields() -> None:
@@ -50,10 +50,10 @@ def test_programs_are_the_same_when_they_hold_the_same() -> None:
 
 
 def test_a_command_shows_what_it_holds() -> None:
-    say, speed, _ = program(*COMMANDS).commands
-    assert isinstance(say, Say)
+    command, speed, _ = program(*COMMANDS).commands
+    assert isinstance(command, Say)
     assert isinstance(speed, SetSpeed)
-    assert repr(say.text) == "Operation(op='+', args=[Variable(var='a'), 1.0])"
+    assert repr(command.text) == "Operation(op='+', args=[Variable(var='a'), 1.0])"
     assert repr(speed) == (
         "SetSpeed(block=None, comment=None, action='set_speed', linear=0.2, angular=None)"
     )

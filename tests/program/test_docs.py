@@ -43,6 +43,6 @@ def test_the_examples_on_the_page_are_read() -> None:
     document["functions"] = [json.loads(function)]
     assert read_document(document).faults == ()
     for form in re.findall(r"^\| `(\{.*?\})` \|", SECTIONS["Expressions"], re.MULTILINE):
-        say = {"action": "say", "text": json.loads(form)}
-        found = read_document({**document, "commands": [say]}).faults
+        command = {"action": "say", "text": json.loads(form)}
+        found = read_document({**document, "commands": [command]}).faults
         assert [fault.code for fault in found] in ([], ["unknown_function"]), form

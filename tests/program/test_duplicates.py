@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from pinel_desktop.activities.reading import read_activity
 from pinel_desktop.program.checks import check_semantics
-from pinel_desktop.program.duplicates import duplicate_keys, most_keys
+from pinel_desktop.program.duplicates import duplicate_keys, max_keys
 from pinel_desktop.program.pointers import pointer
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.program.sources import read_source
@@ -87,17 +87,17 @@ def test_each_key_that_is_there_twice_is_told_with_its_object(
     expected = {(place, duplicates[id(found)]) for place, found in chosen}
     text = written(document, chance, duplicates)
     reading = read_source(text.encode("utf-8", "surrogatepass"))
-    told = [fault for fault in reading.faults if fault.code == "duplicate_key"]
+    reported = [fault for fault in reading.faults if fault.code == "duplicate_key"]
     assert reading.program is None
-    assert {(fault.pointer, fault.params["name"]) for fault in told} == expected
-    assert reading.faults == tuple(told)
+    assert {(fault.pointer, fault.params["name"]) for fault in reported} == expected
+    assert reading.faults == tuple(reported)
 
 
 @FEW
 @given(programs())
 def test_the_quick_count_of_keys_is_exact_for_good_programs(document: dict[str, Any]) -> None:
     total = sum(len(found) for _, found in objects(document))
-    assert check_semantics(document).n_keys == total == most_keys(json.dumps(document))
+    assert check_semantics(document).n_keys == total == max_keys(json.dumps(document))
 
 
 @pytest.mark.parametrize(

@@ -5,9 +5,9 @@ from typing import Any
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pinel_desktop.program.expression_checks import Expressions
+from pinel_desktop.program.expression_checks import ExpressionChecker
 from pinel_desktop.program.operators import OPERATORS
-from pinel_desktop.program.pointers import Finding
+from pinel_desktop.program.pointers import PathFault
 
 LITERALS = st.one_of(st.integers(-9, 9), st.floats(-9, 9), st.booleans(), st.text(max_size=3))
 LEAVES = st.one_of(
@@ -29,31 +29,31 @@ OPERATIONS = st.recursive(
 )
 
 
-def expressions() -> tuple[Expressions, set[str], list[Finding]]:
+def expressions() -> tuple[ExpressionChecker, set[str], list[PathFault]]:
     variables: set[str] = set()
-    found: list[Finding] = []
-    made = Expressions({}, variables, found)
+    found: list[PathFault] = []
+    made = ExpressionChecker({}, variables, found)
     made.parameters = ("p",)
     return made, variables, found
 
 
 @given(OPERATIONS, st.sampled_from([None, "number", "boolean", "text", "list"]))
-def test_the_quick_look_passes_nothing_that_the_check_does_not(value: Any, wanted: Any) -> None:
+def test_the_quick_look_passes_nothing_that_the_check_does_not(value: Any, expected: Any) -> None:
     if not isinstance(value, dict):
         return
-    quick, noted, _ = expressions()
-    if quick.is_obviously_valid(value, wanted):
+    quick, recorded, _ = expressions()
+    if quick.is_obviously_valid(value, expected):
         whole, variables, found = expressions()
-        whole.check(value, ("commands", 0, "x"), wanted)
+        whole.check(value, ("commands", 0, "x"), expected)
         assert found == []
-        assert noted == variables
+        assert recorded == variables
 
 
 def test_it_passes_what_most_programs_hold() -> None:
-    quick, noted, _ = expressions()
+    quick, recorded, _ = expressions()
     half = {"op": "/", "args": [{"var": "a"}, 2]}
     assert quick.is_obviously_valid(half, "number")
     assert quick.is_obviously_valid(half, None)
     assert not quick.is_obviously_valid(half, "text")
     assert not quick.is_obviously_valid({"op": "/", "args": [{"var": "a"}, "2"]}, "number")
-    assert noted == {"a"}
+    assert recorded == {"a"}

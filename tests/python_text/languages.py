@@ -12,10 +12,23 @@ from tests.strategies import readings
 Document = dict[str, Any]
 
 _LETTERS = st.characters(categories=["L", "M", "Nd"], include_characters="_ ")
-_ODD = ["minha área", "2nd side", "a__b", "_", "_2", "x_u5f_y", "a_ b", "ª", "e\u0301", "passo 1"]
+_UNUSUAL = [
+    "minha área",
+    "2nd side",
+    "a__b",
+    "_",
+    "_2",
+    "x_u5f_y",
+    "a_ b",
+    "ª",
+    "e\u0301",
+    "passo 1",
+]
 NAMES = st.one_of(
     st.sampled_from(["x", "y", "side", "lado", "i"]),
-    st.sampled_from([*_ODD, *sorted(RESERVED), *(f"{word}_" for word in sorted(RESERVED))]),
+    st.sampled_from(
+        [*_UNUSUAL, *sorted(RESERVED), *(f"{reserved}_" for reserved in sorted(RESERVED))]
+    ),
     st.text(_LETTERS, min_size=1, max_size=8).filter(lambda name: name == name.strip(" ")),
 )
 TEXTS = st.text(st.characters(exclude_categories=["Cs"]), max_size=12)
@@ -109,7 +122,7 @@ class Language:
 
     def simple(self) -> st.SearchStrategy[Document]:
         """Commands without a body that are allowed anywhere."""
-        number, words = self._or_computed, st.one_of(TEXTS, self.variables)
+        number, texts = self._or_computed, st.one_of(TEXTS, self.variables)
         any_number = st.one_of(NUMBERS, self.numbers.filter(lambda n: isinstance(n, dict)))
         places = number(st.floats(-100, 100))
         seconds = number(st.floats(0.001, 600))
@@ -126,16 +139,16 @@ class Language:
             self._command("set_speed", linear=st.none(), angular=number(st.floats(0.01, 2))),
             self._command("set_speed", linear=seconds, angular=seconds),
             self._command("go_to", x=places, y=places, avoid=st.sampled_from([None, True, False])),
-            self._command("go_to_place", place=words, avoid=st.sampled_from([None, True, False])),
+            self._command("go_to_place", place=texts, avoid=st.sampled_from([None, True, False])),
             self._command("wait", seconds=seconds),
             self._command("wait_until", condition=self.conditions, timeout=maybe_seconds),
             self._command("pen", down=st.booleans(), color=colors),
-            self._command("ask", question=words, variable=NAMES),
+            self._command("ask", question=texts, variable=NAMES),
             self._command("mark", symbol=st.one_of(st.sampled_from("XO"), self.variables)),
             self._command("say", text=self.values),
             self._command("beep"),
             self._command("classify_gestures", timeout=maybe_seconds),
-            self._command("set_gesture_result", result=words),
+            self._command("set_gesture_result", result=texts),
             self._command("set_variable", name=NAMES, value=self.values),
             self._command("change_variable", name=NAMES, by=any_number),
             self._command("append", list=NAMES, value=self.values),
@@ -235,21 +248,21 @@ def normal(document: Any) -> Any:
     """Normal form of a document, without block ids and with forms unified that are equal in Python text."""
     read = read_document(document)
     assert read.document is not None, read.faults
-    return json.loads(json.dumps(_one_way(read.document)))
+    return json.loads(json.dumps(_unified(read.document)))
 
 
-def _one_way(value: Any) -> Any:
+def _unified(value: Any) -> Any:
     if isinstance(value, list):
-        return [_one_way(item) for item in value]
+        return [_unified(item) for item in value]
     if not isinstance(value, dict):
         return value
-    kept = {key: _one_way(item) for key, item in value.items() if key != "block"}
-    if kept.get("action") == "while":
-        condition = kept["condition"]
+    unified = {key: _unified(item) for key, item in value.items() if key != "block"}
+    if unified.get("action") == "while":
+        condition = unified["condition"]
         if condition is True:
-            return {key: item for key, item in kept.items() if key != "condition"} | {
+            return {key: item for key, item in unified.items() if key != "condition"} | {
                 "action": "forever"
             }
         if isinstance(condition, dict) and condition.get("op") == "not":
-            return {**kept, "action": "until", "condition": condition["args"][0]}
-    return kept
+            return {**unified, "action": "until", "condition": condition["args"][0]}
+    return unified

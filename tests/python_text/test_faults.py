@@ -201,10 +201,11 @@ def codes() -> set[str]:
 
 
 def test_every_fault_has_words_and_every_word_a_fault() -> None:
-    elsewhere = {"python_not_utf8", "python_at"}
+    from_other_modules = {"python_not_utf8", "python_at"}
     assert (
         codes()
-        == {code for code in catalogue(SOURCE_LANGUAGE) if code.startswith("python_")} - elsewhere
+        == {code for code in catalogue(SOURCE_LANGUAGE) if code.startswith("python_")}
+        - from_other_modules
     )
 
 
@@ -216,6 +217,6 @@ def test_every_fault_is_provoked_above() -> None:
 def test_the_words_of_a_fault_are_complete(text: str, code: str) -> None:
     fault: Any = read_python(text).faults[0]
     for language in LANGUAGES:
-        words = describe(code, fault.params, language)
-        assert words.remedy
-        assert not re.search(r"\{\w+\}", words.message + words.remedy)
+        description = describe(code, fault.params, language)
+        assert description.remedy
+        assert not re.search(r"\{\w+\}", description.message + description.remedy)

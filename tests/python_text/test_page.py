@@ -95,8 +95,8 @@ def test_a_name_is_written_as_on_the_page(name: str, python: str) -> None:
 @pytest.mark.parametrize(("written", "read_as"), rows("Further accepted forms"))
 def test_another_spelling_is_read_as_on_the_page(written: str, read_as: str) -> None:
     value = written == "-x"
-    text, wanted = (program_around(f"z = {w}" if value else w) for w in (written, read_as))
-    assert there_and_back(text)[1] == wanted
+    text, expected = (program_around(f"z = {w}" if value else w) for w in (written, read_as))
+    assert there_and_back(text)[1] == expected
 
 
 @pytest.mark.parametrize("example", re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL))

@@ -7,8 +7,10 @@ from typing import Any
 
 import pytest
 
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import (
     Answered,
+    BoxesMoved,
     CaptureStarted,
     Countdown,
     Event,
@@ -16,9 +18,7 @@ from pinel_desktop.events.model import (
     Ranges,
     RunState,
     Telemetry,
-    Things,
 )
-from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_S
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunResult
@@ -33,7 +33,7 @@ from tests.links import clockwork
 Commands = list[dict[str, Any]]
 ASK = {"action": "ask", "question": "?", "variable": "a", "block": "a"}
 DRIVE = {"action": "drive", "linear": 0.3, "angular": 0}
-SEEN = Capture("B", "camera", 0.97, "F")
+CAMERA_SIGN = Capture("B", "camera", 0.97, "F")
 PUSH = {"action": "move_forward", "distance": 0.5, "block": "m"}
 
 
@@ -73,18 +73,18 @@ class People:
         return self.log[j][0] - self.log[i][0], self.at_s[j] - self.at_s[i]
 
     def check_that_a_replay_is_identical(self, result: RunResult) -> None:
-        stamp, again, wire = EventStamp("r"), EventStamp("r"), []
+        stamp, again, wire = EventSequencer("r"), EventSequencer("r"), []
         for tick, event in self.log:
-            if event.kept and type(event) is not Telemetry:
+            if event.is_recorded and type(event) is not Telemetry:
                 wire.append(stamp.wire(tick, event))
-        seen = []
+        repeated = []
 
         def observe(tick: int, event: Event) -> None:
-            if event.kept and type(event) is not Telemetry:
-                seen.append(again.wire(tick, event))
+            if event.is_recorded and type(event) is not Telemetry:
+                repeated.append(again.wire(tick, event))
 
         replayed = start(replace(self.spec, inputs=RecordedInputs(wire), pace="max"), observe)
-        assert seen == wire
+        assert repeated == wire
         assert replayed.ended.telemetry_sha256 == result.ended.telemetry_sha256
 
 
@@ -129,7 +129,7 @@ def test_robot_and_boxes_stand_still_while_the_simulator_waits() -> None:
     rows = [tick for tick, event in people.log if type(event) is Telemetry]
     assert rows == list(range(1, len(rows) + 1))
     assert len(rows) < 4 * 30
-    moved = [i for i, (_, event) in enumerate(people.log) if type(event) in (Telemetry, Things)]
+    moved = [i for i, (_, event) in enumerate(people.log) if type(event) in (Telemetry, BoxesMoved)]
     seconds = sorted(people.at_s[i] for i in moved)
     assert max(b - a for a, b in pairwise(seconds)) > 55.0
     assert result.ended.pose is not None
@@ -200,19 +200,19 @@ def test_who_subscribes_while_the_program_waits_is_told_what_the_sensors_measure
     people.wall.at(2.0, subscribe)
     people.wall.at(6.0, partial(people.control.inputs.answers.answer, "x"))
     people.run()
-    told = [event for event in people.of(Ranges) if event.sonar]
-    assert told
+    reports = [event for event in people.of(Ranges) if event.sonar]
+    assert reports
 
 
 def test_two_captures_in_a_row_are_replayed_with_a_pause_in_the_second() -> None:
     people = People(capture(5.0), capture(5.0))
     people.wall.at(7.0, people.control.pause)
     people.wall.at(8.0, people.control.resume)
-    people.wall.at(9.0, partial(people.control.inputs.gestures.answer, SEEN))
+    people.wall.at(9.0, partial(people.control.inputs.gestures.answer, CAMERA_SIGN))
     result = people.run()
-    nothing, seen = people.of(GestureResult)
+    nothing, recognised = people.of(GestureResult)
     assert nothing == GestureResult("", "capture")
-    assert seen == GestureResult("B", "capture", "camera", 0.97, "F")
+    assert recognised == GestureResult("B", "capture", "camera", 0.97, "F")
     people.check_that_a_replay_is_identical(result)
 
 

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import Event, RunState, Telemetry
-from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import WallTime
 from pinel_desktop.execution.control import RunControl, StepMode
 from pinel_desktop.execution.executor import RunResult
@@ -94,7 +94,7 @@ class Classroom:
         self.control = RunControl()
         self.gestures, self.answers = inputs.gestures, inputs.answers
         self.wire: list[Wire] = []
-        self._stamp = EventStamp("r")
+        self._stamp = EventSequencer("r")
         self._random = random.Random(seed)
         self._is_paused = False
         self._now_s = 0.0
@@ -114,7 +114,7 @@ class Classroom:
         if type(event) is Telemetry:
             if not self._is_paused:
                 self._act()
-        elif event.kept:
+        elif event.is_recorded:
             self.wire.append(self._stamp.wire(tick, event))
         if type(event) is RunState and event.state == "paused":
             self._while_paused()
@@ -151,21 +151,21 @@ def live(seed: int, inputs: type[LiveInputs] = LiveInputs) -> tuple[RunResult, l
 
 
 def again(
-    wire: list[Wire], until_tick: int | None = None, seen: list[Wire] | None = None
+    wire: list[Wire], until_tick: int | None = None, observed: list[Wire] | None = None
 ) -> RunResult:
-    stamp = EventStamp("r")
+    stamp = EventSequencer("r")
 
     def observe(tick: int, event: Event) -> None:
-        if seen is not None and event.kept and type(event) is not Telemetry:
-            seen.append(stamp.wire(tick, event))
+        if observed is not None and event.is_recorded and type(event) is not Telemetry:
+            observed.append(stamp.wire(tick, event))
 
     return start(RunSpec(PROGRAM, "empty_room", inputs=RecordedInputs(wire, until_tick)), observe)
 
 
 def check_that_it_comes_out_the_same(result: RunResult, wire: list[Wire]) -> None:
-    seen: list[Wire] = []
-    repeated = again(wire, seen=seen)
-    assert seen == wire
+    observed: list[Wire] = []
+    repeated = again(wire, observed=observed)
+    assert observed == wire
     assert repeated.ended.telemetry_sha256 == result.ended.telemetry_sha256
     assert repeated.ended.state == result.ended.state
     assert repeated.variables == result.variables or result.ended.state == "stopped"
@@ -185,25 +185,25 @@ def test_so_does_what_was_recorded_while_ticks_passed_for_people(seed: int) -> N
 
 def test_the_classroom_does_everything() -> None:
     """Otherwise the test above would show little."""
-    seen = set()
+    outcomes = set()
     for seed in range(60):
         result, wire = live(seed)
-        seen |= {event["cause"] for event in wire if event["type"] == "run_state"}
-        seen |= {event["type"] for event in wire}
-        seen.add(result.ended.state)
+        outcomes |= {event["cause"] for event in wire if event["type"] == "run_state"}
+        outcomes |= {event["type"] for event in wire}
+        outcomes.add(result.ended.state)
         stopped_in_pause = result.ended.state == "stopped" and wire[-2]["type"] in (
             "run_state",
             "watch",
         )
-        seen |= {"stopped_in_pause"} if stopped_in_pause else set()
+        outcomes |= {"stopped_in_pause"} if stopped_in_pause else set()
         kinds = [event["type"] for event in wire if event["type"] != "watch"]
-        seen |= set(pairwise(kinds))
-    wanted = {"person", "breakpoint", "step", "answered", "gesture_result", "finished", "stopped"}
-    assert wanted <= seen
-    assert "stopped_in_pause" in seen
+        outcomes |= set(pairwise(kinds))
+    expected = {"person", "breakpoint", "step", "answered", "gesture_result", "finished", "stopped"}
+    assert expected <= outcomes
+    assert "stopped_in_pause" in outcomes
     for waiting in ("asked", "capture_started"):
-        assert (waiting, "run_state") in seen  # paused while the program waits
-        assert (waiting, "run_ended") in seen  # and stopped
+        assert (waiting, "run_state") in outcomes  # paused while the program waits
+        assert (waiting, "run_ended") in outcomes  # and stopped
 
 
 def test_a_record_that_breaks_off_is_repeated_as_far_as_it_goes() -> None:

@@ -29,13 +29,13 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def keep(name: str, db: Path, *options: str) -> str:
+def record_run(name: str, db: Path, *options: str) -> str:
     values = values_of(name)
-    words = ["--db", str(db), "run", str(PROGRAMS / f"{name}.json"), "--json", *options]
-    words += ["--world", values.get("world", "empty_room")]
+    arguments = ["--db", str(db), "run", str(PROGRAMS / f"{name}.json"), "--json", *options]
+    arguments += ["--world", values.get("world", "empty_room")]
     if "gestures" in values:
-        words += ["--gestures", ",".join(values["gestures"])]
-    done = CliRunner().invoke(main, words)
+        arguments += ["--gestures", ",".join(values["gestures"])]
+    done = CliRunner().invoke(main, arguments)
     run_id: str = json.loads(done.stdout)["run_id"]
     return run_id
 
@@ -49,7 +49,7 @@ def verify(run_id: str, db: Path) -> tuple[int, dict[str, Any]]:
 @pytest.mark.parametrize("preset", ["ideal", "realistic"])
 def test_every_program_comes_out_the_same(name: str, preset: str, tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep(name, db, "--seed", "7", "--preset", preset, "--feedback", "odometry")
+    run_id = record_run(name, db, "--seed", "7", "--preset", preset, "--feedback", "odometry")
     status, verdict = verify(run_id, db)
     assert (status, verdict["outcome"], verdict["whole"]) == (0, "identical", True)
 
@@ -58,7 +58,7 @@ def test_every_program_comes_out_the_same(name: str, preset: str, tmp_path: Path
 @pytest.mark.parametrize("preset", ["ideal", "realistic"])
 def test_every_robot_comes_out_the_same(model: str, preset: str, tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("square", db, "--seed", "7", "--preset", preset, "--model", model)
+    run_id = record_run("square", db, "--seed", "7", "--preset", preset, "--model", model)
     status, verdict = verify(run_id, db)
     assert (status, verdict["outcome"], verdict["whole"]) == (0, "identical", True)
     with open_for_reading(db) as store:
@@ -67,7 +67,7 @@ def test_every_robot_comes_out_the_same(model: str, preset: str, tmp_path: Path)
 
 def test_another_process_and_another_hash_seed_change_nothing(tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("tic_tac_toe", db, "--preset", "realistic")
+    run_id = record_run("tic_tac_toe", db, "--preset", "realistic")
     for seed in ("0", "1", "4242"):
         done = subprocess.run(
             [sys.executable, "-m", "pinel_desktop", "--db", str(db), "runs", "verify", run_id],
@@ -83,7 +83,7 @@ def test_another_process_and_another_hash_seed_change_nothing(tmp_path: Path) ->
 
 def test_other_runs_beside_it_change_nothing(tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("lemniscate", db)
+    run_id = record_run("lemniscate", db)
     with open_for_reading(db) as store:
         row = store.runs.get(run_id)
         with ThreadPoolExecutor(4) as pool:
@@ -93,7 +93,7 @@ def test_other_runs_beside_it_change_nothing(tmp_path: Path) -> None:
 
 def test_where_it_first_differs_is_told(tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("square", db)
+    run_id = record_run("square", db)
     _change(db, "UPDATE runs SET document = replace(document, '90', '91')")
     status, verdict = verify(run_id, db)
     assert (status, verdict["outcome"]) == (1, "different")
@@ -104,7 +104,7 @@ def test_where_it_first_differs_is_told(tmp_path: Path) -> None:
 
 def test_what_differs_in_the_last_digits_only_is_equal(tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("square", db)
+    run_id = record_run("square", db)
     of_another_platform = "telemetry_sha256', '" + "0" * 64 + "')"
     _change(
         db,
@@ -119,7 +119,7 @@ def test_what_differs_in_the_last_digits_only_is_equal(tmp_path: Path) -> None:
 
 def test_a_run_that_was_cut_off_is_compared_as_far_as_it_goes(tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("square", db)
+    run_id = record_run("square", db)
     with open_for_reading(db) as store:
         rows = store.runs.telemetry(run_id).rows[:150]
     _change(
@@ -172,7 +172,7 @@ def test_what_was_changed_of_a_record_is_named(
     change: str | Callable[[Rows], Rows], part: str, tmp_path: Path
 ) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("square", db)
+    run_id = record_run("square", db)
     _change(db, change if isinstance(change, str) else _repacked(run_id, db, change))
     status, verdict = verify(run_id, db)
     assert (status, verdict["outcome"]) == (1, "altered")
@@ -223,7 +223,7 @@ def test_a_record_that_cannot_be_read_is_said_in_words(
     change: str, part: str, tmp_path: Path
 ) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("push_the_boxes", db)
+    run_id = record_run("push_the_boxes", db)
     _change(db, change)
     done = CliRunner().invoke(main, ["--db", str(db), "runs", "verify", run_id])
     assert done.exit_code == 1
@@ -235,7 +235,7 @@ def test_a_record_that_cannot_be_read_is_said_in_words(
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("change", "message"),
     [
         ("UPDATE runs SET link = 'ros2'", "real robot"),
         ("UPDATE runs SET state = 'running'", "has not ended"),
@@ -243,13 +243,15 @@ def test_a_record_that_cannot_be_read_is_said_in_words(
         ("""UPDATE runs SET parameters = '{"semantics": 99}'""", "newer release"),
     ],
 )
-def test_what_cannot_be_repeated_is_said_in_words(change: str, words: str, tmp_path: Path) -> None:
+def test_what_cannot_be_repeated_is_said_in_words(
+    change: str, message: str, tmp_path: Path
+) -> None:
     db = tmp_path / "pinel.db"
-    run_id = keep("square", db)
+    run_id = record_run("square", db)
     _change(db, change)
     done = CliRunner().invoke(main, ["--db", str(db), "runs", "verify", run_id])
     assert done.exit_code == 1
-    assert words in done.stderr
+    assert message in done.stderr
 
 
 def _change(db: Path, *statements: str) -> None:

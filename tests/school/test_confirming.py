@@ -18,7 +18,7 @@ from tests.storage.sample_documents import SQUARE, WORLD
 SLOW = (sys.executable, "-c", "import time; time.sleep(600)")
 SAME = (sys.executable, "-c", 'print(\'{"outcome": "identical"}\')')
 ANOTHER = (sys.executable, "-c", 'print(\'{"outcome": "altered"}\')')
-SILENT = (sys.executable, "-c", "import sys; sys.exit('a run of a later release')")
+NO_OUTPUT = (sys.executable, "-c", "import sys; sys.exit('a run of a later release')")
 
 
 def until(reached: Callable[[], Any], bound_s: float = 30.0) -> None:
@@ -64,7 +64,7 @@ def test_a_record_that_comes_out_otherwise_differs(store: Store) -> None:
 
 
 def test_a_record_that_cannot_be_repeated_stays_as_it_is(store: Store) -> None:
-    assert found(store, SILENT) == {"not_repeatable": 1}
+    assert found(store, NO_OUTPUT) == {"not_repeatable": 1}
 
 
 def test_a_run_that_begins_here_ends_the_repetition_which_is_tried_again(store: Store) -> None:
@@ -81,7 +81,7 @@ def test_a_run_that_begins_here_ends_the_repetition_which_is_tried_again(store: 
     until(lambda: not repeating())
     assert len(store.unconfirmed.waiting()) == 1
     store.runs.discard(run.id)
-    confirmer.wake()
+    confirmer.check_now()
     until(repeating)
     confirmer.close()
     assert not repeating()

@@ -203,10 +203,10 @@ def test_boxes_move_the_same_again_to_the_bit() -> None:
         sim = in_room(
             box(0.6, 0.1, movable=True, mass_kg=2.0), box(1.1, 0.0, movable=True, mass_kg=1.0)
         )
-        seen: list[object] = []
+        states: list[object] = []
         for tick in range(200):
             sim.tick(0.8, math.sin(tick / 9))
-            seen.append((sim.state(), sim.boxes()))
-        return seen
+            states.append((sim.state(), sim.boxes()))
+        return states
 
     assert poses() == poses()

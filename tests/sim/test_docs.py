@@ -8,7 +8,7 @@ from pinel_desktop.messages import SOURCE_LANGUAGE, catalogue
 from sim import document, placement
 from sim.document import WorldDocument
 from sim.floor import COLORS
-from sim.reading import read_world
+from sim.parsing import read_world
 from sim.world import DEFAULT_BOX_MASS_KG, list_worlds
 
 ROOT = Path(__file__).parents[2]
@@ -26,8 +26,8 @@ def test_the_example_is_read_without_faults() -> None:
 def test_every_key_has_a_row_with_its_limits() -> None:
     rows = {key.strip("`"): text for key, text in ROWS}
     assert set(WorldDocument.model_fields) <= set(rows)
-    for key, most in (("walls", document.MAX_WALLS), ("boxes", document.MAX_BOXES)):
-        assert f"at most {most} " in rows[key]
+    for key, maximum in (("walls", document.MAX_WALLS), ("boxes", document.MAX_BOXES)):
+        assert f"at most {maximum} " in rows[key]
     assert f"`mass_kg` ({DEFAULT_BOX_MASS_KG:g})" in rows["boxes"]
     assert all(color in rows["floor"] for color in COLORS)
     assert f"at most {document.MAX_BYTES // 1024} KiB" in PAGE
@@ -42,8 +42,8 @@ def test_every_fault_between_parts_is_told() -> None:
 
 
 def test_every_world_that_ships_is_told_with_programs_that_there_are() -> None:
-    told = {key.strip("`"): re.findall(r"`(\w+)`", text) for key, text in ROWS}
+    documented = {key.strip("`"): re.findall(r"`(\w+)`", text) for key, text in ROWS}
     for world in list_worlds():
-        programs = told[world["name"]]
+        programs = documented[world["name"]]
         found = [name for name in programs if (ROOT / f"tests/programs/{name}.json").is_file()]
         assert found, world["name"]

@@ -107,8 +107,8 @@ def test_boxes_overlap_when_a_point_of_one_is_in_the_other(one: Box, other: Box)
 
 def test_boxes_that_touch_at_their_corners_overlap_within_a_negative_slack() -> None:
     one, other = Box((0, 0), (2, 2)).corners(), Box((2, 2), (2, 2)).corners()
-    for slack_m, expected in ((1e-6, 0), (-1e-6, 1)):
-        assert len(overlaps(np.array([one]), np.array([other]), slack_m)) == expected
+    for tolerance_m, expected in ((1e-6, 0), (-1e-6, 1)):
+        assert len(overlaps(np.array([one]), np.array([other]), tolerance_m)) == expected
 
 
 @pytest.mark.parametrize(("away", "together"), [(1.9, False), (1.6, True)])

@@ -40,11 +40,11 @@ def test_noise_depends_on_its_place_and_not_on_what_was_asked_before() -> None:
 
 def test_noise_is_the_same_in_another_process() -> None:
     code = "from sim.noise import Noise; print([Noise(2**53 - 1, 4).normal(t, 3).hex() for t in range(9)])"
-    told = subprocess.run(
+    printed = subprocess.run(
         [sys.executable, "-c", code],
         env={"PYTHONHASHSEED": "77", "PYTHONPATH": ":".join(sys.path)},
         capture_output=True,
         text=True,
         check=True,
     )
-    assert told.stdout.strip() == str([Noise(2**53 - 1, 4).normal(t, 3).hex() for t in range(9)])
+    assert printed.stdout.strip() == str([Noise(2**53 - 1, 4).normal(t, 3).hex() for t in range(9)])

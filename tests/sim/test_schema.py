@@ -6,9 +6,9 @@ import jsonschema_rs
 import pytest
 
 from scripts.reference import schemas
-from sim.reading import read_world
+from sim.parsing import read_world
 from sim.world import list_worlds
-from tests.sim.test_reading import BOX, DISC, world
+from tests.sim.test_parsing import BOX, DISC, world
 
 
 @pytest.fixture(scope="module")

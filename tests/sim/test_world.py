@@ -44,8 +44,10 @@ def test_box_corners_turn_with_its_heading() -> None:
 def test_worlds_that_ship_are_told_without_loading_what_takes_long() -> None:
     """The app starts with them."""
     code = "import sys, sim.world; sim.world.list_worlds(); print({'numpy', 'pydantic'} & {*sys.modules})"
-    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert told.stdout.strip() == "set()"
+    printed = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
+    assert printed.stdout.strip() == "set()"
 
 
 def test_boxes_are_fixed_unless_they_are_said_to_be_movable() -> None:

@@ -12,10 +12,10 @@ from pinel_desktop.execution.executor import execute
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import PIONEER_3DX, Setting
+from pinel_desktop.robot import PIONEER_3DX, SimulationConfig
 from sim.floor import color_at, zone_at
 from sim.geometry import distances_to_boxes, distances_to_segments
-from sim.reading import read_world
+from sim.parsing import read_world
 from sim.world import WALL_RADIUS_M, World, list_worlds, load_world
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
@@ -75,7 +75,7 @@ def test_some_program_of_the_tests_is_driven_in_every_world() -> None:
 
 
 def test_pushed_boxes_end_in_their_places() -> None:
-    link = SimLink(world="pushing", setting=Setting(), seed=0)
+    link = SimLink(world="pushing", setting=SimulationConfig(), seed=0)
     program = read_document((PROGRAMS / "push_the_boxes.json").read_bytes()).program
     assert program is not None
     assert execute(program, link).ended.state == "finished"
@@ -87,8 +87,8 @@ def test_pushed_boxes_end_in_their_places() -> None:
 def test_the_line_is_one_closed_band() -> None:
     """Walks around it in its middle: black, or the colour of a station, and white on both sides."""
     world = load_world("lines")
-    seen = [color_at(world.floor, *point) for point in line_middle(0.0)]
-    assert set(seen) == {"black", "red", "blue", "orange", "purple"}
+    colors = [color_at(world.floor, *point) for point in line_middle(0.0)]
+    assert set(colors) == {"black", "red", "blue", "orange", "purple"}
     for side in (-0.2, 0.2):
         assert {color_at(world.floor, *point) for point in line_middle(side)} == {"white"}
 

@@ -5,10 +5,10 @@ from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
-from storage import GroupRow, ProgramRow, Recorder, RunStart, Store, open_store
+from storage import GroupRow, ProgramRow, RunRecorder, RunStart, Store, open_store
 from storage.exchange.bundle_writing import BundleInfo, export_bundle
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deleting.deletion import remove_keys
+from storage.exchange.deleting.deletion import purge_keys
 from storage.exchange.merge_report import MergeReport
 from storage.exchange.merging import merge
 from storage.exchange.scope import ALL, Scope
@@ -57,7 +57,7 @@ def a_run(store: Store, version_id: str | None, ticks: int = 45, text: str = "ol
     run = store.runs.begin(
         RunStart("sim", "w", WORLD, 1, "0.1.0", version_id=version_id, document=document)
     )
-    recorder = Recorder(store)
+    recorder = RunRecorder(store)
     for tick in range(ticks):
         recorder(sample(run.id, tick))
     recorder(
@@ -93,19 +93,19 @@ def exported(store: Store, dest: Path, scope: Scope = ALL) -> BundleInfo:
 
 
 def merged(
-    store: Store, path: Path, *, delete: bool = True, keep_newer: bool = False
+    store: Store, path: Path, *, delete: bool = True, retain_newer: bool = False
 ) -> MergeReport:
     """Merges a bundle; with `delete` also its deletions, without which stores do not converge."""
-    return merge(store._database, path, delete=delete, keep_newer=keep_newer)
+    return merge(store._database, path, delete=delete, retain_newer=retain_newer)
 
 
 def removed(store: Store, *ids: str) -> None:
     """Deletes the rows with these keys for good."""
-    store._database.write(lambda db: remove_keys(db, ids))
+    store._database.write(lambda db: purge_keys(db, ids))
 
 
 def hash_of(store: Store) -> str:
-    with store._database.reading() as db:
+    with store._database.read_connection() as db:
         return content_hash(db)
 
 

@@ -11,10 +11,10 @@ import pytest
 
 from storage import Store
 from storage.exchange import backup_share
-from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
+from storage.exchange.backup_share import COPIES_BACKUPS, SHARED_FOLDER
 from storage.file.backups import list_backups, make_backup
 from storage.file.share_copies import ShareCopies
-from tests.storage.test_maintenance import HOUR, NOON, Keeping
+from tests.storage.test_maintenance import HOUR, NOON, MaintenanceHarness
 
 WAIT_S = 30.0
 
@@ -22,22 +22,22 @@ WAIT_S = 30.0
 @pytest.fixture
 def shared(store: Store, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The shared folder, with what another PC and a person put there."""
-    monkeypatch.setattr(backup_share, "_PATIENCE_S", WAIT_S)
+    monkeypatch.setattr(backup_share, "_CLEAN_TIMEOUT_S", WAIT_S)
     folder = tmp_path / "rede"
     (folder / "PINEL-backups" / "PC 9-00000000").mkdir(parents=True)
     for name in ("PC 9-00000000/pinel-00001-20261121T120000Z.db", "leia-me.txt"):
         (folder / "PINEL-backups" / name).touch()
     store.computers.rename("PC 7")
     store.settings.set(SHARED_FOLDER, str(folder))
-    store.settings.set(TAKES_BACKUPS, value=True)
+    store.settings.set(COPIES_BACKUPS, value=True)
     return folder
 
 
 @pytest.fixture
-def keeping(store: Store) -> Iterator[Keeping]:
-    keeping = Keeping(store)
-    yield keeping
-    keeping.maintenance.close()
+def harness(store: Store) -> Iterator[MaintenanceHarness]:
+    harness = MaintenanceHarness(store)
+    yield harness
+    harness.maintenance.close()
 
 
 class Hanging:
@@ -77,7 +77,7 @@ def backed_up(store: Store, n: int = 1) -> None:
 
 
 def test_nothing_is_copied_unless_the_teacher_wants_it(store: Store, shared: Path) -> None:
-    store.settings.set(TAKES_BACKUPS, value=False)
+    store.settings.set(COPIES_BACKUPS, value=False)
     backed_up(store)
     assert copies(shared) == []
     assert not list(store.path.parent.glob("*.copies.json"))
@@ -112,34 +112,34 @@ def test_a_copy_that_was_cut_off_leaves_nothing_and_is_made_anew(
 
 
 def test_copies_never_count_as_work_that_needs_another_backup(
-    keeping: Keeping, store: Store, shared: Path
+    harness: MaintenanceHarness, store: Store, shared: Path
 ) -> None:
     for _ in range(5):
-        keeping.maintenance.back_up()
+        harness.maintenance.back_up()
         assert store.backup_share.update(WAIT_S)
-        keeping.now += HOUR
+        harness.now += HOUR
     assert len(copies(shared)) == len(list_backups(store.path)) == 1
 
 
 def test_a_folder_that_is_away_is_told_until_it_is_back(
-    keeping: Keeping, store: Store, shared: Path
+    harness: MaintenanceHarness, store: Store, shared: Path
 ) -> None:
     away = shared.rename(shared.with_name("fora"))
-    keeping.maintenance.back_up()
+    harness.maintenance.back_up()
     assert store.backup_share.update(WAIT_S)
-    assert keeping.code == "backup_share_failed"
+    assert harness.code == "backup_share_failed"
     assert not shared.exists()
     away.rename(shared)
-    keeping.maintenance.copy_to_share()
+    harness.maintenance.copy_to_share()
     assert store.backup_share.update(WAIT_S)
-    assert keeping.told == ["backup_share_failed", None]
+    assert harness.reported == ["backup_share_failed", None]
     assert len(copies(shared)) == 1
 
 
 def test_what_is_deleted_for_good_is_in_no_copy(store: Store, shared: Path) -> None:
     group = store.groups.create("Fulano de Tal")
     backed_up(store, 2)
-    assert store.exchange.remove("group", group.id).still_in == ()
+    assert store.exchange.purge("group", group.id).still_in == ()
     assert store.backup_share.update(WAIT_S)
     assert names(copies(shared)) == [list_backups(store.path)[0].path.name]
     assert _with_the_name(shared) == []
@@ -156,14 +156,14 @@ def test_a_new_disk_begins_with_a_copy_and_its_deletions_reach_the_copies_of_bef
     (tmp_path / "new").mkdir()
     with opened(shutil.copy(copies(shared)[-1], tmp_path / "new" / "pinel.db")) as new:
         (group,) = new.groups.all()
-        new.exchange.remove("group", group.id)
+        new.exchange.purge("group", group.id)
         backed_up(new)
     assert _with_the_name(shared) == []
     assert len(copies(shared)) == 1
 
 
 def test_copies_out_of_reach_are_named_and_cleaned_later(
-    keeping: Keeping, store: Store, shared: Path, tmp_path: Path
+    harness: MaintenanceHarness, store: Store, shared: Path, tmp_path: Path
 ) -> None:
     """Also after another folder was chosen."""
     group = store.groups.create("Fulano de Tal")
@@ -172,9 +172,9 @@ def test_copies_out_of_reach_are_named_and_cleaned_later(
     away = shared.rename(shared.with_name("fora"))
     (tmp_path / "outra").mkdir()
     store.settings.set(SHARED_FOLDER, str(tmp_path / "outra"))
-    assert list(store.exchange.remove("group", group.id).still_in) == out_of_reach
+    assert list(store.exchange.purge("group", group.id).still_in) == out_of_reach
     away.rename(shared)
-    keeping.maintenance.finish_removals()
+    harness.maintenance.finish_removals()
     assert store.backup_share.update(WAIT_S)
     assert _with_the_name(shared) == _with_the_name(tmp_path / "outra") == []
     assert len(copies(tmp_path / "outra")) == 1
@@ -191,41 +191,45 @@ def test_a_data_folder_that_was_copied_leaves_the_copies_of_its_origin_alone(
     group = store.groups.create("Fulano de Tal")
     backed_up(store, 3)
     before = copies(shared)
-    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "another machine")
+    monkeypatch.setattr("storage.work.machine.machine_id_hash", lambda: "another machine")
     store.computers.rename("PC 7b")
     backed_up(store, 2)
-    store.exchange.remove("group", group.id)
+    store.exchange.purge("group", group.id)
     assert set(before) < set(shared.rglob("*"))
 
 
 def test_a_folder_that_never_answers_holds_up_neither_backups_nor_the_end(
-    keeping: Keeping, store: Store, shared: Path, hanging: Hanging, monkeypatch: pytest.MonkeyPatch
+    harness: MaintenanceHarness,
+    store: Store,
+    shared: Path,
+    hanging: Hanging,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(backup_share, "_SLOW_S", 0.0)
-    monkeypatch.setattr(backup_share, "_PATIENCE_S", 0.0)
-    keeping.maintenance.back_up()
-    keeping.maintenance.copy_to_share()
+    monkeypatch.setattr(backup_share, "_CLEAN_TIMEOUT_S", 0.0)
+    harness.maintenance.back_up()
+    harness.maintenance.copy_to_share()
     assert hanging.reached.wait(WAIT_S)
     group = store.groups.create("A")
-    keeping.now += timedelta(hours=2)
-    keeping.maintenance.back_up()
+    harness.now += timedelta(hours=2)
+    harness.maintenance.back_up()
     assert len(list_backups(store.path)) == 2
-    keeping.maintenance.copy_to_share()
-    assert keeping.code == "backup_share_failed"
-    store.exchange.remove("group", group.id)
+    harness.maintenance.copy_to_share()
+    assert harness.code == "backup_share_failed"
+    store.exchange.purge("group", group.id)
     assert not store.backup_share.update(wait_s=0.1)
     assert hanging.n_asked == 1
-    keeping.maintenance.close()
+    harness.maintenance.close()
 
 
 def test_the_end_waits_for_the_copy_only_within_its_own_time(
-    keeping: Keeping, store: Store, shared: Path, monkeypatch: pytest.MonkeyPatch
+    harness: MaintenanceHarness, store: Store, shared: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     waits: list[float] = []
     monkeypatch.setattr(store.backup_share, "update", waits.append)
     monkeypatch.setattr("storage.maintenance._CLOSING_S", WAIT_S)
     store.groups.create("A")
-    keeping.maintenance.back_up_at_the_end()
+    harness.maintenance.back_up_at_the_end()
     assert len(list_backups(store.path)) == 1
     assert len(waits) == 1
     assert waits[0] < WAIT_S

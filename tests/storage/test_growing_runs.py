@@ -19,11 +19,11 @@ def test_it_is_listed_with_its_program_and_gets_a_version_in_the_end(
 ) -> None:
     run = store.runs.begin(start_in(program.id))
     assert (run.group_id, run.program_name) == (program.group_id, "Quadrado")
-    store.runs.grow(run.id, GROWN)
+    store.runs.update_document(run.id, GROWN)
     assert store.runs.get(run.id).document == GROWN
     version = store.versions.save(program.id, {}, GROWN)
-    store.runs.settle(run.id, version.id)
-    store.runs.grow(run.id, SQUARE)  # too late
+    store.runs.attach_version(run.id, version.id)
+    store.runs.update_document(run.id, SQUARE)  # too late
     settled = store.runs.get(run.id)
     assert (settled.version_id, settled.document) == (version.id, None)
 
@@ -32,7 +32,7 @@ def test_what_a_crash_leaves_has_the_newest_document(
     opened: Callable[..., Store], store: Store, program: ProgramRow
 ) -> None:
     run = store.runs.begin(start_in(program.id))
-    store.runs.grow(run.id, GROWN)
+    store.runs.update_document(run.id, GROWN)
     store.close()
     store = opened(close_interrupted=True)
     left = store.runs.get(run.id)

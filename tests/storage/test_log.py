@@ -52,7 +52,7 @@ class Log:
 
 
 @dataclass(frozen=True)
-class Moment:
+class LogSnapshot:
     """What lay on the disk when `len(saved)` edits had been acknowledged, and where in the WAL each ends."""
 
     folder: Path
@@ -93,10 +93,10 @@ def chance(seed: int) -> random.Random:
 
 
 @pytest.fixture
-def moments(tmp_path: Path, chance: random.Random) -> list[Moment]:
+def moments(tmp_path: Path, chance: random.Random) -> list[LogSnapshot]:
     """Copies of a file and its WAL while a group edits, at random moments over several checkpoints."""
     path = tmp_path / "work" / "pinel.db"
-    found: list[Moment] = []
+    found: list[LogSnapshot] = []
     saved: list[str] = []
     ends: list[int] = []
     with open_store(path) as store:
@@ -115,12 +115,12 @@ def moments(tmp_path: Path, chance: random.Random) -> list[Moment]:
             if chance.random() < 0.02 and not n_frames_in_file(path):
                 folder = tmp_path / f"moment {len(found)}"
                 shutil.copytree(path.parent, folder)
-                found.append(Moment(folder, tuple(saved), tuple(ends), log))
+                found.append(LogSnapshot(folder, tuple(saved), tuple(ends), log))
     return found
 
 
 def edits_after_power_cut(
-    moment: Moment, folder: Path, spoil: Callable[[Path], None] = lambda wal: None
+    moment: LogSnapshot, folder: Path, spoil: Callable[[Path], None] = lambda wal: None
 ) -> tuple[list[str], str | None]:
     """What is there when a copy of the moment with a spoilt WAL is opened: in order, the file being whole. And what is
     said."""
@@ -145,13 +145,15 @@ def edits_after_power_cut(
     return texts, code
 
 
-def test_a_log_that_is_whole_gives_back_every_edit(moments: list[Moment], tmp_path: Path) -> None:
+def test_a_log_that_is_whole_gives_back_every_edit(
+    moments: list[LogSnapshot], tmp_path: Path
+) -> None:
     for moment in moments:
         assert edits_after_power_cut(moment, tmp_path / "cut") == (list(moment.saved), None)
 
 
 def test_a_log_cut_at_any_byte_holds_exactly_the_edits_before_the_cut(
-    moments: list[Moment], tmp_path: Path, chance: random.Random
+    moments: list[LogSnapshot], tmp_path: Path, chance: random.Random
 ) -> None:
     n_lost = 0
     for moment in moments:
@@ -161,16 +163,16 @@ def test_a_log_cut_at_any_byte_holds_exactly_the_edits_before_the_cut(
             def spoil(wal: Path, size: int = size) -> None:
                 os.truncate(wal, size)
 
-            kept, said = edits_after_power_cut(moment, tmp_path / "cut", spoil)
-            assert kept == moment.expected(size), f"cut at {size}"
-            assert (said == "database_earlier") == (len(kept) < len(moment.saved))
-            n_lost += len(moment.saved) - len(kept)
+            recovered, notice_code = edits_after_power_cut(moment, tmp_path / "cut", spoil)
+            assert recovered == moment.expected(size), f"cut at {size}"
+            assert (notice_code == "database_earlier") == (len(recovered) < len(moment.saved))
+            n_lost += len(moment.saved) - len(recovered)
     assert n_lost > 0
 
 
 @pytest.mark.parametrize("n_flips", [3, pytest.param(N_CUTS, marks=pytest.mark.nightly)])
 def test_a_log_with_a_flipped_byte_holds_the_edits_before_it_and_gives_back_those_after_it(
-    moments: list[Moment], tmp_path: Path, chance: random.Random, n_flips: int
+    moments: list[LogSnapshot], tmp_path: Path, chance: random.Random, n_flips: int
 ) -> None:
     for moment in moments:
         for _ in range(n_flips):
@@ -184,23 +186,23 @@ def test_a_log_with_a_flipped_byte_holds_the_edits_before_it_and_gives_back_thos
 
             frame = (place - HEADER) // moment.log.frame_size
             whole = HEADER + frame * moment.log.frame_size if place >= HEADER else 0
-            kept, said = edits_after_power_cut(moment, tmp_path / "cut", spoil)
+            recovered, notice_code = edits_after_power_cut(moment, tmp_path / "cut", spoil)
             about = f"byte {place} of the WAL ^ {flip}"
-            assert set(moment.expected(whole)) <= set(kept) <= set(moment.saved), about
-            assert len(kept) >= len(moment.saved) - 2, (
+            assert set(moment.expected(whole)) <= set(recovered) <= set(moment.saved), about
+            assert len(recovered) >= len(moment.saved) - 2, (
                 about
             )  # of the frame, and of the one before it
-            assert said is not None or kept == list(moment.saved), about
+            assert notice_code is not None or recovered == list(moment.saved), about
 
 
 def test_a_checkpoint_that_was_cut_off_anywhere_loses_nothing(
-    moments: list[Moment], tmp_path: Path, chance: random.Random
+    moments: list[LogSnapshot], tmp_path: Path, chance: random.Random
 ) -> None:
     """The WAL is emptied only when all its pages are in the file: until then any of them may be there, also in part."""
     for moment in moments:
         for _ in range(3):
 
-            def spoil(wal: Path, moment: Moment = moment) -> None:
+            def spoil(wal: Path, moment: LogSnapshot = moment) -> None:
                 with wal.with_name("pinel.db").open("r+b") as file:
                     for page, content in pages_of(moment.log).items():
                         if chance.random() < 0.5:

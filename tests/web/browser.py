@@ -13,7 +13,7 @@ TIMEOUT_S = 60.0  # on a busy PC
 
 
 @dataclass(frozen=True)
-class Answer:
+class ApiResponse:
     status: int
     headers: dict[str, str]
     body: bytes
@@ -56,19 +56,19 @@ class Browser:
         browser.headers = {"Cookie": cookie, "Sec-Fetch-Site": "same-origin"}
         return browser
 
-    def get(self, path: str, headers: Mapping[str, str] | None = None) -> Answer:
+    def get(self, path: str, headers: Mapping[str, str] | None = None) -> ApiResponse:
         return self.send("GET", path, headers=headers)
 
-    def post(self, path: str, data: Any = None) -> Answer:
+    def post(self, path: str, data: Any = None) -> ApiResponse:
         return self.send("POST", path, data)
 
-    def put(self, path: str, data: Any = None) -> Answer:
+    def put(self, path: str, data: Any = None) -> ApiResponse:
         return self.send("PUT", path, data)
 
-    def patch(self, path: str, data: Any = None) -> Answer:
+    def patch(self, path: str, data: Any = None) -> ApiResponse:
         return self.send("PATCH", path, data)
 
-    def delete(self, path: str) -> Answer:
+    def delete(self, path: str) -> ApiResponse:
         return self.send("DELETE", path)
 
     def send(
@@ -79,7 +79,7 @@ class Browser:
         *,
         body: bytes | None = None,
         headers: Mapping[str, str] | None = None,
-    ) -> Answer:
+    ) -> ApiResponse:
         """Sends `data` as JSON, or `body` unchanged. A header with the value "" is omitted."""
         sent = {**self.headers, **(headers or {})}
         if data is not None:
@@ -91,18 +91,18 @@ class Browser:
                 method, path, body=body, headers={k: v for k, v in sent.items() if v}
             )
             answer = connection.getresponse()
-            self._keep_cookies(answer.headers.get_all("Set-Cookie") or [])
-            return Answer(answer.status, dict(answer.getheaders()), answer.read())
+            self._store_cookies(answer.headers.get_all("Set-Cookie") or [])
+            return ApiResponse(answer.status, dict(answer.getheaders()), answer.read())
         finally:
             connection.close()
 
-    def _keep_cookies(self, given: list[str]) -> None:
+    def _store_cookies(self, given: list[str]) -> None:
         if "Cookie" not in self.headers:
             return  # has not opened the page
-        kept = SimpleCookie(self.headers["Cookie"])
+        jar = SimpleCookie(self.headers["Cookie"])
         for line in given:
-            kept.load(line)
-        pairs = [f"{name}={cookie.value}" for name, cookie in kept.items() if cookie.value]
+            jar.load(line)
+        pairs = [f"{name}={cookie.value}" for name, cookie in jar.items() if cookie.value]
         self.headers = {**self.headers, "Cookie": "; ".join(pairs)}
 
     @contextmanager

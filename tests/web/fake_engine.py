@@ -7,7 +7,7 @@ from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.engine.commands import Command, Evaluate
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes.supervisor import ProcessState
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot.robot_profile import RobotProfile
 from pinel_desktop.runs.spec import RunSpec
 
 Event = dict[str, Any]
@@ -26,8 +26,8 @@ class FakeEngine(EngineClient):
     ) -> None:
         self.on_event, self.on_robot = on_event, on_robot
         self.of_robots: list[tuple[Any, ...]] = []
-        self.told: list[Command] = []
-        self.begun: dict[str, Any] = {}
+        self.commands: list[Command] = []
+        self.start_spec: dict[str, Any] = {}
         self.first: list[Command] = []
 
     def start(self) -> None:
@@ -37,10 +37,10 @@ class FakeEngine(EngineClient):
         if self.state != "ready":
             raise PinelError("engine_not_ready")
         self.live_run = run_id
-        self.begun = {"run": run_id, **spec.as_message()}
+        self.start_spec = {"run": run_id, **spec.as_message()}
         self.first = list(commands)
 
-    def contact(self, robot: RobotRecord) -> dict[str, Any]:
+    def contact(self, robot: RobotProfile) -> dict[str, Any]:
         if self.state != "ready":
             raise PinelError("engine_not_ready")
         if robot.link != "bridge":
@@ -48,28 +48,28 @@ class FakeEngine(EngineClient):
         pose = {"x_m": 1.0, "y_m": 0.0, "heading_deg": 90.0}
         return {**pose, "rate_hz": 30.0, "battery": None}
 
-    def find(self, robot: RobotRecord) -> list[dict[str, Any]]:
+    def find(self, robot: RobotProfile) -> list[dict[str, Any]]:
         names = {"command_topic": "cmd_vel", "odometry_topic": "odom"}
         return [{"namespace": "r1", **names, "holder": "LAB-03"}]
 
-    def watch(self, robot: RobotRecord) -> None:
+    def watch(self, robot: RobotProfile) -> None:
         self.of_robots.append(("watch", robot.link))
 
-    def jog(self, robot: RobotRecord, drive: float, turn: float, sent_s: float) -> None:
+    def jog(self, robot: RobotProfile, drive: float, turn: float, sent_s: float) -> None:
         if self.live_run is not None:
             raise PinelError("run_in_progress")
         self.of_robots.append(("jog", robot.link, drive, turn, sent_s))
 
-    def halt(self, robot: RobotRecord) -> None:
+    def halt(self, robot: RobotProfile) -> None:
         self.of_robots.append(("halt", robot.link))
 
-    def stand_at_start(self, robot: RobotRecord) -> None:
+    def set_start_here(self, robot: RobotProfile) -> None:
         self.of_robots.append(("at_start", robot.link))
 
     def command(self, run_id: str, command: Command) -> Any:
         if run_id != self.live_run:
             raise PinelError("run_not_live")
-        self.told.append(command)
+        self.commands.append(command)
         if not isinstance(command, Evaluate):
             return None
         if command.expression == {"call": "f"}:

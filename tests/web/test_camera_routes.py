@@ -59,12 +59,12 @@ def test_chosen_camera_is_remembered_and_one_that_is_not_there_is_told(tmp_path:
             with browser.stream() as stream:
                 connection = http.client.HTTPConnection(browser.host, browser.port, timeout=WAIT_S)
                 connection.request("GET", "/api/camera/preview", headers=browser.headers)
-                while (told := stream.until("camera_state")[-1])["state"] != "failed":
+                while (event := stream.until("camera_state")[-1])["state"] != "failed":
                     pass
-                assert told["code"] == "camera_missing"
-                assert "8" in told["message"]
-                assert told["params"] == {"number": 8}
-                assert told["remedy"]
+                assert event["code"] == "camera_missing"
+                assert "8" in event["message"]
+                assert event["params"] == {"number": 8}
+                assert event["remedy"]
                 problem = browser.get("/api/camera").data["problem"]
-                assert problem == {name: told[name] for name in problem}
+                assert problem == {name: event[name] for name in problem}
             connection.close()

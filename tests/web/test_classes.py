@@ -57,8 +57,8 @@ def test_guessing_the_pin_takes_longer_and_longer(browser: Browser, teacher: Bro
 def test_a_group_is_made_in_a_class_with_a_picture(
     browser: Browser, teacher: Browser, ninth: dict[str, Any]
 ) -> None:
-    wanted = {"name": "Os Robôs", "classroom_id": ninth["id"], "picture": "rocket"}
-    group = browser.post("/api/groups", wanted).data
+    new_group = {"name": "Os Robôs", "classroom_id": ninth["id"], "picture": "rocket"}
+    group = browser.post("/api/groups", new_group).data
     assert (group["picture"], group["classroom_id"]) == ("rocket", ninth["id"])
     assert browser.get("/api/classrooms").data["classrooms"][0]["n_groups"] == 1
     place = f"/api/groups/{group['id']}"

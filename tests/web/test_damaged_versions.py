@@ -38,7 +38,7 @@ def test_a_damaged_version_is_one_error_with_the_last_sound_one(
     change: str, browser: Browser, database: Path, program: dict[str, Any], version: dict[str, Any]
 ) -> None:
     damage(database, change)
-    _is_told_and_the_work_goes_on(browser, program, version)
+    _expect_report_and_further_work(browser, program, version)
 
 
 @pytest.mark.parametrize("name", UNREADABLE)
@@ -47,10 +47,10 @@ def test_so_is_one_of_an_earlier_release(
     name: str, browser: Browser, database: Path, program: dict[str, Any], version: dict[str, Any]
 ) -> None:
     damage(database, DAMAGES[name], "DELETE FROM content_sums")
-    _is_told_and_the_work_goes_on(browser, program, version)
+    _expect_report_and_further_work(browser, program, version)
 
 
-def _is_told_and_the_work_goes_on(
+def _expect_report_and_further_work(
     browser: Browser, program: dict[str, Any], version: dict[str, Any]
 ) -> None:
     place = f"/api/programs/{program['id']}"
@@ -62,6 +62,6 @@ def _is_told_and_the_work_goes_on(
     for list_of in (f"{place}/versions", f"{group}/programs", f"{group}/runs"):
         assert browser.get(list_of).status == 200
     body = {"workspace": {"blocks": {"n": 3}}, "document": None, "parent_id": version["id"]}
-    kept = browser.post(f"{place}/versions", body)
-    assert kept.status == 200
-    assert browser.get(place).data["version"]["id"] == kept.data["id"]
+    saved = browser.post(f"{place}/versions", body)
+    assert saved.status == 200
+    assert browser.get(place).data["version"]["id"] == saved.data["id"]

@@ -109,17 +109,17 @@ def test_an_app_that_never_comes_leaves_nobody_waiting(
     server: EarlyServer, opener: urllib.request.OpenerDirector
 ) -> None:
     opener.open(server.guard.fresh_link(), timeout=20).close()
-    seen: list[int] = []
+    statuses: list[int] = []
 
     def ask() -> None:
         try:
             opener.open(f"{server.guard.origin}/api/status", timeout=20).close()
         except urllib.error.HTTPError as error:
             error.close()
-            seen.append(error.code)
+            statuses.append(error.code)
 
     asking = threading.Thread(target=ask)
     asking.start()
     server.abandon()
     asking.join(20)
-    assert seen == [503]
+    assert statuses == [503]

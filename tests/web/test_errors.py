@@ -7,13 +7,13 @@ import pytest
 from pinel_desktop.app import App
 from pinel_desktop.web.responses import STATUS
 from storage import StoreError
-from tests.web.browser import Answer, Browser
+from tests.web.browser import ApiResponse, Browser
 from tests.web.fake_engine import FakeEngine
 
 NOWHERE = "01935000-0000-7000-8000-000000000000"
 
 
-def check_shape(answer: Answer, status: int, code: str) -> dict[str, Any]:
+def check_shape(answer: ApiResponse, status: int, code: str) -> dict[str, Any]:
     assert answer.status == status, answer.body
     assert answer.headers["Content-Type"] == "application/json"
     assert set(answer.data) == {"error"}
@@ -78,7 +78,7 @@ def test_every_family_of_routes_answers_errors_in_the_one_shape(
 
 
 @pytest.mark.parametrize(
-    ("method", "path", "data", "words"),
+    ("method", "path", "data", "parts"),
     [
         ("POST", "/api/groups", {"name": 7}, ["“name”", "um texto"]),
         ("POST", "/api/groups", {}, ["Falta “name”"]),
@@ -102,12 +102,12 @@ def test_every_family_of_routes_answers_errors_in_the_one_shape(
     ids=ascii,
 )
 def test_a_value_that_does_not_fit_is_named_and_what_fits_is_told_in_words(
-    browser: Browser, method: str, path: str, data: Any, words: list[str]
+    browser: Browser, method: str, path: str, data: Any, parts: list[str]
 ) -> None:
     browser.send("PUT", "/api/settings", {"language": "pt-BR"})
     error = check_shape(browser.send(method, path, data), 422, "invalid_request")
     text = f"{error['message']} {error['remedy']}"
-    assert [word for word in words if word not in text] == []
+    assert [part for part in parts if part not in text] == []
     assert "_" not in text
     assert "dict" not in text
 

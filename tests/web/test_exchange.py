@@ -14,7 +14,7 @@ from pinel_desktop.app import App
 from storage.exchange.scope import Scope
 from storage.file.backups import make_backup
 from storage.sql import opened
-from tests.web.browser import Answer, Browser
+from tests.web.browser import ApiResponse, Browser
 from tests.web.conftest import SQUARE
 
 PIN = {"pin": "314159"}
@@ -57,8 +57,8 @@ def test_all_work_goes_to_another_pc_by_stick(
     assert first["merged"][0]["added"] == {"groups": 1, "programs": 1, "versions": 1, "runs": 0}
     assert (first["merged"][0]["computer"], again["merged"][0]["nothing_new"]) == ("PC 07", True)
     assert first["content_hash"] == again["content_hash"]
-    (heard,) = other.get("/api/bundles/heard").data["computers"]
-    assert heard["name"] == "PC 07"
+    (computer,) = other.get("/api/bundles/heard").data["computers"]
+    assert computer["name"] == "PC 07"
     assert [group["name"] for group in other.get("/api/groups").data["groups"]] == ["Os Robôs"]
 
 
@@ -92,8 +92,8 @@ def test_a_group_hears_what_its_file_lacks(
 def test_work_can_be_shown_to_others_without_names(
     teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
 ) -> None:
-    wanted = {"folder": str(stick), "anonymous": True}
-    written = teacher.post("/api/bundles", wanted).data
+    options = {"folder": str(stick), "anonymous": True}
+    written = teacher.post("/api/bundles", options).data
     assert written["name"].startswith("PINEL-no-names-")
     assert "Os Robôs".encode() not in Path(written["path"]).read_bytes()
     (merged,) = other.post("/api/bundles/merge", {"paths": [written["path"]]}).data["merged"]
@@ -135,43 +135,43 @@ def test_what_was_deleted_for_good_is_told_when_an_old_file_holds_it(
 def test_what_goes_as_it_was_deleted_elsewhere_is_counted(
     teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
 ) -> None:
-    def taken() -> dict[str, Any]:
+    def bundle() -> dict[str, Any]:
         return {"paths": [teacher.post("/api/bundles", {"folder": str(stick)}).data["path"]]}
 
-    (merged,) = other.post("/api/bundles/merge", taken()).data["merged"]
+    (merged,) = other.post("/api/bundles/merge", bundle()).data["merged"]
     assert (merged["held_back"], merged["removed"]) == (None, None)
     teacher.send("DELETE", f"/api/groups/{_group(teacher)}")
-    later = taken()
-    (merged,) = other.post("/api/bundles/merge", later).data["merged"]
+    newer = bundle()
+    (merged,) = other.post("/api/bundles/merge", newer).data["merged"]
     assert merged["would_delete"]["groups"] == 1
     assert (merged["nothing_new"], merged["removed"]) == (True, None)
-    (merged,) = other.post("/api/bundles/merge", {**later, "delete": True}).data["merged"]
+    (merged,) = other.post("/api/bundles/merge", {**newer, "delete": True}).data["merged"]
     assert merged["removed"] == {"groups": 1, "programs": 1, "versions": 1, "runs": 0}
 
 
 def test_a_deletion_that_nobody_decided_about_is_listed_until_it_is_confirmed_or_kept(
     teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
 ) -> None:
-    def taken() -> dict[str, Any]:
+    def bundle() -> dict[str, Any]:
         return {"paths": [teacher.post("/api/bundles", {"folder": str(stick)}).data["path"]]}
 
     def waiting() -> Any:
         return other.get("/api/bundles/heard").data["undecided"]
 
-    earlier = taken()
+    earlier = bundle()
     other.post("/api/bundles/merge", earlier)
     group = _group(teacher)
     teacher.send("DELETE", f"/api/groups/{group}")
-    later = taken()
-    other.post("/api/bundles/merge", later)
+    newer = bundle()
+    other.post("/api/bundles/merge", newer)
     other.post("/api/bundles/merge", earlier)
     (one,) = waiting()
-    assert (one["path"], one["name"]) == (later["paths"][0], Path(later["paths"][0]).name)
+    assert (one["path"], one["name"]) == (newer["paths"][0], Path(newer["paths"][0]).name)
     assert (one["groups"], one["programs"], one["runs"]) == (1, 1, 0)
     (again,) = other.post("/api/bundles/merge", {"paths": [one["path"]]}).data["merged"]
     assert again["would_delete"]["groups"] == 1
     assert waiting() == [one]
-    other.post("/api/bundles/merge", {**later, "delete": True, "kept": [group]})
+    other.post("/api/bundles/merge", {**newer, "delete": True, "kept": [group]})
     assert waiting() == []
 
 
@@ -244,13 +244,13 @@ def test_sticks_and_files_are_the_teacher_s(browser: Browser, stick: Path) -> No
 
 
 def test_a_folder_that_is_not_there_is_said(teacher: Browser, stick: Path) -> None:
-    gone = str(stick / "gone")
+    missing = str(stick / "gone")
     for answer in (
-        teacher.put("/api/folders/shared", {"path": gone}),
-        teacher.post("/api/bundles", {"folder": gone}),
+        teacher.put("/api/folders/shared", {"path": missing}),
+        teacher.post("/api/bundles", {"folder": missing}),
     ):
         assert answer.error["code"] == "folder_missing"
-        assert gone in answer.error["message"]
+        assert missing in answer.error["message"]
 
 
 def test_a_shared_folder_that_does_not_answer_stays_chosen(teacher: Browser, stick: Path) -> None:
@@ -260,8 +260,12 @@ def test_a_shared_folder_that_does_not_answer_stays_chosen(teacher: Browser, sti
     folder.rmdir()
     places = teacher.get("/api/folders").data
     assert places["shared"] == str(folder)
-    (told,) = places["folders"]
-    assert (told["name"], told["is_reachable"], told["is_writable"]) == ("rede", False, False)
+    (folder_info,) = places["folders"]
+    assert (folder_info["name"], folder_info["is_reachable"], folder_info["is_writable"]) == (
+        "rede",
+        False,
+        False,
+    )
     none = {"folders": [], "shared": "", "takes_backups": False}
     assert teacher.put("/api/folders/shared", {"path": ""}).data == none
 
@@ -284,7 +288,7 @@ def test_the_shared_folder_takes_copies_of_the_backups_when_that_is_ticked(
 FILE = {"Content-Type": "application/octet-stream"}
 
 
-def _bring(browser: Browser, octets: bytes, name: str = "foto da turma.pinel") -> Answer:
+def _bring(browser: Browser, octets: bytes, name: str = "foto da turma.pinel") -> ApiResponse:
     address = f"/api/programs/file?name={quote(name)}"
     return browser.send("POST", address, body=octets, headers=FILE)
 

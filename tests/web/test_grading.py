@@ -27,9 +27,9 @@ def begin(app: App, browser: Browser) -> Begin:
     def run(document: dict[str, Any] = SQUARE, world: str = "empty_room") -> str:
         version = {"workspace": {"of": len(str(document))}, "document": document}
         saved = browser.post(f"/api/programs/{program}/versions", version).data["id"]
-        begun = browser.post("/api/runs", {"version_id": saved, "world": world}).data
-        assert (begun["activity"], begun["passed"]) == ("square", None)
-        return str(begun["id"])
+        run_data = browser.post("/api/runs", {"version_id": saved, "world": world}).data
+        assert (run_data["activity"], run_data["passed"]) == ("square", None)
+        return str(run_data["id"])
 
     return run
 
@@ -95,12 +95,12 @@ def test_what_could_not_be_judged_is_judged_at_the_next_start(
     app._grader.close()
     engine.send(ended(run, 0, 0))
     app._flush_recording()
-    assert app._store.checks.pending() == [run]
+    assert app._store.grading_results.pending() == [run]
     again = type(app._grader)(app._store, lambda: None, lambda event: None, lambda: "en")
     again.catch_up()
     again._worker.shutdown()
     again.close()
-    assert app._store.checks.pending() == []
+    assert app._store.grading_results.pending() == []
     assert app._store.runs.get(run).passed is True
 
 
@@ -110,7 +110,7 @@ class LostJudge:
     def __init__(self) -> None:
         self.n_asked = 0
 
-    def wake(self) -> None: ...
+    def start(self) -> None: ...
     def close(self) -> None: ...
 
     def judge(self, question: object) -> None:
@@ -122,17 +122,19 @@ def test_a_run_whose_judge_dies_is_kept_for_the_next_start_and_the_group_is_told
     app: App, engine: FakeEngine, begin: Begin
 ) -> None:
     app._grader.close()
-    run, told, judge = begin(), list[dict[str, Any]](), LostJudge()
+    run, published, judge = begin(), list[dict[str, Any]](), LostJudge()
     engine.send(ended(run, 0, 0))
     app._flush_recording()
-    lost = type(app._grader)(app._store, lambda: None, told.append, lambda: "en", judge)  # type: ignore[arg-type]
+    lost = type(app._grader)(app._store, lambda: None, published.append, lambda: "en", judge)  # type: ignore[arg-type]
     lost.grade(run)
     lost._worker.shutdown()
     assert judge.n_asked == 2
     missing = "This run could not be checked. It is kept. Run again."
-    said = {"passed": False, "missing": missing, "block": None, "cases": []}
-    assert told == [{"type": "judged", "run": run, **said, "by_robot": False, "not_judged": None}]
-    assert app._store.checks.pending() == [run]
+    verdict = {"passed": False, "missing": missing, "block": None, "cases": []}
+    assert published == [
+        {"type": "judged", "run": run, **verdict, "by_robot": False, "not_judged": None}
+    ]
+    assert app._store.grading_results.pending() == [run]
 
 
 def test_a_run_without_activity_is_not_judged(

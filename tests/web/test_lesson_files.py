@@ -34,8 +34,8 @@ def lesson(teacher: Browser, classroom: str) -> dict[str, Any]:
     made = teacher.post("/api/own-activities", DRAFT).data["id"]
     preset = {"level": 2, "world": "maze", "swap_minutes": 10, "activity": made}
     teacher.put(f"/api/classrooms/{classroom}/preset", preset)
-    wanted = {"title": "", "activity": made}
-    opened: dict[str, Any] = teacher.post(f"/api/classrooms/{classroom}/lessons", wanted).data
+    new_lesson = {"title": "", "activity": made}
+    opened: dict[str, Any] = teacher.post(f"/api/classrooms/{classroom}/lessons", new_lesson).data
     return opened
 
 
@@ -72,10 +72,10 @@ def test_another_pc_has_the_lesson_open_after_it_and_once_more_changes_nothing(
         ("Robôs", 0),
         ("Tatus", 0),
     ]
-    begun = other.post(
+    created = other.post(
         f"/api/groups/{groups[0]['id']}/activities", {"activity": lesson["activity"]}
     )
-    assert begun.data["name"] == "Até a linha"
+    assert created.data["name"] == "Até a linha"
     again = sent(other, octets).data
     assert again["nothing_new"]
     assert other.get(here).data["lesson"]["id"] == lesson["id"]

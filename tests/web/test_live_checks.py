@@ -17,7 +17,7 @@ from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
 from tests.web.fake_engine import FakeEngine
 
-STANDS = "checks_stand"
+CHECK_STATUS = "checks_stand"
 
 
 def begin(app: App, browser: Browser, activity: str | None) -> str:
@@ -29,8 +29,8 @@ def begin(app: App, browser: Browser, activity: str | None) -> str:
     program = store.programs.create(group, "Quadrado").id
     version = {"workspace": {}, "document": SQUARE}
     saved = browser.post(f"/api/programs/{program}/versions", version).data["id"]
-    begun = browser.post("/api/runs", {"version_id": saved, "world": "empty_room"})
-    return str(begun.data["id"])
+    response = browser.post("/api/runs", {"version_id": saved, "world": "empty_room"})
+    return str(response.data["id"])
 
 
 def state_of(event: dict[str, object], criterion: str) -> object:
@@ -45,17 +45,17 @@ def test_the_list_fills_while_the_run_goes_on(
     with browser.stream() as events:
         run = begin(app, browser, "square")
         engine.send(sample(run, 1))
-        first = events.until(STANDS)[-1]
+        first = events.until(CHECK_STATUS)[-1]
         assert first["run"] == run
         assert state_of(first, "Drive 4 m in all") == "open"
         for tick in range(2, 403):
             engine.send(sample(run, tick))
-        assert state_of(events.until(STANDS)[-1], "Drive 4 m in all") == "met"
+        assert state_of(events.until(CHECK_STATUS)[-1], "Drive 4 m in all") == "met"
         for tick in range(403, 450):
             engine.send(sample(run, tick))
-        assert state_of(events.until(STANDS)[-1], "Drive 4 m in all") == "broken"
+        assert state_of(events.until(CHECK_STATUS)[-1], "Drive 4 m in all") == "broken"
         engine.send(ended(run, 450, 449))
-        last = events.until(STANDS)[-1]
+        last = events.until(CHECK_STATUS)[-1]
         assert state_of(last, "Reach the end of the program") == "met"
         assert state_of(last, "End at the start") == "broken"
 
@@ -67,7 +67,7 @@ def test_the_list_speaks_the_chosen_language(
     with browser.stream() as events:
         run = begin(app, browser, "square")
         engine.send(sample(run, 1))
-        assert state_of(events.until(STANDS)[-1], "Terminar na partida") == "open"
+        assert state_of(events.until(CHECK_STATUS)[-1], "Terminar na partida") == "open"
         engine.send(ended(run, 2, 1))
 
 
@@ -85,9 +85,9 @@ def test_an_app_that_closes_waits_for_no_run(
 ) -> None:
     run = begin(app, browser, "square")
     engine.send(sample(run, 1))
-    began = time.monotonic()
+    start_s = time.monotonic()
     app._live_checks.close()
-    assert in_time(time.monotonic() - began, 2)
+    assert in_time(time.monotonic() - start_s, 2)
 
 
 @pytest.mark.parametrize(("judging_s", "pause_s"), [(0.01, 0.5), (0.2, 1.8), (8.0, 10.0)])
@@ -112,7 +112,7 @@ def test_the_activity_of_a_run_is_read_once(
     with browser.stream() as events:
         run = begin(app, browser, "square")
         engine.send(sample(run, 1))
-        events.until(STANDS)
+        events.until(CHECK_STATUS)
         engine.send(ended(run, 2, 1))
         events.until("judged")
     assert read == ["square"]

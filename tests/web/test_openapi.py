@@ -78,8 +78,10 @@ def test_every_operation_says_what_it_does_and_how_it_fails() -> None:
 
 def test_a_route_that_wants_the_teacher_says_so() -> None:
     for operation in operations():
-        wanted = "`teacher_only`" in operation["responses"]["403"].get("description", "")
-        assert wanted == ("or the teacher." in operation["summary"]), operation["operationId"]
+        is_teacher_only = "`teacher_only`" in operation["responses"]["403"].get("description", "")
+        assert is_teacher_only == ("or the teacher." in operation["summary"]), operation[
+            "operationId"
+        ]
 
 
 def test_every_error_that_a_route_names_has_words() -> None:
@@ -91,10 +93,10 @@ def test_every_error_that_a_route_names_has_words() -> None:
 
 def test_every_reference_leads_to_a_schema() -> None:
     document = description()
-    wanted = {
+    referenced = {
         part.split('"')[0] for part in json.dumps(document).split("#/components/schemas/")[1:]
     }
-    assert wanted <= set(document["components"]["schemas"])
+    assert referenced <= set(document["components"]["schemas"])
 
 
 def an_activity(store: Store) -> str:
@@ -127,8 +129,8 @@ def test_what_hypothesis_makes_up_is_answered_as_described(
     }
 
     def check(case: Any) -> None:
-        is_gone_then = case.method == "DELETE" and not case.path.startswith("/api/programs/")
-        if ids == "real" and "id" in case.path_parameters and not is_gone_then:
+        deletes_real = case.method == "DELETE" and not case.path.startswith("/api/programs/")
+        if ids == "real" and "id" in case.path_parameters and not deletes_real:
             case.path_parameters["id"] = real[case.path.split("/")[2]]
         response = case.call(base_url=base_url, headers=browser.headers)
         case.validate_response(response, checks=CHECKS)
@@ -137,5 +139,5 @@ def test_what_hypothesis_makes_up_is_answered_as_described(
     for found in schemathesis.openapi.from_dict(document).get_all_operations():
         operation = found.ok()
         assert operation is not None
-        made_up: Any = given(operation.as_strategy())
-        FEW(made_up(check))()
+        generated: Any = given(operation.as_strategy())
+        FEW(generated(check))()

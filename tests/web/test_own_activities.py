@@ -211,5 +211,5 @@ def test_one_of_a_newer_release_is_told_and_offered_to_nobody(
     assert not [one for one in browser.get("/api/activities").data["activities"] if one["own"]]
     assert browser.get(f"/api/activities/{newer}").error["code"] == "activity_newer"
     group = browser.post("/api/groups", {"name": "G"}).data["id"]
-    begun = browser.post(f"/api/groups/{group}/activities", {"activity": newer})
-    assert begun.error["code"] == "activity_newer"
+    created = browser.post(f"/api/groups/{group}/activities", {"activity": newer})
+    assert created.error["code"] == "activity_newer"

@@ -44,11 +44,11 @@ def test_the_page_is_the_one_with_the_texts_of_the_chosen_language(
         assert f"index.{language}.html" in browser.get("/").text
 
 
-@pytest.mark.parametrize("kept", ["", "dark"])
+@pytest.mark.parametrize("theme", ["", "dark"])
 def test_a_file_that_did_not_change_is_not_sent_again(
-    built: Path, browser: Browser, kept: str
+    built: Path, browser: Browser, theme: str
 ) -> None:
-    browser.put("/api/settings/page", {"name": "pinel_theme", "value": kept})
+    browser.put("/api/settings/page", {"name": "pinel_theme", "value": theme})
     tag = browser.get("/").headers["ETag"]
     again = browser.get("/", {"If-None-Match": tag})
     assert (again.status, again.body) == (304, b"")
@@ -63,11 +63,11 @@ def test_the_page_comes_with_its_settings_and_in_its_theme(
     for name, value in chosen.items():
         assert browser.put("/api/settings/page", {"name": name, "value": value}).status == 200
     settings = html.escape(json.dumps(Settings().of_page() | chosen))
-    wanted = f"""<html lang='x' data-settings="{settings}" data-theme="dark">"""
-    assert wanted in browser.get("/").text
+    expected = f"""<html lang='x' data-settings="{settings}" data-theme="dark">"""
+    assert expected in browser.get("/").text
     app.close()
     again = Browser.signed_in(start_app().address)
-    assert wanted in again.get("/").text
+    assert expected in again.get("/").text
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,6 @@ def test_there_is_a_drawing_for_each_picture() -> None:
 
 def test_each_picture_has_a_name_in_three_languages() -> None:
     for language in ("pt-BR", "en", "es"):
-        words = (ROOT / "i18n" / language / "classes.ts").read_text("utf-8")
-        table = words.split("pictures: {")[1].split("}")[0]
+        text = (ROOT / "i18n" / language / "classes.ts").read_text("utf-8")
+        table = text.split("pictures: {")[1].split("}")[0]
         assert tuple(re.findall(r"^    (\w+): ", table, re.M)) == PICTURES

@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import Event
-from pinel_desktop.events.stamp import EventStamp
-from pinel_desktop.robot.record import record_from
+from pinel_desktop.robot.robot_profile import profile_from
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
 from tests.links.aurora import Aurora, free_port
@@ -43,18 +43,18 @@ class Lesson:
         version = {"workspace": {"of": len(str(document))}, "document": document}
         saved = self.browser.post(f"/api/programs/{self.program}/versions", version).data["id"]
         body = {"version_id": saved, "world": "empty_room", "robot": robot}
-        begun = self.browser.post("/api/runs", body).data
-        assert begun["passed"] is None
-        return str(begun["id"])
+        run_data = self.browser.post("/api/runs", body).data
+        assert run_data["passed"] is None
+        return str(run_data["id"])
 
     def drive(self, run: str) -> None:
         """Drives the robot that the engine was asked to drive, and delivers what the run tells."""
-        asked, stamp = self.engine.begun, EventStamp(run)
+        asked, stamp = self.engine.start_spec, EventSequencer(run)
 
         def observe(tick: int, event: Event) -> None:
             self.engine.send(stamp.wire(tick, event))
 
-        robot = record_from(asked["robot"])
+        robot = profile_from(asked["robot"])
         spec = RunSpec(asked["document"], asked["world"], "bridge", robot, pace="live")
         with closing(Aurora(self.port)):
             start(spec, observe)
@@ -80,8 +80,8 @@ def lesson(app: App, browser: Browser, engine: FakeEngine) -> Open:
     def open_lesson(activity: str) -> Lesson:
         teacher, store, port = Browser.signed_in(app.address), app._store, free_port()
         teacher.put("/api/teacher/pin", {"pin": PIN})
-        kept = teacher.put("/api/real-robots/bridge", {"record": {**FAST, "port": port}})
-        assert kept.status == 200, kept.data
+        saved = teacher.put("/api/real-robots/bridge", {"record": {**FAST, "port": port}})
+        assert saved.status == 200, saved.data
         classroom = store.classrooms.create("9º A").id
         opened = store.lessons.open(classroom, "Aula 1", activity)
         group = store.groups.create("Os Robôs", classroom_id=classroom).id
@@ -159,7 +159,7 @@ def test_a_run_that_cannot_be_judged_is_no_failure_and_no_try(
         found = here.run(run)
         assert (found["passed"], found["by_robot"]) == (None, False)
         assert found["not_judged"] == judged["not_judged"]
-    assert here.app._store.checks.pending() == []
+    assert here.app._store.grading_results.pending() == []
     assert here.tried() == {}
     review = here.review()
     assert review["summary"]["n_passed"] == 0
@@ -200,7 +200,7 @@ def test_verdicts_of_another_pc_are_the_same_after_merging(lesson: Open, tmp_pat
     )
     with App(tmp_path / "other.db", make_engine=FakeEngine) as other:
         other._store.exchange.merge(bundle.path)
-        assert other._store.checks.pending() == []
+        assert other._store.grading_results.pending() == []
         tab = Browser.signed_in(other.address)
         same = ("link", "activity", "passed", "by_robot", "not_judged", "path_length_m")
         for one in before:

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
-from pinel_desktop.robot.record import RECORDS
-from tests.web.browser import Answer, Browser
+from pinel_desktop.robot.robot_profile import PROFILES
+from tests.web.browser import ApiResponse, Browser
 from tests.web.conftest import SQUARE
 from tests.web.fake_engine import FakeEngine
 
@@ -19,7 +19,7 @@ FAST = {"max_v_mps": 0.4, "max_omega_dps": 40.0, "room": {"width_m": 3.0, "x_m":
 @pytest.fixture(autouse=True)
 def links(monkeypatch: pytest.MonkeyPatch) -> None:
     """Every kind of link, also those that this release cannot drive yet: the engine is a fake."""
-    monkeypatch.setattr("pinel_desktop.app.LINK_NAMES", ("sim", *RECORDS))
+    monkeypatch.setattr("pinel_desktop.app.LINK_NAMES", ("sim", *PROFILES))
 
 
 @pytest.fixture
@@ -29,7 +29,7 @@ def teacher(app: App) -> Browser:
     return tab
 
 
-def keep(teacher: Browser, **fields: Any) -> Answer:
+def set_up(teacher: Browser, **fields: Any) -> ApiResponse:
     return teacher.put(HERE, {"record": {**FAST, **fields}})
 
 
@@ -37,7 +37,7 @@ def kinds(browser: Browser) -> dict[str, dict[str, Any]]:
     return {one["link"]: one for one in browser.get("/api/real-robots").data["robots"]}
 
 
-def wish(version: dict[str, Any], **more: Any) -> dict[str, Any]:
+def run_request(version: dict[str, Any], **more: Any) -> dict[str, Any]:
     return {"version_id": version["id"], "world": "maze", "robot": "bridge", **more}
 
 
@@ -45,31 +45,31 @@ def test_no_robot_is_set_up_at_first_and_only_the_teacher_sets_one_up(
     browser: Browser, teacher: Browser
 ) -> None:
     assert {link: one["is_set_up"] for link, one in kinds(browser).items()} == dict.fromkeys(
-        RECORDS, False
+        PROFILES, False
     )
     refused = [browser.put(HERE, {"record": {}}), browser.delete(HERE)]
     assert {one.error["code"] for one in refused} == {"teacher_only"}
-    kept = keep(teacher, port=5001)
-    assert (kept.status, kept.data["is_set_up"]) == (200, True)
-    assert kept.data["record"]["port"] == 5001
-    assert kept.data["world"]["start"] == {"x_m": -0.5, "y_m": 0.0, "heading_deg": 0.0}
-    assert (kept.data["max_v_mps"], kept.data["slow_v_mps"]) == (0.4, 0.2)
+    saved = set_up(teacher, port=5001)
+    assert (saved.status, saved.data["is_set_up"]) == (200, True)
+    assert saved.data["record"]["port"] == 5001
+    assert saved.data["world"]["start"] == {"x_m": -0.5, "y_m": 0.0, "heading_deg": 0.0}
+    assert (saved.data["max_v_mps"], saved.data["slow_v_mps"]) == (0.4, 0.2)
     assert kinds(browser)["dds"]["is_set_up"] is False
 
 
 def test_pupils_see_the_speed_and_the_room_but_not_the_key(
     browser: Browser, teacher: Browser
 ) -> None:
-    keep(teacher, key="segredo")
-    seen = kinds(browser)["bridge"]
-    assert (seen["is_set_up"], seen["max_v_mps"], seen["record"]) == (True, 0.4, None)
+    set_up(teacher, key="segredo")
+    bridge = kinds(browser)["bridge"]
+    assert (bridge["is_set_up"], bridge["max_v_mps"], bridge["record"]) == (True, 0.4, None)
     assert kinds(teacher)["bridge"]["record"]["key"] == "segredo"
 
 
 def test_a_set_up_is_there_after_a_restart_and_can_be_undone(
     start_app: Callable[..., App], app: App, teacher: Browser
 ) -> None:
-    keep(teacher)
+    set_up(teacher)
     app.close()
     tab = Browser.signed_in(start_app().address)
     assert kinds(tab)["bridge"]["max_v_mps"] == 0.4
@@ -79,7 +79,7 @@ def test_a_set_up_is_there_after_a_restart_and_can_be_undone(
 
 
 @pytest.mark.parametrize(
-    ("fields", "words"),
+    ("fields", "parts"),
     [
         ({"max_v_mps": 9}, ["“9”", "“Highest speed (m/s)”", "0.05 to 1.2"]),
         ({"max_v_mps": "x"}, ["“x”", "“Highest speed (m/s)”", "0.05 to 1.2"]),
@@ -91,13 +91,13 @@ def test_a_set_up_is_there_after_a_restart_and_can_be_undone(
     ],
 )
 def test_a_wrong_field_is_named_in_words_with_its_value_and_range(
-    teacher: Browser, fields: dict[str, Any], words: list[str]
+    teacher: Browser, fields: dict[str, Any], parts: list[str]
 ) -> None:
-    answer = keep(teacher, **fields)
+    answer = set_up(teacher, **fields)
     assert answer.status == 422
-    said = f"{answer.error['message']} {answer.error['remedy']}"
-    assert [word for word in words if word not in said] == []
-    assert "Input should" not in said
+    text = f"{answer.error['message']} {answer.error['remedy']}"
+    assert [part for part in parts if part not in text] == []
+    assert "Input should" not in text
     assert kinds(teacher)["bridge"]["is_set_up"] is False
 
 
@@ -112,9 +112,9 @@ def test_every_field_of_every_kind_has_a_label_and_a_hint(browser: Browser) -> N
 def test_a_run_on_a_robot_that_is_not_set_up_or_not_known_is_refused(
     browser: Browser, group: dict[str, Any], version: dict[str, Any]
 ) -> None:
-    answer = browser.post("/api/runs", wish(version))
+    answer = browser.post("/api/runs", run_request(version))
     assert (answer.status, answer.error["code"]) == (409, "robot_not_set_up")
-    answer = browser.post("/api/runs", wish(version, robot="r2d2"))
+    answer = browser.post("/api/runs", run_request(version, robot="r2d2"))
     assert (answer.status, answer.error["code"]) == (422, "unknown_link")
     assert browser.get(f"/api/groups/{group['id']}/runs").data["runs"] == []
 
@@ -122,27 +122,32 @@ def test_a_run_on_a_robot_that_is_not_set_up_or_not_known_is_refused(
 def test_a_real_run_keeps_link_room_and_record_without_the_key(
     browser: Browser, teacher: Browser, engine: FakeEngine, app: App, version: dict[str, Any]
 ) -> None:
-    keep(teacher, key="segredo")
-    run = browser.post("/api/runs", wish(version, start={"x_m": 1, "y_m": 1, "heading_deg": 0}))
+    set_up(teacher, key="segredo")
+    run = browser.post(
+        "/api/runs", run_request(version, start={"x_m": 1, "y_m": 1, "heading_deg": 0})
+    )
     assert (run.data["link"], run.data["world"]) == ("bridge", "room")
-    begun = engine.begun
-    assert (begun["link"], begun["pace"]) == ("bridge", "live")
-    assert begun["robot"]["key"] == "segredo"
-    assert begun["robot"]["max_v_mps"] == 0.4
-    assert begun["world"]["size_m"] == [3.0, 4.0]
+    spec = engine.start_spec
+    assert (spec["link"], spec["pace"]) == ("bridge", "live")
+    assert spec["robot"]["key"] == "segredo"
+    assert spec["robot"]["max_v_mps"] == 0.4
+    assert spec["world"]["size_m"] == [3.0, 4.0]
     found = browser.get(f"/api/runs/{run.data['id']}").data
     assert found["world_document"]["start"]["x_m"] == -0.5
-    kept = app._store.runs.get(run.data["id"]).parameters["robot"]
-    assert (kept["link"], kept["max_omega_dps"]) == ("bridge", 40.0)
-    assert "key" not in kept
+    recorded = app._store.runs.get(run.data["id"]).parameters["robot"]
+    assert (recorded["link"], recorded["max_omega_dps"]) == ("bridge", 40.0)
+    assert "key" not in recorded
 
 
 def test_a_slow_run_has_half_of_the_speeds(
     browser: Browser, teacher: Browser, engine: FakeEngine, version: dict[str, Any]
 ) -> None:
-    keep(teacher)
-    assert browser.post("/api/runs", wish(version, slow=True)).status == 200
-    assert (engine.begun["robot"]["max_v_mps"], engine.begun["robot"]["max_omega_dps"]) == (
+    set_up(teacher)
+    assert browser.post("/api/runs", run_request(version, slow=True)).status == 200
+    assert (
+        engine.start_spec["robot"]["max_v_mps"],
+        engine.start_spec["robot"]["max_omega_dps"],
+    ) == (
         0.2,
         20.0,
     )
@@ -151,28 +156,28 @@ def test_a_slow_run_has_half_of_the_speeds(
 def test_a_real_run_of_a_mission_drives_in_the_room(
     browser: Browser, teacher: Browser, engine: FakeEngine, program: dict[str, Any]
 ) -> None:
-    keep(teacher)
+    set_up(teacher)
     setup = {**SETUP, "activity": "around_the_block"}
     saved = browser.post(
         f"/api/programs/{program['id']}/versions",
         {"workspace": {"blocks": {}}, "document": SQUARE, "setup": setup},
     )
-    run = browser.post("/api/runs", wish({"id": saved.data["id"]})).data
+    run = browser.post("/api/runs", run_request({"id": saved.data["id"]})).data
     assert (run["activity"], run["passed"], run["world"]) == ("around_the_block", None, "room")
-    assert engine.begun["world"]["name"] == "room"
+    assert engine.start_spec["world"]["name"] == "room"
 
 
 def test_a_real_run_in_a_lesson_is_of_its_activity_as_a_simulated_one(
     browser: Browser, teacher: Browser, group: dict[str, Any], version: dict[str, Any]
 ) -> None:
-    keep(teacher)
+    set_up(teacher)
     classroom = teacher.post("/api/classrooms", {"name": "9º A"}).data["id"]
     moved = teacher.patch(f"/api/groups/{group['id']}", {"classroom_id": classroom})
     assert moved.status == 200, moved.data
     lesson = {"title": "Robôs", "activity": "around_the_block"}
     opened = teacher.post(f"/api/classrooms/{classroom}/lessons", lesson)
     assert opened.status == 200, opened.data
-    run = browser.post("/api/runs", wish(version)).data
+    run = browser.post("/api/runs", run_request(version)).data
     assert run["lesson_id"] == opened.data["id"]
     assert run["activity"] == "around_the_block"
 
@@ -180,7 +185,7 @@ def test_a_real_run_in_a_lesson_is_of_its_activity_as_a_simulated_one(
 def test_what_no_real_robot_senses_is_a_fault_of_its_block_before_the_run(
     browser: Browser, teacher: Browser, group: dict[str, Any], program: dict[str, Any]
 ) -> None:
-    keep(teacher)
+    set_up(teacher)
     red = {"op": "==", "args": [{"sensor": "floor"}, "red"]}
     commands = [
         {"action": "wait_until", "block": "w", "condition": red},
@@ -192,7 +197,7 @@ def test_what_no_real_robot_senses_is_a_fault_of_its_block_before_the_run(
         {"workspace": {"blocks": {}}, "document": {**SQUARE, "commands": commands}},
     )
     assert saved.data["faults"] == []
-    answer = browser.post("/api/runs", wish(saved.data))
+    answer = browser.post("/api/runs", run_request(saved.data))
     assert (answer.status, answer.error["code"]) == (422, "invalid_program")
     found = [(one["block"], one["code"], one["pointer"]) for one in answer.error["faults"]]
     assert found == [
@@ -201,7 +206,7 @@ def test_what_no_real_robot_senses_is_a_fault_of_its_block_before_the_run(
     ]
     assert "“floor”" in answer.error["faults"][0]["message"]
     assert browser.get(f"/api/groups/{group['id']}/runs").data["runs"] == []
-    assert browser.post("/api/runs", wish(saved.data, robot="sim")).status == 200
+    assert browser.post("/api/runs", run_request(saved.data, robot="sim")).status == 200
 
 
 SETUP: dict[str, Any] = {
@@ -220,7 +225,7 @@ def test_only_the_teacher_tries_the_connection_and_hears_what_the_robot_tells(
 ) -> None:
     assert browser.post(f"{HERE}/contact").error["code"] == "teacher_only"
     assert teacher.post(f"{HERE}/contact").error["code"] == "robot_not_set_up"
-    keep(teacher)
+    set_up(teacher)
     found = teacher.post(f"{HERE}/contact").data
     assert (found["x_m"], found["rate_hz"], found["problem"]) == (1.0, 30.0, None)
 
@@ -236,7 +241,7 @@ def test_a_robot_that_cannot_be_reached_is_told_in_words(teacher: Browser) -> No
 def test_only_the_teacher_finds_robots_moves_one_by_keys_and_says_where_it_stands(
     browser: Browser, teacher: Browser, engine: FakeEngine
 ) -> None:
-    keep(teacher)
+    set_up(teacher)
     asked = {
         "find": {"record": {}},
         "jog": {"drive": 1, "turn": 0, "sent_ms": 5000},
@@ -268,18 +273,22 @@ def test_a_page_that_watches_is_told_how_the_robot_is_in_words(
     browser: Browser, teacher: Browser, engine: FakeEngine, app: App
 ) -> None:
     assert browser.post(f"{HERE}/watch", {"is_first": True}).error["code"] == "robot_not_set_up"
-    keep(teacher)
+    set_up(teacher)
     assert browser.post(f"{HERE}/watch", {"is_first": True}).status == 200
     engine.on_robot(STATE)
-    with app._hub.subscribe() as later:
+    with app._hub.subscribe() as subscription:
         browser.post(f"{HERE}/watch", {"is_first": False})
-        assert later.get(timeout_s=0.0) is None
+        assert subscription.get(timeout_s=0.0) is None
         browser.post(f"{HERE}/watch", {"is_first": True})  # a second page hears what is known
-        told = later.get(timeout_s=0.0)
-    assert told is not None
-    assert (told["type"], told["state"], told["code"]) == ("robot_state", "searching", "robot_held")
-    assert "LAB-03" in told["message"]
-    assert told["remedy"]
+        event = subscription.get(timeout_s=0.0)
+    assert event is not None
+    assert (event["type"], event["state"], event["code"]) == (
+        "robot_state",
+        "searching",
+        "robot_held",
+    )
+    assert "LAB-03" in event["message"]
+    assert event["remedy"]
     assert engine.of_robots == [("watch", "bridge")] * 3
 
 

@@ -30,18 +30,18 @@ def test_a_deleted_group_is_nowhere_and_does_not_come_back(
     app._flush_recording()
     store = app._store
     make_backup(store.path, store._database._clock())
-    kept = teacher.post("/api/bundles", {"folder": str(tmp_path)}).data
+    bundle = teacher.post("/api/bundles", {"folder": str(tmp_path)}).data
     removed = teacher.delete(f"/api/groups/{group['id']}").data
     assert (removed["n_groups"], removed["n_programs"], removed["n_runs"]) == (1, 1, 1)
-    assert [file["path"] for file in removed["files"]] == [kept["path"]]
+    assert [file["path"] for file in removed["files"]] == [bundle["path"]]
     assert removed["backups"] == []
     assert teacher.get("/api/groups").data["groups"] == []
     name = group["name"].encode()
     (backup,) = list_backups(store.path)
-    assert name in Path(kept["path"]).read_bytes()
+    assert name in Path(bundle["path"]).read_bytes()
     assert name not in backup.path.read_bytes()
     assert name not in store.path.read_bytes()
-    merged = teacher.post("/api/bundles/merge", {"paths": [kept["path"]]}).data["merged"]
+    merged = teacher.post("/api/bundles/merge", {"paths": [bundle["path"]]}).data["merged"]
     assert merged[0]["problem"] is None
     assert teacher.get("/api/groups").data["groups"] == []
 

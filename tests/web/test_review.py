@@ -27,8 +27,8 @@ class Pupils:
     def __init__(self, browser: Browser, app: App, classroom: str, name: str) -> None:
         assert isinstance(app._engine, FakeEngine)
         self.browser, self.store, self.engine = browser, app._store, app._engine
-        wanted = {"name": name, "classroom_id": classroom}
-        self.group = browser.post("/api/groups", wanted).data
+        new_group = {"name": name, "classroom_id": classroom}
+        self.group = browser.post("/api/groups", new_group).data
         place = f"/api/groups/{self.group['id']}/programs"
         self.program = browser.post(place, {"name": f"=Programa de {name}"}).data
 
@@ -231,12 +231,12 @@ def test_the_review_says_who_needs_what_and_which_hints_were_read(
     setup = {"world": "empty_room", "activity": "square", "n_hints": 2}
     version = pupils.edit(move(), setup=setup)
     runs = [pupils.run(version, "failed", "blocked") for _ in range(3)]
-    said = {"words": {"pt-BR": "Vejam o giro."}, "diagnosis": 1}
+    advice = {"words": {"pt-BR": "Vejam o giro."}, "diagnosis": 1}
     pupils.store._database.write(
         lambda db: (
             db.execute(
                 "UPDATE runs SET passed = 0, activity = 'square', check_report = ? WHERE id = ?",
-                [json.dumps({"cases": [{"advice": None}, {"advice": said}]}), runs[0]],
+                [json.dumps({"cases": [{"advice": None}, {"advice": advice}]}), runs[0]],
             ).rowcount
         )
     )
@@ -250,17 +250,17 @@ def test_the_review_says_who_needs_what_and_which_hints_were_read(
     (hints,) = mine["hints"]
     assert (hints["title"], hints["n"]) == ("Um quadrado de 1 m", 2)
     assert hints["texts"][0] == "Quantos cantos há?"
-    told = [mark["message"] for mark in mine["marks"] if mark["kind"] == "run"]
-    assert told[0] == "Vejam o giro."
-    assert told[1] != told[0]
+    messages = [mark["message"] for mark in mine["marks"] if mark["kind"] == "run"]
+    assert messages[0] == "Vejam o giro."
+    assert messages[1] != messages[0]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_figure_says_in_words_what_it_counts(language: str) -> None:
     for name in (*Figures.model_fields, "blocks", "changes", "repairs"):
-        words = describe(f"figure_{name}", {}, language)
-        assert words.message != f"figure_{name}"
-        assert words.remedy.startswith(("Cont", "Counts", "Cuenta", "Marca", "Marks"))
+        text = describe(f"figure_{name}", {}, language)
+        assert text.message != f"figure_{name}"
+        assert text.remedy.startswith(("Cont", "Counts", "Cuenta", "Marca", "Marks"))
 
 
 def test_two_versions_are_compared_block_by_block(browser: Browser, pupils: Pupils) -> None:
@@ -279,8 +279,8 @@ def test_two_versions_are_compared_block_by_block(browser: Browser, pupils: Pupi
         ],
         "moved": [{"block": "a", "type": "move_forward"}],
     }
-    gone = browser.get(f"/api/versions/{first}/difference?to=gone")
-    assert (gone.status, gone.error["code"]) == (404, "version_not_found")
+    response = browser.get(f"/api/versions/{first}/difference?to=gone")
+    assert (response.status, response.error["code"]) == (404, "version_not_found")
 
 
 def test_a_version_knows_its_place_in_the_line(browser: Browser, pupils: Pupils) -> None:

@@ -22,7 +22,7 @@ from pinel_desktop.engine.commands import (
 )
 from storage.sqlite import sqlite3
 from tests.storage.sample_runs import block_started, ended, sample, square
-from tests.web.browser import Answer, Browser
+from tests.web.browser import ApiResponse, Browser
 from tests.web.fake_engine import FakeEngine
 
 
@@ -37,14 +37,14 @@ def test_a_run_begins_in_the_engine_and_in_the_list(
     assert run["state"] == "running"
     assert (run["group_id"], run["program_id"]) == (group["id"], program["id"])
     assert (run["version_id"], run["program_name"]) == (version["id"], "Quadrado")
-    assert engine.begun["run"] == run["id"]
-    assert (engine.begun["world"]["name"], engine.begun["seed"]) == ("empty_room", 0)
-    assert engine.begun["setting"] == {
+    assert engine.start_spec["run"] == run["id"]
+    assert (engine.start_spec["world"]["name"], engine.start_spec["seed"]) == ("empty_room", 0)
+    assert engine.start_spec["setting"] == {
         "model": "pioneer_3dx",
         "preset": "ideal",
         "feedback": "pose",
     }
-    assert engine.begun["document"]["commands"][0]["action"] == "repeat"
+    assert engine.start_spec["document"]["commands"][0]["action"] == "repeat"
     assert browser.get(f"/api/groups/{group['id']}/runs").data == {"runs": [run], "next": None}
     assert browser.get("/api/status").data["run"] == run["id"]
 
@@ -53,28 +53,30 @@ def test_a_run_may_begin_elsewhere_and_with_another_setting(
     browser: Browser, engine: FakeEngine, version: dict[str, Any]
 ) -> None:
     start = {"x_m": 1.0, "y_m": -2.0, "heading_deg": 90.0}
-    wish = {"start": start, "preset": "realistic", "feedback": "odometry"}
-    answer = browser.post("/api/runs", {"version_id": version["id"], "world": "empty_room", **wish})
-    assert engine.begun["world"]["start"] == start
-    assert engine.begun["setting"]["preset"] == "realistic"
-    assert engine.begun["setting"]["feedback"] == "odometry"
-    kept = browser.get(f"/api/runs/{answer.data['id']}").data
-    assert kept["world_document"]["start"] == start
+    options = {"start": start, "preset": "realistic", "feedback": "odometry"}
+    answer = browser.post(
+        "/api/runs", {"version_id": version["id"], "world": "empty_room", **options}
+    )
+    assert engine.start_spec["world"]["start"] == start
+    assert engine.start_spec["setting"]["preset"] == "realistic"
+    assert engine.start_spec["setting"]["feedback"] == "odometry"
+    recorded = browser.get(f"/api/runs/{answer.data['id']}").data
+    assert recorded["world_document"]["start"] == start
 
 
 def test_an_unknown_robot_is_refused_with_those_there_are(
     browser: Browser, group: dict[str, Any], version: dict[str, Any]
 ) -> None:
-    wish = {"version_id": version["id"], "world": "empty_room", "model": "r2d2"}
-    answer = browser.post("/api/runs", wish)
+    request = {"version_id": version["id"], "world": "empty_room", "model": "r2d2"}
+    answer = browser.post("/api/runs", request)
     assert (answer.status, answer.error["code"]) == (422, "unknown_robot")
     assert browser.get(f"/api/groups/{group['id']}/runs").data["runs"] == []
 
 
 @pytest.mark.parametrize("seed", [True, "1", 1.5])
 def test_a_seed_is_a_whole_number(browser: Browser, version: dict[str, Any], seed: Any) -> None:
-    wish = {"version_id": version["id"], "world": "empty_room", "seed": seed}
-    answer = browser.post("/api/runs", wish)
+    request = {"version_id": version["id"], "world": "empty_room", "seed": seed}
+    answer = browser.post("/api/runs", request)
     assert (answer.status, answer.error["code"]) == (422, "invalid_request")
 
 
@@ -110,7 +112,7 @@ def test_an_unknown_world_is_refused_with_those_there_are(
     assert "empty_room" in answer.error["remedy"]
 
 
-def command(browser: Browser, run: dict[str, Any], do: str, **more: Any) -> Answer:
+def command(browser: Browser, run: dict[str, Any], do: str, **more: Any) -> ApiResponse:
     return browser.post(f"/api/runs/{run['id']}/commands", {"do": do, **more})
 
 
@@ -122,7 +124,7 @@ def test_the_live_run_is_steered(
 ) -> None:
     answer = command(browser, run, do)
     assert (answer.status, answer.data) == (200, {"value": None, "problem": None})
-    assert engine.told == [sent]
+    assert engine.commands == [sent]
 
 
 def test_a_capture_is_answered_by_hand(
@@ -130,7 +132,7 @@ def test_a_capture_is_answered_by_hand(
 ) -> None:
     assert command(browser, run, "answer_capture", result="B").status == 200
     assert command(browser, run, "answer", value="3").status == 200
-    assert engine.told == [AnswerCapture(result="B"), commands.Answer(value="3")]
+    assert engine.commands == [AnswerCapture(result="B"), commands.Answer(value="3")]
 
 
 def test_the_live_run_is_debugged(
@@ -140,7 +142,7 @@ def test_the_live_run_is_debugged(
     assert command(browser, run, "breakpoints", blocks=["a", "b"]).status == 200
     assert command(browser, run, "speed", factor=0.5).status == 200
     assert command(browser, run, "subscribe", sensors=["sonar", "lidar"]).status == 200
-    assert engine.told == [
+    assert engine.commands == [
         Step(mode="over"),
         SetBreakpoints(blocks=["a", "b"]),
         SetSpeed(factor=0.5),
@@ -149,7 +151,7 @@ def test_the_live_run_is_debugged(
 
 
 @pytest.mark.parametrize(
-    ("sent", "words"),
+    ("sent", "parts"),
     [
         ({"do": "step", "mode": "back"}, ["“mode”", "into, over, out"]),
         ({"do": "breakpoints", "blocks": [1]}, ["“blocks”"]),
@@ -163,13 +165,13 @@ def test_the_live_run_is_debugged(
     ],
 )
 def test_a_command_that_does_not_fit_is_told_in_words(
-    browser: Browser, engine: FakeEngine, run: dict[str, Any], sent: Any, words: list[str]
+    browser: Browser, engine: FakeEngine, run: dict[str, Any], sent: Any, parts: list[str]
 ) -> None:
     answer = browser.post(f"/api/runs/{run['id']}/commands", sent)
     assert (answer.status, answer.error["code"]) == (422, "invalid_request")
     text = f"{answer.error['message']} {answer.error['remedy']}"
-    assert [word for word in words if word not in text] == []
-    assert engine.told == []
+    assert [part for part in parts if part not in text] == []
+    assert engine.commands == []
 
 
 def test_an_expression_is_evaluated_while_the_run_is_paused(
@@ -187,8 +189,8 @@ def test_an_expression_is_evaluated_while_the_run_is_paused(
 def test_a_run_may_begin_with_breakpoints_in_slow_motion_and_held(
     browser: Browser, engine: FakeEngine, version: dict[str, Any]
 ) -> None:
-    wish = {"breakpoints": ["b1"], "speed": 0.25, "paused": True}
-    start = {"version_id": version["id"], "world": "empty_room", **wish}
+    options = {"breakpoints": ["b1"], "speed": 0.25, "paused": True}
+    start = {"version_id": version["id"], "world": "empty_room", **options}
     assert browser.post("/api/runs", start).status == 200
     assert engine.first == [
         SetBreakpoints(blocks=["b1"]),

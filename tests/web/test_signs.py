@@ -48,12 +48,12 @@ def record(browser: Browser, classroom: str, sign: str) -> list[dict[str, Any]]:
         path = f"/api/classrooms/{classroom}/signs/{sign}/samples"
         answer = browser.post(path)
         assert answer.status == 200, answer.body
-        told = []
+        events = []
         for event in stream.events():
             if event["type"] == "sign_recording":
-                told.append(event)
+                events.append(event)
                 if event["is_kept"] or event["code"]:
-                    return told
+                    return events
     raise AssertionError("the stream ended")
 
 
@@ -69,9 +69,9 @@ def test_a_sign_is_recorded_listed_used_and_deleted(
     app: App, browser: Browser, classroom: str
 ) -> None:
     assert browser.put("/api/camera/classroom", {"classroom_id": classroom}).status == 200
-    told = record(browser, classroom, "b")
-    assert [event["n_samples"] for event in told] == [*range(11), 10]
-    assert {event["sign"] for event in told} == {"B"}
+    events = record(browser, classroom, "b")
+    assert [event["n_samples"] for event in events] == [*range(11), 10]
+    assert {event["sign"] for event in events} == {"B"}
     assert taught(browser, classroom) == {"B": 10}
     assert known(app) == ["B"]
     assert record(browser, classroom, "vai%20a%C3%AD")[-1]["is_kept"]
@@ -79,8 +79,8 @@ def test_a_sign_is_recorded_listed_used_and_deleted(
     assert browser.delete(f"/api/classrooms/{classroom}/signs/B").status == 200
     assert taught(browser, classroom) == {"vai aí": 10}
     assert known(app) == ["vai aí"]
-    gone = browser.delete(f"/api/classrooms/{classroom}/signs/B")
-    assert (gone.status, gone.error["code"]) == (404, "taught_sign_not_found")
+    response = browser.delete(f"/api/classrooms/{classroom}/signs/B")
+    assert (response.status, response.error["code"]) == (404, "taught_sign_not_found")
 
 
 def test_what_cannot_be_taught_is_told(app: App, browser: Browser, classroom: str) -> None:
@@ -98,9 +98,9 @@ def test_a_recording_that_is_given_up_says_so(browser: Browser, classroom: str) 
     with browser.stream() as stream:
         browser.post(f"/api/classrooms/{classroom}/signs/7/samples")
         assert browser.delete("/api/signs/recording").status == 200
-        told = next(event for event in stream.events() if event.get("code"))
-    assert (told["type"], told["code"]) == ("sign_recording", "sign_recording_stopped")
-    assert told["remedy"]
+        report = next(event for event in stream.events() if event.get("code"))
+    assert (report["type"], report["code"]) == ("sign_recording", "sign_recording_stopped")
+    assert report["remedy"]
     assert taught(browser, classroom) == {}
 
 
@@ -113,8 +113,8 @@ def test_a_run_brings_the_signs_of_its_group(app: App, browser: Browser, classro
     document = {"pinel_ir": 1, "name": "p", "functions": [], "commands": []}
     version = app._store.versions.save(program.id, {}, document)
     app._engine.wait_until_ready(30)
-    begun = browser.post("/api/runs", {"version_id": version.id, "world": "empty_room"})
-    assert begun.status == 200, begun.body
+    response = browser.post("/api/runs", {"version_id": version.id, "world": "empty_room"})
+    assert response.status == 200, response.body
     assert known(app) == ["7"]
 
 
@@ -136,21 +136,21 @@ def test_a_class_that_is_deleted_while_it_records_keeps_nothing_and_is_told(
     with browser.stream() as stream:
         browser.post(f"/api/classrooms/{classroom}/signs/7/samples")
         assert browser.delete(f"/api/classrooms/{classroom}").status == 200
-        told = next(event for event in stream.events() if event.get("code"))
-    assert (told["type"], told["code"]) == ("sign_recording", "classroom_not_found")
+        report = next(event for event in stream.events() if event.get("code"))
+    assert (report["type"], report["code"]) == ("sign_recording", "classroom_not_found")
 
 
 def test_of_two_windows_that_record_the_second_one_does(browser: Browser, classroom: str) -> None:
     with browser.stream() as stream:
         browser.post(f"/api/classrooms/{classroom}/signs/7/samples")
         browser.post(f"/api/classrooms/{classroom}/signs/8/samples")
-        told = []
+        outcomes = []
         for event in stream.events():
             if event["type"] == "sign_recording" and (event["is_kept"] or event["code"]):
-                told.append((event["sign"], event["code"]))
+                outcomes.append((event["sign"], event["code"]))
                 if event["is_kept"]:
                     break
-    assert told == [("7", "sign_recording_stopped"), ("8", None)]
+    assert outcomes == [("7", "sign_recording_stopped"), ("8", None)]
     assert taught(browser, classroom) == {"8": 10}
 
 
@@ -176,8 +176,8 @@ def test_whoever_lists_the_signs_hears_that_they_are_others(
         browser.put("/api/teacher/pin", {"pin": "314159"})
         browser.delete(f"/api/classrooms/{classroom}")
         assert stream.until("signs_changed")[-1]["classroom"] is None
-    gone = browser.put("/api/camera/classroom", {"classroom_id": classroom})
-    assert gone.error["code"] == "classroom_not_found"
+    response = browser.put("/api/camera/classroom", {"classroom_id": classroom})
+    assert response.error["code"] == "classroom_not_found"
 
 
 def test_signs_of_another_pc_are_known_at_once(
@@ -187,12 +187,12 @@ def test_signs_of_another_pc_are_known_at_once(
     browser.put("/api/teacher/pin", {"pin": "2468"})
     bundle = browser.post("/api/bundles", {"folder": str(tmp_path), "classroom_id": classroom})
     with App(tmp_path / "other" / "pinel.db") as other:
-        elsewhere = Browser.signed_in(other.address)
-        elsewhere.put("/api/teacher/pin", {"pin": "2468"})
-        elsewhere.post("/api/bundles/merge", {"paths": [bundle.data["path"]]})
+        other_browser = Browser.signed_in(other.address)
+        other_browser.put("/api/teacher/pin", {"pin": "2468"})
+        other_browser.post("/api/bundles/merge", {"paths": [bundle.data["path"]]})
         other._store.taught_signs.add(classroom, "vai", packed(shown("B")[:10]))
         (tmp_path / "back").mkdir()
-        back = elsewhere.post("/api/bundles", {"folder": str(tmp_path / "back")})
+        back = other_browser.post("/api/bundles", {"folder": str(tmp_path / "back")})
     assert known(app) == []
     merged = browser.post("/api/bundles/merge", {"paths": [back.data["path"]]})
     assert merged.data["merged"][0]["problem"] is None

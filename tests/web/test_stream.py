@@ -46,7 +46,7 @@ def test_when_the_page_hears_of_the_end_the_run_has_ended(
 def test_a_silent_stream_is_kept_alive_by_comments(
     browser: Browser, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(stream, "KEEP_ALIVE_S", 0.01)
+    monkeypatch.setattr(stream, "HEARTBEAT_INTERVAL_S", 0.01)
     with browser.stream() as events:
         lines = events.lines()
         assert next(lines).startswith("data: ")

@@ -7,7 +7,7 @@ import pytest
 
 from pinel_desktop.app import App
 from pinel_desktop.messages import LANGUAGES
-from pinel_desktop.program.reading import Reading
+from pinel_desktop.program.reading import ParseResult
 from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
 
@@ -92,11 +92,11 @@ def test_all_windows_hear_of_what_is_saved_thrown_away_and_taken_back(
         saved = browser.post(f"{path}/versions", {"workspace": {}, "document": None}).data
         browser.send("DELETE", path)
         browser.post(f"{path}/take-back", {})
-        heard = [events.next() for _ in range(3)]
-    assert {one["type"] for one in heard} == {"program"}
-    assert {one["program"] for one in heard} == {program["id"]}
-    assert [one["version"] for one in heard] == [saved["id"], None, None]
-    assert [one["deleted_at"] is None for one in heard] == [True, False, True]
+        received = [events.next() for _ in range(3)]
+    assert {one["type"] for one in received} == {"program"}
+    assert {one["program"] for one in received} == {program["id"]}
+    assert [one["version"] for one in received] == [saved["id"], None, None]
+    assert [one["deleted_at"] is None for one in received] == [True, False, True]
 
 
 def test_blocks_with_faults_are_kept_and_the_faults_told_in_words(
@@ -107,8 +107,12 @@ def test_blocks_with_faults_are_kept_and_the_faults_told_in_words(
     assert (fault["code"], fault["block"]) == ("distance_out_of_range", "b")
     assert fault["pointer"] == "/commands/0/distance"
     assert "-1" in fault["message"]
-    kept = browser.get(f"/api/programs/{program['id']}").data["version"]
-    assert (kept["workspace"], kept["document"], kept["faults"]) == ({"b": 1}, None, [fault])
+    version = browser.get(f"/api/programs/{program['id']}").data["version"]
+    assert (version["workspace"], version["document"], version["faults"]) == (
+        {"b": 1},
+        None,
+        [fault],
+    )
     browser.send("PUT", "/api/settings", {"language": "pt-BR"})
     (translated,) = browser.get(f"/api/programs/{program['id']}").data["version"]["faults"]
     assert translated["message"] != fault["message"]
@@ -179,7 +183,7 @@ def test_faults_that_hold_what_nothing_can_write_are_answered_all_the_same(
     class Wild:
         code, pointer, block, params = "times_out_of_range", "/\ud800", "\ud800", values
 
-    browser = Browser.signed_in(start_app(read=lambda source: Reading(None, (Wild(),))).address)  # type: ignore[arg-type]
+    browser = Browser.signed_in(start_app(read=lambda source: ParseResult(None, (Wild(),))).address)  # type: ignore[arg-type]
     (fault,) = browser.post("/api/check", {"document": {}}).data["faults"]
     assert (fault["pointer"], fault["block"]) == ("/\ufffd", "\ufffd")
     assert fault["params"] == {"value": "1e400", "min": "-1e400", "max": "inf", "name": ["\ufffd"]}
@@ -209,10 +213,10 @@ def test_of_thousands_of_faults_the_first_hundred_are_told_and_kept(
         assert len(part["faults"]) == 100
         assert part["faults"][0]["pointer"].startswith("/commands/0")
         assert len(answer.body) < 100_000
-    kept = app._store.versions.newest(program["id"])
-    assert kept is not None
-    assert len(kept.faults) == 100
-    with_many = app._store.versions.save(program["id"], {"b": 1}, None, kept.faults * 20)
+    version = app._store.versions.newest(program["id"])
+    assert version is not None
+    assert len(version.faults) == 100
+    with_many = app._store.versions.save(program["id"], {"b": 1}, None, version.faults * 20)
     assert len(with_many.faults) == 2000
     assert len(browser.get(path).data["version"]["faults"]) == 100
 
@@ -304,8 +308,8 @@ def test_a_setup_of_a_newer_release_does_not_close_the_program(app: App, browser
     setup = {"world": "maze", "preset": "realistic", "speed": 2}
     body = {"workspace": {"a": 1}, "document": None, "setup": setup}
     assert browser.post(f"{path}/versions", body).status == 200
-    kept = browser.get(path).data["version"]["setup"]
-    assert kept == {
+    stored = browser.get(path).data["version"]["setup"]
+    assert stored == {
         **setup,
         "speed": 2.0,
         "start": None,
@@ -317,6 +321,6 @@ def test_a_setup_of_a_newer_release_does_not_close_the_program(app: App, browser
     app._store.versions.save(program["id"], {"a": 2}, None, setup={"planet": "Mars"})
     assert browser.get(path).data["version"]["setup"] is None
     marks = browser.get(f"{path}/versions").data["versions"]
-    assert [mark["setup"] for mark in marks] == [None, kept]
+    assert [mark["setup"] for mark in marks] == [None, stored]
     wrong = browser.post(f"{path}/versions", {**body, "setup": {"world": "maze", "speed": 0}})
     assert wrong.status == 422

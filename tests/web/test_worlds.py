@@ -8,7 +8,7 @@ from pinel_desktop.app import App
 from pinel_desktop.web.models.worlds import Title
 from pinel_desktop.web.responses import plain
 from sim.document import Box, WorldDocument
-from sim.reading import read_world
+from sim.parsing import read_world
 from sim.world import DEFAULT_BOX_MASS_KG, list_worlds
 from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
@@ -42,10 +42,11 @@ def test_a_sound_world_is_checked_without_faults(browser: Browser) -> None:
 
 
 @pytest.mark.parametrize(
-    "odd", [{"pinel_world": 10**400}, {"pinel_world": True}, {"\ud800": 1, "walls": [{"to": 5}]}]
+    "unusual",
+    [{"pinel_world": 10**400}, {"pinel_world": True}, {"\ud800": 1, "walls": [{"to": 5}]}],
 )
-def test_what_no_model_foresaw_is_a_fault_too(browser: Browser, odd: dict[str, Any]) -> None:
-    faults = browser.post("/api/worlds/check", {"world": {**OWN, **odd}}).data["faults"]
+def test_what_no_model_foresaw_is_a_fault_too(browser: Browser, unusual: dict[str, Any]) -> None:
+    faults = browser.post("/api/worlds/check", {"world": {**OWN, **unusual}}).data["faults"]
     assert faults
     assert all(fault["message"] and fault["remedy"] for fault in faults)
 
@@ -98,7 +99,7 @@ def test_a_run_in_the_version_s_own_world_keeps_the_document(
     version = save(browser, program, OWN).data
     run = browser.post("/api/runs", {"version_id": version["id"], "world": "own"}).data
     assert run["world"] == "own"
-    assert engine.begun["world"] == read_world(OWN, robot_radius_m=0.25).document
+    assert engine.start_spec["world"] == read_world(OWN, robot_radius_m=0.25).document
     read = browser.get(f"/api/runs/{run['id']}").data
     assert read["world_document"]["walls"] == OWN["walls"]
     assert read["version"]["world"]["name"] == "own"
@@ -124,8 +125,8 @@ def test_a_start_without_room_for_the_robot_is_refused_in_words_of_its_own(
     browser: Browser, program: dict[str, Any], start: dict[str, Any], code: str
 ) -> None:
     version = save(browser, program, OWN).data
-    wish = {"version_id": version["id"], "world": "own", "start": start}
-    answer = browser.post("/api/runs", wish)
+    request = {"version_id": version["id"], "world": "own", "start": start}
+    answer = browser.post("/api/runs", request)
     assert (answer.status, answer.error["code"]) == (422, code)
 
 
@@ -133,8 +134,10 @@ def test_a_start_without_room_for_the_robot_is_refused_in_words_of_its_own(
 def test_what_the_page_is_told_of_a_world_can_be_kept_as_one_s_own(
     browser: Browser, document: dict[str, Any]
 ) -> None:
-    told = {world["name"]: world for world in browser.get("/api/worlds").data["worlds"]}
-    assert browser.post("/api/worlds/check", {"world": told[document["name"]]}).data["faults"] == []
+    worlds = {world["name"]: world for world in browser.get("/api/worlds").data["worlds"]}
+    assert (
+        browser.post("/api/worlds/check", {"world": worlds[document["name"]]}).data["faults"] == []
+    )
 
 
 def test_the_interface_describes_worlds_as_the_reader_reads_them(browser: Browser) -> None:
@@ -155,14 +158,14 @@ def test_a_world_that_was_kept_before_a_rule_came_opens_runs_and_is_kept_again(
     assert app._store is not None
     app._store.versions.save(program["id"], {"blocks": 1}, SQUARE, [], old)
     opened = browser.get(f"/api/programs/{program['id']}").data["version"]["world"]
-    kept = save(browser, program, opened)
-    assert kept.status == 200
-    wish = {"version_id": kept.data["id"], "world": "own"}
+    saved = save(browser, program, opened)
+    assert saved.status == 200
+    request = {"version_id": saved.data["id"], "world": "own"}
     moved = {"x_m": 1.0, "y_m": -1.0, "heading_deg": 0.0}
-    assert browser.post("/api/runs", {**wish, "start": moved}).status == 200
-    assert engine.begun["world"] == {**old, "start": moved}
-    engine.send(ended(engine.begun["run"], 0, 0))
-    nowhere = browser.post("/api/runs", {**wish, "start": {**moved, "y_m": -2.0}})
+    assert browser.post("/api/runs", {**request, "start": moved}).status == 200
+    assert engine.start_spec["world"] == {**old, "start": moved}
+    engine.send(ended(engine.start_spec["run"], 0, 0))
+    nowhere = browser.post("/api/runs", {**request, "start": {**moved, "y_m": -2.0}})
     assert nowhere.error["code"] in ("start_in_wall", "start_off_floor")
     changed = save(browser, program, {**opened, "title": "x"})
     assert [fault["code"] for fault in changed.error["faults"]] == [

@@ -50,7 +50,7 @@ Check = Annotated[
     | uses.Uses
     | executed.Executed
     | time.Time
-    | says.Says
+    | says.ShowsText
     | marks.Marks
     | mark_count.MarkCount
     | any_of.AnyOf,

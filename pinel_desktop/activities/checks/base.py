@@ -186,8 +186,8 @@ def rounded(value: float, digits: int = 2) -> float:
     return round(value, digits) + 0.0  # no -0.0
 
 
-def limits_faults(key: str, least: float, most: float) -> Iterator[CheckFault]:
+def limits_faults(key: str, min_value: float, max_value: float) -> Iterator[CheckFault]:
     """The fault of a least value, by its key, that is above the greatest."""
-    if least > most:
-        params: dict[str, object] = {"name": key, "value": least, "max": most}
+    if min_value > max_value:
+        params: dict[str, object] = {"name": key, "value": min_value, "max": max_value}
         yield CheckFault((key,), "activity_limits_crossed", params)

@@ -2,8 +2,8 @@
 
 import click
 
+from pinel_desktop.camera.frame_analyzer import FrameAnalyzer
 from pinel_desktop.camera.server import CameraServer
-from pinel_desktop.camera.sight import Sight
 from pinel_desktop.commands.owned.pipe import pipes
 from pinel_desktop.gestures.recognition import Recogniser
 
@@ -11,5 +11,5 @@ from pinel_desktop.gestures.recognition import Recogniser
 @click.command(hidden=True)
 def command() -> None:
     """Recognise signs for the app: messages on standard input, what is seen on standard output."""
-    with pipes() as (messages, seen):
-        CameraServer(messages, seen, lambda: Sight(Recogniser())).serve()
+    with pipes() as (messages, results):
+        CameraServer(messages, results, lambda: FrameAnalyzer(Recogniser())).serve()

@@ -38,5 +38,5 @@ def command(ctx: click.Context, file: Path, as_json: bool) -> None:
         click.echo(json.dumps(asdict(salvaged)))
         return
     code = "salvaged" if salvaged.n_rows else "salvage_nothing"
-    words = describe(code, {"file": str(file), **asdict(salvaged)}, language_of_system())
-    click.echo("\n".join(filter(None, (words.message, words.remedy))))
+    text = describe(code, {"file": str(file), **asdict(salvaged)}, language_of_system())
+    click.echo("\n".join(filter(None, (text.message, text.remedy))))

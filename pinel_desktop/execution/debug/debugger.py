@@ -18,7 +18,7 @@ class Debugger:
 
     Attributes:
         cause: cause of the current or next pause.
-        n_begun: number of commands that have begun.
+        n_started: number of commands that have begun.
     """
 
     def __init__(self, control: RunControl, depth: Callable[[], int]) -> None:
@@ -26,7 +26,7 @@ class Debugger:
         self._depth_of_pause = 0
         self._is_held = False
         self.cause: PauseCause = "person"
-        self.n_begun = 0
+        self.n_started = 0
 
     def should_pause(self, command: Any) -> bool:
         """Whether the run pauses before this command; if so, requests the pause."""
@@ -37,16 +37,16 @@ class Debugger:
             or (control.step is None and not control.breakpoints and control.pause_at is None)
         ):
             self._is_held = False
-            self.n_begun += 1
+            self.n_started += 1
             return False
-        if control.pause_at is not None and self.n_begun == control.pause_at[0]:
+        if control.pause_at is not None and self.n_started == control.pause_at[0]:
             cause, control.pause_at = control.pause_at[1], None
             self._request_pause(cause)
         elif command.block is not None and command.block in control.breakpoints:
             self._request_pause("breakpoint")
         elif self._step_is_over():
             self._request_pause("step")
-        self.n_begun += not self._is_held
+        self.n_started += not self._is_held
         return self._is_held
 
     def paused(self) -> None:

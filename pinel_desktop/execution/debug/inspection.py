@@ -15,7 +15,7 @@ from pinel_desktop.program.model import SetVariable
 from pinel_desktop.program.reading import read_document
 
 
-def answer_evaluations(control: RunControl, context: RunContext) -> None:
+def process_evaluations(control: RunControl, context: RunContext) -> None:
     """Evaluates the requests since the last call. Called on the run's thread while it is paused."""
     while True:
         try:

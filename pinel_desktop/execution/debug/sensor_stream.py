@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import Ranges, Things
+from pinel_desktop.events.model import BoxesMoved, Ranges
 from pinel_desktop.execution.context import RunContext
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.robot import Pose2D, RobotLink
@@ -17,7 +17,7 @@ class SensorStream:
 
     def __init__(self, context: RunContext, link: RobotLink, control: RunControl) -> None:
         self._context, self._link, self._control = context, link, control
-        self._poses: dict[int, Pose2D] = link.things()
+        self._poses: dict[int, Pose2D] = link.movable_boxes()
         self._subscribed: frozenset[str] = frozenset()
 
     def report(self) -> None:
@@ -36,7 +36,7 @@ class SensorStream:
 
     def report_boxes(self) -> None:
         """Reports the boxes that have moved since the last report."""
-        poses = self._link.things()
+        poses = self._link.movable_boxes()
         moved = {
             str(index): (
                 round(pose.x_m, _DIGITS),
@@ -48,15 +48,15 @@ class SensorStream:
         }
         if moved:
             self._poses = {**self._poses, **{int(index): poses[int(index)] for index in moved}}
-            self._context.emit(Things(moved))
+            self._context.emit(BoxesMoved(moved))
 
     def _report_ranges(self) -> None:
-        self._subscribed = wanted = self._control.subscriptions
+        self._subscribed = subscriptions = self._control.subscriptions
         sensors = self._context.sensors
         self._context.emit(
             Ranges(
-                _rounded(sensors.sonars) if "sonar" in wanted else None,
-                _rounded(sensors.scan) if "lidar" in wanted else None,
+                _rounded(sensors.sonars) if "sonar" in subscriptions else None,
+                _rounded(sensors.scan) if "lidar" in subscriptions else None,
             )
         )
 

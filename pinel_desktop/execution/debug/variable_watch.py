@@ -9,9 +9,9 @@ from pinel_desktop.execution.expressions.values import Value, plain
 from pinel_desktop.execution.stack import ProgramStack
 
 _PAUSE_TICKS = TICK_HZ // 5
-_LONGEST_TEXT = 200
-_MOST_ITEMS = 20
-_MOST_LETTERS = 20_000
+_MAX_TEXT = 200
+_MAX_ITEMS = 20
+_MAX_CHARACTERS = 20_000
 _CUT = "…"
 
 
@@ -21,7 +21,7 @@ class VariableWatch:
     def __init__(self, context: RunContext, stack: ProgramStack) -> None:
         self._context, self._stack = context, stack
         self._due = 0
-        self._seen = self._state()
+        self._reported = self._state()
 
     def _state(self) -> tuple[int, int, str]:
         context = self._context
@@ -30,16 +30,16 @@ class VariableWatch:
     def report(self, *, now: bool = False) -> None:
         """Reports changes since the last report, when due or `now`."""
         context = self._context
-        if (context.tick < self._due and not now) or (state := self._state()) == self._seen:
+        if (context.tick < self._due and not now) or (state := self._state()) == self._reported:
             return
-        self._seen, self._due = state, context.tick + _PAUSE_TICKS
+        self._reported, self._due = state, context.tick + _PAUSE_TICKS
         calls = [call.copy() for call in self._stack.calls]
         context.emit(Watch(_cut(context.variables.visible()), calls, context.gesture_result))
 
 
 def _cut(variables: dict[str, Value]) -> dict[str, Any]:
     """The variables for display; long texts and lists, and a long total, end in an ellipsis."""
-    room = _MOST_LETTERS
+    room = _MAX_CHARACTERS
     shown: dict[str, Any] = {}
     for name, value in variables.items():
         shown[name] = cut_value(value) if room > 0 else _CUT
@@ -50,8 +50,8 @@ def _cut(variables: dict[str, Value]) -> dict[str, Any]:
 def cut_value(value: Value) -> Any:
     """A value for display, as plain data; long texts and lists end in an ellipsis."""
     if isinstance(value, str):
-        return value if len(value) <= _LONGEST_TEXT else value[:_LONGEST_TEXT] + _CUT
+        return value if len(value) <= _MAX_TEXT else value[:_MAX_TEXT] + _CUT
     if isinstance(value, list):
-        items = [cut_value(item) for item in value[:_MOST_ITEMS]]
-        return [*items, _CUT] if len(value) > _MOST_ITEMS else items
+        items = [cut_value(item) for item in value[:_MAX_ITEMS]]
+        return [*items, _CUT] if len(value) > _MAX_ITEMS else items
     return plain(value)

@@ -24,14 +24,16 @@ from pinel_desktop.program.expressions import (
     FunctionCall,
     GestureResult,
     Operation,
-    Reading,
+    SensorReading,
     Variable,
 )
 from pinel_desktop.program.sensors import SENSORS
 
 Simple = Callable[[], Value]
 
-_LONGEST_AT_ONCE = 500  # parts; less than a millisecond, except with texts of thousands of letters
+_MAX_PARTS_AT_ONCE = (
+    500  # parts; less than a millisecond, except with texts of thousands of letters
+)
 _JOINED = ("and", "or")
 _COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 # expression parts that take about as long as copying a list
@@ -109,9 +111,9 @@ class Evaluator:
         value = part.simple()
         context = self._context
         context.n_evaluated += part.weight
-        if context.n_evaluated > self._last_preempted + _LONGEST_AT_ONCE:
+        if context.n_evaluated > self._last_preempted + _MAX_PARTS_AT_ONCE:
             self._last_preempted = context.n_evaluated
-            yield Preempt.TAKEN
+            yield Preempt.YIELD
         return value
 
     def _own(self, value: Value) -> Value:
@@ -136,7 +138,7 @@ class Evaluator:
         args = [self.compiled(arg) for arg in node.args]
         weight += sum(arg.weight for arg in args)
         simple = [arg.simple for arg in args if arg.simple is not None]
-        if len(simple) < len(args) or weight > _LONGEST_AT_ONCE:
+        if len(simple) < len(args) or weight > _MAX_PARTS_AT_ONCE:
             return Compiled(weight, None, self._in_steps(node.op, compute, node.args))
         joined = _joined(node.op, simple) if node.op in _JOINED else _applied(compute, simple)
         return Compiled(weight, joined)
@@ -182,7 +184,7 @@ class Evaluator:
 
         return short_circuit if op in _JOINED else steps
 
-    def _sensor(self, node: Reading) -> Compiled:
+    def _sensor(self, node: SensorReading) -> Compiled:
         name = node.sensor
         read, argument = reader(self._context, name), SENSORS[name].argument
         if argument is None:
@@ -218,11 +220,11 @@ class Evaluator:
 def _is_long(node: Operation) -> bool:
     """Whether an operation has so many parts that compiling it takes noticeable time; stops counting at the limit."""
     count, waiting = 0, [node]
-    while waiting and count <= _LONGEST_AT_ONCE:
+    while waiting and count <= _MAX_PARTS_AT_ONCE:
         args = waiting.pop().args
         count += len(args)
         waiting += [arg for arg in args if isinstance(arg, Operation)]
-    return count > _LONGEST_AT_ONCE
+    return count > _MAX_PARTS_AT_ONCE
 
 
 def _is_plain(expression: Any) -> bool:

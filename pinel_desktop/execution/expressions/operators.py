@@ -150,16 +150,16 @@ def _item(items: Value, index: Value) -> Value:
     return found
 
 
-def _position_of(items: Value, wanted: Value) -> Value:
+def _position_of(items: Value, target: Value) -> Value:
     if not isinstance(items, list):
         raise RunFailureError("not_list", operator="position_of")
-    return float(position_of(items, wanted))
+    return float(position_of(items, target))
 
 
-def _contains(items: Value, wanted: Value) -> Value:
+def _contains(items: Value, target: Value) -> Value:
     if not isinstance(items, list):
         raise RunFailureError("not_list", operator="contains")
-    return position_of(items, wanted) > 0
+    return position_of(items, target) > 0
 
 
 def _whole(op: str, value: Value) -> int:

@@ -8,8 +8,8 @@ from typing import Any
 
 from pinel_desktop.execution.expressions.values import Value, fold_case, plain
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.program.expressions import Takes
-from pinel_desktop.program.signatures import TAKES, range_code
+from pinel_desktop.program.expressions import ParameterSpec
+from pinel_desktop.program.signatures import PARAMETER_SPECS, range_code
 
 # model attributes whose name in the document differs
 _KEYS = {"from_": "from"}
@@ -20,21 +20,21 @@ class Bounds:
     """Bounds of a numeric parameter, for values that only a run computes."""
 
     name: str
-    takes: Takes
+    spec: ParameterSpec
 
     @staticmethod
     @cache
     def of(kind: str, name: str) -> Bounds:
         """The bounds of a parameter of an action or a sensor."""
-        return Bounds(name, TAKES[kind, name])
+        return Bounds(name, PARAMETER_SPECS[kind, name])
 
-    def narrowed(self, most: float) -> Bounds:
+    def narrowed(self, max_abs: float) -> Bounds:
         """The same for a number within -most to most."""
-        return Bounds(self.name, replace(self.takes, ge=-most, le=most))
+        return Bounds(self.name, replace(self.spec, ge=-max_abs, le=max_abs))
 
     def checked(self, value: Value) -> float:
         """Returns the value if it is a number within the bounds. Raises RunFailureError."""
-        takes = self.takes
+        takes = self.spec
         if not isinstance(value, float):
             raise RunFailureError("wrong_type_number", name=self.name)
         if takes.whole and not value.is_integer():
@@ -50,7 +50,7 @@ class Bounds:
 
     def text(self, value: Value) -> str:
         """Returns the value if it is a text. Raises RunFailureError `wrong_type_text`."""
-        if self.takes.choices:
+        if self.spec.choices:
             return self._choice(value)
         if not isinstance(value, str):
             raise RunFailureError("wrong_type_text", name=self.name)
@@ -58,7 +58,7 @@ class Bounds:
 
     def _choice(self, value: Value) -> str:
         """The choice that a value means, in any case. Raises RunFailureError, such as `symbol_unknown`."""
-        for choice in self.takes.choices:
+        for choice in self.spec.choices:
             if fold_case(value) == fold_case(choice):
                 return choice
         raise RunFailureError(f"{self.name}_unknown", value=plain(value))
@@ -68,10 +68,10 @@ def checked(bounds: Bounds | None, value: Value) -> Value:
     """Checks the value of a parameter; without bounds any value passes. Raises RunFailureError."""
     if bounds is None:
         return value
-    return bounds.text(value) if bounds.takes.type == "text" else bounds.checked(value)
+    return bounds.text(value) if bounds.spec.type == "text" else bounds.checked(value)
 
 
 def bounds_of(command: Any, attribute: str) -> Bounds | None:
     """The bounds of a command's parameter; None where any value is allowed."""
     key = _KEYS.get(attribute, attribute)
-    return Bounds.of(command.action, key) if (command.action, key) in TAKES else None
+    return Bounds.of(command.action, key) if (command.action, key) in PARAMETER_SPECS else None

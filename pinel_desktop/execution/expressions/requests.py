@@ -21,7 +21,7 @@ class Invoke(NamedTuple):
 class Preempt(Enum):
     """Ends the step within the tick, so that a long calculation reacts to Stop."""
 
-    TAKEN = 0
+    YIELD = 0
 
 
 Evaluation = Generator[Invoke | Preempt, Value | None, Value]

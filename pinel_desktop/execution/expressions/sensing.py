@@ -13,7 +13,7 @@ from pinel_desktop.robot import RobotModel
 from pinel_desktop.robot.sensors import missing
 
 _ROUNDING_DEG = 1e-9
-_WAYS = ("front", "back")  # the robot cannot drive sideways
+_DRIVE_DIRECTIONS = ("front", "back")  # the robot cannot drive sideways
 _ALONG = math.sin(math.radians(15.0))
 # beside the hull; what is nearer than half a metre then always counts, also between the beams that look along the way
 _CLEAR_M = 0.15
@@ -59,16 +59,16 @@ def _distance(context: EvaluationContext, direction: str) -> Value:
     indices = robot.distance_sonars[direction]  # type: ignore[index]
     if not indices:
         missing("distance")
-    if direction not in _WAYS:
+    if direction not in _DRIVE_DIRECTIONS:
         return float(min(measured(index) for index in indices))
     echoes = [(robot.sonars[index].angle_rad, measured(index)) for index in indices]
     return min(
-        (found for angle, found in echoes if _is_in_the_way(robot, angle, found)),
+        (found for angle, found in echoes if _is_in_path(robot, angle, found)),
         default=robot.sonar_range_m,
     )
 
 
-def _is_in_the_way(robot: RobotModel, angle_rad: float, measured_m: float) -> bool:
+def _is_in_path(robot: RobotModel, angle_rad: float, measured_m: float) -> bool:
     """Whether an echo counts ahead or behind.
 
     That of a sonar that looks along the way always does: nothing is known of the way beyond it. That of one beside it

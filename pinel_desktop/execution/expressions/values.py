@@ -52,11 +52,11 @@ def fold_case(value: Value) -> Value:
     return value.casefold() if isinstance(value, str) else value
 
 
-def position_of(items: list[Any], wanted: Value) -> int:
+def position_of(items: list[Any], target: Value) -> int:
     """Position, from 1, of the first item that is equal, 0 without one; texts in any case, as typed and signed ones."""
-    if not isinstance(wanted, str):
-        return next((i for i, item in enumerate(items, 1) if same(item, wanted)), 0)
-    folded = wanted.casefold()  # never shorter than the text
+    if not isinstance(target, str):
+        return next((i for i, item in enumerate(items, 1) if same(item, target)), 0)
+    folded = target.casefold()  # never shorter than the text
     for i, item in enumerate(items, 1):
         if isinstance(item, str) and len(item) <= len(folded) and item.casefold() == folded:
             return i

@@ -95,14 +95,14 @@ def set_speed(
             raise _too_fast(linear, robot.max_v_mps, "m/s")
         context.max_v_mps = linear
     if angular is not None:
-        fastest = math.degrees(robot.max_omega_radps)
-        if angular > fastest + _ROUNDING:
-            raise _too_fast(angular, fastest, "°/s")
+        max_dps = math.degrees(robot.max_omega_radps)
+        if angular > max_dps + _ROUNDING:
+            raise _too_fast(angular, max_dps, "°/s")
         context.max_omega_radps = min(math.radians(angular), robot.max_omega_radps)
 
 
 _ROUNDING = 1e-9
 
 
-def _too_fast(value: float, fastest: float, unit: str) -> RunFailureError:
-    return RunFailureError("speed_out_of_range", value=value, max=round(fastest, 6), unit=unit)
+def _too_fast(value: float, max_speed: float, unit: str) -> RunFailureError:
+    return RunFailureError("speed_out_of_range", value=value, max=round(max_speed, 6), unit=unit)

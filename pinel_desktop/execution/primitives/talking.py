@@ -12,7 +12,7 @@ from pinel_desktop.program.model import Ask, Beep, Say
 
 @instant("say", "text")
 def say(context: RunContext, command: Say, text: Value) -> None:
-    context.output.say(command.block, display_text(text, "say"))
+    context.output.show_text(command.block, display_text(text, "say"))
 
 
 @instant("beep")

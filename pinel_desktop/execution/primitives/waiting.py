@@ -36,7 +36,7 @@ def wait_for_input(
 
 
 def _polled(context: RunContext, source: InputSource[T], timeout_s: float) -> Waiting[T]:
-    n_ticks, began_s, reported = 0, context.waited_s, math.inf
+    n_ticks, start_s, reported = 0, context.waited_s, math.inf
     while isinstance(input_ := source.poll(), Pending):
         if input_ is Pending.TICK:
             if n_ticks >= max(1, _ticks(timeout_s)):
@@ -44,7 +44,7 @@ def _polled(context: RunContext, source: InputSource[T], timeout_s: float) -> Wa
             n_ticks += 1
             yield None
             continue
-        left_s = began_s + timeout_s - context.waited_s
+        left_s = start_s + timeout_s - context.waited_s
         if left_s <= 0.0:
             return None
         if math.isfinite(left_s) and math.ceil(left_s * _COUNTDOWN_HZ) < reported:

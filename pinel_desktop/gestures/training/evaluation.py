@@ -9,24 +9,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.gestures.classifier import (
-    USUAL_DOUBT,
-    Doubt,
-    Judgement,
+    DEFAULT_THRESHOLDS,
+    ClassScores,
+    RejectThresholds,
     SignClassifier,
 )
 from pinel_desktop.gestures.recognition import Recogniser
-from pinel_desktop.gestures.training.figures import Share, calibration_error, shares_by
+from pinel_desktop.gestures.training.accuracy_metrics import (
+    Proportion,
+    calibration_error,
+    proportions_by,
+)
 from pinel_desktop.gestures.training.folds import CROPS, Fold, leave_one_source_out, strict
-from pinel_desktop.gestures.training.learning import (
+from pinel_desktop.gestures.training.letter_training import (
     SEED,
     WRONG_LABELS,
-    OutOfSource,
+    CrossValidation,
     calibrate,
-    learn,
-    out_of_source,
+    cross_validate,
+    fit_letters,
 )
+from pinel_desktop.gestures.training.photo_features import PhotoFeatures
 from pinel_desktop.gestures.training.photos import Photo
-from pinel_desktop.gestures.training.recordings import Recordings
 
 N_TAUGHT = 4  # frames a letter
 # who has enough photographs of each letter to be taught and tested
@@ -37,9 +41,9 @@ Folds = Callable[[NDArray[np.str_]], Iterator[Fold]]
 
 
 def evaluate_unseen(
-    recordings: Recordings,
+    dataset: PhotoFeatures,
     seed: int = SEED,
-    doubt: Doubt = USUAL_DOUBT,
+    thresholds: RejectThresholds = DEFAULT_THRESHOLDS,
     *,
     unknown: bool = True,
 ) -> Report:
@@ -48,140 +52,163 @@ def evaluate_unseen(
     `unknown=False` leaves out the letters that are left out of training, which take two minutes.
     """
     report: Report = {
-        "photos": len(recordings),
-        "hands_found": hands_found(recordings),
-        "leave_one_source_out": _unseen(recordings, leave_one_source_out, seed, doubt),
-        "strict": _unseen(recordings, strict, seed, doubt),
+        "photos": len(dataset),
+        "hands_found": hands_found(dataset),
+        "leave_one_source_out": _unseen(dataset, leave_one_source_out, seed, thresholds),
+        "strict": _unseen(dataset, strict, seed, thresholds),
     }
-    report["strict"]["taught"] = _taught(recordings, seed)
+    report["strict"]["taught"] = _taught(dataset, seed)
     if unknown:
-        report["strict"]["unknown_letter_refused"] = unknown_refused(recordings, seed, doubt)
+        report["strict"]["unknown_letter_refused"] = unknown_refused(dataset, seed, thresholds)
     return report
 
 
 def evaluate_known(
-    recordings: Recordings, classifier: SignClassifier, doubt: Doubt = USUAL_DOUBT
+    dataset: PhotoFeatures,
+    classifier: SignClassifier,
+    thresholds: RejectThresholds = DEFAULT_THRESHOLDS,
 ) -> Report:
     """The report of the classifier as it is. Where it learnt from the same people, this says nothing about others."""
-    judged = classifier.judge(recordings.features)
-    right = np.array(classifier.signs)[judged.best] == recordings.letters
+    judged = classifier.score(dataset.features)
+    right = np.array(classifier.signs)[judged.best] == dataset.letters
     confidence = classifier.calibration.probabilities(judged.scores)[:, :-1].max(1)
     return {
-        "photos": len(recordings),
-        "hands_found": hands_found(recordings),
-        **_answers(recordings, judged, right, doubt),
+        "photos": len(dataset),
+        "hands_found": hands_found(dataset),
+        **_answers(dataset, judged, right, thresholds),
         "calibration_error": round(calibration_error(confidence, right), 4),
         "painted_over_answered": _painted_answered(
-            recordings, classifier.judge(recordings.painted.features), doubt
+            dataset, classifier.score(dataset.painted.features), thresholds
         ),
     }
 
 
-def hands_found(recordings: Recordings) -> Report:
+def hands_found(dataset: PhotoFeatures) -> Report:
     """In which share of the photographs the labelled hand is found; the crops count apart."""
-    crops = recordings.sources == CROPS
+    crops = dataset.sources == CROPS
     return {
-        "all_but_crops": Share.among(recordings.is_hand[~crops]).as_object(),
-        "by_source": _objects(shares_by(recordings.sources, recordings.is_hand)),
+        "all_but_crops": Proportion.among(dataset.is_hand[~crops]).as_object(),
+        "by_source": _objects(proportions_by(dataset.sources, dataset.is_hand)),
     }
 
 
-def _unseen(recordings: Recordings, folds: Folds, seed: int, doubt: Doubt) -> Report:
-    seen = out_of_source(recordings, folds(recordings.sources), seed)
+def _unseen(
+    dataset: PhotoFeatures, folds: Folds, seed: int, thresholds: RejectThresholds
+) -> Report:
+    validation = cross_validate(dataset, folds(dataset.sources), seed)
     return {
-        **_answers(seen.tested, seen.hands, seen.is_right, doubt),
-        "calibration_error": round(calibration_error(_confidence(seen), seen.is_right), 4),
-        "painted_over_answered": _painted_answered(seen.tested, seen.painted, doubt),
-        "between_letters_answered": Share.among(seen.between.is_clear(doubt)).as_object(),
-        "confused": _confusions(seen),
+        **_answers(validation.tested, validation.hands, validation.is_right, thresholds),
+        "calibration_error": round(
+            calibration_error(_confidence(validation), validation.is_right), 4
+        ),
+        "painted_over_answered": _painted_answered(
+            validation.tested, validation.painted, thresholds
+        ),
+        "between_letters_answered": Proportion.among(
+            validation.between.is_clear(thresholds)
+        ).as_object(),
+        "confused": _confusions(validation),
     }
 
 
 def _answers(
-    tested: Recordings, judged: Judgement, right: NDArray[np.bool_], doubt: Doubt
+    tested: PhotoFeatures,
+    judged: ClassScores,
+    right: NDArray[np.bool_],
+    thresholds: RejectThresholds,
 ) -> Report:
     """Accuracy of the best letter, and of the answers that the doubt leaves; a hand that is not found has neither."""
     right = right & tested.is_hand
-    answered = judged.is_clear(doubt) & tested.is_hand
+    answered = judged.is_clear(thresholds) & tested.is_hand
     return {
-        "accuracy": Share.among(right).as_object(),
-        "by_source": _objects(shares_by(tested.sources, right)),
-        "by_letter": _objects(shares_by(tested.letters, right)),
-        "answered": Share.among(answered).as_object(),
-        "right_of_answered": Share.among(right[answered]).as_object(),
-        "answered_by_letter": _objects(shares_by(tested.letters, answered)),
+        "accuracy": Proportion.among(right).as_object(),
+        "by_source": _objects(proportions_by(tested.sources, right)),
+        "by_letter": _objects(proportions_by(tested.letters, right)),
+        "answered": Proportion.among(answered).as_object(),
+        "right_of_answered": Proportion.among(right[answered]).as_object(),
+        "answered_by_letter": _objects(proportions_by(tested.letters, answered)),
     }
 
 
-def _painted_answered(tested: Recordings, judged: Judgement, doubt: Doubt) -> Report:
+def _painted_answered(
+    tested: PhotoFeatures, judged: ClassScores, thresholds: RejectThresholds
+) -> Report:
     """Of all photographs whose hand was painted over, those that got an answer all the same."""
-    return Share(int(judged.is_clear(doubt).sum()), len(tested)).as_object()
+    return Proportion(int(judged.is_clear(thresholds).sum()), len(tested)).as_object()
 
 
-def _confidence(seen: OutOfSource) -> NDArray[np.float64]:
+def _confidence(validation: CrossValidation) -> NDArray[np.float64]:
     """Of each photograph's best letter, (n,): calibrated on the other sources, so that none judges itself."""
-    confidence = np.zeros(len(seen.tested))
-    for source in np.unique(seen.tested.sources):
-        own = seen.tested.sources == source
-        calibration = calibrate(seen, ~own)
-        confidence[own] = calibration.probabilities(seen.hands.scores[own])[:, :-1].max(1)
+    confidence = np.zeros(len(validation.tested))
+    for source in np.unique(validation.tested.sources):
+        own = validation.tested.sources == source
+        calibration = calibrate(validation, ~own)
+        confidence[own] = calibration.probabilities(validation.hands.scores[own])[:, :-1].max(1)
     return confidence
 
 
-def unknown_refused(recordings: Recordings, seed: int = SEED, doubt: Doubt = USUAL_DOUBT) -> Report:
+def unknown_refused(
+    dataset: PhotoFeatures, seed: int = SEED, thresholds: RejectThresholds = DEFAULT_THRESHOLDS
+) -> Report:
     """How often a letter is refused that was left out of training, shown by people who were left out as well."""
     letters, refused = [], []
-    for fold in strict(recordings.sources):
-        known, tested = recordings.where(fold.train), recordings.where(fold.test)
+    for fold in strict(dataset.sources):
+        known, tested = dataset.where(fold.train), dataset.where(fold.test)
         for letter in np.unique(tested.letters):
-            classifier = learn(known.where(known.letters != letter), seed)
+            classifier = fit_letters(known.where(known.letters != letter), seed)
             own = tested.where(tested.letters == letter)
-            refused.append(~classifier.judge(own.features).is_clear(doubt))
+            refused.append(~classifier.score(own.features).is_clear(thresholds))
             letters += [str(letter)] * len(own)
     held = np.concatenate(refused)
-    return {"all": Share.among(held).as_object(), "by_letter": _objects(shares_by(letters, held))}
+    return {
+        "all": Proportion.among(held).as_object(),
+        "by_letter": _objects(proportions_by(letters, held)),
+    }
 
 
-def _taught(recordings: Recordings, seed: int) -> Report:
+def _taught(dataset: PhotoFeatures, seed: int) -> Report:
     """Accuracy on a person's other photographs after four of each letter were taught, the first by name."""
     sources, right = [], []
-    for fold in strict(recordings.sources):
+    for fold in strict(dataset.sources):
         if fold.source not in TAUGHT_PEOPLE:
             continue
-        own = recordings.where(fold.test)
+        own = dataset.where(fold.test)
         taught = first_of_each_letter(own)
-        classifier = learn(recordings.where(fold.train), seed)
-        classifier = classifier.teach(own.where(taught).samples())
+        classifier = fit_letters(dataset.where(fold.train), seed)
+        classifier = classifier.with_samples(own.where(taught).samples())
         rest = own.where(~taught)
-        best = np.array(classifier.signs)[classifier.judge(rest.features).best]
+        best = np.array(classifier.signs)[classifier.score(rest.features).best]
         right.append(best == rest.letters)
         sources += [fold.source] * len(rest)
     held = np.concatenate(right) if right else np.zeros(0, bool)
     return {
-        "accuracy": Share.among(held).as_object(),
-        "by_source": _objects(shares_by(sources, held)),
+        "accuracy": Proportion.among(held).as_object(),
+        "by_source": _objects(proportions_by(sources, held)),
     }
 
 
-def first_of_each_letter(recordings: Recordings) -> NDArray[np.bool_]:
+def first_of_each_letter(dataset: PhotoFeatures) -> NDArray[np.bool_]:
     """Which photographs are taught: four of each letter, the first by name, (n,)."""
-    taught = np.zeros(len(recordings), bool)
-    by_name = np.argsort(recordings.files, kind="stable")
-    for letter in np.unique(recordings.letters):
-        own = by_name[recordings.letters[by_name] == letter]
+    taught = np.zeros(len(dataset), bool)
+    by_name = np.argsort(dataset.files, kind="stable")
+    for letter in np.unique(dataset.letters):
+        own = by_name[dataset.letters[by_name] == letter]
         taught[own[:N_TAUGHT]] = True
-    return taught & ~np.isin(recordings.files, WRONG_LABELS)
+    return taught & ~np.isin(dataset.files, WRONG_LABELS)
 
 
-def _confusions(seen: OutOfSource) -> list[Report]:
+def _confusions(validation: CrossValidation) -> list[Report]:
     """Which letters were taken for which others, the most frequent first."""
-    wrong = np.flatnonzero(~seen.is_right)
-    pairs = [(str(seen.tested.letters[i]), seen.signs[seen.hands.best[i]]) for i in wrong]
+    wrong = np.flatnonzero(~validation.is_right)
+    pairs = [
+        (str(validation.tested.letters[i]), validation.signs[validation.hands.best[i]])
+        for i in wrong
+    ]
     counted = sorted(set(pairs), key=lambda pair: (-pairs.count(pair), pair))
     return [{"letter": a, "taken_for": b, "n": pairs.count((a, b))} for a, b in counted]
 
 
-def _objects(shares: dict[str, Share]) -> Report:
+def _objects(shares: dict[str, Proportion]) -> Report:
     return {name: share.as_object() for name, share in shares.items()}
 
 
@@ -197,8 +224,8 @@ def speed_ms(photos: Sequence[Photo], n: int = 25) -> Report:
         picture = photo.picture()
         for times, read in (
             (cold, recogniser.read),
-            (None, recogniser.follow),
-            (tracking, recogniser.follow),
+            (None, recogniser.track),
+            (tracking, recogniser.track),
         ):
             started = time.perf_counter()
             read(picture)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pinel_desktop.gestures.movements import Glimpse
+from pinel_desktop.gestures.movements import HandObservation
 
 RATE_HZ = 15.0
 MOVING = {"H": "K", "J": "I", "X": "D", "Z": "D"}
@@ -127,7 +127,7 @@ def still(lasts_s: float) -> tuple[Path, float]:
     return (lambda share: Pose()), lasts_s
 
 
-def signed(model: Model, path: Path, lasts_s: float, random: Random) -> list[Glimpse]:
+def signed(model: Model, path: Path, lasts_s: float, random: Random) -> list[HandObservation]:
     """A video of a hand that rests, moves and rests, each time at another speed, size and place."""
     before, after = random.uniform(*_BEFORE_S), random.uniform(*_AFTER_S)
     lasts = lasts_s / random.uniform(*_SPEEDS)
@@ -139,7 +139,7 @@ def signed(model: Model, path: Path, lasts_s: float, random: Random) -> list[Gli
     size, place = random.uniform(*_SIZES_PX), random.uniform((240, 260), (400, 340))
     is_left = bool(random.random() < 0.2)
     offset = int(random.integers(100))
-    glimpses = []
+    observations = []
     for i in range(int(total * RATE_HZ)):
         time_s = max(i / RATE_HZ + random.normal(0, 0.005), 0.0)
         share = min(max((time_s - before) / lasts, 0.0), 1.0)
@@ -156,8 +156,8 @@ def signed(model: Model, path: Path, lasts_s: float, random: Random) -> list[Gli
         points = model.moved(offset + i, there) * size
         if is_left:
             points[:, 0] *= -1
-        glimpses.append(Glimpse(time_s, (points + place).astype(np.float32), is_left))
-    return glimpses
+        observations.append(HandObservation(time_s, (points + place).astype(np.float32), is_left))
+    return observations
 
 
 def aimless(random: Random) -> tuple[Path, float]:
@@ -190,20 +190,20 @@ def aimless(random: Random) -> tuple[Path, float]:
     return (lambda s: Pose(*(side * np.sin(2 * np.pi * waves * s)))), random.uniform(0.8, 1.8)
 
 
-def changed(first: Model, second: Model, random: Random) -> list[Glimpse]:
+def changed(first: Model, second: Model, random: Random) -> list[HandObservation]:
     """One letter, then another one: the hand changes on a way of up to a third of its size."""
     lasts = random.uniform(0.2, 0.6)
     size, place = random.uniform(*_SIZES_PX), random.uniform((240, 260), (400, 340))
     goal = random.normal(0, 0.15, 2)
     rests = random.uniform(0.6, 1.2, 2)
-    glimpses = []
+    observations = []
     for i in range(int((rests.sum() + lasts) * RATE_HZ)):
         time_s = i / RATE_HZ
         share = smooth((time_s - rests[0]) / lasts)
         mixed = first.moved(i, Pose()) * (1 - share) + second.moved(i, Pose()) * share
         points = (mixed + goal * share) * size + place
-        glimpses.append(Glimpse(time_s, points.astype(np.float32), False))
-    return glimpses
+        observations.append(HandObservation(time_s, points.astype(np.float32), False))
+    return observations
 
 
 def _bend(frame: Array, joint: int, ends: Sequence[int], axis: Array, angle: float) -> None:

@@ -18,25 +18,25 @@ from numpy.typing import NDArray
 
 from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import SignClassifier
-from pinel_desktop.gestures.hands import HandFinder
-from pinel_desktop.gestures.movements import Glimpse, Movement, MovementWatch
-from pinel_desktop.gestures.moving_signs import MovingSigns
-from pinel_desktop.gestures.sign_watch import SignWatch
+from pinel_desktop.gestures.hands import HandDetector
+from pinel_desktop.gestures.movements import HandObservation, Movement, MovementSegmenter
+from pinel_desktop.gestures.moving_signs import MovingSignClassifier
+from pinel_desktop.gestures.sign_spotter import SignSpotter
+from pinel_desktop.gestures.stability import Decision, FramePrediction
 from pinel_desktop.gestures.training import moving_hands as hands
-from pinel_desktop.gestures.training.figures import Share
+from pinel_desktop.gestures.training.accuracy_metrics import Proportion
 from pinel_desktop.gestures.training.folds import strict
-from pinel_desktop.gestures.training.learning import SEED, learn
+from pinel_desktop.gestures.training.letter_training import SEED, fit_letters
 from pinel_desktop.gestures.training.moving_hands import MOVING, Model, Random
+from pinel_desktop.gestures.training.photo_features import PhotoFeatures
 from pinel_desktop.gestures.training.photos import Photo
-from pinel_desktop.gestures.training.recordings import Recordings
 from pinel_desktop.gestures.training.sequences import video_of
-from pinel_desktop.gestures.vote import Ballot, Decision
 
 N_EXAMPLES = 5
 _N_PHOTOS, _N_OTHER_PHOTOS = 6, 2  # of a moving letter's hand, and of each other letter
 _N_EACH = 4  # movements of a photograph
 _N_ROUNDS = 3  # of what is no moving letter
-_LEAST_FRAMES = 12  # in which the hand of a photograph must be found
+_MIN_FRAMES = 12  # in which the hand of a photograph must be found
 
 
 @dataclass(frozen=True)
@@ -45,12 +45,14 @@ class Actor:
 
     letter: str
     model: Model
-    readings: tuple[Ballot, ...]
+    predictions: tuple[FramePrediction, ...]
 
-    def ballots(self, glimpses: Sequence[Glimpse]) -> Iterator[tuple[Ballot, bool]]:
+    def frame_predictions(
+        self, observations: Sequence[HandObservation]
+    ) -> Iterator[tuple[FramePrediction, bool]]:
         """The frames of a video of it, each with whether it shows a left hand."""
-        for i, one in enumerate(glimpses):
-            read = self.readings[i % len(self.readings)]
+        for i, one in enumerate(observations):
+            read = self.predictions[i % len(self.predictions)]
             yield replace(read, time_s=one.time_s, points=one.points), one.is_left
 
 
@@ -86,23 +88,23 @@ class _Counted:
 
 
 def moving_report(
-    photos: Sequence[Photo], recordings: Recordings, seed: int = SEED
+    photos: Sequence[Photo], dataset: PhotoFeatures, seed: int = SEED
 ) -> dict[str, Any]:
-    """Shares with 95 % intervals; `photos` and `recordings` are the same photographs in the same order."""
+    """Shares with 95 % intervals; `photos` and `dataset` are the same photographs in the same order."""
     random = np.random.default_rng(seed)
-    finder = HandFinder()
+    detector = HandDetector()
     people = {
-        fold.source: _person(finder, photos, recordings, fold.source, fold.train, random)
-        for fold in strict(recordings.sources)
+        fold.source: _person(detector, photos, dataset, fold.source, fold.train, random)
+        for fold in strict(dataset.sources)
     }
     counted = _Counted.empty()
     examples = {name: _examples(person, random) for name, person in people.items()}
     for name, pupil in people.items():
         others = [examples[other] for other in people if other != name]
-        _count_signs(counted, "who_signs", MovingSigns(examples[name]), pupil, random)
+        _count_signs(counted, "who_signs", MovingSignClassifier(examples[name]), pupil, random)
         for other in others:
-            _count_signs(counted, "another_person", MovingSigns(other), pupil, random)
-        known = MovingSigns(_joined(others))
+            _count_signs(counted, "another_person", MovingSignClassifier(other), pupil, random)
+        known = MovingSignClassifier(_joined(others))
         _count_signs(counted, "three_others", known, pupil, random)
         for _ in range(_N_ROUNDS):
             _count_others(counted, known, pupil, random)
@@ -112,14 +114,17 @@ def moving_report(
 def speed_ms(random: Random, n_signs: int = 60) -> dict[str, float]:
     """Milliseconds for a frame of a hand that moves, and for the end of a movement; a class with so many signs."""
     examples = {str(i): random.normal(0, 1, (N_EXAMPLES, 38, 46)) for i in range(n_signs)}
-    known = MovingSigns({sign: shown.astype(np.float32) for sign, shown in examples.items()})
-    watch = SignWatch()
-    watch.know(known)
+    known = MovingSignClassifier(
+        {sign: shown.astype(np.float32) for sign, shown in examples.items()}
+    )
+    spotter = SignSpotter()
+    spotter.set_moving_signs(known)
     points = random.uniform(100, 300, (300, 21, 2)).astype(np.float32)
     frame_ms = _median_ms(
-        lambda i: watch.see(Ballot(i / 15, "A", 0.9, "B", points[i]), is_left=False), len(points)
+        lambda i: spotter.update(FramePrediction(i / 15, "A", 0.9, "B", points[i]), is_left=False),
+        len(points),
     )
-    end_ms = _median_ms(lambda i: known.read(examples["0"][i % N_EXAMPLES]), 20)
+    end_ms = _median_ms(lambda i: known.predict(examples["0"][i % N_EXAMPLES]), 20)
     return {"frame": frame_ms, "end_of_a_movement": end_ms}
 
 
@@ -133,38 +138,40 @@ def _median_ms(work: Callable[[int], object], n: int) -> float:
 
 
 def _person(
-    finder: HandFinder,
+    detector: HandDetector,
     photos: Sequence[Photo],
-    recordings: Recordings,
+    dataset: PhotoFeatures,
     source: str,
     train: NDArray[np.bool_],
     random: Random,
 ) -> Person:
     classifier = replace(
-        learn(recordings.where(train), SEED), calibration=weights_file.load().calibration
+        fit_letters(dataset.where(train), SEED), calibration=weights_file.load().calibration
     )
-    own = (recordings.sources == source) & recordings.is_hand
+    own = (dataset.sources == source) & dataset.is_hand
     teaches: dict[str, list[Actor]] = {}
     signs: dict[str, list[Actor]] = {}
-    for letter in sorted(set(map(str, recordings.letters[own]))):
+    for letter in sorted(set(map(str, dataset.letters[own]))):
         n = _N_PHOTOS if letter in MOVING.values() else _N_OTHER_PHOTOS
-        chosen = random.permutation(np.flatnonzero(own & (recordings.letters == letter)))[:n]
-        actors = list(_actors(finder, classifier, (photos[i] for i in chosen), random))
+        chosen = random.permutation(np.flatnonzero(own & (dataset.letters == letter)))[:n]
+        actors = list(_actors(detector, classifier, (photos[i] for i in chosen), random))
         half = len(actors) // 2 if letter in MOVING.values() else 0
         teaches[letter], signs[letter] = actors[:half], actors[half:]
     return Person(teaches, signs)
 
 
 def _actors(
-    finder: HandFinder, classifier: SignClassifier, photos: Iterable[Photo], random: Random
+    detector: HandDetector, classifier: SignClassifier, photos: Iterable[Photo], random: Random
 ) -> Iterator[Actor]:
     for photo in photos:
-        seen = video_of(finder, photo, random)
-        if len(seen.features) < _LEAST_FRAMES:
+        video = video_of(detector, photo, random)
+        if len(video.features) < _MIN_FRAMES:
             continue
-        readings = [classifier.read(row) for row in seen.features]
-        ballots = [Ballot(0.0, one.sign, one.confidence, one.second) for one in readings]
-        yield Actor(photo.letter, Model.of(seen.features), tuple(ballots))
+        sign_predictions = [classifier.predict(row) for row in video.features]
+        predictions = [
+            FramePrediction(0.0, one.sign, one.confidence, one.second) for one in sign_predictions
+        ]
+        yield Actor(photo.letter, Model.of(video.features), tuple(predictions))
 
 
 def _examples(teacher: Person, random: Random) -> dict[str, NDArray[np.float32]]:
@@ -189,26 +196,30 @@ def _joined(examples: Sequence[dict[str, NDArray[np.float32]]]) -> dict[str, NDA
     }
 
 
-def _movements(glimpses: Iterable[Glimpse]) -> list[Movement]:
-    watch = MovementWatch()
-    return [found for one in glimpses if (found := watch.see(one)) is not None]
+def _movements(observations: Iterable[HandObservation]) -> list[Movement]:
+    segmenter = MovementSegmenter()
+    return [found for one in observations if (found := segmenter.update(one)) is not None]
 
 
 def _count_signs(
-    counted: _Counted, taught_by: str, known: MovingSigns, pupil: Person, random: Random
+    counted: _Counted, taught_by: str, known: MovingSignClassifier, pupil: Person, random: Random
 ) -> None:
     """The first answer to each moving letter: the letter, a wrong one, or none."""
     for sign in known.signs:
         for actor, _ in product(pupil.models(sign), range(_N_EACH)):
-            glimpses = hands.signed(actor.model, *hands.letter_path(sign), random)
-            first = next((d for _, d in _decisions(known, actor.ballots(glimpses))), None)
+            observations = hands.signed(actor.model, *hands.letter_path(sign), random)
+            first = next(
+                (d for _, d in _decisions(known, actor.frame_predictions(observations))), None
+            )
             label = first.label if first else ""
             for name in ("all", sign):
-                said = counted.answers.setdefault(taught_by, {}).setdefault(name, [])
-                said.append("right" if label == sign else "wrong" if label else "refused")
+                outcomes = counted.answers.setdefault(taught_by, {}).setdefault(name, [])
+                outcomes.append("right" if label == sign else "wrong" if label else "refused")
 
 
-def _count_others(counted: _Counted, known: MovingSigns, pupil: Person, random: Random) -> None:
+def _count_others(
+    counted: _Counted, known: MovingSignClassifier, pupil: Person, random: Random
+) -> None:
     """What is no moving letter: hands held, that change or move for nothing; movements with another letter's hand."""
     every = [actor for actors in pupil.signs.values() for actor in actors]
     for actor in every:
@@ -219,60 +230,74 @@ def _count_others(counted: _Counted, known: MovingSigns, pupil: Person, random: 
         copied = hands.signed(actor.model, *hands.letter_path(sign), random)
         idle = hands.signed(actor.model, *hands.aimless(random), random)
         _count_steady(counted, known, actor, held)
-        _count_false(counted, "held letters", known, actor.ballots(held))
+        _count_false(counted, "held letters", known, actor.frame_predictions(held))
         _count_false(counted, "transitions", known, _changing(actor, other, change))
         letters = {actor.letter, other.letter}
-        for signs, times in ((known, counted.changes), (MovingSigns({}), counted.changes_alone)):
+        for signs, times in (
+            (known, counted.changes),
+            (MovingSignClassifier({}), counted.changes_alone),
+        ):
             found = _decisions(signs, _changing(actor, other, change))
             times.append(any(not d.is_moving and d.label not in letters for _, d in found))
         may_sign = actor.letter in MOVING.values()
         kind = "aimless, hand of a moving letter" if may_sign else "aimless, other hands"
-        _count_false(counted, kind, known, actor.ballots(idle))
+        _count_false(counted, kind, known, actor.frame_predictions(idle))
         if not may_sign:
-            _count_false(counted, "movement of a letter, other hand", known, actor.ballots(copied))
+            _count_false(
+                counted, "movement of a letter, other hand", known, actor.frame_predictions(copied)
+            )
 
 
 def _changing(
-    first: Actor, second: Actor, glimpses: Sequence[Glimpse]
-) -> Iterator[tuple[Ballot, bool]]:
-    middle = len(glimpses) // 2
-    yield from first.ballots(glimpses[:middle])
-    yield from second.ballots(glimpses[middle:])
+    first: Actor, second: Actor, observations: Sequence[HandObservation]
+) -> Iterator[tuple[FramePrediction, bool]]:
+    middle = len(observations) // 2
+    yield from first.frame_predictions(observations[:middle])
+    yield from second.frame_predictions(observations[middle:])
 
 
 def _count_false(
-    counted: _Counted, kind: str, known: MovingSigns, frames: Iterable[tuple[Ballot, bool]]
+    counted: _Counted,
+    kind: str,
+    known: MovingSignClassifier,
+    frames: Iterable[tuple[FramePrediction, bool]],
 ) -> None:
     found = any(decision.is_moving for _, decision in _decisions(known, frames))
     counted.false.setdefault(kind, []).append(found)
 
 
 def _count_steady(
-    counted: _Counted, known: MovingSigns, actor: Actor, glimpses: Sequence[Glimpse]
+    counted: _Counted,
+    known: MovingSignClassifier,
+    actor: Actor,
+    observations: Sequence[HandObservation],
 ) -> None:
     """When a letter at rest is decided, while moving letters are known and while none is."""
-    for signs, times in ((known, counted.steady_s), (MovingSigns({}), counted.steady_alone_s)):
-        first = next(_decisions(signs, actor.ballots(glimpses)), None)
+    for signs, times in (
+        (known, counted.steady_s),
+        (MovingSignClassifier({}), counted.steady_alone_s),
+    ):
+        first = next(_decisions(signs, actor.frame_predictions(observations)), None)
         times.append(first[0] if first else None)
         if signs is known and first:
             counted.steady_right.append(first[1].label == actor.letter)
 
 
 def _decisions(
-    known: MovingSigns, frames: Iterable[tuple[Ballot, bool]]
+    known: MovingSignClassifier, frames: Iterable[tuple[FramePrediction, bool]]
 ) -> Iterator[tuple[float, Decision]]:
     """All decisions, each with its time."""
-    watch = SignWatch()
-    watch.know(known)
-    for ballot, is_left in frames:
-        if decision := watch.see(ballot, is_left):
-            yield ballot.time_s, decision
+    spotter = SignSpotter()
+    spotter.set_moving_signs(known)
+    for prediction, is_left in frames:
+        if decision := spotter.update(prediction, is_left):
+            yield prediction.time_s, decision
 
 
 def _as_report(counted: _Counted) -> dict[str, Any]:
     return {
         "taught_by": {
-            taught_by: {sign: _answers(said) for sign, said in signs.items()}
+            taught_by: {sign: _answers(outcomes) for sign, outcomes in signs.items()}
             for taught_by, signs in counted.answers.items()
         },
         "false": {kind: _share(found) for kind, found in counted.false.items()},
@@ -284,9 +309,9 @@ def _as_report(counted: _Counted) -> dict[str, Any]:
     }
 
 
-def _answers(said: Sequence[str]) -> dict[str, Any]:
+def _answers(outcomes: Sequence[str]) -> dict[str, Any]:
     kinds = ("right", "wrong", "refused")
-    return {kind: _share([one == kind for one in said]) for kind in kinds}
+    return {kind: _share([one == kind for one in outcomes]) for kind in kinds}
 
 
 def _steady(times: Sequence[float | None], false_letters: Sequence[bool]) -> dict[str, Any]:
@@ -300,4 +325,4 @@ def _steady(times: Sequence[float | None], false_letters: Sequence[bool]) -> dic
 
 
 def _share(holds: Sequence[bool]) -> dict[str, float | int | None]:
-    return Share.among(holds).as_object()
+    return Proportion.among(holds).as_object()

@@ -53,8 +53,8 @@ class Photo:
         x, y, width, height = self._in_pixels(picture)
 
         def is_near(palm: Palm) -> bool:
-            apart = np.abs(palm.centre - (x, y))
-            return bool((apart < _NEAR * np.array([width, height])).all())
+            offsets = np.abs(palm.centre - (x, y))
+            return bool((offsets < _NEAR * np.array([width, height])).all())
 
         return is_near
 
@@ -90,8 +90,8 @@ def read_photos(folder: Path, table: Path | None = None) -> list[Photo]:
             rows = list(csv.DictReader(file))
         if not rows or not set(rows[0]) >= _COLUMNS:
             raise PinelError("photos_unreadable", path=str(place))
-        wanted = [row for row in rows if row["letter"]]
-        photos = [_photo(place.parent, row) for row in wanted]
+        labelled = [row for row in rows if row["letter"]]
+        photos = [_photo(place.parent, row) for row in labelled]
     except (OSError, UnicodeDecodeError, csv.Error, ValueError) as error:
         raise PinelError("photos_unreadable", path=str(place)) from error
     inside = [photo for photo in photos if photo.path.is_relative_to(folder)]

@@ -15,15 +15,15 @@ from numpy.typing import NDArray
 from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import SignClassifier
 from pinel_desktop.gestures.features import features
-from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder, HandTracker
+from pinel_desktop.gestures.hands import MIN_PRESENCE, HandDetector, HandTracker
 from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
-from pinel_desktop.gestures.training.figures import Share
+from pinel_desktop.gestures.stability import Decision, FramePrediction, StabilityFilter
+from pinel_desktop.gestures.training.accuracy_metrics import Proportion
 from pinel_desktop.gestures.training.folds import strict
-from pinel_desktop.gestures.training.learning import SEED, learn
+from pinel_desktop.gestures.training.letter_training import SEED, fit_letters
+from pinel_desktop.gestures.training.photo_features import PhotoFeatures
 from pinel_desktop.gestures.training.photos import Photo
-from pinel_desktop.gestures.training.recordings import Recordings
-from pinel_desktop.gestures.vote import Ballot, Decision, Vote
 
 RATE_HZ = 15.0
 N_FRAMES = 15  # of a steady letter: 1 s
@@ -33,7 +33,7 @@ _TREMBLE, _TURN_DEG, _GROWTH = (
     1.0,
     0.01,
 )  # standard deviations: of the width, of the angle, of the size
-_LIGHT, _MOST_BLUR = 0.15, 2
+_LIGHT, _MAX_BLUR = 0.15, 2
 
 Random = np.random.Generator
 
@@ -56,24 +56,24 @@ class Shown:
 
 
 def sequences_report(
-    photos: Sequence[Photo], recordings: Recordings, n_photos: int = 200, seed: int = SEED
+    photos: Sequence[Photo], dataset: PhotoFeatures, n_photos: int = 200, seed: int = SEED
 ) -> dict[str, Any]:
     """Time until a steady letter is decided, and false decisions in transitions.
 
     Args:
-        photos, recordings: the same photographs in the same order.
+        photos, dataset: the same photographs in the same order.
         n_photos: how many become videos, over all people.
     """
     random = np.random.default_rng(seed)
-    finder = HandFinder()
+    detector = HandDetector()
     times_s: list[float | None] = []
     right, false, late = [], [], []
-    for fold in strict(recordings.sources):
-        learnt = learn(recordings.where(fold.train), seed)
-        classifier = replace(learnt, calibration=weights_file.load().calibration)
-        own = np.flatnonzero(fold.test & recordings.is_hand)
+    for fold in strict(dataset.sources):
+        uncalibrated = fit_letters(dataset.where(fold.train), seed)
+        classifier = replace(uncalibrated, calibration=weights_file.load().calibration)
+        own = np.flatnonzero(fold.test & dataset.is_hand)
         chosen = random.choice(own, min(n_photos // 4, len(own)), replace=False)
-        videos = [video_of(finder, photos[i], random) for i in chosen]
+        videos = [video_of(detector, photos[i], random) for i in chosen]
         for video in videos:
             time_s, decision = _decided(classifier, _frames(video))
             times_s.append(time_s)
@@ -87,32 +87,32 @@ def sequences_report(
     return {
         "steady": {
             "videos": len(times_s),
-            "decided_within_1_s": Share(len(decided), len(times_s)).as_object(),
+            "decided_within_1_s": Proportion(len(decided), len(times_s)).as_object(),
             "median_s": round(median(decided), 3) if decided else None,
-            "right_of_decided": Share.among(np.array(right, bool)).as_object(),
+            "right_of_decided": Proportion.among(np.array(right, bool)).as_object(),
         },
         "transitions": {
-            "false": Share.among(np.array(false, bool)).as_object(),
-            "second_letter_missed": Share.among(np.array(late, bool)).as_object(),
+            "false": Proportion.among(np.array(false, bool)).as_object(),
+            "second_letter_missed": Proportion.among(np.array(late, bool)).as_object(),
         },
     }
 
 
-def video_of(finder: HandFinder, photo: Photo, random: Random) -> Video:
+def video_of(detector: HandDetector, photo: Photo, random: Random) -> Video:
     """A photograph as a second of video, each frame through the networks."""
     picture = photo.picture()
-    tracker = HandTracker(finder)
-    seen: list[Shown] = []
+    tracker = HandTracker(detector)
+    frames: list[Shown] = []
     for _ in range(N_FRAMES):
         hands = [
-            h for h in tracker.update(_disturbed(picture, random)) if h.presence > LEAST_PRESENCE
+            h for h in tracker.update(_disturbed(picture, random)) if h.presence > MIN_PRESENCE
         ]
         if hands:
-            seen.append(Shown(features(hands[0]), hands[0].points[:, :2].astype(np.float32)))
+            frames.append(Shown(features(hands[0]), hands[0].points[:, :2].astype(np.float32)))
     return Video(
         photo.letter,
-        np.array([one.features for one in seen]),
-        np.array([one.points for one in seen]),
+        np.array([one.features for one in frames]),
+        np.array([one.points for one in frames]),
     )
 
 
@@ -123,7 +123,7 @@ def _disturbed(picture: Picture, random: Random) -> Picture:
     motion = cv2.getRotationMatrix2D((width / 2, height / 2), angle, growth)
     motion = motion + [[0, 0, x] for x in random.normal(0, _TREMBLE * width, 2)]
     moved = cv2.warpAffine(picture, motion, (width, height), borderMode=cv2.BORDER_REPLICATE)
-    blur = 2 * int(random.integers(0, _MOST_BLUR + 1)) + 1
+    blur = 2 * int(random.integers(0, _MAX_BLUR + 1)) + 1
     soft = cv2.GaussianBlur(moved, (blur, blur), 0)
     light = soft.astype(np.float32) * (1 + random.normal(0, _LIGHT))
     return np.asarray(np.clip(light, 0, 255), np.uint8)
@@ -158,9 +158,9 @@ def _transition(first: Video, second: Video, random: Random) -> Iterator[Shown]:
 
 
 def _decisions(classifier: SignClassifier, frames: Iterable[Shown]) -> Iterator[Decision]:
-    vote = Vote()
+    stability_filter = StabilityFilter()
     for i, shown in enumerate(frames):
-        if decision := vote.count(_ballot(classifier, shown, i)):
+        if decision := stability_filter.update(_frame_prediction(classifier, shown, i)):
             yield decision
 
 
@@ -168,13 +168,15 @@ def _decided(
     classifier: SignClassifier, frames: Iterable[Shown]
 ) -> tuple[float | None, Decision | None]:
     """When the first decision fell, from the first frame on."""
-    vote = Vote()
+    stability_filter = StabilityFilter()
     for i, shown in enumerate(frames):
-        if decision := vote.count(_ballot(classifier, shown, i)):
+        if decision := stability_filter.update(_frame_prediction(classifier, shown, i)):
             return (i + 1) / RATE_HZ, decision
     return None, None
 
 
-def _ballot(classifier: SignClassifier, shown: Shown, i: int) -> Ballot:
-    reading = classifier.read(shown.features)
-    return Ballot(i / RATE_HZ, reading.sign, reading.confidence, reading.second, shown.points)
+def _frame_prediction(classifier: SignClassifier, shown: Shown, i: int) -> FramePrediction:
+    prediction = classifier.predict(shown.features)
+    return FramePrediction(
+        i / RATE_HZ, prediction.sign, prediction.confidence, prediction.second, shown.points
+    )

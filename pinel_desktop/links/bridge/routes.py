@@ -8,8 +8,8 @@ from itertools import count
 from typing import Any, NoReturn, Protocol
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.links.bridge.callers import Callers
-from pinel_desktop.links.bridge.exchange import POSE_EXAMPLE
+from pinel_desktop.links.bridge.bridge_session import POSE_EXAMPLE
+from pinel_desktop.links.bridge.request_guard import RequestGuard
 from pinel_desktop.messages import explain
 
 STATUS = {
@@ -46,7 +46,7 @@ class Request:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class Response:
     """Status, JSON document (None for an empty body), and more headers than those that every answer has.
 
     Attributes:
@@ -59,12 +59,12 @@ class Answer:
     jpeg: bytes | None = None
 
 
-class Conversation(Protocol):
+class BridgeHandler(Protocol):
     """What the client of the bridge is told, and what becomes of what it tells: `exchange.Exchange`."""
 
     def velocity(self, client: str) -> dict[str, Any]: ...
 
-    def take_pose(self, client: str, document: object) -> dict[str, Any]: ...
+    def handle_pose(self, client: str, document: object) -> dict[str, Any]: ...
 
     def status(self) -> dict[str, Any]: ...
 
@@ -119,12 +119,12 @@ class Routes:
 
     def __init__(
         self,
-        conversation: Conversation,
-        callers: Callers,
+        handler: BridgeHandler,
+        callers: RequestGuard,
         on_batch_end: Callable[[], None] = lambda: None,
     ) -> None:
-        self.conversation, self.batch = conversation, Batch(on_batch_end)
-        self._callers = callers
+        self.conversation, self.batch = handler, Batch(on_batch_end)
+        self._guard = callers
         self._routes: dict[str, tuple[Door, Callable[[Request], dict[str, Any]]]] = {
             "/bridge/cmd_vel": (Door("GET", for_robots=True), self._velocity),
             "/bridge/pose": (Door("POST", for_robots=True), self._pose),
@@ -138,20 +138,20 @@ class Routes:
         """Lets `enter` decide about further routes, which somebody else answers."""
         self._doors |= doors
 
-    def enter(self, request: Request) -> tuple[Answer | None, dict[str, str]]:
+    def enter(self, request: Request) -> tuple[Response | None, dict[str, str]]:
         """What is answered at the door, None for who may enter; and the headers that let a web page read the answer."""
         path, _, query = request.target.partition("?")
         door = self._doors.get(path)
         try:
             for_robots = door is not None and door.for_robots
-            origin = self._callers.page_origin(request.headers, for_robots=for_robots)
+            origin = self._guard.page_origin(request.headers, for_robots=for_robots)
         except PinelError as error:
             return refusal(error), {}
-        shared = _shared_with(origin)
+        shared = _cors_headers(origin)
         if request.method == "OPTIONS" and origin and door:
-            return Answer(204, None, {**shared, **_preflight(door.method)}), {}
+            return Response(204, None, {**shared, **_preflight(door.method)}), {}
         try:
-            self._callers.require_key(request.headers, query)
+            self._guard.require_key(request.headers, query)
             if door is None:
                 raise PinelError("bridge_path_unknown", path=path, known=list(self._doors))
             if request.method != door.method:
@@ -161,16 +161,16 @@ class Routes:
             return with_headers(refusal(error), shared), {}
         return None, shared
 
-    def answer(self, request: Request) -> Answer:
+    def respond(self, request: Request) -> Response:
         """The answer to any request; what is wrong with it is said in words."""
         refused, shared = self.enter(request)
         return refused or with_headers(self.reply(request), shared)
 
-    def reply(self, request: Request) -> Answer:
+    def reply(self, request: Request) -> Response:
         """The answer to a request to `/bridge/*` that may enter."""
         _, handle = self._routes[request.target.partition("?")[0]]
         try:
-            return Answer(200, handle(request))
+            return Response(200, handle(request))
         except PinelError as error:
             return refusal(error)
 
@@ -183,9 +183,9 @@ class Routes:
         except PinelError:
             # counts as an impossible pose: the link names a robot that posts nothing else
             with contextlib.suppress(PinelError):
-                self.conversation.take_pose(request.client, None)
+                self.conversation.handle_pose(request.client, None)
             raise
-        return self.conversation.take_pose(request.client, document)
+        return self.conversation.handle_pose(request.client, document)
 
     def _status(self, request: Request) -> dict[str, Any]:
         """Active while a run holds the robot, and in a batch of the page: a robot side leaves when it is not."""
@@ -193,27 +193,27 @@ class Routes:
         return {"active": status["active"] or self.batch.number is not None}
 
 
-def refusal(error: PinelError) -> Answer:
+def refusal(error: PinelError) -> Response:
     """The answer that says what is wrong, in the language of the PC."""
-    words = explain(error)
+    explanation = explain(error)
     document = {
         "error": {
             "code": error.code,
-            "message": words.message,
-            "remedy": words.remedy,
+            "message": explanation.message,
+            "remedy": explanation.remedy,
             "params": {name: _plain(value) for name, value in error.params.items()},
         }
     }
     allowed = error.params.get("allowed")
-    return Answer(STATUS[error.code], document, {"Allow": str(allowed)} if allowed else {})
+    return Response(STATUS[error.code], document, {"Allow": str(allowed)} if allowed else {})
 
 
-def with_headers(answer: Answer, headers: Mapping[str, str]) -> Answer:
+def with_headers(answer: Response, headers: Mapping[str, str]) -> Response:
     """The answer with more headers."""
-    return Answer(answer.status, answer.document, {**answer.headers, **headers}, answer.jpeg)
+    return Response(answer.status, answer.document, {**answer.headers, **headers}, answer.jpeg)
 
 
-def _shared_with(origin: str | None) -> dict[str, str]:
+def _cors_headers(origin: str | None) -> dict[str, str]:
     """Lets a web page of that origin read the answer."""
     return {"Access-Control-Allow-Origin": origin, "Vary": "Origin"} if origin else {}
 

@@ -48,12 +48,12 @@ class Participant:
     Attributes:
         name: of its PC as far as it is told, else its identifier.
         is_pinel: it is a PINEL.
-        is_gone: it is a PINEL of this PC whose process has ended; DDS notices after ten seconds only.
+        has_exited: it is a PINEL of this PC whose process has ended; DDS notices after ten seconds only.
     """
 
     name: str
     is_pinel: bool
-    is_gone: bool
+    has_exited: bool
 
 
 class Graph:
@@ -80,10 +80,10 @@ class Graph:
         qos = found.qos if found is not None else Qos()
         pinel = _PINEL.search(_user_data(qos))
         if pinel is None:
-            return Participant(_host(qos) or str(key), is_pinel=False, is_gone=False)
+            return Participant(_host(qos) or str(key), is_pinel=False, has_exited=False)
         host, pid, machine = pinel.groups()
-        is_gone = machine == this_machine() and not psutil.pid_exists(int(pid))
-        return Participant(host, is_pinel=True, is_gone=is_gone)
+        has_exited = machine == this_machine() and not psutil.pid_exists(int(pid))
+        return Participant(host, is_pinel=True, has_exited=has_exited)
 
     def _endpoints(self, collected: "_Collected", topic: str) -> Iterator[Endpoint]:
         for found in collected.now().values():
@@ -92,8 +92,10 @@ class Graph:
                 continue
             name = name.removeprefix(TOPIC_PREFIX)
             if topic in {"", name}:
-                who, told = found.participant_key, _user_data(found.qos)
-                yield Endpoint(name, found.type_name, who, told, _is_transient_local(found.qos))
+                who, user_data = found.participant_key, _user_data(found.qos)
+                yield Endpoint(
+                    name, found.type_name, who, user_data, _is_transient_local(found.qos)
+                )
 
 
 class _Collected:
@@ -101,20 +103,20 @@ class _Collected:
 
     def __init__(self, participant: DomainParticipant, topic: BuiltinTopic) -> None:
         self._reader = BuiltinDataReader(participant, topic)
-        self._alive: dict[uuid.UUID, Any] = {}
+        self._samples: dict[uuid.UUID, Any] = {}
 
     def now(self) -> dict[uuid.UUID, Any]:
         for sample in self._reader.take(_AT_ONCE):
             if sample.sample_info.instance_state == InstanceState.Alive:
-                self._alive[sample.key] = sample
+                self._samples[sample.key] = sample
             else:
-                self._alive.pop(sample.key, None)
-        return self._alive
+                self._samples.pop(sample.key, None)
+        return self._samples
 
 
 def _user_data(qos: Qos) -> str:
-    told = qos[Policy.Userdata] if Policy.Userdata in qos else None  # noqa: SIM401 - no dictionary
-    return told.data.decode("utf-8", "replace") if told else ""
+    user_data = qos[Policy.Userdata] if Policy.Userdata in qos else None  # noqa: SIM401 - no dictionary
+    return user_data.data.decode("utf-8", "replace") if user_data else ""
 
 
 def _is_transient_local(qos: Qos) -> bool:
@@ -123,5 +125,5 @@ def _is_transient_local(qos: Qos) -> bool:
 
 def _host(qos: Qos) -> str:
     """Name of the PC, which participants of Cyclone DDS tell."""
-    told = {policy.key: policy.value for policy in qos if isinstance(policy, Policy.Property)}
-    return str(told.get("__Hostname", ""))
+    properties = {policy.key: policy.value for policy in qos if isinstance(policy, Policy.Property)}
+    return str(properties.get("__Hostname", ""))

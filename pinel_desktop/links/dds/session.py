@@ -23,7 +23,7 @@ from pinel_desktop.links.dds.messages import TYPE_HASHES, Range, RangeBeforeIron
 # What ROS puts before the name of a topic.
 TOPIC_PREFIX = "rt/"
 # Participants that a PC may have: their ports are tried at each peer's address.
-_MOST_PARTICIPANTS = 60
+_MAX_PARTICIPANTS = 60
 _DISCOVERY_PORT = 7400  # of domain 0; any port tells the way to a peer
 
 # A process may have a domain only once; on the network these are all the domain of their record.
@@ -34,7 +34,7 @@ _XCDR1 = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_rep
 _SONARS = 32
 # Of a velocity that is older than this, a robot that comes late must not hear.
 _FRESH = duration(milliseconds=300)
-_KEEPS_LAST = (Policy.Durability.TransientLocal, Policy.Lifespan(_FRESH))
+_TRANSIENT_LOCAL = (Policy.Durability.TransientLocal, Policy.Lifespan(_FRESH))
 _E = TypeVar("_E", bound=Entity)
 
 
@@ -68,14 +68,14 @@ class Session:
             is_transient_local: readers that ask for the last message hear it, too; a late one gets it while fresh.
         """
         reliable = Policy.Reliability.Reliable(duration(milliseconds=10))
-        qos = _endpoint_qos(message, reliable, *(_KEEPS_LAST if is_transient_local else ()))
-        return self._keep(DataWriter(self.participant, self._topic(topic, message), qos=qos))
+        qos = _endpoint_qos(message, reliable, *(_TRANSIENT_LOCAL if is_transient_local else ()))
+        return self._register(DataWriter(self.participant, self._topic(topic, message), qos=qos))
 
     def reader(self, topic: str, message: type[IdlStruct]) -> "DataReader[Any]":
         """A reader of the newest message; it matches reliable and other writers."""
         depth = _SONARS if message in {Range, RangeBeforeIron} else 1
         qos = _endpoint_qos(message, Policy.Reliability.BestEffort, depth=depth)
-        return self._keep(DataReader(self.participant, self._topic(topic, message), qos=qos))
+        return self._register(DataReader(self.participant, self._topic(topic, message), qos=qos))
 
     def close(self) -> None:
         """Leaves the domain; safe to call twice."""
@@ -84,9 +84,9 @@ class Session:
         self._made.clear()
 
     def _topic(self, topic: str, message: type[IdlStruct]) -> "Topic[Any]":
-        return self._keep(Topic(self.participant, TOPIC_PREFIX + topic, message))
+        return self._register(Topic(self.participant, TOPIC_PREFIX + topic, message))
 
-    def _keep(self, entity: _E) -> _E:
+    def _register(self, entity: _E) -> _E:
         self._made.append(entity)
         return entity
 
@@ -115,7 +115,7 @@ def configuration(domain: int, peers: Sequence[str]) -> str:
     unicast = (
         f"<Peers>{addresses}</Peers><SPDPInterval>1 s</SPDPInterval>"
         "<ParticipantIndex>auto</ParticipantIndex>"
-        f"<MaxAutoParticipantIndex>{_MOST_PARTICIPANTS}</MaxAutoParticipantIndex>"
+        f"<MaxAutoParticipantIndex>{_MAX_PARTICIPANTS}</MaxAutoParticipantIndex>"
     )
     return (
         f"<CycloneDDS><Domain><General>{general}</General><Discovery>"
@@ -136,8 +136,8 @@ def _address_towards(peer: str) -> str:
 
 
 def _endpoint_qos(message: type[IdlStruct], *policies: Any, depth: int = 1) -> Qos:
-    told = TYPE_HASHES.get(message)
-    user_data = [Policy.Userdata(f"typehash={told};".encode())] if told else []
+    type_hash = TYPE_HASHES.get(message)
+    user_data = [Policy.Userdata(f"typehash={type_hash};".encode())] if type_hash else []
     return Qos(*policies, Policy.History.KeepLast(depth), _XCDR1, *user_data)
 
 

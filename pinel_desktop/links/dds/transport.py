@@ -12,18 +12,18 @@ from cyclonedds.pub import DataWriter
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.dds import messages
+from pinel_desktop.links.dds.command_claim import CommandClaim
+from pinel_desktop.links.dds.endpoint_search import EndpointSearch
 from pinel_desktop.links.dds.graph import Graph
-from pinel_desktop.links.dds.holding import Holding
 from pinel_desktop.links.dds.messages import Twist, TwistStamped, type_name
-from pinel_desktop.links.dds.receiving import Receiving
-from pinel_desktop.links.dds.search import Search
+from pinel_desktop.links.dds.robot_subscriber import RobotSubscriber
 from pinel_desktop.links.dds.session import Session, range_type
 from pinel_desktop.links.real import RealLink, real_link
-from pinel_desktop.links.ros2.node.drivers import DEAF_S, LAST_S, SILENT_S
+from pinel_desktop.links.ros2.node.drivers import LAST_S, LOST_TIMEOUT_S, UNMATCHED_TIMEOUT_S
 from pinel_desktop.links.ros_sensors import RosSensors
 from pinel_desktop.links.transport import Cancelled, Receiver
-from pinel_desktop.robot import STANDSTILL, RobotModel, Sensors, Setting, Twist2D
-from pinel_desktop.robot.record import DdsRecord, RobotRecord
+from pinel_desktop.robot import STANDSTILL, RobotModel, Sensors, SimulationConfig, Twist2D
+from pinel_desktop.robot.robot_profile import DdsProfile, RobotProfile
 
 _FOUND_WITHIN_S = 5.0
 _MATCHED_WITHIN_S = 5.0
@@ -33,8 +33,8 @@ _POLL_S = 0.05
 class DdsTransport:
     """A robot in a DDS domain, as its record names it."""
 
-    def __init__(self, record: DdsRecord, robot: RobotModel) -> None:
-        self._record = record
+    def __init__(self, record: DdsProfile, robot: RobotModel) -> None:
+        self._profile = record
         self._command_topic = record.name_of(record.command_topic)
         self._odometry_topic = record.name_of(record.odometry_topic)
         self._sensors = RosSensors(robot)
@@ -42,29 +42,29 @@ class DdsTransport:
         self._session: Session | None = None
         self._writer: DataWriter[Any] | None = None
         self._message: Callable[[Twist2D], IdlStruct] = _plain
-        self._receiving: Receiving | None = None
-        self._holding: Holding | None = None
+        self._subscriber: RobotSubscriber | None = None
+        self._claim: CommandClaim | None = None
         self._is_open = False
-        self._deaf_since_s: float | None = None
+        self._unmatched_since_s: float | None = None
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
         found = self._found(cancelled)
         if found is None:
             return
         session, graph, search = found
-        self._holding = holding = Holding(graph, self._command_topic, self._odometry_topic)
-        if not _wait(holding.is_free, cancelled, _FOUND_WITHIN_S):
+        self._claim = claim = CommandClaim(graph, self._command_topic, self._odometry_topic)
+        if not _wait(claim.is_free, cancelled, _FOUND_WITHIN_S):
             if cancelled():
                 return
-            raise holding.problem()
+            raise claim.problem()
 
         def watch() -> None:
-            holding.require_alone()
-            self._require_heard()
+            claim.require_alone()
+            self._require_subscriber()
 
-        self._receiving = receiving = self._receive(session, graph, search, receiver, watch)
+        self._subscriber = subscriber = self._receive(session, graph, search, receiver, watch)
         assert search.command_type is not None
-        self._message = receiving.stamped if search.command_type is TwistStamped else _plain
+        self._message = subscriber.stamped if search.command_type is TwistStamped else _plain
         # offered only to a robot that hears nobody else: to others nothing is said again
         asks_for_last = any(
             listener.is_transient_local for listener in graph.subscribers(self._command_topic)
@@ -72,11 +72,11 @@ class DdsTransport:
         self._writer = session.writer(
             self._command_topic, search.command_type, is_transient_local=asks_for_last
         )
-        holding.start()
-        _wait(holding.is_claimed, cancelled, math.inf)
-        receiving.start()
+        claim.announce()
+        _wait(claim.check_claim, cancelled, math.inf)
+        subscriber.start()
         if not _wait(self._is_matched, cancelled, _MATCHED_WITHIN_S) and not cancelled():
-            raise self._deaf()
+            raise self._unmatched_problem()
         self._is_open = True
 
     def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
@@ -84,23 +84,23 @@ class DdsTransport:
         if found is None:
             return
         session, graph, search = found
-        holding = Holding(graph, self._command_topic, self._odometry_topic)
+        claim = CommandClaim(graph, self._command_topic, self._odometry_topic)
 
         def watch() -> None:
-            holder = holding.holder()
+            holder = claim.holder()
             receiver.on_holder(holder.name if holder else None)
 
-        self._receiving = self._receive(session, graph, search, receiver, watch)
-        self._receiving.start()
+        self._subscriber = self._receive(session, graph, search, receiver, watch)
+        self._subscriber.start()
 
-    def _found(self, cancelled: Cancelled) -> tuple[Session, Graph, Search] | None:
+    def _found(self, cancelled: Cancelled) -> tuple[Session, Graph, EndpointSearch] | None:
         """Looks for the robot; None where it was cancelled."""
-        peers = addresses(self._record.peers, cancelled)
+        peers = addresses(self._profile.peers, cancelled)
         if cancelled():
             return None
-        self._session = session = Session(self._record.domain, peers)
+        self._session = session = Session(self._profile.domain, peers)
         graph = Graph(session)
-        search = Search(graph, self._record)
+        search = EndpointSearch(graph, self._profile)
         if _wait(search.is_complete, cancelled, _FOUND_WITHIN_S):
             return session, graph, search
         if cancelled():
@@ -110,20 +110,20 @@ class DdsTransport:
     def send(self, twist: Twist2D) -> None:
         if self._writer is None:
             return
-        is_disputed = self._holding is not None and self._holding.is_disputed
+        is_disputed = self._claim is not None and self._claim.is_disputed
         self._writer.write(self._message(STANDSTILL if is_disputed else twist))
 
     def bumper(self) -> bool:
         return self._sensors.touches()
 
     def close(self) -> None:
-        self._stand()
-        if self._receiving is not None:
-            self._receiving.close()
+        self._send_last_zeros()
+        if self._subscriber is not None:
+            self._subscriber.close()
         if self._session is not None:
             self._session.close()
 
-    def _stand(self) -> None:
+    def _send_last_zeros(self) -> None:
         """Sends more zeros for a while where the robot is silent."""
         due_s = time.monotonic() + LAST_S
         while self._is_lost() and time.monotonic() < due_s:
@@ -131,58 +131,58 @@ class DdsTransport:
             time.sleep(_POLL_S)
 
     def _is_lost(self) -> bool:
-        heard_s = self._receiving.heard_s if self._receiving is not None else None
-        return self._is_open and heard_s is not None and time.monotonic() - heard_s > SILENT_S
+        heard_s = self._subscriber.last_pose_s if self._subscriber is not None else None
+        return self._is_open and heard_s is not None and time.monotonic() - heard_s > LOST_TIMEOUT_S
 
     def _receive(
         self,
         session: Session,
         graph: Graph,
-        search: Search,
+        search: EndpointSearch,
         receiver: Receiver,
         watch: Callable[[], None],
-    ) -> Receiving:
+    ) -> RobotSubscriber:
         """Receives, once started, odometry and whatever sensors the robot comes to publish."""
-        found = _Sensors(graph, self._record)
+        found = _Sensors(graph, self._profile)
 
-        def look() -> None:
+        def poll() -> None:
             for topic, message in found.new():
-                receiving.subscribe(topic, message)
-            for message in found.gone():
-                receiving.withdraw(message)
+                subscriber.subscribe(topic, message)
+            for message in found.unpublished():
+                subscriber.withdraw(message)
             watch()
 
         assert search.odometry_type is not None
-        receiving = Receiving(session, receiver, self._sensors, look)
-        receiving.subscribe(self._odometry_topic, search.odometry_type)
-        return receiving
+        subscriber = RobotSubscriber(session, receiver, self._sensors, poll)
+        subscriber.subscribe(self._odometry_topic, search.odometry_type)
+        return subscriber
 
     def _is_matched(self) -> bool:
         """Sends zeros until the robot hears them: the first ones of a new publisher are lost on their way."""
         self.send(STANDSTILL)
-        return self._is_heard()
+        return self._has_subscriber()
 
-    def _is_heard(self) -> bool:
+    def _has_subscriber(self) -> bool:
         return bool(self._writer and self._writer.get_matched_subscriptions())
 
-    def _require_heard(self) -> None:
+    def _require_subscriber(self) -> None:
         """Raises PinelError `robot_deaf` when nobody takes the commands any more."""
-        if not self._is_open or self._is_heard():
-            self._deaf_since_s = None
+        if not self._is_open or self._has_subscriber():
+            self._unmatched_since_s = None
             return
         now_s = time.monotonic()
-        self._deaf_since_s = self._deaf_since_s or now_s
-        if now_s - self._deaf_since_s > DEAF_S:
-            raise self._deaf()
+        self._unmatched_since_s = self._unmatched_since_s or now_s
+        if now_s - self._unmatched_since_s > UNMATCHED_TIMEOUT_S:
+            raise self._unmatched_problem()
 
-    def _deaf(self) -> PinelError:
+    def _unmatched_problem(self) -> PinelError:
         return PinelError("robot_deaf", topic=f"/{self._command_topic}")
 
 
 class _Sensors:
     """The topics of a record's sensors, as the robot comes to publish them."""
 
-    def __init__(self, graph: Graph, record: DdsRecord) -> None:
+    def __init__(self, graph: Graph, record: DdsProfile) -> None:
         self._graph = graph
         scan, sonar = (messages.LaserScan,), (messages.Range, messages.PointCloud)
         rows = (
@@ -210,7 +210,7 @@ class _Sensors:
         self._found.update(found)
         return found
 
-    def gone(self) -> list[type[IdlStruct]]:
+    def unpublished(self) -> list[type[IdlStruct]]:
         """Types of the topics that were found, and that nobody publishes now."""
         return [kind for topic, kind in self._found.items() if not self._graph.publishers(topic)]
 
@@ -252,7 +252,7 @@ def addresses(peers: tuple[str, ...], cancelled: Cancelled) -> list[str]:
 
 
 def dds_link(
-    *, world: Any, setting: Setting, seed: int, robot: RobotRecord | None = None
+    *, world: Any, setting: SimulationConfig, seed: int, robot: RobotProfile | None = None
 ) -> RealLink:
     """A robot of ROS 2 as a robot link. Raises PinelError `robot_not_set_up`."""
     del world, seed

@@ -17,10 +17,10 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.links.odometry import yaw_of
 from pinel_desktop.links.real import RealLink, real_link
 from pinel_desktop.links.ros2.installed import node_command
-from pinel_desktop.links.ros_sensors import RosSensors, Scan
+from pinel_desktop.links.ros_sensors import LidarScan, RosSensors
 from pinel_desktop.links.transport import Cancelled, Odometry, Receiver
-from pinel_desktop.robot import RobotModel, Sensors, Setting, Twist2D
-from pinel_desktop.robot.record import RobotRecord, Ros2Record
+from pinel_desktop.robot import RobotModel, Sensors, SimulationConfig, Twist2D
+from pinel_desktop.robot.robot_profile import RobotProfile, Ros2Profile
 
 # ROS itself starts in 1 to 2 s; finding the robot takes up to 5 s more
 _OPEN_S = 15.0
@@ -37,7 +37,9 @@ _TOPICS = (
 Message = dict[str, Any]
 
 
-def ros2_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:
+def ros2_link(
+    *, world: Any, setting: SimulationConfig, seed: int, robot: RobotProfile | None
+) -> RealLink:
     """The link to the robot of a `Ros2Record`."""
     return real_link(lambda record: Ros2Transport(record, setting.robot), setting, robot)
 
@@ -45,13 +47,13 @@ def ros2_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | N
 class Ros2Transport:
     """Talks to the node over pipes. Velocities are handed over without waiting: only the newest one counts."""
 
-    def __init__(self, record: Ros2Record, robot: RobotModel) -> None:
+    def __init__(self, record: Ros2Profile, robot: RobotModel) -> None:
         self._sensors = RosSensors(robot)
         self.sensors: Sensors = self._sensors
-        self._record = record
+        self._profile = record
         self._process: subprocess.Popen[str] | None = None
         self._outbox: queue.Queue[Twist2D | None] = queue.Queue(maxsize=1)
-        self._has_begun = False
+        self._has_started = False
         self._is_ready = threading.Event()
         self._problem: PinelError | None = None
         self._closing = False
@@ -84,7 +86,7 @@ class Ros2Transport:
                 raise PinelError("ros_silent")
 
     def _configuration(self) -> Message:
-        record = self._record
+        record = self._profile
         names = {name: str(getattr(record, name)) for name in _TOPICS}
         topics = {name: topic and record.name_of(topic) for name, topic in names.items()}
         holder = re.sub(r"[^A-Za-z0-9]", "_", platform.node()) or "pc"
@@ -130,13 +132,13 @@ class Ros2Transport:
         with process.stdout:
             for line in process.stdout:
                 with contextlib.suppress(ValueError, KeyError, TypeError):
-                    self._take(json.loads(line), receiver)
+                    self._handle(json.loads(line), receiver)
         if not self._closing:
             self._report(PinelError("ros_node_ended"), receiver)
 
-    def _take(self, message: Message, receiver: Receiver) -> None:
+    def _handle(self, message: Message, receiver: Receiver) -> None:
         kind = message["type"]
-        self._has_begun = True
+        self._has_started = True
         if kind == "odometry":
             receiver.on_odometry(_odometry(message))
         elif kind == "battery":
@@ -152,18 +154,18 @@ class Ros2Transport:
             if kind == "gone":
                 receiver.on_battery(math.nan)
         else:
-            self._take_sensor(kind, message)
+            self._handle_sensor(kind, message)
 
-    def _take_sensor(self, kind: str, message: Message) -> None:
+    def _handle_sensor(self, kind: str, message: Message) -> None:
         sensors = self._sensors
         if kind == "offered":
             sensors.offer(message["sensor"])
         elif kind == "gone":
             sensors.withdraw(message["sensor"])
         elif kind == "scan":
-            shortest_m, longest_m = message["bounds"]
-            bounds = (message["first"], message["step"], shortest_m, longest_m)
-            sensors.on_scan(Scan(*bounds, message["ranges"]))
+            min_range_m, max_range_m = message["bounds"]
+            bounds = (message["first"], message["step"], min_range_m, max_range_m)
+            sensors.on_scan(LidarScan(*bounds, message["ranges"]))
         elif kind == "range":
             sensors.on_range(message["frame"], message["range"], message["longest"])
         elif kind == "points":
@@ -185,7 +187,7 @@ class Ros2Transport:
         with contextlib.suppress(queue.Empty):
             self._outbox.get_nowait()
         self._outbox.put(None)
-        if not self._has_begun:  # nobody sees it yet, and the start of ROS would keep us waiting
+        if not self._has_started:  # nobody sees it yet, and the start of ROS would keep us waiting
             process.kill()
         try:
             process.wait(_END_S)

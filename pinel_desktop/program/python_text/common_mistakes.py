@@ -6,7 +6,7 @@ _MAX_LENGTH = 300  # longer lines were not typed by hand
 _ELSE_IF = re.compile(r"\s*else\s+if\b")
 _STEP = re.compile(r"(\w+)\s*(\+\+|--)\s*;?\s*(?:#.*)?$")
 _TURNED_ROUND = re.compile(r"=<|=>")
-_FIRST_WORD = re.compile(r"\s*(\w+)")
+_FIRST_TOKEN = re.compile(r"\s*(\w+)")
 _KEYWORDS = (
     "if",
     "elif",
@@ -21,7 +21,7 @@ _KEYWORDS = (
     "global",
 )
 _MEANT = {
-    **{word: word for word in _KEYWORDS},
+    **{keyword: keyword for keyword in _KEYWORDS},
     **dict.fromkeys(("se", "si"), "if"),
     **dict.fromkeys(("senão", "senao", "sino"), "else"),
     **dict.fromkeys(("senãose", "elseif", "elsif"), "elif"),
@@ -46,8 +46,8 @@ def common_mistake(line: str) -> tuple[str, dict[str, object]] | None:
     turned = _TURNED_ROUND.search(line)
     if turned:
         return "python_turned_round", {"value": turned[0], "instead": turned[0][::-1]}
-    word = _FIRST_WORD.match(line)
-    meant = _MEANT.get(word[1].lower()) if word else None
-    if word and meant and word[1] != meant:
-        return "python_word", {"value": word[1], "instead": meant}
+    token = _FIRST_TOKEN.match(line)
+    meant = _MEANT.get(token[1].lower()) if token else None
+    if token and meant and token[1] != meant:
+        return "python_word", {"value": token[1], "instead": meant}
     return None

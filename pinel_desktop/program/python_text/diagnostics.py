@@ -8,7 +8,7 @@ from typing import Any
 
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.python_text.comments import Anchor
-from pinel_desktop.program.python_text.scanning import MAX_FAULTS, Place, SyntaxProblem
+from pinel_desktop.program.python_text.scanning import MAX_FAULTS, SyntaxProblem, TextPosition
 from pinel_desktop.program.python_text.writing import Line
 
 Positioned = ast.stmt | ast.expr | ast.arg | ast.keyword
@@ -22,19 +22,19 @@ class Diagnostics:
 
     def __init__(self, lines: list[str], skipped: set[int]) -> None:
         self._lines, self._skipped = lines, skipped
-        self._faults: list[tuple[Place, Fault]] = []
+        self._faults: list[tuple[TextPosition, Fault]] = []
         self._offsets = lru_cache(maxsize=16)(self._count_offsets)
         self._is_too_deep = False
         self.anchors: list[Anchor] = []
-        self.places: dict[str, Positioned] = {}
+        self.nodes: dict[str, Positioned] = {}
         self.lines: dict[int, Line] = {}
 
-    def place(self, node: Positioned) -> Place:
+    def position(self, node: Positioned) -> TextPosition:
         """The begin of a node of Python's syntax tree, whose own columns count bytes."""
         line = self._lines[node.lineno - 1]
         if line.isascii():
-            return Place(node.lineno, node.col_offset)
-        return Place(node.lineno, bisect_left(self._offsets(node.lineno), node.col_offset))
+            return TextPosition(node.lineno, node.col_offset)
+        return TextPosition(node.lineno, bisect_left(self._offsets(node.lineno), node.col_offset))
 
     def _count_offsets(self, line: int) -> list[int]:
         sizes = (len(char.encode("utf-8", "replace")) for char in self._lines[line - 1])
@@ -47,29 +47,29 @@ class Diagnostics:
 
     def fault(self, node: Positioned, code: str, **params: object) -> None:
         """Records a fault at a node."""
-        place = self.place(node)
+        place = self.position(node)
         if place.line not in self._skipped:
             self._add(place, Fault(code, params=params))
 
     def problem(self, problem: SyntaxProblem) -> None:
         """Records a syntax problem."""
-        self._add(problem.place, Fault(problem.code, params=problem.params))
+        self._add(problem.position, Fault(problem.code, params=problem.params))
 
-    def placed(self, fault: Fault) -> None:
+    def add_document_fault(self, fault: Fault) -> None:
         """Records a fault of the document at the place in the text of its pointer."""
-        place = self.place_of(fault.pointer)
+        place = self.position_of(fault.pointer)
         if place.line not in self._skipped:
             self._add(place, fault)
 
-    def place_of(self, pointer: str) -> Place:
+    def position_of(self, pointer: str) -> TextPosition:
         """The place of a part of the document, or of the nearest enclosing part."""
         while pointer:
-            if pointer in self.places:
-                return self.place(self.places[pointer])
+            if pointer in self.nodes:
+                return self.position(self.nodes[pointer])
             pointer = pointer.rpartition("/")[0]
-        return Place(1, 0)
+        return TextPosition(1, 0)
 
-    def _add(self, place: Place, fault: Fault) -> None:
+    def _add(self, place: TextPosition, fault: Fault) -> None:
         """Records a fault. A replaced line may be longer than the original, so the column is limited."""
         if self.is_full or (self._is_too_deep and fault.code == "nesting_too_deep"):
             return
@@ -82,15 +82,15 @@ class Diagnostics:
 
     def faults(self) -> tuple[Fault, ...]:
         """All faults in the order of the text, without repetitions."""
-        ordered = sorted(self._faults, key=lambda noted: (noted[0].line, noted[0].column))
-        seen: dict[Any, Fault] = {}
+        ordered = sorted(self._faults, key=lambda entry: (entry[0].line, entry[0].column))
+        unique: dict[Any, Fault] = {}
         for place, fault in ordered:
-            seen.setdefault((place, fault.code), fault)
-        return tuple(seen.values())
+            unique.setdefault((place, fault.code), fault)
+        return tuple(unique.values())
 
     def anchor(self, node: ast.stmt, last_line: int, target: dict[str, Any] | None) -> None:
         """Records the anchor of a command for comments."""
-        place = self.place(node)
+        place = self.position(node)
         self.anchors.append(Anchor(place.line, place.column, last_line, target))
 
     def line(self, node: ast.stmt, pointer: str) -> None:

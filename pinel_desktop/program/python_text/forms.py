@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from pinel_desktop.program.base import defaults
-from pinel_desktop.program.command import AnyCommand, action_of, parameters_of
+from pinel_desktop.program.command import CommandBase, action_of, parameters_of
 from pinel_desktop.program.model import COMMANDS as COMMAND_MODELS
 from pinel_desktop.program.operators import OPERATORS
 from pinel_desktop.program.sensors import SENSORS, Argument
-from pinel_desktop.program.signatures import choices_of, takes_of
+from pinel_desktop.program.signatures import choices_of, parameter_spec
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ def _parameter(name: str, annotation: Any, defaults: dict[str, Any]) -> Paramete
     optional, default = name in defaults, defaults.get(name)
     choices = choices_of(annotation)
     is_boolean = annotation is bool
-    takes = takes_of(annotation)
+    spec = parameter_spec(annotation)
     return Parameter(
         name,
         keyword=optional or is_boolean,
@@ -64,11 +64,11 @@ def _parameter(name: str, annotation: Any, defaults: dict[str, Any]) -> Paramete
         written_as=None if is_boolean else default,
         literal="boolean" if is_boolean else "text" if choices else None,
         placeholder=None if optional else is_boolean or next(iter(choices), None),
-        metres=takes is not None and takes.unit in _METRES,
+        metres=spec is not None and spec.unit in _METRES,
     )
 
 
-def _form(model: type[AnyCommand]) -> Form:
+def _form(model: type[CommandBase]) -> Form:
     without = defaults(model)
     return Form(
         model.python,

@@ -12,13 +12,13 @@ from dataclasses import dataclass
 
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
 from pinel_desktop.program.python_text.common_mistakes import common_mistake
-from pinel_desktop.program.python_text.scanning import Place, Scan, SyntaxProblem, scan_text
+from pinel_desktop.program.python_text.scanning import Scan, SyntaxProblem, TextPosition, scan_text
 
 _MAX_TRIES = 30
 _UNREADABLE = re.compile("[\x00\ud800-\udfff]")
-_GOES_ON = re.compile(r"[ \t\f]*(else|elif)\b")
+_CONTINUATION = re.compile(r"[ \t\f]*(else|elif)\b")
 _BODY_MISSING = re.compile(r"expected an indented block .*on line (\d+)")
-_IN_PYTHONS_WORDS = (
+_PYTHON_MESSAGES = (
     ("expected an indented block", "python_indent_missing"),
     ("indent", "python_indent_wrong"),
     ("tabs", "python_indent_wrong"),
@@ -78,7 +78,7 @@ class _Parser:
     def _unreadable(self) -> list[SyntaxProblem]:
         return [
             SyntaxProblem(
-                "python_character", Place(i, match.start()), {"character": repr(match[0])}
+                "python_character", TextPosition(i, match.start()), {"character": repr(match[0])}
             )
             for i, line in enumerate(self._lines, 1)
             if (match := _UNREADABLE.search(line))
@@ -96,21 +96,23 @@ class _Parser:
         except SyntaxError as error:
             return self._problem_of(error)
         except (RecursionError, MemoryError):
-            return SyntaxProblem("nesting_too_deep", scan.longest, {"max": MAX_NESTING})
+            return SyntaxProblem("nesting_too_deep", scan.max_command_start, {"max": MAX_NESTING})
         except ValueError:
-            return SyntaxProblem("python_syntax", scan.longest)
+            return SyntaxProblem("python_syntax", scan.max_command_start)
 
     def _problem_of(self, error: SyntaxError) -> SyntaxProblem:
         line = min(max(error.lineno or 1, 1), len(self._lines))
         length = len(self._lines[line - 1])
-        place = Place(line, min(max((error.offset or 1) - 1, 0), length))
-        said = (error.msg or "").lower()
-        heading = _BODY_MISSING.search(said)
+        place = TextPosition(line, min(max((error.offset or 1) - 1, 0), length))
+        message = (error.msg or "").lower()
+        heading = _BODY_MISSING.search(message)
         if heading is not None:  # Python reports it at the next command, or at the end of the text
             text = self._lines[int(heading[1]) - 1]
-            place = Place(int(heading[1]), len(text) - len(text.lstrip()))
+            place = TextPosition(int(heading[1]), len(text) - len(text.lstrip()))
         text = self._lines[place.line - 1]
-        code = next((code for words, code in _IN_PYTHONS_WORDS if words in said), "python_syntax")
+        code = next(
+            (code for phrase, code in _PYTHON_MESSAGES if phrase in message), "python_syntax"
+        )
         slip = common_mistake(text) if code in ("python_syntax", "python_colon_missing") else None
         if slip is not None:
             return SyntaxProblem(slip[0], place, slip[1])
@@ -141,9 +143,9 @@ class _Parser:
         indent = begin[: _indent(begin)]
         heading = "pass"
         if self._has_body(last, len(indent)):
-            word = _GOES_ON.match(begin)
+            clause = _CONTINUATION.match(begin)
             heading = {"else": "else:", "elif": "elif True:"}.get(
-                word[1] if word else "", "while True:"
+                clause[1] if clause else "", "while True:"
             )
         self._lines[first - 1 : last] = [indent + heading, *[""] * (last - first)]
 
@@ -161,7 +163,7 @@ def _indent(line: str) -> int:
 
 def _lines_to_skip(problem: SyntaxProblem, scan: Scan) -> tuple[int, int]:
     """First and last line to skip: the whole command, or one line if brackets or quotes are not closed."""
-    line = problem.place.line
+    line = problem.position.line
     i = bisect_right(scan.spans, (line, MAX_BYTES)) - 1
     if problem.code in _ON_ONE_LINE or i < 0 or scan.spans[i][1] < line:
         return line, line
@@ -171,7 +173,7 @@ def _lines_to_skip(problem: SyntaxProblem, scan: Scan) -> tuple[int, int]:
 _ON_ONE_LINE = ("python_bracket_not_closed", "python_bracket_not_opened", "python_text_not_closed")
 
 
-def _params(code: str, line: str, place: Place) -> dict[str, object]:
+def _params(code: str, line: str, place: TextPosition) -> dict[str, object]:
     if code == "python_character":
         return {"character": line[place.column : place.column + 1]}
     return {"max": MAX_NESTING} if code == "nesting_too_deep" else {}

@@ -24,7 +24,7 @@ from pinel_desktop.program.python_text.names import program_name, python_name
 PLACEHOLDER = {
     "var": "x"
 }  # replaces an expression that cannot be read, so that the rest can be checked
-_LARGEST_WHOLE = 2**53
+_MAX_WHOLE = 2**53
 _BINARY: dict[type[ast.operator], str] = {
     ast.Add: "+",
     ast.Sub: "-",
@@ -63,7 +63,7 @@ _FAULTS: dict[type[ast.expr], str] = {
 }
 
 
-class Expressions:
+class ExpressionReader:
     """Reads expressions; `signatures` has the parameters of the program's functions by name."""
 
     def __init__(self, diagnostics: Diagnostics, signatures: Mapping[str, Sequence[str]]) -> None:
@@ -72,7 +72,7 @@ class Expressions:
 
     def read(self, node: ast.expr, pointer: str) -> Any:
         """Reads an expression. If it cannot be read, records a fault and returns a placeholder."""
-        self._diagnostics.places[pointer] = node
+        self._diagnostics.nodes[pointer] = node
         reader = getattr(self, f"_{type(node).__name__}", None)
         if reader is None:
             return self._fault(node, _FAULTS.get(type(node), "python_expression"))
@@ -106,9 +106,9 @@ class Expressions:
 
     def literal(self, node: ast.expr, parameter: Parameter, pointer: str) -> Any:
         """Reads a literal text, or True or False; None, with a fault, for anything else."""
-        self._diagnostics.places[pointer] = node
-        wanted = bool if parameter.literal == "boolean" else str
-        if isinstance(node, ast.Constant) and isinstance(node.value, wanted):
+        self._diagnostics.nodes[pointer] = node
+        expected = bool if parameter.literal == "boolean" else str
+        if isinstance(node, ast.Constant) and isinstance(node.value, expected):
             return node.value
         self._diagnostics.fault(node, f"python_literal_{parameter.literal}", name=parameter.name)
         return None
@@ -171,7 +171,7 @@ class Expressions:
             number = math.inf
         if math.isinf(number):
             return self._fault(node, "python_number_too_large")
-        return value if abs(value) <= _LARGEST_WHOLE else number
+        return value if abs(value) <= _MAX_WHOLE else number
 
     def _List(self, node: ast.List, pointer: str) -> Any:  # noqa: N802
         items = [self.read(item, f"{pointer}/{i}") for i, item in enumerate(node.elts)]
@@ -311,6 +311,4 @@ def _with_comma(call: ast.Call, n_parameters: int) -> str | None:
 
 
 def _is_whole_number(node: ast.expr) -> bool:
-    return (
-        isinstance(node, ast.Constant) and type(node.value) is int and node.value < _LARGEST_WHOLE
-    )
+    return isinstance(node, ast.Constant) and type(node.value) is int and node.value < _MAX_WHOLE

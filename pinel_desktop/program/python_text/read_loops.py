@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any, Protocol
 
 from pinel_desktop.program.python_text.diagnostics import Positioned
-from pinel_desktop.program.python_text.read_expressions import Expressions
+from pinel_desktop.program.python_text.read_expressions import ExpressionReader
 
 
 class _Assigning(Protocol):
@@ -13,7 +13,7 @@ class _Assigning(Protocol):
 
 
 def loop_of_for(
-    node: ast.For, statements: _Assigning, expressions: Expressions, pointer: str
+    node: ast.For, statements: _Assigning, expressions: ExpressionReader, pointer: str
 ) -> dict[str, Any] | None:
     """The command `repeat` or `for`, without its body; None if it is neither."""
     call, target = node.iter, node.target

@@ -11,12 +11,12 @@ from pinel_desktop.program.python_text.forms import ASK, COMMANDS, FUNCTIONS, SE
 from pinel_desktop.program.python_text.names import program_name
 from pinel_desktop.program.python_text.read_expressions import (
     PLACEHOLDER,
-    Expressions,
+    ExpressionReader,
     is_call_of_robot,
     is_robot,
 )
 from pinel_desktop.program.python_text.read_loops import loop_of_for
-from pinel_desktop.program.python_text.scanning import Place
+from pinel_desktop.program.python_text.scanning import TextPosition
 
 _Command = dict[str, Any]
 _CHANGES: dict[type[ast.operator], str] = {
@@ -47,7 +47,7 @@ class Statements:
     """Reads the statements of one text; `elifs` are the places where an `if` of the tree is an `elif`."""
 
     def __init__(
-        self, diagnostics: Diagnostics, expressions: Expressions, elifs: set[Place]
+        self, diagnostics: Diagnostics, expressions: ExpressionReader, elifs: set[TextPosition]
     ) -> None:
         self._diagnostics, self._expressions, self._elifs = diagnostics, expressions, elifs
         self._scope = _Scope()
@@ -60,14 +60,14 @@ class Statements:
 
     def function(self, node: ast.FunctionDef, pointer: str) -> _Command:
         """Reads a function with its commands."""
-        self._diagnostics.places[pointer] = node
+        self._diagnostics.nodes[pointer] = node
         self._diagnostics.line(node, pointer)
         arguments = node.args
         if _has_more_than_names(node):
             self._diagnostics.fault(node, "python_parameters", name=node.name)
         parameters = []
         for i, argument in enumerate(arguments.args):
-            self._diagnostics.places[f"{pointer}/parameters/{i}"] = argument
+            self._diagnostics.nodes[f"{pointer}/parameters/{i}"] = argument
             parameters.append(self._expressions.name(argument, argument.arg))
         name = self._expressions.name(node, node.name)
         function: _Command = {"name": name, "parameters": parameters, "commands": []}
@@ -97,18 +97,18 @@ class Statements:
 
     def _body(self, statements: Sequence[ast.stmt], pointer: str) -> list[_Command]:
         commands: list[_Command] = []
-        going_on: _Command | None = None  # an `if` whose `elif` may follow
+        open_if: _Command | None = None  # an `if` whose `elif` may follow
         if self._is_too_deep(statements):
             return commands
         self._depth += 1
         self._expressions.depth += 1
         for node in statements:
             place = f"{pointer}/{len(commands)}"
-            if isinstance(node, ast.If) and self._diagnostics.place(node) in self._elifs:
-                going_on = self._elif(node, going_on, f"{pointer}/{max(len(commands) - 1, 0)}")
+            if isinstance(node, ast.If) and self._diagnostics.position(node) in self._elifs:
+                open_if = self._elif(node, open_if, f"{pointer}/{max(len(commands) - 1, 0)}")
                 continue
             command = self._read(node, place)
-            going_on = command if isinstance(node, ast.If) and not node.orelse else None
+            open_if = command if isinstance(node, ast.If) and not node.orelse else None
             if command is not None:
                 commands.append(command)
                 self._diagnostics.line(node, place)
@@ -126,12 +126,12 @@ class Statements:
         """Reads a command; None if the statement is not a command or cannot be read."""
         if self._diagnostics.is_full:
             return None
-        self._diagnostics.places[pointer] = node
+        self._diagnostics.nodes[pointer] = node
         reader: Callable[[Any, str], _Command | None] | None = getattr(
             self, f"_{type(node).__name__}", None
         )
         if reader is None:
-            self._diagnostics.fault(node, _code_of(node), name=_word_of(node))
+            self._diagnostics.fault(node, _code_of(node), name=_keyword_of(node))
             return None
         return reader(node, pointer)
 
@@ -191,12 +191,12 @@ class Statements:
         name = self.assigned(target, target.id)
         if is_call_of_robot(node.value) and node.value.func.attr == "ask":  # type: ignore[attr-defined]
             return self._ask(node, name, pointer)
-        self._diagnostics.places[f"{pointer}/name"] = target
+        self._diagnostics.nodes[f"{pointer}/name"] = target
         value = self._expressions.read(node.value, f"{pointer}/value")
         return self._simple(node, {"action": "set_variable", "name": name, "value": value})
 
     def _ask(self, node: ast.Assign, variable: str, pointer: str) -> _Command | None:
-        self._diagnostics.places[f"{pointer}/variable"] = node.targets[0]
+        self._diagnostics.nodes[f"{pointer}/variable"] = node.targets[0]
         assert isinstance(node.value, ast.Call)
         bound = self._expressions.bind(node.value, ASK.parameters, "robot.ask", ASK.example)
         if bound is None:
@@ -208,7 +208,7 @@ class Statements:
         if not isinstance(node.target, ast.Name):
             return self._fault(node.target, "python_assignment")
         name = self.assigned(node.target, node.target.id)
-        self._diagnostics.places[f"{pointer}/name"] = node.target
+        self._diagnostics.nodes[f"{pointer}/name"] = node.target
         operator = _CHANGES.get(type(node.op))
         if operator is not None:
             by = self._expressions.read(node.value, f"{pointer}/value/args/1")
@@ -285,7 +285,7 @@ class Statements:
         has_all = len(call.args) == len(parameters) and not call.keywords
         if not has_all or not isinstance(function.value, ast.Name):
             return self._fault(call, "python_arguments", name=function.attr, example=example)
-        self._diagnostics.places[f"{pointer}/list"] = function.value
+        self._diagnostics.nodes[f"{pointer}/list"] = function.value
         name = self._expressions.name(function.value, function.value.id)
         command: _Command = {"action": function.attr, "list": name}
         for parameter, argument in zip(parameters, call.args, strict=True):
@@ -337,7 +337,7 @@ class Statements:
             return None
         branches = command.setdefault("elif", [])
         place = f"{pointer}/elif/{len(branches)}"
-        self._diagnostics.places[place] = node
+        self._diagnostics.nodes[place] = node
         condition = self.condition(node.test, f"{place}/condition")
         commands = self._inside(command, node.body, f"{place}/commands")
         branches.append({"condition": condition, "commands": commands})
@@ -385,7 +385,7 @@ _CODES: dict[type[ast.stmt], str] = {
     ast.FunctionDef: "python_function_inside",
     ast.AnnAssign: "python_assignment",
 }
-_WORDS: dict[type[ast.stmt], str] = {
+_KEYWORDS: dict[type[ast.stmt], str] = {
     ast.ClassDef: "class",
     ast.AsyncFunctionDef: "async",
     ast.AsyncFor: "async",
@@ -399,5 +399,5 @@ def _code_of(node: ast.stmt) -> str:
     return _CODES.get(type(node), "python_statement")
 
 
-def _word_of(node: ast.stmt) -> str:
-    return _WORDS.get(type(node), type(node).__name__.removesuffix("Star").lower())
+def _keyword_of(node: ast.stmt) -> str:
+    return _KEYWORDS.get(type(node), type(node).__name__.removesuffix("Star").lower())

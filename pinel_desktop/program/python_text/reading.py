@@ -12,10 +12,10 @@ from pinel_desktop.program.python_text.comments import attach
 from pinel_desktop.program.python_text.diagnostics import Diagnostics
 from pinel_desktop.program.python_text.names import program_name
 from pinel_desktop.program.python_text.parsing import Parsed, parse
-from pinel_desktop.program.python_text.read_expressions import Expressions
+from pinel_desktop.program.python_text.read_expressions import ExpressionReader
 from pinel_desktop.program.python_text.read_statements import Statements, docstring_of
 from pinel_desktop.program.python_text.writing import Line
-from pinel_desktop.program.reading import Reading, read_document
+from pinel_desktop.program.reading import ParseResult, read_document
 
 # faults that may be consequences of lines that cannot be read
 _FOLLOWS = frozenset(
@@ -36,47 +36,47 @@ _FOLLOWS = frozenset(
 
 
 @dataclass(frozen=True, slots=True)
-class PythonReading:
+class PythonParseResult:
     """Result of reading a Python text.
 
     Attributes:
-        reading: result of `read_document` for the resulting document.
+        result: result of `read_document` for the resulting document.
         faults: all faults, in the order of the text, with `line` and `column` (from 1) in `params`.
         lines: the command of each line, counted from 1.
     """
 
-    reading: Reading
+    result: ParseResult
     lines: Mapping[int, Line] = field(default_factory=dict)
 
     @property
     def faults(self) -> tuple[Fault, ...]:
-        return self.reading.faults
+        return self.result.faults
 
     @property
     def program(self) -> Program | None:
-        return self.reading.program
+        return self.result.program
 
     @property
     def document(self) -> dict[str, Any] | None:
         """The document in its normal form; None if there are faults."""
-        return self.reading.document
+        return self.result.document
 
 
-def read_python(text: str) -> PythonReading:
+def read_python(text: str) -> PythonParseResult:
     """Reads a Python text. Never raises because of its content."""
     size = len(text.encode("utf-8", "replace"))
     if size > MAX_BYTES:
         params: dict[str, object] = {"value": size, "max": MAX_BYTES, "line": 1, "column": 1}
-        return PythonReading(Reading(None, (Fault("document_too_large", params=params),)))
+        return PythonParseResult(ParseResult(None, (Fault("document_too_large", params=params),)))
     lines = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     parsed = parse(lines)
     diagnostics = Diagnostics(lines.split("\n"), parsed.skipped)
     for problem in parsed.problems:
         diagnostics.problem(problem)
     if parsed.tree is None:
-        return PythonReading(Reading(None, diagnostics.faults()))
+        return PythonParseResult(ParseResult(None, diagnostics.faults()))
     document = _document(parsed, parsed.tree, diagnostics)
-    return PythonReading(_checked(document, diagnostics, parsed), diagnostics.lines)
+    return PythonParseResult(_checked(document, diagnostics, parsed), diagnostics.lines)
 
 
 def _document(parsed: Parsed, tree: ast.Module, diagnostics: Diagnostics) -> dict[str, Any]:
@@ -89,7 +89,7 @@ def _document(parsed: Parsed, tree: ast.Module, diagnostics: Diagnostics) -> dic
         for node in defined
     }
     statements = Statements(
-        diagnostics, Expressions(diagnostics, signatures), set(parsed.scan.elifs)
+        diagnostics, ExpressionReader(diagnostics, signatures), set(parsed.scan.elifs)
     )
     functions = [statements.function(node, f"/functions/{i}") for i, node in enumerate(defined)]
     commands = statements.program(others)
@@ -97,12 +97,12 @@ def _document(parsed: Parsed, tree: ast.Module, diagnostics: Diagnostics) -> dic
     return {"pinel_ir": 1, "name": name or "", "functions": functions, "commands": commands}
 
 
-def _checked(document: dict[str, Any], diagnostics: Diagnostics, parsed: Parsed) -> Reading:
+def _checked(document: dict[str, Any], diagnostics: Diagnostics, parsed: Parsed) -> ParseResult:
     """Reads the document, and places its faults in the text."""
     reading = read_document(document)
     for fault in reading.faults:
-        diagnostics.placed(fault)
+        diagnostics.add_document_fault(fault)
     faults = diagnostics.faults()
     if parsed.problems:
         faults = tuple(fault for fault in faults if fault.code not in _FOLLOWS)
-    return Reading(None, faults) if faults else reading
+    return ParseResult(None, faults) if faults else reading

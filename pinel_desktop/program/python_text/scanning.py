@@ -12,7 +12,7 @@ from pinel_desktop.program.python_text.comments import Comment
 
 _MAX_BRACKETS = MAX_NESTING + 16  # sufficient for an expression of 64 levels
 MAX_FAULTS = 1_000  # more are not recorded
-_MOST_COMMANDS = 5 * MAX_COMMANDS
+_MAX_PARSED_COMMANDS = 5 * MAX_COMMANDS
 _MAX_DIGITS = 400  # a double has less than 310
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
 _TOKEN = re.compile(
@@ -28,7 +28,7 @@ _TOKEN = re.compile(
     |(?P<open_bracket>[(\[{])
     |(?P<close>[)\]}])
     |(?P<quote>"""|\'\'\'|["'])
-    |(?P<word>\w++)
+    |(?P<name_or_number>\w++)
     |(?P<sign>[^\w\s"'#()\[\]{}\\]++)
     |(?P<other>.)
     ''',
@@ -37,7 +37,7 @@ _TOKEN = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class TextPosition:
     """A place in a text: line from 1, column from 0."""
 
     line: int
@@ -49,7 +49,7 @@ class SyntaxProblem:
     """A problem that prevents parsing."""
 
     code: str
-    place: Place
+    position: TextPosition
     params: dict[str, object] = field(default_factory=dict)
 
 
@@ -62,14 +62,14 @@ class Scan:
         elifs: begin of each `elif`.
         problems: problems that prevent parsing.
         spans: first and last line of each command.
-        longest: begin of the command with the most tokens.
+        max_command_start: begin of the command with the most tokens.
     """
 
     comments: list[Comment] = field(default_factory=list)
-    elifs: list[Place] = field(default_factory=list)
+    elifs: list[TextPosition] = field(default_factory=list)
     problems: list[SyntaxProblem] = field(default_factory=list)
     spans: list[tuple[int, int]] = field(default_factory=list)
-    longest: Place = field(default_factory=lambda: Place(1, 0))
+    max_command_start: TextPosition = field(default_factory=lambda: TextPosition(1, 0))
 
 
 def scan_text(text: str) -> Scan:
@@ -82,9 +82,9 @@ class _Scanner:
         self._text = text
         self._scan = Scan()
         self._line, self._line_start = 1, 0
-        self._open: list[tuple[str, Place]] = []
-        self._first: Place | None = None  # of the command that is being read
-        self._n_tokens = self._most_tokens = 0
+        self._open: list[tuple[str, TextPosition]] = []
+        self._first: TextPosition | None = None  # of the command that is being read
+        self._n_tokens = self._max_tokens = 0
         self._n_commands = 0
         self._too_deep = self._too_many = False
 
@@ -101,17 +101,17 @@ class _Scanner:
                 getattr(self, f"_{match.lastgroup}")(match)
             self._count_lines(match.start(), position)
         self._end_command()
-        without_end = {problem.place.line for problem in self._scan.problems}
+        without_end = {problem.position.line for problem in self._scan.problems}
         for bracket, place in self._open:
             if place.line in without_end:  # its end is inside an unclosed string
                 continue
             self._problem("python_bracket_not_closed", place, bracket=bracket)
         return self._scan
 
-    def _place(self, match: re.Match[str]) -> Place:
-        return Place(self._line, match.start() - self._line_start)
+    def _position(self, match: re.Match[str]) -> TextPosition:
+        return TextPosition(self._line, match.start() - self._line_start)
 
-    def _problem(self, code: str, place: Place, **params: object) -> None:
+    def _problem(self, code: str, place: TextPosition, **params: object) -> None:
         if len(self._scan.problems) < MAX_FAULTS:
             self._scan.problems.append(SyntaxProblem(code, place, params))
 
@@ -130,18 +130,18 @@ class _Scanner:
             self._n_commands += 1
             self._check_number(self._first)
             self._scan.spans.append((self._first.line, self._line))
-            if self._n_tokens > self._most_tokens:
-                self._most_tokens, self._scan.longest = self._n_tokens, self._first
+            if self._n_tokens > self._max_tokens:
+                self._max_tokens, self._scan.max_command_start = self._n_tokens, self._first
         self._first, self._n_tokens = None, 0
 
     def _comment(self, match: re.Match[str]) -> None:
-        place = self._place(match)
+        place = self._position(match)
         before = self._text[self._line_start : match.start()]
         alone = not before.strip()
         self._scan.comments.append(Comment(place.line, place.column, match[0][1:], alone))
 
-    def _token(self, match: re.Match[str]) -> Place:
-        place = self._place(match)
+    def _token(self, match: re.Match[str]) -> TextPosition:
+        place = self._position(match)
         self._n_tokens += 1
         if self._first is None:
             self._first = place
@@ -149,7 +149,7 @@ class _Scanner:
                 self._scan.elifs.append(place)
         return place
 
-    def _word(self, match: re.Match[str]) -> None:
+    def _name_or_number(self, match: re.Match[str]) -> None:
         place = self._token(match)
         if len(match[0]) > _MAX_DIGITS and match[0][0].isdigit():
             self._problem("python_number_too_large", place)
@@ -162,9 +162,9 @@ class _Scanner:
         self._n_commands += match[0].count(";")
         self._check_number(place)
 
-    def _check_number(self, place: Place) -> None:
+    def _check_number(self, place: TextPosition) -> None:
         """Reports a text with more commands than any program can have, which would take long to parse."""
-        if self._n_commands > _MOST_COMMANDS and not self._too_many:
+        if self._n_commands > _MAX_PARSED_COMMANDS and not self._too_many:
             self._too_many = True
             params = {"value": self._n_commands, "max": MAX_COMMANDS}
             self._problem("too_many_commands", place, **params)

@@ -20,7 +20,7 @@ from pinel_desktop.program.python_text.names import python_name
 
 # parameters of functions, by name of the function
 Signatures = Mapping[str, Sequence[str]]
-_LARGEST_WHOLE = 1e16  # larger doubles are written with an exponent
+_MAX_WHOLE = 1e16  # larger doubles are written with an exponent
 _SIMPLE = re.compile(r"-?[\w.]+")
 
 
@@ -34,18 +34,18 @@ def string_literal(value: str) -> str:
 
 def number_text(value: float, *, metres: bool = False) -> str:
     """The shortest text of a double that reads back equal; whole numbers have a decimal point only for metres."""
-    whole = float(value).is_integer() and abs(value) < _LARGEST_WHOLE
+    whole = float(value).is_integer() and abs(value) < _MAX_WHOLE
     if not whole or str(value) == "-0.0":
         return repr(float(value)).replace("e+", "e")
     return f"{int(value)}.0" if metres else str(int(value))
 
 
 def expression_text(
-    value: Any, signatures: Signatures, least: int = OR, *, metres: bool = False
+    value: Any, signatures: Signatures, min_precedence: int = OR, *, metres: bool = False
 ) -> str:
-    """An expression as text, in parentheses if its precedence is below `least`."""
+    """An expression as text, in parentheses if its precedence is below `min_precedence`."""
     text, binds = _Writer(signatures).write(value, metres=metres)
-    return text if binds >= least else f"({text})"
+    return text if binds >= min_precedence else f"({text})"
 
 
 def call_text(function: str, arguments: Mapping[str, Any], signatures: Signatures) -> str:
@@ -79,9 +79,9 @@ class _Writer:
             return f"[{', '.join(self._at(item, OR) for item in value)}]", ATOM
         return self._node(value)
 
-    def _at(self, value: Any, least: int) -> str:
+    def _at(self, value: Any, min_precedence: int) -> str:
         text, binds = self.write(value)
-        return text if binds >= least else f"({text})"
+        return text if binds >= min_precedence else f"({text})"
 
     def _node(self, node: Mapping[str, Any]) -> tuple[str, int]:
         if "op" in node:

@@ -122,13 +122,13 @@ class _Writer:
             return f"robot.{action}({', '.join(text for text in given if text)})"
         return str(getattr(self, f"_{action}")(command))
 
-    def _expression(self, value: Any, least: int = 0) -> str:
-        return expression_text(value, self._signatures, least)
+    def _expression(self, value: Any, min_precedence: int = 0) -> str:
+        return expression_text(value, self._signatures, min_precedence)
 
-    def _condition(self, command: Mapping[str, Any], least: int = 0) -> str:
+    def _condition(self, command: Mapping[str, Any], min_precedence: int = 0) -> str:
         condition = command["condition"]
         tree = parse_condition(condition) if isinstance(condition, str) else condition
-        return self._expression(tree, least)
+        return self._expression(tree, min_precedence)
 
     def _argument(self, command: Mapping[str, Any], parameter: Parameter) -> str:
         value = command.get(parameter.name)

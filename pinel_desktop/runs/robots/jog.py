@@ -9,15 +9,15 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.robot import STANDSTILL, Twist2D
-from pinel_desktop.robot.record import RobotRecord
-from pinel_desktop.runs.robots.watched import WatchedRobot
+from pinel_desktop.robot.robot_profile import RobotProfile
+from pinel_desktop.runs.robots.monitor import RobotMonitor
 
-FASTEST_MPS = 0.15
-FASTEST_RADPS = math.radians(30.0)
+MAX_JOG_MPS = 0.15
+MAX_JOG_RADPS = math.radians(30.0)
 # A command that was so long on its way may have been taken back since.
 TOO_LATE_S = 0.25
 # For so long after the last use the link is kept, so that the next press need not connect again.
-_KEPT_S = 3.0
+_IDLE_TIMEOUT_S = 3.0
 # After a stop or a problem the keys count again once nothing has been held for so long.
 _RELEASED_S = 0.5
 _POLL_S = 0.05
@@ -31,7 +31,7 @@ class Jog:
     `command` is called on the engine's reading thread and never waits; the link's own sender expires its commands.
     """
 
-    def __init__(self, robot: WatchedRobot) -> None:
+    def __init__(self, robot: RobotMonitor) -> None:
         self._robot = robot
         self._lock = threading.Lock()
         self._drive: _Drive | None = None
@@ -39,26 +39,26 @@ class Jog:
         self._sent_s = 0.0
         self._is_halted = False
 
-    def command(self, record: RobotRecord, drive: float, turn: float, sent_s: float) -> None:
+    def command(self, record: RobotProfile, drive: float, turn: float, sent_s: float) -> None:
         """What is held: ahead (1) or back (-1), left (1) or right (-1).
 
         Args:
             sent_s: when the page sent it, by the PC's clock (s since 1970).
         """
-        now_s, wanted = time.monotonic(), drive != 0.0 or turn != 0.0
+        now_s, is_held = time.monotonic(), drive != 0.0 or turn != 0.0
         with self._lock:
             is_overtaken = 0.0 < self._sent_s - sent_s < TOO_LATE_S
-            if wanted and (is_overtaken or abs(time.time() - sent_s) > TOO_LATE_S):
+            if is_held and (is_overtaken or abs(time.time() - sent_s) > TOO_LATE_S):
                 return
             self._sent_s = sent_s
-            if wanted:
+            if is_held:
                 self._is_halted = self._is_halted and now_s - self._held_s < _RELEASED_S
                 self._held_s = now_s
             if self._drive is not None and self._drive.is_over:
                 self._drive = None
             if self._is_halted:
                 return
-            if self._drive is None and wanted:
+            if self._drive is None and is_held:
                 self._drive = _Drive(self, self._robot, record)
             if self._drive is not None:
                 self._drive.command(_twist(record, drive, turn))
@@ -82,8 +82,8 @@ class Jog:
 class _Drive:
     """One connection, on a thread of its own."""
 
-    def __init__(self, jog: Jog, robot: WatchedRobot, record: RobotRecord) -> None:
-        self._jog, self._robot, self._record = jog, robot, record
+    def __init__(self, jog: Jog, robot: RobotMonitor, record: RobotProfile) -> None:
+        self._jog, self._robot, self._profile = jog, robot, record
         self._link: RealLink | None = None
         self._used_s = time.monotonic()
         self._ending = threading.Event()
@@ -113,9 +113,9 @@ class _Drive:
 
     def _work(self) -> None:
         try:
-            with self._robot.reserved("jog", self._record) as follow:
+            with self._robot.reserved("jog", self._profile) as follow:
                 link = open_link(
-                    self._record.link, world=self._record.room.as_world(), robot=self._record
+                    self._profile.link, world=self._profile.room.as_world(), robot=self._profile
                 )
                 assert isinstance(link, RealLink)
                 try:
@@ -141,15 +141,15 @@ class _Drive:
         """Until nobody uses it any more. Raises what is wrong with the robot."""
         while not self._ending.wait(_POLL_S):
             link.read()
-            if time.monotonic() - self._used_s > _KEPT_S:
+            if time.monotonic() - self._used_s > _IDLE_TIMEOUT_S:
                 return
 
 
-def _twist(record: RobotRecord, drive: float, turn: float) -> Twist2D:
+def _twist(record: RobotProfile, drive: float, turn: float) -> Twist2D:
     """At most half of the record's speeds."""
     slow = record.slowed()
-    v = min(FASTEST_MPS, slow.max_v_mps)
-    omega = min(FASTEST_RADPS, math.radians(slow.max_omega_dps))
+    v = min(MAX_JOG_MPS, slow.max_v_mps)
+    omega = min(MAX_JOG_RADPS, math.radians(slow.max_omega_dps))
     return Twist2D(_share(drive) * v, _share(turn) * omega)
 
 

@@ -5,13 +5,13 @@ import threading
 from collections.abc import Callable, Iterator
 
 from pinel_desktop.processes.messages import Message
-from pinel_desktop.robot.record import RobotRecord, record_from
+from pinel_desktop.robot.robot_profile import RobotProfile, profile_from
 from pinel_desktop.runs.robots import AT_START, HALT, JOG
 from pinel_desktop.runs.robots.jog import Jog
-from pinel_desktop.runs.robots.watched import Follow, WatchedRobot
+from pinel_desktop.runs.robots.monitor import Follow, RobotMonitor
 
 
-class Robots:
+class RobotService:
     """One watched robot for each kind of link. Called on the engine's reading thread, and on those of runs.
 
     Args:
@@ -20,24 +20,24 @@ class Robots:
 
     def __init__(self, send: Callable[[Message], None]) -> None:
         self._send = send
-        self._robots: dict[str, WatchedRobot] = {}
+        self._robots: dict[str, RobotMonitor] = {}
         self._jogs: dict[str, Jog] = {}
         self._lock = threading.Lock()
 
     def handle(self, message: Message) -> None:
         """Does what a message of one of the `ROBOT_MESSAGES` asks. Never waits."""
-        record = record_from(message["robot"])
+        record = profile_from(message["robot"])
         if message["type"] == JOG:
             self._jog(message, record)
         elif message["type"] == HALT:
             self._halt(record)
         elif message["type"] == AT_START:
-            self._robot(record).stand_at_start()
+            self._robot(record).set_start_here()
         else:
-            self._robot(record).renew(record)
+            self._robot(record).renew_lease(record)
 
     @contextlib.contextmanager
-    def reserved(self, record: RobotRecord) -> Iterator[Follow]:
+    def reserved(self, record: RobotProfile) -> Iterator[Follow]:
         """The robot for a run or a try: nothing else of this engine uses it, keys are let go first.
 
         The link that is followed tells its state.
@@ -55,18 +55,18 @@ class Robots:
         for robot in tuple(self._robots.values()):
             robot.close()
 
-    def _robot(self, record: RobotRecord) -> WatchedRobot:
+    def _robot(self, record: RobotProfile) -> RobotMonitor:
         with self._lock:
-            return self._robots.setdefault(record.link, WatchedRobot(record, self._send))
+            return self._robots.setdefault(record.link, RobotMonitor(record, self._send))
 
-    def _jog(self, message: Message, record: RobotRecord) -> None:
+    def _jog(self, message: Message, record: RobotProfile) -> None:
         robot = self._robot(record)
         jog = self._jogs.get(record.link)
         if jog is None:
             jog = self._jogs[record.link] = Jog(robot)
         jog.command(record, message["drive"], message["turn"], message["sent_s"])
 
-    def _halt(self, record: RobotRecord) -> None:
+    def _halt(self, record: RobotProfile) -> None:
         jog = self._jogs.get(record.link)
         if jog is not None:
             jog.halt()

@@ -6,19 +6,19 @@ from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.links.real import SILENT_S, RealLink
+from pinel_desktop.links.real import ODOMETRY_TIMEOUT_S, RealLink
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.robot import Pose2D
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot.robot_profile import RobotProfile
 from pinel_desktop.runs.robots import ROBOT_STATE
 
-TOLD_EACH_S = 0.5
+UPDATE_INTERVAL_S = 0.5
 _RATE_OVER_S = 2.0
 
 Use = Literal["watch", "run", "jog"]
 
 
-class Seen(NamedTuple):
+class RobotSnapshot(NamedTuple):
     """A robot at a moment.
 
     Attributes:
@@ -28,61 +28,65 @@ class Seen(NamedTuple):
         problem: what is wrong, or was when it was driven last.
     """
 
-    record: RobotRecord
+    profile: RobotProfile
     use: Use
     link: RealLink | None
     start: Pose2D | None
     problem: PinelError | None
 
 
-class Telling:
+class StatePublisher:
     """Sends the state of one robot."""
 
     def __init__(self, send: Callable[[Message], None]) -> None:
         self._send = send
         self._last: Message | None = None
-        self._told_s = -math.inf
+        self._published_s = -math.inf
         self._counted: tuple[RealLink | None, float, int] = (None, 0.0, 0)
         self._rate_hz: float | None = None
 
-    def tell(self, seen: Seen) -> None:
+    def publish(self, snapshot: RobotSnapshot) -> None:
         """Tells the state if it is another one; a use that begins or ends at once, all else in its turn."""
-        state, now_s = self._state(seen), time.monotonic()
-        is_due = now_s - self._told_s >= TOLD_EACH_S
+        state, now_s = self._state(snapshot), time.monotonic()
+        is_due = now_s - self._published_s >= UPDATE_INTERVAL_S
         is_other_use = self._last is None or self._last["use"] != state["use"]
         if state != self._last and (is_due or is_other_use):
-            self._last, self._told_s = state, now_s
+            self._last, self._published_s = state, now_s
             self._send(state)
 
-    def begin(self) -> None:
+    def force_next(self) -> None:
         """Whatever comes next is news."""
         self._last = None
 
-    def _state(self, seen: Seen) -> Message:
-        link, problem = seen.link, seen.problem
-        heard = _nothing(seen) if link is None or link.pose is None else self._heard(link, seen)
+    def _state(self, snapshot: RobotSnapshot) -> Message:
+        link, problem = snapshot.link, snapshot.problem
+        received = (
+            _nothing(snapshot)
+            if link is None or link.pose is None
+            else self._received_fields(link, snapshot)
+        )
         return {
             "type": ROBOT_STATE,
-            "link": seen.record.link,
-            "address": seen.record.address if seen.record.comes_to_us else "",
-            "use": seen.use,
-            **heard,
+            "link": snapshot.profile.link,
+            "address": snapshot.profile.address if snapshot.profile.comes_to_us else "",
+            "use": snapshot.use,
+            **received,
             "holder": link and link.holder,
             "code": problem and problem.code,
             "params": dict(problem.params) if problem else {},
         }
 
-    def _heard(self, link: RealLink, seen: Seen) -> Message:
+    def _received_fields(self, link: RealLink, snapshot: RobotSnapshot) -> Message:
         pose, age_s = link.pose, link.age_s
         assert pose is not None
-        begin = link.start or seen.start or pose
-        x, y, yaw = seen.record.room.start.compose(pose.relative_to(begin))
-        is_silent = age_s > SILENT_S
+        begin = link.start or snapshot.start or pose
+        x, y, yaw = snapshot.profile.room.start.compose(pose.relative_to(begin))
+        is_unresponsive = age_s > ODOMETRY_TIMEOUT_S
         rate_hz = self._rate(link)
         return {
-            "state": "silent" if is_silent else "connected",
-            "age_s": math.floor(age_s) if is_silent else None,
-            "rate_hz": None if is_silent else rate_hz,
+            "state": "silent" if is_unresponsive else "connected",
+            "age_s": math.floor(age_s) if is_unresponsive else None,
+            "rate_hz": None if is_unresponsive else rate_hz,
             "battery": None if link.battery is None else round(link.battery, 2),
             "x_m": round(x, 2) + 0.0,  # no -0.0
             "y_m": round(y, 2) + 0.0,
@@ -91,7 +95,7 @@ class Telling:
 
     def _rate(self, link: RealLink) -> float | None:
         """Messages in a second. One that trembles by a tenth is no news."""
-        now_s, n_heard = time.monotonic(), link.n_heard
+        now_s, n_heard = time.monotonic(), link.n_odometry
         counted, since_s, before = self._counted
         if counted is not link:
             self._counted, self._rate_hz = (link, now_s, n_heard), None
@@ -103,7 +107,7 @@ class Telling:
         return self._rate_hz
 
 
-def _nothing(seen: Seen) -> Message:
-    waits = seen.record.comes_to_us and seen.problem is None
+def _nothing(snapshot: RobotSnapshot) -> Message:
+    waits = snapshot.profile.comes_to_us and snapshot.problem is None
     fields = ("age_s", "rate_hz", "battery", "x_m", "y_m", "heading_deg")
     return {"state": "waiting" if waits else "searching", **dict.fromkeys(fields)}

@@ -1,6 +1,6 @@
 """Review of a group's work: differences of two versions, events of a lesson. PURE: no IO, thread or clock."""
 
-from pinel_desktop.school.review.advice import Advice, kept_advice
+from pinel_desktop.school.review.advice import Advice, advice_of_cases
 from pinel_desktop.school.review.blocks import BlocksInUse, blocks_in_use
 from pinel_desktop.school.review.difference import (
     Change,
@@ -9,39 +9,39 @@ from pinel_desktop.school.review.difference import (
     Difference,
     difference,
 )
+from pinel_desktop.school.review.group_timeline import TimelineEntry
 from pinel_desktop.school.review.lesson import (
-    Figures,
+    GroupMetrics,
     GroupReview,
     LessonReview,
     review_group,
     review_lesson,
     versions_needed,
 )
-from pinel_desktop.school.review.marks import Mark
-from pinel_desktop.school.review.records import Edit, GroupWork, Run
+from pinel_desktop.school.review.lesson_events import Edit, GroupWork, Run
 from pinel_desktop.school.review.spreadsheet import spreadsheet
-from pinel_desktop.school.review.summary import Fault, Need, Summary, summary
+from pinel_desktop.school.review.summary import CommonMistake, Need, Summary, summary
 
 __all__ = [
     "Advice",
     "BlocksInUse",
     "Change",
     "ChangedBlock",
+    "CommonMistake",
     "Counts",
     "Difference",
     "Edit",
-    "Fault",
-    "Figures",
+    "GroupMetrics",
     "GroupReview",
     "GroupWork",
     "LessonReview",
-    "Mark",
     "Need",
     "Run",
     "Summary",
+    "TimelineEntry",
+    "advice_of_cases",
     "blocks_in_use",
     "difference",
-    "kept_advice",
     "review_group",
     "review_lesson",
     "spreadsheet",

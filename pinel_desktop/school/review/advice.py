@@ -30,21 +30,21 @@ class Advice(BaseModel):
         return self.words.get(language, self.words[min(self.words)])
 
 
-_KEPT: TypeAdapter[list[Advice | None]] = TypeAdapter(list[Advice | None])
+_CASES: TypeAdapter[list[Advice | None]] = TypeAdapter(list[Advice | None])
 
 
-def kept_advice(of_cases: str | None) -> Advice | None:
+def advice_of_cases(of_cases: str | None) -> Advice | None:
     """The advice that was said about all cases: the first diagnosis, else the words of the first check.
 
     Args:
         of_cases: JSON list with the advice about each case, as `storage` hands it out; a damaged one is none.
     """
     try:
-        cases = _KEPT.validate_json(of_cases or "[]")
+        cases = _CASES.validate_json(of_cases or "[]")
     except ValidationError:
         return None
-    said = [one for one in cases if one is not None]
-    return min(said, key=_rank, default=None)
+    given = [one for one in cases if one is not None]
+    return min(given, key=_rank, default=None)
 
 
 def _rank(advice: Advice) -> float:

@@ -24,7 +24,7 @@ class Value:
     """A value set on a block; two are equal if their JSON is."""
 
     tokens: Tokens
-    kept: Any = field(compare=False)
+    json_value: Any = field(compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,10 +174,10 @@ def _is_disabled(state: dict[str, Any]) -> bool:
     return state.get("enabled") is False
 
 
-def _value(kept: object) -> Value:
+def _value(json_value: object) -> Value:
     """A value with tokens that are equal only for equal JSON; in Python `True == 1`."""
     found: list[object] = []
-    todo = [kept]
+    todo = [json_value]
     while todo:
         part = todo.pop()
         if isinstance(part, dict):
@@ -189,7 +189,7 @@ def _value(kept: object) -> Value:
             todo.extend(reversed(part))
         else:
             found.append((isinstance(part, bool), part))
-    return Value(tuple(found), kept)
+    return Value(tuple(found), json_value)
 
 
 def _of(value: object) -> dict[str, Any]:

@@ -13,7 +13,7 @@ _ROOT_WEIGHT = 10**9
 
 
 @dataclass(frozen=True, slots=True)
-class BlockMark:
+class BlockRef:
     """A block; `block` is its id."""
 
     block: str
@@ -60,10 +60,10 @@ class Difference:
     does not if blocks were only added or removed before it, or if its whole loose stack has another position.
     """
 
-    added: tuple[BlockMark, ...] = ()
-    removed: tuple[BlockMark, ...] = ()
+    added: tuple[BlockRef, ...] = ()
+    removed: tuple[BlockRef, ...] = ()
     changed: tuple[ChangedBlock, ...] = ()
-    moved: tuple[BlockMark, ...] = ()
+    moved: tuple[BlockRef, ...] = ()
 
     @property
     def summary(self) -> Counts:
@@ -85,16 +85,16 @@ def difference_of_flat(old: FlatWorkspace, new: FlatWorkspace) -> Difference:
     """As `difference`, for flattened workspaces."""
     moved = _moved(old, new)
     return Difference(
-        added=_marks(new, (key for key in new.blocks if key not in old.blocks)),
-        removed=_marks(old, (key for key in old.blocks if key not in new.blocks)),
+        added=_block_refs(new, (key for key in new.blocks if key not in old.blocks)),
+        removed=_block_refs(old, (key for key in old.blocks if key not in new.blocks)),
         changed=tuple(_changed(old, new)),
-        moved=_marks(new, (key for key in new.blocks if key in moved)),
+        moved=_block_refs(new, (key for key in new.blocks if key in moved)),
     )
 
 
-def _marks(flat: FlatWorkspace, keys: Iterator[str]) -> tuple[BlockMark, ...]:
+def _block_refs(flat: FlatWorkspace, keys: Iterator[str]) -> tuple[BlockRef, ...]:
     blocks = (flat.blocks[key] for key in keys)
-    return tuple(BlockMark(block.id, block.type) for block in blocks if block.type != START)
+    return tuple(BlockRef(block.id, block.type) for block in blocks if block.type != START)
 
 
 def _changed(old: FlatWorkspace, new: FlatWorkspace) -> Iterator[ChangedBlock]:
@@ -117,7 +117,7 @@ def _changes(was: Block, block: Block) -> Iterator[Change]:
         ):
             continue  # a block was inserted over the value or removed; that block reports it
         if first != then:
-            yield Change(name, first and first.kept, then and then.kept)
+            yield Change(name, first and first.json_value, then and then.json_value)
 
 
 def _is_covered(name: str, block: Block) -> bool:
@@ -135,32 +135,32 @@ def _moved(old: FlatWorkspace, new: FlatWorkspace) -> set[str]:
         moved.update(common)
         if here and match:
             place = {key: index for index, key in enumerate(old.sequences[match])}
-            moved.difference_update(_longest_kept_order(here, [place[key] for key in here]))
+            moved.difference_update(_increasing_subsequence(here, [place[key] for key in here]))
     return moved
 
 
 def _matching_stacks(old: FlatWorkspace, new: FlatWorkspace) -> dict[Socket, Socket]:
     """Maps top-level stacks, new to old: first stacks with the same root, then those that share most blocks."""
     shared: Counter[tuple[Socket, Socket]] = Counter()
-    smallest: dict[tuple[Socket, Socket], str] = {}
+    first_key: dict[tuple[Socket, Socket], str] = {}
     for key, block in new.blocks.items():
         was = old.blocks.get(key)
         if was and block.socket[0] == was.socket[0] == "":
             pair = (block.socket, was.socket)
             is_root = block.in_program and was.in_program and block.socket == was.socket
             shared[pair] += _ROOT_WEIGHT if is_root and block.socket[1] == key else 1
-            smallest[pair] = min(key, smallest.get(pair, key))
+            first_key[pair] = min(key, first_key.get(pair, key))
     matches: dict[Socket, Socket] = {}
     # pairs share no blocks, so the sort order is the same if old and new are swapped
-    taken: set[Socket] = set()
-    for now, then in sorted(shared, key=lambda pair: (-shared[pair], smallest[pair])):
-        if now not in matches and then not in taken:
+    used: set[Socket] = set()
+    for now, then in sorted(shared, key=lambda pair: (-shared[pair], first_key[pair])):
+        if now not in matches and then not in used:
             matches[now] = then
-            taken.add(then)
+            used.add(then)
     return matches
 
 
-def _longest_kept_order(keys: Sequence[str], places: Sequence[int]) -> list[str]:
+def _increasing_subsequence(keys: Sequence[str], places: Sequence[int]) -> list[str]:
     """The longest subsequence with increasing places; among several, the choice is symmetric in old and new."""
     length = _chain_lengths(places)
     by_length: dict[int, list[int]] = {}

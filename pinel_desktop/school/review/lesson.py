@@ -12,13 +12,18 @@ from unicodedata import combining, normalize
 
 from pinel_desktop.school.review.blocks import BlocksInUse, FlatWorkspace, blocks_in_flat, flatten
 from pinel_desktop.school.review.clock import AWAY_S, PAUSE_S, seconds_of
-from pinel_desktop.school.review.marks import NOTHING, Mark, marks_of, with_changes
-from pinel_desktop.school.review.order import lines_of
-from pinel_desktop.school.review.records import Edit, Event, GroupWork, Run
+from pinel_desktop.school.review.group_timeline import (
+    NOTHING,
+    TimelineEntry,
+    timeline_of,
+    with_changes,
+)
+from pinel_desktop.school.review.lesson_events import Edit, Event, GroupWork, Run
+from pinel_desktop.school.review.order import timelines_of
 
 
 @dataclass(frozen=True, slots=True)
-class Figures:
+class GroupMetrics:
     """Figures of a group in one lesson.
 
     Attributes:
@@ -53,8 +58,8 @@ class GroupReview:
 
     id: str
     name: str
-    marks: tuple[Mark, ...]
-    figures: Figures
+    timeline: tuple[TimelineEntry, ...]
+    metrics: GroupMetrics
     blocks: BlocksInUse
     hints: Mapping[str, int]
 
@@ -68,7 +73,7 @@ class LessonReview:
 
 def versions_needed(work: GroupWork) -> frozenset[str]:
     """Ids of the versions whose workspaces `review_group` needs: before and after each burst, and the last ones."""
-    marks = marks_of(work)
+    marks = timeline_of(work)
     differing = (mark for mark in marks if mark.is_shown and mark.since is not None)
     compared = {key for mark in differing for key in _compared(mark)}
     return frozenset(compared.union(_last_versions(marks)) - {NOTHING})
@@ -84,10 +89,10 @@ def review_group(
         activity: the activity of the lesson, None without one.
     """
     flat = {NOTHING: FlatWorkspace(), **{key: flatten(one) for key, one in workspaces.items()}}
-    all_marks = marks_of(work)
+    all_marks = timeline_of(work)
     uses = [blocks_in_flat(flat[key]) for key in _last_versions(all_marks) if key in flat]
     marks = tuple(with_changes(mark, flat) for mark in all_marks if mark.is_shown)
-    figures, blocks = _figures(work, marks, activity), _sum(uses)
+    figures, blocks = _metrics(work, marks, activity), _sum(uses)
     return GroupReview(work.id, work.name, marks, figures, blocks, _opened_hints(work.edits))
 
 
@@ -103,11 +108,11 @@ def _by_name(name: str) -> list[tuple[int, str]]:
     return [(int(part) if re.fullmatch("[0-9]{1,18}", part) else 0, part) for part in parts]
 
 
-def _compared(mark: Mark) -> tuple[str, str]:
+def _compared(mark: TimelineEntry) -> tuple[str, str]:
     return mark.since or NOTHING, mark.version_id or NOTHING
 
 
-def _last_versions(marks: Iterable[Mark]) -> list[str]:
+def _last_versions(marks: Iterable[TimelineEntry]) -> list[str]:
     """Id of the last version of each program."""
     return list({mark.program_id: mark.version_id for mark in marks if mark.version_id}.values())
 
@@ -121,20 +126,22 @@ def _sum(uses: Iterable[BlocksInUse]) -> BlocksInUse:
     return BlocksInUse(dict(sorted(attached.items())), dict(sorted(loose.items())))
 
 
-def _figures(work: GroupWork, marks: tuple[Mark, ...], activity: str | None) -> Figures:
+def _metrics(
+    work: GroupWork, marks: tuple[TimelineEntry, ...], activity: str | None
+) -> GroupMetrics:
     runs = [mark.run for mark in marks if mark.run]
-    return Figures(
+    return GroupMetrics(
         n_edits=sum(mark.n_edits for mark in marks),
         n_runs=len(runs),
         n_failed=sum(run.state == "failed" for run in runs),
         time_to_first_run_s=_time_to_first_run(marks),
         attempts_until_passed=_attempts(runs, activity),
         n_hints=_hints(work.edits),
-        active_s=sum(map(_active, lines_of(work))),
+        active_s=sum(map(_active, timelines_of(work))),
     )
 
 
-def _time_to_first_run(marks: tuple[Mark, ...]) -> float | None:
+def _time_to_first_run(marks: tuple[TimelineEntry, ...]) -> float | None:
     first_run = next((mark for mark in marks if mark.run), None)
     if first_run is None or first_run is marks[0]:
         return None
@@ -144,7 +151,7 @@ def _time_to_first_run(marks: tuple[Mark, ...]) -> float | None:
     return time_s - _away(before, first_run) if same_clock and time_s >= 0.0 else None
 
 
-def _away(before: tuple[Mark, ...], first_run: Mark) -> float:
+def _away(before: tuple[TimelineEntry, ...], first_run: TimelineEntry) -> float:
     """Seconds in which the group was away; joined lessons are days apart."""
     pauses = (
         seconds_of(after.at) - seconds_of(mark.until or mark.at)

@@ -8,22 +8,22 @@ from collections import defaultdict
 from collections.abc import Iterable
 from itertools import chain
 
-from pinel_desktop.school.review.records import Edit, Event, GroupWork, Run, key_of
+from pinel_desktop.school.review.lesson_events import Edit, Event, GroupWork, Run, key_of
 
 _Rank = tuple[str, int, bool, str]
 
 
-def lines_of(work: GroupWork) -> list[list[Event]]:
+def timelines_of(work: GroupWork) -> list[list[Event]]:
     """The events of each PC in order; a PC follows those whose versions were edited on it."""
     by_computer: dict[str, list[Event]] = defaultdict(list)
     events: list[Event] = [*work.edits, *work.runs]
     for event in events:
         by_computer[event.computer_id or ""].append(event)
-    lines = sorted(map(_line, by_computer.values()), key=lambda line: key_of(line[0]))
+    lines = sorted(map(_timeline, by_computer.values()), key=lambda line: key_of(line[0]))
     return _after_their_parents(lines)
 
 
-def _line(events: list[Event]) -> list[Event]:
+def _timeline(events: list[Event]) -> list[Event]:
     by_program: dict[str, list[Event]] = defaultdict(list)
     for event in events:
         by_program[event.program_id or ""].append(event)
@@ -52,7 +52,7 @@ def _by_number(event: Event) -> tuple[int, bool, str]:
 
 def _after_their_parents(lines: list[list[Event]]) -> list[list[Event]]:
     made_in = {key_of(event): index for index, line in enumerate(lines) for event in line}
-    before = [_parent_lines(line, made_in) - {index} for index, line in enumerate(lines)]
+    before = [_parent_timelines(line, made_in) - {index} for index, line in enumerate(lines)]
     ordered: list[int] = []
     while len(ordered) < len(lines):
         left = [index for index in range(len(lines)) if index not in ordered]
@@ -61,6 +61,6 @@ def _after_their_parents(lines: list[list[Event]]) -> list[list[Event]]:
     return [lines[index] for index in ordered]
 
 
-def _parent_lines(line: Iterable[Event], made_in: dict[str, int]) -> set[int]:
+def _parent_timelines(line: Iterable[Event], made_in: dict[str, int]) -> set[int]:
     parents = (event.parent_id for event in line if isinstance(event, Edit) and event.parent_id)
     return {made_in[parent] for parent in parents if parent in made_in}

@@ -5,9 +5,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from pinel_desktop.school.review.group_timeline import is_failing
 from pinel_desktop.school.review.lesson import LessonReview
-from pinel_desktop.school.review.marks import is_failing
-from pinel_desktop.school.review.records import Run
+from pinel_desktop.school.review.lesson_events import Run
 
 Need = Literal["help", "working", "passed"]
 
@@ -16,17 +16,17 @@ _SHARED_BY = 2  # groups; what one group alone does wrong is not common
 
 
 @dataclass(frozen=True, slots=True)
-class Fault:
+class CommonMistake:
     """What most groups did wrong, of those things that at least two did.
 
     Attributes:
         run: the latest run with it.
-        is_told: True if it is what was said about the activity, False if it is the reason why the run failed.
+        is_advice: True if it is what was said about the activity, False if it is the reason why the run failed.
     """
 
     run: str
     n_groups: int
-    is_told: bool
+    is_advice: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,26 +37,26 @@ class Summary:
         n_passed: groups that passed the activity; None if the lesson has none.
         stuck: names of the groups whose last runs, three or more, all failed or did not pass.
         needs: of each group by its id: "help" if it is stuck, "passed" if it passed the activity, else "working".
-        fault: None if groups share none.
+        mistake: None if groups share none.
     """
 
     n_groups: int
     n_passed: int | None
     stuck: tuple[str, ...]
     needs: Mapping[str, Need]
-    fault: Fault | None
+    mistake: CommonMistake | None
 
 
 def summary(review: LessonReview, activity: str | None) -> Summary:
     """The summary of a lesson; `activity` is the lesson's, None without one."""
-    groups = {one.id: [mark.run for mark in one.marks if mark.run] for one in review.groups}
+    groups = {one.id: [mark.run for mark in one.timeline if mark.run] for one in review.groups}
     needs = {key: _need(runs, activity) for key, runs in groups.items()}
     return Summary(
         n_groups=len(review.groups),
         n_passed=sum(_passed(runs, activity) for runs in groups.values()) if activity else None,
         stuck=tuple(one.name for one in review.groups if needs[one.id] == "help"),
         needs=needs,
-        fault=_commonest_fault(groups.values()),
+        mistake=_commonest_mistake(groups.values()),
     )
 
 
@@ -76,16 +76,18 @@ def _need(runs: Sequence[Run], activity: str | None) -> Need:
 
 def _last_failing(runs: Sequence[Run]) -> list[Run]:
     """The failing runs among the last three that say something: not stopped by hand, and over."""
-    told = [run for run in runs if is_failing(run) or (run.state == "finished" and _tells(run))]
-    return [run for run in told[-_STUCK_AFTER:] if is_failing(run)]
+    conclusive = [
+        run for run in runs if is_failing(run) or (run.state == "finished" and _is_conclusive(run))
+    ]
+    return [run for run in conclusive[-_STUCK_AFTER:] if is_failing(run)]
 
 
-def _tells(run: Run) -> bool:
+def _is_conclusive(run: Run) -> bool:
     """False for a real run of an activity that was not judged: it neither failed nor ends a row of failures."""
     return run.activity is None or run.counts
 
 
-def _commonest_fault(groups: Iterable[Sequence[Run]]) -> Fault | None:
+def _commonest_mistake(groups: Iterable[Sequence[Run]]) -> CommonMistake | None:
     """What was said counts as well as the reason; of both in as many groups, the former is the more precise."""
     latest: dict[tuple[bool, str], Run] = {}
     n_groups: Counter[tuple[bool, str]] = Counter()
@@ -98,11 +100,11 @@ def _commonest_fault(groups: Iterable[Sequence[Run]]) -> Fault | None:
         return None
     fault = max(sorted(n_groups), key=lambda one: (n_groups[one], one[0]))
     n = n_groups[fault]
-    return Fault(latest[fault].id, n, is_told=fault[0]) if n >= _SHARED_BY else None
+    return CommonMistake(latest[fault].id, n, is_advice=fault[0]) if n >= _SHARED_BY else None
 
 
 def _faults(run: Run) -> Iterator[tuple[bool, str]]:
-    if run.told and is_failing(run):
-        yield True, run.told
+    if run.mistake_key and is_failing(run):
+        yield True, run.mistake_key
     if run.state == "failed" and run.reason:
         yield False, run.reason

@@ -62,7 +62,7 @@ class Resource(Blueprint):
         super().add_url_rule(rule, endpoint, with_arguments(view_func), *args, **options)
 
 
-def answers(good: type[BaseModel] | dict[str, Any], *codes: str) -> Responses:
+def responses(good: type[BaseModel] | dict[str, Any], *codes: str) -> Responses:
     """Declares a route's successful answer and its own errors.
 
     Args:

@@ -8,7 +8,7 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.school.own_activities import goal_of_known, known_activity, own_activity
-from pinel_desktop.web.api import WRITES, Resource, answers
+from pinel_desktop.web.api import WRITES, Resource, responses
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.activities import (
     Activity,
@@ -24,7 +24,7 @@ from pinel_desktop.web.models.activities import (
     TriedActivity,
 )
 from pinel_desktop.web.models.work import Program, Setup
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import Services, services
 from storage import OwnActivityRow, ProgramRow
 
@@ -37,27 +37,27 @@ api = Resource(
 )
 
 
-@api.get("/activities", responses=answers(ActivityList))
+@api.get("/activities", responses=responses(ActivityList))
 def list_activities() -> Response:
     """The activities that a lesson or a group may choose, along the paths; then own ones that this release can use."""
     from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
 
     chosen = [ActivityChoice(**_choice(shipped_activity(name))) for name in activity_names()]
     rows = services().store.own_activities.all()
-    return answer(ActivityList(activities=[*chosen, *_own_choices(rows)]))
+    return json_response(ActivityList(activities=[*chosen, *_own_choices(rows)]))
 
 
-@api.get("/examples", responses=answers(ExampleList))
+@api.get("/examples", responses=responses(ExampleList))
 def list_examples() -> Response:
     """The examples that a group may open as copies."""
     from pinel_desktop.activities import EXAMPLES  # noqa: PLC0415 - heavy
 
-    return answer(ExampleList(examples=[_example(name) for name in EXAMPLES]))
+    return json_response(ExampleList(examples=[_example(name) for name in EXAMPLES]))
 
 
 @api.get(
     "/activities/<name>",
-    responses=answers(Activity, "unknown_activity", "activity_newer", "own_activity_unreadable"),
+    responses=responses(Activity, "unknown_activity", "activity_newer", "own_activity_unreadable"),
 )
 def get_activity(path: ActivityPath) -> Response:
     """An activity with what its card says."""
@@ -67,7 +67,7 @@ def get_activity(path: ActivityPath) -> Response:
     )
 
     mission, language = known_activity(services().store, path.name), services().settings.language
-    return answer(
+    return json_response(
         Activity(
             **_choice(mission),
             story=mission.story.of(language) if mission.story else "",
@@ -86,24 +86,24 @@ def get_activity(path: ActivityPath) -> Response:
     )
 
 
-@api.get("/groups/<id>/activities", responses=answers(TriedActivities, "group_not_found"))
+@api.get("/groups/<id>/activities", responses=responses(TriedActivities, "group_not_found"))
 def list_tried(path: IdPath) -> Response:
     """The activities that a group has run programs for, with whether it has passed them."""
-    tried = services().store.checks.of_group(path.id)
+    tried = services().store.grading_results.of_group(path.id)
     models = [TriedActivity(name=name, passed=passed) for name, passed in tried.items()]
-    return answer(TriedActivities(activities=models))
+    return json_response(TriedActivities(activities=models))
 
 
 @api.post(
     "/groups/<id>/activities",
-    responses=answers(Program, "group_not_found", "unknown_activity", *WRITES),
+    responses=responses(Program, "group_not_found", "unknown_activity", *WRITES),
 )
 def begin_activity(path: IdPath, body: ChosenActivity) -> Response:
     """The group's program for an activity, the one changed last; created if there is none."""
     parts = services()
     mission = known_activity(parts.store, body.activity)
     row = parts.store.programs.of_activity(path.id, mission.name)
-    return answer(Program.of(row or _begin(path.id, mission, parts)))
+    return json_response(Program.of(row or _begin(path.id, mission, parts)))
 
 
 def world_name(mission: "Mission") -> str:
@@ -132,8 +132,10 @@ def _after(mission: "Mission") -> NextActivity | None:
     names = activity_names()
     if mission.name not in names:  # an own one is on no path
         return None
-    later = names[names.index(mission.name) + 1 :]
-    found = next((one for one in map(shipped_activity, later) if one.path == mission.path), None)
+    following = names[names.index(mission.name) + 1 :]
+    found = next(
+        (one for one in map(shipped_activity, following) if one.path == mission.path), None
+    )
     if found is None or mission.path is None:
         return None
     return NextActivity(name=found.name, title=found.title.of(services().settings.language))

@@ -7,9 +7,9 @@ from flask import Response
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import explain
 from pinel_desktop.settings import CAMERA
-from pinel_desktop.web.api import Resource, answers
+from pinel_desktop.web.api import Resource, responses
 from pinel_desktop.web.models.camera import CameraChoice, CameraProblem, CameraStatus
-from pinel_desktop.web.responses import answer, json_safe
+from pinel_desktop.web.responses import json_response, json_safe
 from pinel_desktop.web.services import Services, services
 
 api = Resource("camera", "The camera that sees signs.", __name__)
@@ -21,30 +21,30 @@ _PICTURES = {
 }
 
 
-@api.get("/camera", responses=answers(CameraStatus))
+@api.get("/camera", responses=responses(CameraStatus))
 def get_camera() -> Response:
     """State of the camera."""
     return _state(services())
 
 
-@api.put("/camera", responses=answers(CameraStatus))
+@api.put("/camera", responses=responses(CameraStatus))
 def put_camera(body: CameraChoice) -> Response:
     """Chooses the camera to look through."""
     parts = services()
     parts.settings.choose(CAMERA, body.source)
-    parts.camera.choose(body.source)
+    parts.camera.set_source(body.source)
     return _state(parts)
 
 
-@api.post("/camera/wake", responses=answers(CameraStatus))
-def wake_camera() -> Response:
+@api.post("/camera/wake", responses=responses(CameraStatus))
+def start_camera() -> Response:
     """Gets ready to recognise signs; the camera itself stays off until a capture or a preview."""
     parts = services()
-    parts.camera.wake()
+    parts.camera.start()
     return _state(parts)
 
 
-@api.get("/camera/preview", responses=answers(_PICTURES))
+@api.get("/camera/preview", responses=responses(_PICTURES))
 def preview_camera() -> Response:
     """The mirrored picture of the camera, which is on as long as somebody watches."""
     pictures = _parts(services().camera.previews())
@@ -60,11 +60,11 @@ def _parts(pictures: Iterator[bytes]) -> Iterator[bytes]:
 def _state(parts: Services) -> Response:
     state = parts.camera.state
     problem = _explained(state.problem, parts.settings.language) if state.problem else None
-    return answer(CameraStatus(state=state.mode, source=parts.camera.source, problem=problem))
+    return json_response(
+        CameraStatus(state=state.mode, source=parts.camera.source, problem=problem)
+    )
 
 
 def _explained(problem: PinelError, language: str) -> CameraProblem:
-    words, params = explain(problem, language), json_safe(problem.params)
-    return CameraProblem(
-        code=problem.code, params=params, message=words.message, remedy=words.remedy
-    )
+    text, params = explain(problem, language), json_safe(problem.params)
+    return CameraProblem(code=problem.code, params=params, message=text.message, remedy=text.remedy)

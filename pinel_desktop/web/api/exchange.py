@@ -12,7 +12,7 @@ from flask import Request, Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
-from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.exchange import (
@@ -34,32 +34,32 @@ from pinel_desktop.web.models.exchange import (
     UnconfirmedCounts,
     UndecidedDeletion,
 )
-from pinel_desktop.web.responses import answer, json_safe, notice
+from pinel_desktop.web.responses import json_response, json_safe, notice
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import StoreError
-from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
+from storage.exchange.backup_share import COPIES_BACKUPS, SHARED_FOLDER
 from storage.file.temporary import temporary_folder
-from storage.text import dumped
+from storage.text import to_json
 
 if TYPE_CHECKING:  # imported when a file is read or written, not at the app's start
-    from pinel_desktop.school.removable_drives import FileFound as FileOnDisk
+    from pinel_desktop.school.removable_drives import ExchangeFile as FileOnDisk
     from pinel_desktop.school.removable_drives import Folder as FolderOnDisk
     from storage.exchange.bundle_writing import BundleInfo
-    from storage.exchange.deleting.undecided import Undecided
+    from storage.exchange.deleting.unresolved import UnresolvedDeletion
     from storage.exchange.merge_report import MergeReport
 
 api = Resource("exchange", "Transfer of work between PCs.", __name__)
 
 
-@api.get("/folders", responses=answers(FolderList, *TEACHER))
+@api.get("/folders", responses=responses(FolderList, *TEACHER))
 def list_folders() -> Response:
     """Removable drives and the shared folder, each with its bundles, newest first. For the teacher."""
     require_teacher()
     return _folders()
 
 
-@api.put("/folders/shared", responses=answers(FolderList, *TEACHER, "folder_missing", *WRITES))
+@api.put("/folders/shared", responses=responses(FolderList, *TEACHER, "folder_missing", *WRITES))
 def choose_shared_folder(body: SharedFolder) -> Response:
     """Sets the school's shared folder, and whether copies of the backups go there. For the teacher."""
     require_teacher()
@@ -69,14 +69,14 @@ def choose_shared_folder(body: SharedFolder) -> Response:
         require_folder(body.path)
     store.settings.set(SHARED_FOLDER, body.path)
     if body.takes_backups is not None:
-        store.settings.set(TAKES_BACKUPS, body.takes_backups)
+        store.settings.set(COPIES_BACKUPS, body.takes_backups)
     store.backup_share.update()
     return _folders()
 
 
 @api.post(
     "/bundles",
-    responses=answers(
+    responses=responses(
         Bundle, *TEACHER, "classroom_not_found", "group_not_found", "folder_missing", *WRITES
     ),
 )
@@ -103,37 +103,41 @@ def write_bundle(body: NewBundle) -> Response:
         scope=scope,
         anonymous=shipped_texts() if body.anonymous else None,
     )
-    return answer(_bundle(info))
+    return json_response(_bundle(info))
 
 
-@api.post("/bundles/merge", responses=answers(MergeList, *TEACHER))
+@api.post("/bundles/merge", responses=responses(MergeList, *TEACHER))
 def merge_bundles(body: BundlesToMerge) -> Response:
     """Merges bundles; a refused one does not stop the others. For the teacher."""
     require_teacher()
     merged = [_merged(Path(path), body) for path in body.paths]
     services().signs.refresh()
     services().confirm_runs()
-    return answer(MergeList(merged=merged, content_hash=services().store.exchange.content_hash()))
+    return json_response(
+        MergeList(merged=merged, content_hash=services().store.exchange.content_hash())
+    )
 
 
-@api.get("/bundles/heard", responses=answers(KnownComputerList, *TEACHER))
+@api.get("/bundles/heard", responses=responses(KnownComputerList, *TEACHER))
 def list_known_computers() -> Response:
     """PCs whose work was merged into this one, with times. For the teacher."""
     require_teacher()
     store = services().store
     known = [KnownComputer.of(one) for one in store.exchange.known_computers()]
     counts = UnconfirmedCounts(**store.unconfirmed.counts())
-    undecided = [_undecided(one) for one in store.exchange.undecided()]
-    return answer(KnownComputerList(computers=known, unconfirmed=counts, undecided=undecided))
+    undecided = [_undecided(one) for one in store.exchange.unresolved_deletions()]
+    return json_response(
+        KnownComputerList(computers=known, unconfirmed=counts, undecided=undecided)
+    )
 
 
-def _undecided(one: "Undecided") -> UndecidedDeletion:
+def _undecided(one: "UnresolvedDeletion") -> UndecidedDeletion:
     fields = asdict(one) | {"name": Path(one.path).name}
     del fields["computer_id"]
     return UndecidedDeletion(**{name: json_safe(value) for name, value in fields.items()})
 
 
-@api.get("/programs/<id>/file", responses=answers(OCTETS, "program_not_found", *WRITES))
+@api.get("/programs/<id>/file", responses=responses(OCTETS, "program_not_found", *WRITES))
 def get_program_file(path: IdPath) -> Response:
     """A program with its group, versions and runs as a file, to continue on another PC.
 
@@ -150,12 +154,12 @@ def get_program_file(path: IdPath) -> Response:
             app_version=parts.app_version,
             computer=parts.store.computers.this(),
             scope=Scope(program_id=path.id),
-            is_noted=False,
+            is_recorded=False,
         )
         octets = info.path.read_bytes()
     response = Response(octets, mimetype="application/octet-stream")
     if lacks := _left_out(info, "program_file_left_out"):
-        response.headers["Pinel-Left-Out"] = dumped(lacks.model_dump())
+        response.headers["Pinel-Left-Out"] = to_json(lacks.model_dump())
     return response
 
 
@@ -167,7 +171,7 @@ class UploadedFile(Request):
 
 @api.post(
     "/programs/file",
-    responses=answers(
+    responses=responses(
         ImportedProgram, "program_not_found", "body_too_large", "bundle_not_program", *WRITES
     ),
 )
@@ -179,7 +183,7 @@ def read_program_file(query: NameOfFile, raw: UploadedFile) -> Response:
     services().confirm_runs()
     # raises program_not_found if the program was deleted here for good
     program = services().store.programs.get(program_id)
-    return answer(
+    return json_response(
         ImportedProgram(
             program_id=program.id,
             group_id=program.group_id,
@@ -231,13 +235,13 @@ def _folders() -> Response:
     from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415
 
     settings = services().store.settings
-    kept = settings.get(SHARED_FOLDER)
-    found = folders(SUFFIX, [Path(kept)] if kept else [])
-    return answer(
+    shared = settings.get(SHARED_FOLDER)
+    found = folders(SUFFIX, [Path(shared)] if shared else [])
+    return json_response(
         FolderList(
             folders=[_folder(one) for one in found],
-            shared=json_safe(kept or ""),
-            takes_backups=bool(settings.get(TAKES_BACKUPS)),
+            shared=json_safe(shared or ""),
+            takes_backups=bool(settings.get(COPIES_BACKUPS)),
         )
     )
 
@@ -255,13 +259,13 @@ def _folder(folder: "FolderOnDisk") -> Folder:
 
 
 def _file(file: "FileOnDisk") -> FileFound:
-    from storage.exchange.bundle_reading import prepares_lesson, says_anonymous  # noqa: PLC0415 - see above
+    from storage.exchange.bundle_reading import declares_anonymous, prepares_lesson  # noqa: PLC0415 - see above
 
     return FileFound(
         path=json_safe(str(file.path)),
         name=json_safe(file.path.name),
         size_bytes=file.size_bytes,
-        anonymous=says_anonymous(file.path, file.size_bytes, file.modified_s),
+        anonymous=declares_anonymous(file.path, file.size_bytes, file.modified_s),
         lesson=prepares_lesson(file.path),
         modified_at=datetime.fromtimestamp(file.modified_s, UTC).isoformat(),
     )
@@ -296,7 +300,7 @@ def _merged(path: Path, body: BundlesToMerge) -> Merged:
     try:
         with naming_file(path, path.name):
             report = parts.store.exchange.merge(
-                path, delete=body.delete, kept=body.kept, keep_newer=body.keep_newer
+                path, delete=body.delete, retained=body.kept, retain_newer=body.keep_newer
             )
             return _report(path, report)
     except StoreError as error:
@@ -312,10 +316,10 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         exported_at=report.info.exported_at,
         added=_counts(report.added),
         anonymous=report.info.anonymous,
-        nothing_new=not (report.added or report.changed or report.removed or report.kept),
+        nothing_new=not (report.added or report.changed or report.removed or report.retained),
         held_back=_counts(report.skipped) if report.skipped else None,
         removed=_counts(report.removed) if report.removed else None,
-        kept=[one.name for one in report.kept],
+        kept=[one.name for one in report.retained],
         would_delete=_pending_deletion(report),
         left_in=[json_safe(path) for path in report.left_in],
         n_unconfirmed=report.n_unconfirmed,
@@ -323,8 +327,8 @@ def _report(path: Path, report: "MergeReport") -> Merged:
 
 
 def _pending_deletion(report: "MergeReport") -> PendingDeletion | None:
-    wanted = report.would_delete
-    return None if wanted is None else PendingDeletion.of(wanted)
+    pending = report.would_delete
+    return None if pending is None else PendingDeletion.of(pending)
 
 
 def _counts(rows: dict[str, int]) -> MergedCounts:

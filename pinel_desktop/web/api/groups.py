@@ -2,34 +2,34 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.work import Group, GroupChanges, GroupList, NewGroup
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import is_teacher, require_teacher
 
 api = Resource("groups", "Groups of pupils.", __name__)
 
 
-@api.get("/groups", responses=answers(GroupList))
+@api.get("/groups", responses=responses(GroupList))
 def list_groups() -> Response:
     """All groups, most recently used first."""
     rows = services().store.groups.all()
-    return answer(GroupList(groups=[Group.of(row) for row in rows]))
+    return json_response(GroupList(groups=[Group.of(row) for row in rows]))
 
 
-@api.post("/groups", responses=answers(Group, "classroom_not_found", "group_exists", *WRITES))
+@api.post("/groups", responses=responses(Group, "classroom_not_found", "group_exists", *WRITES))
 def create_group(body: NewGroup) -> Response:
     """Creates a group; its name must be unique in its class, ignoring case and spaces."""
     groups = services().store.groups
     row = groups.create(body.name, classroom_id=body.classroom_id, picture=body.picture)
-    return answer(Group.of(row))
+    return json_response(Group.of(row))
 
 
 @api.patch(
     "/groups/<id>",
-    responses=answers(
+    responses=responses(
         Group, *TEACHER, "group_not_found", "classroom_not_found", "group_exists", *WRITES
     ),
 )
@@ -39,4 +39,4 @@ def change_group(path: IdPath, body: GroupChanges) -> Response:
     if "classroom_id" in changes:
         require_teacher()
     row = services().store.groups.change(path.id, changes, by_teacher=is_teacher())
-    return answer(Group.of(row))
+    return json_response(Group.of(row))

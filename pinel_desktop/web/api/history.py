@@ -4,13 +4,13 @@ from datetime import UTC, date, datetime, time, timedelta
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, Resource, answers
+from pinel_desktop.web.api import TEACHER, Resource, responses
 from pinel_desktop.web.api.runs import run_model
 from pinel_desktop.web.models.review import GroupHead, History, HistoryPage, HistoryRun
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
-from storage import HistoryLine, RunFilter
+from storage import HistoryEntry, RunFilter
 
 api = Resource("history", "Runs of all groups.", __name__)
 
@@ -18,13 +18,13 @@ api = Resource("history", "Runs of all groups.", __name__)
 _FIRST_YEAR, _LAST_YEAR = 1971, 2200
 
 
-@api.get("/runs", responses=answers(History, *TEACHER))
+@api.get("/runs", responses=responses(History, *TEACHER))
 def list_history(query: HistoryPage) -> Response:
     """Runs of all groups, newest first, a page at a time. For the teacher."""
     require_teacher()
     lines = services().store.history.page(_filter(query), before=query.before, limit=query.limit)
     after = lines[-1].run.id if len(lines) == query.limit else None
-    return answer(History(runs=[_model(line) for line in lines], next=after))
+    return json_response(History(runs=[_model(line) for line in lines], next=after))
 
 
 def _filter(query: HistoryPage) -> RunFilter:
@@ -35,8 +35,8 @@ def _filter(query: HistoryPage) -> RunFilter:
         activity=query.activity,
         world=query.world,
         lesson_ids=tuple(services().store.lessons.parts(query.lesson)) if query.lesson else None,
-        began_from=begin,
-        began_before=end,
+        started_from=begin,
+        started_before=end,
         outcome=query.outcome,
     )
 
@@ -50,6 +50,6 @@ def _bounds(day: date) -> tuple[str, str]:
     return begin, end
 
 
-def _model(line: HistoryLine) -> HistoryRun:
+def _model(line: HistoryEntry) -> HistoryRun:
     group = None if line.group is None else GroupHead.of(line.group)
     return HistoryRun.of(run_model(line.run), group=group)

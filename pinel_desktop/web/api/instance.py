@@ -3,10 +3,10 @@
 from flask import Response
 from pydantic import BaseModel, ConfigDict, Field
 
-from pinel_desktop.web.api import Resource, answers
+from pinel_desktop.web.api import Resource, responses
 from pinel_desktop.web.models import Empty
 from pinel_desktop.web.models.status import InstanceLink
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 
 api = Resource("instance", "For a second start of the app on the same data.", __name__)
@@ -20,14 +20,14 @@ class Secret(BaseModel):
     secret: str = Field(alias="X-Pinel-Secret")
 
 
-@api.post("/instance/link", responses=answers(InstanceLink))
+@api.post("/instance/link", responses=responses(InstanceLink))
 def create_instance_link(header: Secret) -> Response:
     """A new address that opens the page once."""
-    return answer(InstanceLink(url=services().guard.fresh_link()))
+    return json_response(InstanceLink(url=services().guard.fresh_link()))
 
 
-@api.post("/instance/show", responses=answers(Empty))
+@api.post("/instance/show", responses=responses(Empty))
 def show_instance(header: Secret) -> Response:
     """Brings the window forward."""
     services().show_window()
-    return answer(Empty())
+    return json_response(Empty())

@@ -5,8 +5,8 @@ from pydantic import ValidationError
 
 from pinel_desktop.events.app_events import ProgramChanged
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.web.api import WRITES, Resource, answers
-from pinel_desktop.web.api.worlds import sound_world
+from pinel_desktop.web.api import WRITES, Resource, responses
+from pinel_desktop.web.api.worlds import valid_world
 from pinel_desktop.web.models import Empty, IdPath, Json
 from pinel_desktop.web.models.work import (
     CheckedDocument,
@@ -27,40 +27,40 @@ from pinel_desktop.web.models.work import (
 )
 from pinel_desktop.web.models.worlds import World
 from pinel_desktop.web.presets import prepare_program
-from pinel_desktop.web.responses import MAX_FAULTS, answer, describe_faults, json_safe
+from pinel_desktop.web.responses import MAX_FAULTS, describe_faults, json_response, json_safe
 from pinel_desktop.web.services import Services, services
 from storage import FaultRow, ProgramRow, VersionRow
-from storage import VersionMark as MarkRow
+from storage import VersionSummary as VersionSummaryRow
 
 api = Resource("programs", "Programs, their versions, and checking documents.", __name__)
 
 
-@api.get("/groups/<id>/programs", responses=answers(ProgramList, "group_not_found"))
+@api.get("/groups/<id>/programs", responses=responses(ProgramList, "group_not_found"))
 def list_programs(path: IdPath) -> Response:
     """Programs of a group, newest first."""
     return _programs(services().store.programs.of_group(path.id))
 
 
-def _mark(row: MarkRow) -> VersionMark:
+def _version_summary(row: VersionSummaryRow) -> VersionMark:
     return VersionMark.of(row, setup=_readable_setup(row.setup))
 
 
 def _programs(rows: list[ProgramRow]) -> Response:
-    return answer(ProgramList(programs=[Program.of(row) for row in rows]))
+    return json_response(ProgramList(programs=[Program.of(row) for row in rows]))
 
 
-@api.post("/groups/<id>/programs", responses=answers(Program, "group_not_found", *WRITES))
+@api.post("/groups/<id>/programs", responses=responses(Program, "group_not_found", *WRITES))
 def create_program(path: IdPath, body: ProgramName) -> Response:
     """Creates an empty program, in the world that is set for the class."""
     parts = services()
     row = parts.store.programs.create(path.id, body.name)
     prepare_program(row, parts.store.groups.get(path.id), parts)
-    return answer(Program.of(parts.store.programs.get(row.id)))
+    return json_response(Program.of(parts.store.programs.get(row.id)))
 
 
 @api.get(
     "/programs/<id>",
-    responses=answers(ProgramWithVersion, "program_not_found", "version_damaged"),
+    responses=responses(ProgramWithVersion, "program_not_found", "version_damaged"),
 )
 def get_program(path: IdPath, query: WhichVersion) -> Response:
     """A program with its newest version, or with the newest that is as it was saved.
@@ -70,27 +70,27 @@ def get_program(path: IdPath, query: WhichVersion) -> Response:
     store = services().store
     row = store.programs.get(path.id)
     versions = store.versions
-    newest = versions.newest_sound(path.id) if query.sound else versions.newest(path.id)
-    elsewhere = store.versions.elsewhere(newest) if newest else None
-    return answer(
+    newest = versions.newest_intact(path.id) if query.sound else versions.newest(path.id)
+    other_version = store.versions.newest_on_other_pc(newest) if newest else None
+    return json_response(
         ProgramWithVersion.of(
             row,
             version=version_model(newest) if newest else None,
-            elsewhere=_mark(elsewhere) if elsewhere else None,
+            elsewhere=_version_summary(other_version) if other_version else None,
         )
     )
 
 
-@api.patch("/programs/<id>", responses=answers(Program, "program_not_found", *WRITES))
+@api.patch("/programs/<id>", responses=responses(Program, "program_not_found", *WRITES))
 def rename_program(path: IdPath, body: ProgramName) -> Response:
     """Renames a program."""
     row = services().store.programs.rename(path.id, body.name)
-    return answer(Program.of(row))
+    return json_response(Program.of(row))
 
 
 @api.post(
     "/programs/<id>/versions",
-    responses=answers(
+    responses=responses(
         SavedVersion, "program_not_found", "body_too_large", "invalid_world", *WRITES
     ),
 )
@@ -106,7 +106,7 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
         reading = parts.read_document(body.document)
         document = None if reading.faults else reading.document
         faults = [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]]
-    world = None if body.world is None else _world_to_keep(path.id, body.world, parts)
+    world = None if body.world is None else _world_to_save(path.id, body.world, parts)
     row = parts.store.versions.save(
         path.id,
         body.workspace,
@@ -117,9 +117,9 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
         parent_id=body.parent_id,
     )
     program = parts.store.programs.get(path.id)
-    before = parts.store.versions.line_of(path.id, before=row.id, limit=1)
-    _tell_windows(program, row.id)
-    return answer(
+    before = parts.store.versions.history_of(path.id, before=row.id, limit=1)
+    _notify_windows(program, row.id)
+    return json_response(
         SavedVersion(
             id=row.id,
             created_at=row.created_at,
@@ -130,63 +130,63 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
     )
 
 
-def _tell_windows(program: ProgramRow, version: str | None = None) -> None:
-    services().hub.publish(ProgramChanged(program.id, version, program.deleted_at).flat())
+def _notify_windows(program: ProgramRow, version: str | None = None) -> None:
+    services().hub.publish(ProgramChanged(program.id, version, program.deleted_at).to_wire())
 
 
-def _world_to_keep(program_id: str, world: Json, parts: Services) -> Json:
+def _world_to_save(program_id: str, world: Json, parts: Services) -> Json:
     """The world in its normal form. A world saved before is accepted unchanged, even if later rules would refuse it."""
-    newest = parts.store.versions.newest_sound(program_id)
-    return world if newest is not None and world == newest.world else sound_world(world)
+    newest = parts.store.versions.newest_intact(program_id)
+    return world if newest is not None and world == newest.world else valid_world(world)
 
 
-@api.get("/programs/<id>/versions", responses=answers(VersionLine, "program_not_found"))
+@api.get("/programs/<id>/versions", responses=responses(VersionLine, "program_not_found"))
 def list_versions(path: IdPath, query: VersionPage) -> Response:
     """The versions of a program, newest first, a page at a time."""
     store = services().store
-    rows = store.versions.line_of(
+    rows = store.versions.history_of(
         store.programs.get(path.id).id, before=query.before, limit=query.limit
     )
-    marks = [_mark(row) for row in rows]
+    marks = [_version_summary(row) for row in rows]
     after = marks[-1].id if len(marks) == query.limit else None
-    return answer(VersionLine(versions=marks, next=after))
+    return json_response(VersionLine(versions=marks, next=after))
 
 
-@api.put("/versions/<id>/label", responses=answers(Empty, "version_not_found", *WRITES))
+@api.put("/versions/<id>/label", responses=responses(Empty, "version_not_found", *WRITES))
 def label_version(path: IdPath, body: VersionLabel) -> Response:
     """Labels a version."""
     services().store.versions.label(path.id, body.text)
-    return answer(Empty())
+    return json_response(Empty())
 
 
-@api.get("/groups/<id>/bin", responses=answers(ProgramList, "group_not_found"))
+@api.get("/groups/<id>/bin", responses=responses(ProgramList, "group_not_found"))
 def list_bin(path: IdPath) -> Response:
     """Programs of a group in the bin, newest first."""
     return _programs(services().store.programs.of_group(path.id, in_bin=True))
 
 
-@api.delete("/programs/<id>", responses=answers(Program, "program_not_found", *WRITES))
+@api.delete("/programs/<id>", responses=responses(Program, "program_not_found", *WRITES))
 def delete_program(path: IdPath) -> Response:
     """Moves a program to the bin; its versions and runs stay."""
     row = services().store.programs.move_to_bin(path.id)
-    _tell_windows(row)
-    return answer(Program.of(row))
+    _notify_windows(row)
+    return json_response(Program.of(row))
 
 
-@api.post("/programs/<id>/take-back", responses=answers(Program, "program_not_found", *WRITES))
+@api.post("/programs/<id>/take-back", responses=responses(Program, "program_not_found", *WRITES))
 def restore_program(path: IdPath) -> Response:
     """Restores a program from the bin."""
-    row = services().store.programs.take_from_bin(path.id)
-    _tell_windows(row)
-    return answer(Program.of(row))
+    row = services().store.programs.restore_from_bin(path.id)
+    _notify_windows(row)
+    return json_response(Program.of(row))
 
 
-@api.post("/check", responses=answers(CheckedDocument, "body_too_large"))
+@api.post("/check", responses=responses(CheckedDocument, "body_too_large"))
 def check_document(body: DocumentToCheck) -> Response:
     """All faults of a document, with messages."""
     parts = services()
     faults = parts.read_document(body.document).faults
-    return answer(CheckedDocument(faults=describe_faults(faults, parts.settings.language)))
+    return json_response(CheckedDocument(faults=describe_faults(faults, parts.settings.language)))
 
 
 def version_model(row: VersionRow) -> Version:
@@ -203,10 +203,10 @@ def version_model(row: VersionRow) -> Version:
     )
 
 
-def _readable_setup(kept: Json | None) -> Setup | None:
+def _readable_setup(stored: Json | None) -> Setup | None:
     """What a version keeps of its runs; None if invalid, as in a file of a newer release."""
     try:
-        return None if kept is None else Setup.model_validate(kept)
+        return None if stored is None else Setup.model_validate(stored)
     except ValidationError:
         return None
 

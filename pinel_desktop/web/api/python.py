@@ -2,7 +2,7 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import Resource, answers
+from pinel_desktop.web.api import Resource, responses
 from pinel_desktop.web.models.python import (
     DocumentToWrite,
     PythonLine,
@@ -10,13 +10,13 @@ from pinel_desktop.web.models.python import (
     ReadPython,
     WrittenPython,
 )
-from pinel_desktop.web.responses import answer, describe_faults
+from pinel_desktop.web.responses import describe_faults, json_response
 from pinel_desktop.web.services import services
 
 api = Resource("python", "Programs as Python text.", __name__)
 
 
-@api.post("/python", responses=answers(WrittenPython, "body_too_large"))
+@api.post("/python", responses=responses(WrittenPython, "body_too_large"))
 def write(body: DocumentToWrite) -> Response:
     """Converts a document to Python text."""
     # not needed at the app's start
@@ -26,16 +26,16 @@ def write(body: DocumentToWrite) -> Response:
     reading = parts.read_document(body.document)
     if reading.document is None:
         faults = describe_faults(reading.faults, parts.settings.language)
-        return answer(WrittenPython(text=None, lines=[], faults=faults))
+        return json_response(WrittenPython(text=None, lines=[], faults=faults))
     written = write_python(reading.document)
     lines = [
         PythonLine(line=number, pointer=line.pointer, block=line.block)
         for number, line in sorted(written.lines.items())
     ]
-    return answer(WrittenPython(text=written.text, lines=lines, faults=[]))
+    return json_response(WrittenPython(text=written.text, lines=lines, faults=[]))
 
 
-@api.post("/python/read", responses=answers(ReadPython, "body_too_large"))
+@api.post("/python/read", responses=responses(ReadPython, "body_too_large"))
 def read(body: PythonSource) -> Response:
     """Converts Python text to a document, or lists all its faults."""
     from pinel_desktop.program.python_text import read_python  # noqa: PLC0415 - see above
@@ -43,4 +43,4 @@ def read(body: PythonSource) -> Response:
     language = services().settings.language
     reading = read_python(body.text)
     faults = describe_faults(reading.faults, language)
-    return answer(ReadPython(document=reading.document, faults=faults))
+    return json_response(ReadPython(document=reading.document, faults=faults))

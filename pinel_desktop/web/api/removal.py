@@ -2,10 +2,10 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.exchange import Removed, WrittenFile
-from pinel_desktop.web.responses import answer, json_safe
+from pinel_desktop.web.responses import json_response, json_safe
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 
@@ -14,7 +14,7 @@ api = Resource("removal", "Permanent deletion.", __name__)
 
 @api.delete(
     "/groups/<id>",
-    responses=answers(Removed, *TEACHER, "group_not_found", "run_in_progress", *WRITES),
+    responses=responses(Removed, *TEACHER, "group_not_found", "run_in_progress", *WRITES),
 )
 def delete_group(path: IdPath) -> Response:
     """Deletes a group with all its work, also from the backups; merging cannot restore it. For the teacher."""
@@ -23,14 +23,14 @@ def delete_group(path: IdPath) -> Response:
 
 @api.delete(
     "/classrooms/<id>",
-    responses=answers(Removed, *TEACHER, "classroom_not_found", "run_in_progress", *WRITES),
+    responses=responses(Removed, *TEACHER, "classroom_not_found", "run_in_progress", *WRITES),
 )
 def delete_classroom(path: IdPath) -> Response:
     """Deletes a class with its groups and lessons, as for a group. For the teacher."""
     return _delete("classroom", path.id)
 
 
-@api.delete("/notes/<id>", responses=answers(Removed, *TEACHER, "note_not_found", *WRITES))
+@api.delete("/notes/<id>", responses=responses(Removed, *TEACHER, "note_not_found", *WRITES))
 def delete_note(path: IdPath) -> Response:
     """Deletes a note, as for a group. For the teacher."""
     return _delete("note", path.id)
@@ -38,9 +38,9 @@ def delete_note(path: IdPath) -> Response:
 
 def _delete(kind: str, key: str) -> Response:
     require_teacher()
-    removal = services().store.exchange.remove(kind, key)
+    removal = services().store.exchange.purge(kind, key)
     services().signs.refresh()  # children's hands are forgotten by the camera too
-    return answer(
+    return json_response(
         Removed(
             n_groups=removal.counts.get("groups", 0),
             n_programs=removal.counts.get("programs", 0),

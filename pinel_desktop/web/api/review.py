@@ -2,12 +2,12 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.api.runs import run_model
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.review import LessonReview
 from pinel_desktop.web.models.runs import Run
-from pinel_desktop.web.responses import answer, encodable
+from pinel_desktop.web.responses import encodable, json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 
@@ -16,16 +16,16 @@ api = Resource("review", "Review of lessons.", __name__)
 _CSV = {"content": {"text/csv": {"schema": {"type": "string"}}}}
 
 
-@api.get("/lessons/<id>/review", responses=answers(LessonReview, *TEACHER, "lesson_not_found"))
+@api.get("/lessons/<id>/review", responses=responses(LessonReview, *TEACHER, "lesson_not_found"))
 def get_lesson_review(path: IdPath) -> Response:
     """The review of a lesson and all lessons joined to it. For the teacher."""
     from pinel_desktop.web.lesson_review import read_lesson  # noqa: PLC0415 - see above
 
     require_teacher()
-    return answer(read_lesson(path.id, services()).model())
+    return json_response(read_lesson(path.id, services()).model())
 
 
-@api.get("/lessons/<id>/review.csv", responses=answers(_CSV, *TEACHER, "lesson_not_found"))
+@api.get("/lessons/<id>/review.csv", responses=responses(_CSV, *TEACHER, "lesson_not_found"))
 def get_lesson_table(path: IdPath) -> Response:
     """All marks of a lesson as a CSV table, one row per mark. For the teacher."""
     from pinel_desktop.web.lesson_review import read_lesson  # noqa: PLC0415 - see above
@@ -36,10 +36,10 @@ def get_lesson_table(path: IdPath) -> Response:
     return Response(table, mimetype="text/csv", headers=disposition)
 
 
-@api.post("/runs/<id>/accept", responses=answers(Run, *TEACHER, "run_not_found", *WRITES))
+@api.post("/runs/<id>/accept", responses=responses(Run, *TEACHER, "run_not_found", *WRITES))
 def accept_run(path: IdPath) -> Response:
     """Lets a run of a file count that cannot be repeated here; changes nothing of another. For the teacher."""
     require_teacher()
     store = services().store
     store.unconfirmed.accept(path.id)
-    return answer(run_model(store.runs.get(path.id)))
+    return json_response(run_model(store.runs.get(path.id)))

@@ -11,13 +11,13 @@ from pydantic import ValidationError
 from pinel_desktop.engine.commands import Command, LiveCommand, SetBreakpoints, SetSpeed, Step
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain
-from pinel_desktop.robot import RobotModel, Setting
-from pinel_desktop.robot.record import ROOM
+from pinel_desktop.robot import RobotModel, SimulationConfig
+from pinel_desktop.robot.robot_profile import ROOM
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
-from pinel_desktop.school.grading import begun_run
+from pinel_desktop.school.grading import start_info_of
 from pinel_desktop.school.own_activities import known_activity
-from pinel_desktop.web.api import OCTETS, WRITES, Resource, answers
+from pinel_desktop.web.api import OCTETS, WRITES, Resource, responses
 from pinel_desktop.web.api.activities import world_name
 from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.errors import InvalidProgramError
@@ -32,9 +32,9 @@ from pinel_desktop.web.models.runs import (
     RunWithVersion,
 )
 from pinel_desktop.web.models.worlds import Start, World
-from pinel_desktop.web.responses import answer, describe_faults
+from pinel_desktop.web.responses import describe_faults, json_response
 from pinel_desktop.web.services import Services, services
-from storage import SIMULATOR, RunLine, RunRow, StoreError, VersionRow
+from storage import SIMULATOR, RunRow, RunSummary, StoreError, VersionRow
 
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity
@@ -47,19 +47,19 @@ _OWN = "own"
 _UNCERTAIN = ("engine_silent", "stop_unconfirmed", "real_stop_unconfirmed")
 
 
-@api.get("/groups/<id>/runs", responses=answers(RunList, "group_not_found"))
+@api.get("/groups/<id>/runs", responses=responses(RunList, "group_not_found"))
 def list_runs(path: IdPath, query: RunPage) -> Response:
     """Runs of a group, newest first, a page at a time."""
     store = services().store
     store.groups.get(path.id)
     rows = store.runs.of_group(path.id, before=query.before, limit=query.limit)
     after = rows[-1].id if len(rows) == query.limit else None
-    return answer(RunList(runs=[run_model(row) for row in rows], next=after))
+    return json_response(RunList(runs=[run_model(row) for row in rows], next=after))
 
 
 @api.post(
     "/runs",
-    responses=answers(
+    responses=responses(
         Run,
         "version_not_found",
         "run_in_progress",
@@ -102,7 +102,7 @@ def begin_run(body: NewRun) -> Response:
     except PinelError:
         parts.store.runs.discard(row.id)
         raise
-    return answer(run_model(row))
+    return json_response(run_model(row))
 
 
 def _use_signs_of(group_id: str | None, parts: Services) -> None:
@@ -119,7 +119,7 @@ def _prepare_judge(
         return
     given = activity if activity and activity.name == row.activity else None  # else the lesson's
     with contextlib.suppress(PinelError):
-        parts.prepare_judge(row.id, begun_run(parts.store, row, given, version.document))
+        parts.prepare_judge(row.id, start_info_of(parts.store, row, given, version.document))
 
 
 def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
@@ -158,7 +158,7 @@ def _refuse(faults: "Sequence[Fault]", parts: Services) -> None:
 def _real_spec(document: dict[str, object], body: NewRun, parts: Services) -> RunSpec:
     from pinel_desktop.runs.robot_checks import missing_on_real_robots  # noqa: PLC0415 - heavy
 
-    record = parts.robots.record(body.robot)
+    record = parts.robots.profile(body.robot)
     _refuse(missing_on_real_robots(document), parts)
     if body.slow:
         record = record.slowed()
@@ -183,11 +183,11 @@ def _activity(version: VersionRow) -> "Activity | None":
     return None
 
 
-def _stage(activity: "Activity") -> tuple[dict[str, object], Setting]:
+def _stage(activity: "Activity") -> tuple[dict[str, object], SimulationConfig]:
     """World and robot setting of every run of an activity, whatever was asked for."""
     from pinel_desktop.activities import world_of  # noqa: PLC0415 - heavy
 
-    setting = Setting(activity.model, activity.preset, activity.feedback)
+    setting = SimulationConfig(activity.model, activity.preset, activity.feedback)
     return world_of(activity, activity.cases[0]), setting
 
 
@@ -196,8 +196,8 @@ def _first_commands(body: NewRun) -> list[Command]:
     return [*commands, Step(mode="into")] if body.paused else commands
 
 
-def _setting(body: NewRun) -> Setting:
-    setting = Setting(body.model, body.preset, body.feedback)
+def _setting(body: NewRun) -> SimulationConfig:
+    setting = SimulationConfig(body.model, body.preset, body.feedback)
     _ = setting.robot  # raises unknown_robot before anything is stored
     return setting
 
@@ -227,7 +227,7 @@ def _world(version: VersionRow, name: str, parts: Services) -> dict[str, object]
 
 @api.post(
     "/runs/<id>/commands",
-    responses=answers(CommandAnswer, "run_not_found", "run_not_live", *_UNCERTAIN),
+    responses=responses(CommandAnswer, "run_not_found", "run_not_live", *_UNCERTAIN),
 )
 def command_run(path: IdPath, body: LiveCommand) -> Response:
     """Sends a command to the live run.
@@ -244,9 +244,9 @@ def command_run(path: IdPath, body: LiveCommand) -> Response:
             raise _why_not_live(path.id, error) from error
         if error.code in _UNCERTAIN:
             raise
-        words = explain(error, parts.settings.language)
-        return answer(CommandAnswer(value=None, problem=words.message))
-    return answer(CommandAnswer(value=value, problem=None))
+        text = explain(error, parts.settings.language)
+        return json_response(CommandAnswer(value=None, problem=text.message))
+    return json_response(CommandAnswer(value=value, problem=None))
 
 
 def _why_not_live(run_id: str, error: PinelError) -> PinelError | StoreError:
@@ -259,13 +259,13 @@ def _why_not_live(run_id: str, error: PinelError) -> PinelError | StoreError:
     return error
 
 
-@api.get("/runs/<id>", responses=answers(RunWithVersion, "run_not_found"))
+@api.get("/runs/<id>", responses=responses(RunWithVersion, "run_not_found"))
 def get_run(path: IdPath) -> Response:
     """A run with its version and world."""
     store = services().store
     row = store.runs.get(path.id)
     version = store.versions.get(row.version_id) if row.version_id else None
-    return answer(
+    return json_response(
         RunWithVersion.of(
             run_model(row),
             version=version_model(version) if version else None,
@@ -282,10 +282,10 @@ def _verdict(row: RunRow) -> dict[str, object]:
     why = report.get("not_judged")
     if not isinstance(why, str):
         return {"by_robot": by_robot, "not_judged": None}
-    from pinel_desktop.activities import not_judged_words  # noqa: PLC0415 - heavy
+    from pinel_desktop.activities import not_judged_text  # noqa: PLC0415 - heavy
 
-    words = not_judged_words(why, services().settings.language)
-    return {"by_robot": by_robot, "not_judged": words}
+    text = not_judged_text(why, services().settings.language)
+    return {"by_robot": by_robot, "not_judged": text}
 
 
 def _world_of(row: RunRow) -> World:
@@ -295,7 +295,7 @@ def _world_of(row: RunRow) -> World:
         raise PinelError("run_damaged", part="world_document") from error
 
 
-@api.get("/runs/<id>/events", responses=answers(RunEvents, "run_not_found"))
+@api.get("/runs/<id>/events", responses=responses(RunEvents, "run_not_found"))
 def get_run_events(path: IdPath) -> Response:
     """Events of a run as on the stream, without telemetry."""
     _flush_recording(path.id)
@@ -305,7 +305,7 @@ def get_run_events(path: IdPath) -> Response:
     )
 
 
-@api.get("/runs/<id>/telemetry", responses=answers(OCTETS, "run_not_found"))
+@api.get("/runs/<id>/telemetry", responses=responses(OCTETS, "run_not_found"))
 def get_run_telemetry(path: IdPath) -> Response:
     """Telemetry of a run as binary columns, little-endian.
 
@@ -326,16 +326,16 @@ def _flush_recording(run_id: str) -> None:
         parts.flush_recording()
 
 
-def run_model(row: RunRow | RunLine) -> Run:
+def run_model(row: RunRow | RunSummary) -> Run:
     """The answer for a run, with a message for its reason."""
     parts = services()
     end = (parts.unsaved_end(row.id) if row.state == "running" else None) or {}
     ended = {name: end[name] for name in Run.model_fields if name in end}
     reason, params = ended.get("reason", row.reason), ended.get("params", row.params)
-    words = describe(reason, params, parts.settings.language) if reason else None
+    text = describe(reason, params, parts.settings.language) if reason else None
     texts = {
-        "message": words.message if words else None,
-        "remedy": words.remedy if words else None,
+        "message": text.message if text else None,
+        "remedy": text.remedy if text else None,
         "passed": row.counted if isinstance(row, RunRow) else row.passed,
     }
     return Run.of(row, **ended, **texts)

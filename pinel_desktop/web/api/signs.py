@@ -2,7 +2,7 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import WRITES, Resource, answers
+from pinel_desktop.web.api import WRITES, Resource, responses
 from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.signs import (
     ClassroomOfCamera,
@@ -11,25 +11,25 @@ from pinel_desktop.web.models.signs import (
     SignName,
     SignPath,
 )
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 
 api = Resource("signs", "Signs that the camera knows, and that classes teach it.", __name__)
 
 
-@api.get("/signs", responses=answers(SignList))
+@api.get("/signs", responses=responses(SignList))
 def list_signs() -> Response:
     """The letters that the camera knows untaught."""
     return _signs(None)
 
 
-@api.get("/classrooms/<id>/signs", responses=answers(SignList, "classroom_not_found"))
+@api.get("/classrooms/<id>/signs", responses=responses(SignList, "classroom_not_found"))
 def list_signs_of_classroom(path: IdPath) -> Response:
     """The letters, and the signs that the class taught."""
     return _signs(path.id)
 
 
-@api.put("/camera/classroom", responses=answers(SignList, "classroom_not_found"))
+@api.put("/camera/classroom", responses=responses(SignList, "classroom_not_found"))
 def choose_classroom_of_camera(body: ClassroomOfCamera) -> Response:
     """Chooses the class whose taught signs the camera knows from now on: that of a program that is opened, or run."""
     services().signs.use(body.classroom_id)
@@ -38,7 +38,7 @@ def choose_classroom_of_camera(body: ClassroomOfCamera) -> Response:
 
 @api.post(
     "/classrooms/<id>/signs/<sign>/samples",
-    responses=answers(
+    responses=responses(
         SignName,
         "classroom_not_found",
         "name_empty",
@@ -50,12 +50,12 @@ def choose_classroom_of_camera(body: ClassroomOfCamera) -> Response:
 )
 def record_sign(path: SignPath) -> Response:
     """Begins to record the hand that the camera sees as a sign of the class; `sign_recording` tells of each frame."""
-    return answer(SignName(name=services().signs.record(path.id, path.sign)))
+    return json_response(SignName(name=services().signs.record(path.id, path.sign)))
 
 
 @api.post(
     "/classrooms/<id>/signs/<sign>/movements",
-    responses=answers(
+    responses=responses(
         SignName,
         "classroom_not_found",
         "name_empty",
@@ -68,19 +68,19 @@ def record_sign(path: SignPath) -> Response:
 def record_moving_sign(path: SignPath) -> Response:
     """Begins to record movements of the hand as a sign of the class; `sign_recording` tells of each."""
     name = services().signs.record(path.id, path.sign, is_moving=True)
-    return answer(SignName(name=name))
+    return json_response(SignName(name=name))
 
 
-@api.delete("/signs/recording", responses=answers(Empty))
+@api.delete("/signs/recording", responses=responses(Empty))
 def stop_recording_sign() -> Response:
     """Gives up the recording of a sign; does nothing without one."""
     services().signs.stop()
-    return answer(Empty())
+    return json_response(Empty())
 
 
 @api.delete(
     "/classrooms/<id>/signs/<sign>",
-    responses=answers(SignList, "classroom_not_found", "taught_sign_not_found", *WRITES),
+    responses=responses(SignList, "classroom_not_found", "taught_sign_not_found", *WRITES),
 )
 def delete_sign(path: SignPath) -> Response:
     """Deletes all that the class showed of a sign, also from the backups; a letter is known untaught again."""
@@ -89,4 +89,6 @@ def delete_sign(path: SignPath) -> Response:
 
 
 def _signs(classroom_id: str | None) -> Response:
-    return answer(SignList(signs=[Sign.of(one) for one in services().signs.signs(classroom_id)]))
+    return json_response(
+        SignList(signs=[Sign.of(one) for one in services().signs.signs(classroom_id)])
+    )

@@ -4,18 +4,18 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.settings import LANGUAGE
-from pinel_desktop.web.api import Resource, answers
+from pinel_desktop.web.api import Resource, responses
 from pinel_desktop.web.models.status import DatabaseStatus, PageSetting, Settings, Status
-from pinel_desktop.web.responses import answer, notice
+from pinel_desktop.web.responses import json_response, notice
 from pinel_desktop.web.services import Services, services
 
 api = Resource("status", "State of the app and its settings.", __name__)
 
 
-@api.get("/status", responses=answers(Status))
+@api.get("/status", responses=responses(Status))
 def get_status() -> Response:
     """State of app, engine and database."""
-    return answer(_status(services()))
+    return json_response(_status(services()))
 
 
 def _status(parts: Services) -> Status:
@@ -37,25 +37,25 @@ def _database(parts: Services) -> DatabaseStatus:
     return DatabaseStatus(path=state.path, writable=state.writable, notice=shown)
 
 
-@api.post("/database/begin-empty", responses=answers(Status, "database_not_missing"))
+@api.post("/database/begin-empty", responses=responses(Status, "database_not_missing"))
 def begin_empty() -> Response:
     """Lets the next start begin with an empty file where the folder of the work is away; deletes nothing."""
     problem = services().database_state().notice
     if problem is None or problem.code not in ("database_place_missing", "database_begins_empty"):
         raise PinelError("database_not_missing")
     services().begin_empty()
-    return answer(_status(services()))
+    return json_response(_status(services()))
 
 
-@api.put("/settings", responses=answers(Settings))
+@api.put("/settings", responses=responses(Settings))
 def put_settings(body: Settings) -> Response:
     """Sets the language of page and messages."""
     services().settings.choose(LANGUAGE, body.language)
-    return answer(body)
+    return json_response(body)
 
 
-@api.put("/settings/page", responses=answers(PageSetting))
+@api.put("/settings/page", responses=responses(PageSetting))
 def put_page_setting(body: PageSetting) -> Response:
     """Keeps a setting of the page on this PC. The page is served with all of them (`PageSettings`)."""
     services().settings.choose(body.name, body.value)
-    return answer(body)
+    return json_response(body)

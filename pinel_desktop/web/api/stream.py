@@ -7,21 +7,21 @@ from flask import Response
 
 from pinel_desktop.events.app_events import Hello
 from pinel_desktop.events.hub import Subscription
-from pinel_desktop.web.api import Resource, answers
+from pinel_desktop.web.api import Resource, responses
 from pinel_desktop.web.models.events import StreamEvent
 from pinel_desktop.web.services import services
 
 api = Resource("stream", "Live events.", __name__)
 
 MODELS = (StreamEvent,)  # for the description
-KEEP_ALIVE_S = 10.0
+HEARTBEAT_INTERVAL_S = 10.0
 _EVENTS = {
     "description": "Server-sent events; `data:` holds one event as JSON.",
     "content": {"text/event-stream": {"schema": {"$ref": "#/components/schemas/StreamEvent"}}},
 }
 
 
-@api.get("/stream", responses=answers(_EVENTS))
+@api.get("/stream", responses=responses(_EVENTS))
 def stream_events() -> Response:
     """All events as they occur, after a first `hello`.
 
@@ -30,14 +30,14 @@ def stream_events() -> Response:
     parts = services()
     subscription = parts.hub.subscribe()
     hello = Hello(parts.engine.live_run)
-    return Response(_lines(subscription, hello.flat()), mimetype="text/event-stream")
+    return Response(_lines(subscription, hello.to_wire()), mimetype="text/event-stream")
 
 
 def _lines(subscription: Subscription, hello: object) -> Iterator[str]:
     with subscription:
         yield _line(hello)
         while not subscription.closed:
-            event = subscription.get(timeout_s=KEEP_ALIVE_S)
+            event = subscription.get(timeout_s=HEARTBEAT_INTERVAL_S)
             yield ": still here\n\n" if event is None else _line(event)
 
 

@@ -2,9 +2,9 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.models.classes import Computer, ComputerName, Pin, TeacherSession
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import (
     browser_session,
@@ -17,13 +17,13 @@ from pinel_desktop.web.teaching import (
 api = Resource("teacher", "The teacher's session.", __name__)
 
 
-@api.get("/teacher", responses=answers(TeacherSession))
+@api.get("/teacher", responses=responses(TeacherSession))
 def get_session() -> Response:
     """Tells whether a PIN is set and whether the teacher is signed in."""
-    return answer(TeacherSession(has_pin=services().teacher.has_pin, is_open=is_teacher()))
+    return json_response(TeacherSession(has_pin=services().teacher.has_pin, is_open=is_teacher()))
 
 
-@api.put("/teacher/pin", responses=answers(TeacherSession, *TEACHER, *WRITES))
+@api.put("/teacher/pin", responses=responses(TeacherSession, *TEACHER, *WRITES))
 def choose_pin(body: Pin) -> Response:
     """Sets the PIN and signs the teacher in. The first PIN may be set by anybody, a new one is for the teacher."""
     sessions = services().teacher
@@ -31,34 +31,36 @@ def choose_pin(body: Pin) -> Response:
         require_teacher()
     sessions.set_pin(body.pin)
     return set_session_cookie(
-        answer(TeacherSession(has_pin=True, is_open=True)),
+        json_response(TeacherSession(has_pin=True, is_open=True)),
         sessions.sign_in(body.pin, browser_session()),
     )
 
 
 @api.post(
     "/teacher/enter",
-    responses=answers(TeacherSession, "pin_missing", "pin_wrong", "pin_wait", *WRITES),
+    responses=responses(TeacherSession, "pin_missing", "pin_wrong", "pin_wait", *WRITES),
 )
 def enter(body: Pin) -> Response:
     """Signs the teacher in. After several wrong PINs the next attempt must wait."""
     token = services().teacher.sign_in(body.pin, browser_session())
-    return set_session_cookie(answer(TeacherSession(has_pin=True, is_open=True)), token)
+    return set_session_cookie(json_response(TeacherSession(has_pin=True, is_open=True)), token)
 
 
-@api.post("/teacher/leave", responses=answers(TeacherSession))
+@api.post("/teacher/leave", responses=responses(TeacherSession))
 def leave() -> Response:
     """Signs the teacher out."""
-    return end_session(answer(TeacherSession(has_pin=services().teacher.has_pin, is_open=False)))
+    return end_session(
+        json_response(TeacherSession(has_pin=services().teacher.has_pin, is_open=False))
+    )
 
 
-@api.get("/computer", responses=answers(Computer, *WRITES))
+@api.get("/computer", responses=responses(Computer, *WRITES))
 def get_computer() -> Response:
     """The key and name of this PC."""
     return _computer()
 
 
-@api.patch("/computer", responses=answers(Computer, *TEACHER, *WRITES))
+@api.patch("/computer", responses=responses(Computer, *TEACHER, *WRITES))
 def rename_computer(body: ComputerName) -> Response:
     """Renames this PC. For the teacher."""
     require_teacher()
@@ -68,4 +70,4 @@ def rename_computer(body: ComputerName) -> Response:
 
 def _computer() -> Response:
     key, name = services().store.computers.this()
-    return answer(Computer(id=key, name=name))
+    return json_response(Computer(id=key, name=name))

@@ -2,7 +2,7 @@
 
 from flask import Response
 
-from pinel_desktop.web.api import Resource, answers
+from pinel_desktop.web.api import Resource, responses
 from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.review import (
@@ -10,20 +10,20 @@ from pinel_desktop.web.models.review import (
     VersionDifference,
     VersionOfProgram,
 )
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 
 api = Resource("versions", "Single versions, and differences of two.", __name__)
 
 
 @api.get(
-    "/versions/<id>", responses=answers(VersionOfProgram, "version_not_found", "version_damaged")
+    "/versions/<id>", responses=responses(VersionOfProgram, "version_not_found", "version_damaged")
 )
 def get_version(path: IdPath) -> Response:
     """A version with its number, label and parent."""
     row = services().store.versions.get(path.id)
     version = version_model(row)
-    return answer(
+    return json_response(
         VersionOfProgram.of(
             version,
             program_id=row.program_id,
@@ -36,7 +36,7 @@ def get_version(path: IdPath) -> Response:
 
 @api.get(
     "/versions/<id>/difference",
-    responses=answers(VersionDifference, "version_not_found", "version_damaged"),
+    responses=responses(VersionDifference, "version_not_found", "version_damaged"),
 )
 def get_difference(path: IdPath, query: DifferenceTo) -> Response:
     """Differences to a later version, block by block.
@@ -49,4 +49,4 @@ def get_difference(path: IdPath, query: DifferenceTo) -> Response:
     versions = services().store.versions
     before, after = (versions.get(version_id) for version_id in (path.id, query.to))
     found = difference(before.workspace, after.workspace)
-    return answer(VersionDifference.of(found))
+    return json_response(VersionDifference.of(found))

@@ -12,24 +12,24 @@ from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 from pinel_desktop.program.limits import MAX_BYTES
-from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.robot.robot_profile import BridgeProfile
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.legacy import open_run
-from pinel_desktop.web.legacy.execute_answers import for_each
-from pinel_desktop.web.legacy.keeping import Commands, Keeping
+from pinel_desktop.web.legacy.execute_responses import for_each
 from pinel_desktop.web.legacy.open_run import Event, OpenRun, Outcome
+from pinel_desktop.web.legacy.run_store import Commands, LegacyRunStore
 from pinel_desktop.web.legacy.streams import STREAM_S, Streams
 from pinel_desktop.web.responses import describe_faults, error_body, json_safe, plain, status_of
 from storage import SIMULATOR, StoreError
 
 if TYPE_CHECKING:
-    from pinel_desktop.robot.record import RobotRecord
+    from pinel_desktop.robot.robot_profile import RobotProfile
     from pinel_desktop.web.services import Services
 
 Message = dict[str, Any]
 
-_ALIVE_S = 1.0
+_KEEPALIVE_PERIOD_S = 1.0
 _READY_S = 40.0
 _WORLD = "empty_room"
 _CAPTURE: Commands = [{"action": "classify_gestures"}]
@@ -46,7 +46,7 @@ class BridgeChoice:
         file_pages: whether pages that were opened as a file are answered without a key.
     """
 
-    record: BridgeRecord
+    profile: BridgeProfile
     robot: str = SIMULATOR
     file_pages: bool = False
 
@@ -59,11 +59,11 @@ class LegacyApi:
         parts: "Services",
         engine: EngineClient,
         choice: BridgeChoice,
-        later: Callable[[float, Callable[[], None]], open_run.Cancel] = open_run.by_timer,
+        schedule: Callable[[float, Callable[[], None]], open_run.Cancel] = open_run.by_timer,
     ) -> None:
         self._parts, self._engine, self._choice = parts, engine, choice
-        keeping = Keeping(parts.store, parts.app_version, lambda: parts.settings.language)
-        self._run = OpenRun(engine, keeping, self._spec, self._check, later)
+        store = LegacyRunStore(parts.store, parts.app_version, lambda: parts.settings.language)
+        self._run = OpenRun(engine, store, self._spec, self._check, schedule)
         self._streams = Streams(self._run, parts.camera, self._caption)
         self._batch: int | None = None
         self._routes: dict[str, tuple[str, int, Callable[[Message, threading.Event], Message]]] = {
@@ -83,22 +83,22 @@ class LegacyApi:
             path: {"method": method, "max_body": max_body}
             for path, (method, max_body, _) in self._routes.items()
         }
-        record = self._choice.record.as_message()
+        record = self._choice.profile.as_message()
         listen = {
             "type": "bridge_listen",
             "record": record,
             "routes": routes,
             "file_pages": self._choice.file_pages,
         }
-        self._parts.camera.wake()  # a page waits 10 s for a sign, no longer
-        self._engine.keep_bridge(listen, self.receive)
-        threading.Thread(target=self._say_alive, name="bridge-alive", daemon=True).start()
+        self._parts.camera.start()  # a page waits 10 s for a sign, no longer
+        self._engine.set_bridge(listen, self.receive)
+        threading.Thread(target=self._send_keepalives, name="bridge-alive", daemon=True).start()
 
     def wait_until_listening(self) -> str:
         """The address, such as `http://127.0.0.1:5000`. Raises PinelError that says why nobody listens."""
         if not self._listening.wait(_READY_S) or not self._port:
             raise self._problem
-        return f"http://{self._choice.record.url_host}:{self._port}"
+        return f"http://{self._choice.profile.url_host}:{self._port}"
 
     def close(self) -> None:
         """Answers no more."""
@@ -119,7 +119,7 @@ class LegacyApi:
         match message["type"]:
             case "bridge_asked":
                 self._open[message["question"]] = threading.Event()
-                threading.Thread(target=self._answer, args=(message,), daemon=True).start()
+                threading.Thread(target=self._respond, args=(message,), daemon=True).start()
             case "bridge_withdrawn":
                 if withdrawn := self._open.get(message["question"]):
                     withdrawn.set()
@@ -132,7 +132,7 @@ class LegacyApi:
                 self._problem = PinelError(message["code"], **message["params"])
                 self._listening.set()
 
-    def _answer(self, message: Message) -> None:
+    def _respond(self, message: Message) -> None:
         number = message["question"]
         withdrawn = self._open[number]
         _, _, work = self._routes[message["path"]]
@@ -145,27 +145,27 @@ class LegacyApi:
             answer = self._refusal(PinelError("internal_error", detail=type(error).__name__))
         del self._open[number]
         if not withdrawn.is_set():
-            self._engine.tell_bridge({"type": "bridge_answer", "question": number, **answer})
+            self._engine.send_to_bridge({"type": "bridge_answer", "question": number, **answer})
 
-    def _say_alive(self) -> None:
-        while not self._closing.wait(_ALIVE_S):
+    def _send_keepalives(self) -> None:
+        while not self._closing.wait(_KEEPALIVE_PERIOD_S):
             if self._open:
-                self._engine.tell_bridge({"type": "bridge_alive"})
+                self._engine.send_to_bridge({"type": "bridge_alive"})
 
     def _execute(self, message: Message, withdrawn: threading.Event) -> Message:
         body = message["body"].encode("utf-8", "surrogateescape")
         commands = self._commands(body)
         outcome = self._call(commands, message, withdrawn)
-        told = self._told(outcome)
+        report = self._report(outcome)
         if message["of_page"] and outcome is not None:
-            return _answered(for_each(json.loads(body), outcome, told.get("error")))
-        return _answered(told)
+            return _ok_response(for_each(json.loads(body), outcome, report.get("error")))
+        return _ok_response(report)
 
     def _classify(self, message: Message, withdrawn: threading.Event) -> Message:
         outcome = self._call(_CAPTURE, message, withdrawn)
-        told = self._told(outcome)
+        report = self._report(outcome)
         is_done = outcome is not None and outcome.state == "ok"
-        return _answered({"result": self._run.result or ""} if is_done else told)
+        return _ok_response({"result": self._run.result or ""} if is_done else report)
 
     def _call(
         self, commands: Commands, message: Message, withdrawn: threading.Event
@@ -192,13 +192,13 @@ class LegacyApi:
 
     def _last_result(self, message: Message, withdrawn: threading.Event) -> Message:
         self._streams.settle()
-        return _answered({"resultado": self._run.result})
+        return _ok_response({"resultado": self._run.result})
 
     def _picture(self, message: Message, withdrawn: threading.Event) -> Message:
         may_capture = self._ended_in(message["batch"]) is None
         picture = self._streams.picture(message["request"], may_capture=may_capture)
         if picture is None:
-            return _answered({})
+            return _ok_response({})
         return {"status": 200, "jpeg": base64.b64encode(picture).decode("ascii")}
 
     def _caption(self, result: str | None) -> str:
@@ -219,7 +219,7 @@ class LegacyApi:
         commands: Commands = reading.document["commands"]
         if self._choice.robot != SIMULATOR and (faults := missing_on_real_robots(commands)):
             raise self._invalid(faults)
-        self._parts.camera.wake()  # the first capture finds it ready
+        self._parts.camera.start()  # the first capture finds it ready
         return commands
 
     def _check(self, commands: Commands) -> None:
@@ -237,27 +237,29 @@ class LegacyApi:
         world = robot.room.as_world()
         return RunSpec(document, world, link=robot.link, robot=robot, pace="live")
 
-    def _robot(self) -> "RobotRecord":
+    def _robot(self) -> "RobotProfile":
         """Raises PinelError `robot_not_set_up`; the bridge needs no set-up."""
-        record, robots = self._choice.record, self._parts.robots
+        record, robots = self._choice.profile, self._parts.robots
         if self._choice.robot != record.link:
-            return robots.record(self._choice.robot)
-        kept = robots.kept(record.link) or record
-        return kept.model_copy(update={"host": record.host, "port": self._port, "key": record.key})
+            return robots.profile(self._choice.robot)
+        stored = robots.find(record.link) or record
+        return stored.model_copy(
+            update={"host": record.host, "port": self._port, "key": record.key}
+        )
 
     def _invalid(self, faults: Any) -> InvalidProgramError:
         return InvalidProgramError(describe_faults(faults, self._parts.settings.language))
 
-    def _told(self, outcome: Outcome | None) -> dict[str, Any]:
+    def _report(self, outcome: Outcome | None) -> dict[str, Any]:
         """What the caller reads; nothing for one who has left."""
         if outcome is None:
             return {}
-        told: dict[str, Any] = {"status": outcome.state, "n_executed": outcome.n_executed}
+        report: dict[str, Any] = {"status": outcome.state, "n_executed": outcome.n_executed}
         if outcome.code is None:
-            return told
-        words = describe(outcome.code, outcome.params, self._parts.settings.language)
-        error = {"code": outcome.code, "message": words.message, "remedy": words.remedy}
-        return {**told, "error": {**error, "params": json_safe(outcome.params)}}
+            return report
+        text = describe(outcome.code, outcome.params, self._parts.settings.language)
+        error = {"code": outcome.code, "message": text.message, "remedy": text.remedy}
+        return {**report, "error": {**error, "params": json_safe(outcome.params)}}
 
     def _refusal(self, error: PinelError | StoreError) -> Message:
         faults = getattr(error, "faults", ())
@@ -267,5 +269,5 @@ class LegacyApi:
         return {"status": status, "document": {"error": plain(body)}}
 
 
-def _answered(document: dict[str, Any] | list[dict[str, Any]]) -> Message:
+def _ok_response(document: dict[str, Any] | list[dict[str, Any]]) -> Message:
     return {"status": 200, "document": document}

@@ -11,20 +11,20 @@ from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.engine.commands import Abandon, AnswerCapture, Append, Finish
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.control import BY_PERSON
-from pinel_desktop.robot.record import ROOM
+from pinel_desktop.robot.robot_profile import ROOM
 from pinel_desktop.runs.spec import RunSpec
-from pinel_desktop.web.legacy.keeping import Commands, Keeping, with_blocks
+from pinel_desktop.web.legacy.run_store import Commands, LegacyRunStore, with_blocks
 from storage import StoreError
 
 Event = dict[str, Any]
 Cancel = Callable[[], None]
 
 # From the end of a call to the beginning of the next; after that it begins another run.
-SILENCE_S = 60.0
+NEXT_CALL_TIMEOUT_S = 60.0
 # The same once a page has said that its batch is over: then the robot side may leave, as with the original.
-BATCH_SILENCE_S = 3.0
+BATCH_END_TIMEOUT_S = 3.0
 _END_S = 10.0
-_LOOK_S = 0.2
+_POLL_S = 0.2
 
 
 class Outcome(NamedTuple):
@@ -57,7 +57,7 @@ class OpenRun:
     Args:
         make_spec: the spec of a run of a document.
         check: takes all commands of the run with those of the call; raises PinelError where they are too many.
-        later: as `by_timer`.
+        schedule: as `by_timer`.
 
     Attributes:
         result: the last gesture result of all runs; "" if nothing was recognised, None before any.
@@ -68,15 +68,15 @@ class OpenRun:
     def __init__(
         self,
         engine: EngineClient,
-        keeping: Keeping,
+        store: LegacyRunStore,
         make_spec: Callable[[dict[str, Any]], RunSpec],
         check: Callable[[Commands], None],
-        later: Callable[[float, Callable[[], None]], Cancel] = by_timer,
+        schedule: Callable[[float, Callable[[], None]], Cancel] = by_timer,
     ) -> None:
         self.result: str | None = None
         self.cut_short: Outcome | None = None
-        self._engine, self._keeping = engine, keeping
-        self._make_spec, self._check, self._later = make_spec, check, later
+        self._engine, self._store = engine, store
+        self._make_spec, self._check, self._schedule = make_spec, check, schedule
         self._changed = threading.Condition()
         self._state: Literal["idle", "busy", "waiting", "ending"] = "idle"
         self._outcome: Outcome | None = None
@@ -113,12 +113,12 @@ class OpenRun:
             PinelError: `bridge_busy`, `run_in_progress`, `engine_not_ready`, and what `make_spec` and `check` raise.
             StoreError: why the run cannot be kept.
         """
-        self._take_turn()
+        self._acquire()
         before = self._commands, self._n_blocks
         try:
             self._send(commands)
         except BaseException:
-            self._give_turn_back(*before)
+            self._release(*before)
             raise
 
     def end_capture(self) -> None:
@@ -148,7 +148,7 @@ class OpenRun:
         """Ends no run any more; the engine does, which closes after this."""
         self._cancel_end()
 
-    def _take_turn(self) -> None:
+    def _acquire(self) -> None:
         with self._changed:
             self._changed.wait_for(self._is_up_to_date, _END_S)
             if self._state not in ("idle", "waiting"):
@@ -164,7 +164,7 @@ class OpenRun:
         is_over = self._run is not None and self._engine.live_run != self._run
         return self._state != "ending" and (self._state == "busy" or not is_over)
 
-    def _give_turn_back(self, commands: Commands, n_blocks: int) -> None:
+    def _release(self, commands: Commands, n_blocks: int) -> None:
         with self._changed:
             self._state = "idle"
             if self._run is not None:
@@ -180,18 +180,18 @@ class OpenRun:
         if run is None:
             self._begin(whole)
         else:
-            self._keeping.grow(run, whole)
+            self._store.grow(run, whole)
             self._engine.command(run, Append(commands=labelled))
 
     def _begin(self, commands: Commands) -> None:
-        spec = self._make_spec(self._keeping.document(commands))
-        run = self._keeping.begin(spec, ROOM if spec.robot else str(spec.world["name"]))  # type: ignore[index] # a document
+        spec = self._make_spec(self._store.document(commands))
+        run = self._store.begin(spec, ROOM if spec.robot else str(spec.world["name"]))  # type: ignore[index] # a document
         self._run, self.cut_short = run, None
         try:
             self._engine.run(run, spec, [Append(commands=[])])
         except PinelError:
             self._forget()
-            self._keeping.discard(run)
+            self._store.discard(run)
             raise
 
     def wait(self, has_left: Callable[[], bool]) -> Outcome | None:
@@ -201,7 +201,7 @@ class OpenRun:
                 if has_left():
                     self._caller_left = True
                     break
-                self._changed.wait(_LOOK_S)
+                self._changed.wait(_POLL_S)
             outcome, run = self._outcome, self._run
         if outcome is None and run is not None:
             with contextlib.suppress(PinelError):  # it has just ended
@@ -229,11 +229,11 @@ class OpenRun:
         with self._changed:
             if self._state == "waiting":
                 self._cancel_end()
-                self._cancel_end = self._later(BATCH_SILENCE_S, self._end)
+                self._cancel_end = self._schedule(BATCH_END_TIMEOUT_S, self._end)
 
     def _await_next_call(self) -> None:
         self._state = "waiting"
-        self._cancel_end = self._later(SILENCE_S, self._end)
+        self._cancel_end = self._schedule(NEXT_CALL_TIMEOUT_S, self._end)
 
     def _end(self) -> None:
         with self._changed:
@@ -256,7 +256,7 @@ class OpenRun:
             self._state = "ending"
         if run is not None:
             with contextlib.suppress(StoreError):  # the run keeps its document
-                self._keeping.settle(run, commands)
+                self._store.settle(run, commands)
         with self._changed:
             self._forget()
             self._state, self._outcome = "idle", outcome

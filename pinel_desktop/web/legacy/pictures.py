@@ -1,13 +1,13 @@
 """The camera's picture with the hands and the signs that it sees, one after another."""
 
-from pinel_desktop.camera.client import Camera
+from pinel_desktop.camera.client import CameraClient
 from pinel_desktop.errors import PinelError
 
 
 class Pictures:
     """Pictures for who asks for the next one; the camera is on as long as somebody does."""
 
-    def __init__(self, camera: Camera) -> None:
+    def __init__(self, camera: CameraClient) -> None:
         self._camera = camera
 
     def next(self) -> bytes:

@@ -6,18 +6,18 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
-from pinel_desktop.camera.client import Camera
+from pinel_desktop.camera.client import CameraClient
 from pinel_desktop.errors import PinelError
-from pinel_desktop.web.legacy.keeping import Commands
 from pinel_desktop.web.legacy.open_run import OpenRun, Outcome
 from pinel_desktop.web.legacy.pictures import Pictures
+from pinel_desktop.web.legacy.run_store import Commands
 
 # The original's page looks for 10 s and then asks for the result: it is there before.
 STREAM_S = 9.0
 _END_CAPTURE_S = 8.0
 # A robot or a busy PC may be slow to begin the run; the capture then begins late, and has this time all the same.
 _START_S = 25.0
-_LEAST_S = 3.0
+_MIN_CAPTURE_S = 3.0
 CAPTURE: Commands = [{"action": "classify_gestures", "timeout": 8}]
 _RESULT_S = 2.0
 # So long without a request for the next picture: nobody watches any more.
@@ -61,7 +61,9 @@ class Streams:
         caption: the line in the pictures: of a capture that waits (None), or of its result.
     """
 
-    def __init__(self, run: OpenRun, camera: Camera, caption: Callable[[str | None], str]) -> None:
+    def __init__(
+        self, run: OpenRun, camera: CameraClient, caption: Callable[[str | None], str]
+    ) -> None:
         self._run, self._camera, self._caption = run, camera, caption
         self._pictures = Pictures(camera)
         self._lock = threading.Lock()
@@ -143,15 +145,15 @@ class Streams:
 
     def _is_given_up(self, capture: _Capture) -> bool:
         """Ends a capture whose time is up, or that nobody watches; True where none has begun in that time."""
-        now_s, began_s = time.monotonic(), self._run.capture_started_s
-        if began_s is None:
+        now_s, started_s = time.monotonic(), self._run.capture_started_s
+        if started_s is None:
             return now_s - capture.started_s > _START_S
         is_watched = (
             capture.n_waiting > 0
             or not capture.has_camera
-            or now_s - max(capture.watched_s, began_s) < _UNWATCHED_S
+            or now_s - max(capture.watched_s, started_s) < _UNWATCHED_S
         )
-        due_s = max(capture.started_s + _END_CAPTURE_S, began_s + _LEAST_S)
+        due_s = max(capture.started_s + _END_CAPTURE_S, started_s + _MIN_CAPTURE_S)
         if not is_watched or now_s > due_s:
             self._run.end_capture()
         return False

@@ -20,7 +20,7 @@ Json = Annotated[dict[str, Any], Field(description="any JSON object")]
 DEFERRED = ConfigDict(defer_build=True)
 
 
-class Shape(BaseModel):
+class ResponseModel(BaseModel):
     """Base of all answers. Fields with a default are present in every answer."""
 
     model_config = DEFERRED | ConfigDict(
@@ -38,7 +38,7 @@ class Shape(BaseModel):
         return cls.model_validate({**own, **more}, from_attributes=True)
 
 
-class Body(BaseModel):
+class RequestModel(BaseModel):
     """Base of all bodies and queries. Unknown keys are refused, so that typing mistakes are noticed."""
 
     model_config = DEFERRED | ConfigDict(extra="forbid")
@@ -52,5 +52,5 @@ class IdPath(BaseModel):
     id: Id
 
 
-class Empty(Shape):
+class Empty(ResponseModel):
     """`{}`: success without a value."""

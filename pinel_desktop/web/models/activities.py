@@ -5,11 +5,11 @@ from typing import Annotated
 from pydantic import Field
 
 from pinel_desktop.robot import Feedback, Preset
-from pinel_desktop.web.models import Body, Json, Shape
+from pinel_desktop.web.models import Json, RequestModel, ResponseModel
 from pinel_desktop.web.models.worlds import Metres2, World
 
 
-class GoalLine(Shape):
+class GoalLine(ResponseModel):
     """What the robot is to drive, or to draw."""
 
     sign: Annotated[str | None, Field(description="the sign that it answers; null without signs")]
@@ -17,7 +17,7 @@ class GoalLine(Shape):
     points: Annotated[list[Metres2], Field(description="x and y in m, world frame")]
 
 
-class GoalPicture(Shape):
+class GoalPicture(ResponseModel):
     """What to draw of an activity's goal."""
 
     world: World
@@ -29,7 +29,7 @@ class GoalPicture(Shape):
     ]
 
 
-class ActivityChoice(Shape):
+class ActivityChoice(ResponseModel):
     """An activity to choose; its title is in the language of the page."""
 
     name: str
@@ -42,7 +42,7 @@ class ActivityChoice(Shape):
     own: Annotated[bool, Field(description="a teacher made it")]
 
 
-class NextActivity(Shape):
+class NextActivity(ResponseModel):
     """An activity to go on with."""
 
     name: str
@@ -77,38 +77,38 @@ class Activity(ActivityChoice):
     next: Annotated[NextActivity | None, Field(description="the one after it on its path")]
 
 
-class ActivityList(Shape):
+class ActivityList(ResponseModel):
     """The shipped activities along the paths, then own ones, the oldest first."""
 
     activities: list[ActivityChoice]
 
 
-class ActivityPath(Body):
+class ActivityPath(RequestModel):
     """The `{name}` in a path."""
 
     name: Annotated[str, Field(max_length=100)]
 
 
-class TriedActivity(Shape):
+class TriedActivity(ResponseModel):
     """An activity that a group has a program for, or has run one for."""
 
     name: str
     passed: Annotated[bool, Field(description="a run passed it")]
 
 
-class TriedActivities(Shape):
+class TriedActivities(ResponseModel):
     """What a group has tried."""
 
     activities: list[TriedActivity]
 
 
-class ChosenActivity(Body):
+class ChosenActivity(RequestModel):
     """The activity that a group wants to solve."""
 
     activity: Annotated[str, Field(max_length=100)]
 
 
-class Example(Shape):
+class Example(ResponseModel):
     """A finished program to open as a copy; texts and names in it are in the language of the page."""
 
     name: str
@@ -119,7 +119,7 @@ class Example(Shape):
     document: Json
 
 
-class ExampleList(Shape):
+class ExampleList(ResponseModel):
     """The shipped examples, in the order in which they are offered."""
 
     examples: list[Example]

@@ -4,10 +4,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from pinel_desktop.web.models import Body, Json, Shape
+from pinel_desktop.web.models import Json, RequestModel, ResponseModel
 
 
-class CameraProblem(Shape):
+class CameraProblem(ResponseModel):
     """Why the camera is of no use, and what to do."""
 
     code: str
@@ -16,7 +16,7 @@ class CameraProblem(Shape):
     remedy: str
 
 
-class CameraStatus(Shape):
+class CameraStatus(ResponseModel):
     """What the camera does; `problem` says why it is of no use, and what to do."""
 
     state: Literal["off", "opening", "on", "failed"]
@@ -24,7 +24,7 @@ class CameraStatus(Shape):
     problem: CameraProblem | None
 
 
-class CameraChoice(Body):
+class CameraChoice(RequestModel):
     """The camera to look through: the number of a webcam, "0" for the first."""
 
     source: Annotated[str, Field(pattern=r"^[0-9]$")]

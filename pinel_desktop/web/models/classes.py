@@ -4,13 +4,13 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from pinel_desktop.web.models import Body, Id, Shape, Time
+from pinel_desktop.web.models import Id, RequestModel, ResponseModel, Time
 from pinel_desktop.web.models.work import Name
 
 SwapMinutes = Literal[0, 5, 10, 15]
 
 
-class Classroom(Shape):
+class Classroom(ResponseModel):
     """A class of the school; `computer` is the PC of its first lesson and tells classes of equal name apart."""
 
     id: Id
@@ -20,19 +20,19 @@ class Classroom(Shape):
     n_groups: int
 
 
-class ClassroomList(Shape):
+class ClassroomList(ResponseModel):
     """By name."""
 
     classrooms: list[Classroom]
 
 
-class ClassroomName(Body):
+class ClassroomName(RequestModel):
     """The name of a class."""
 
     name: Name
 
 
-class Lesson(Shape):
+class Lesson(ResponseModel):
     """A lesson of a class; `title` is "" if it opened by itself, `part_of` is the lesson that it was joined to.
 
     Times are by the clock of the PC where it was opened, which may be wrong.
@@ -52,13 +52,13 @@ class Lesson(Shape):
     n_runs: int
 
 
-class LessonList(Shape):
+class LessonList(ResponseModel):
     """Newest first."""
 
     lessons: list[Lesson]
 
 
-class ClassPreset(Shape):
+class ClassPreset(ResponseModel):
     """With what the groups of a class begin; null for what is not set.
 
     A group may choose another level, and another world for each program.
@@ -77,14 +77,14 @@ class ClassPreset(Shape):
     ] = None
 
 
-class CurrentLesson(Shape):
+class CurrentLesson(ResponseModel):
     """The lesson to which work of a class belongs now, null if the next work would open one; the class's preset."""
 
     lesson: Lesson | None
     preset: ClassPreset
 
 
-class NewLesson(Body):
+class NewLesson(RequestModel):
     """A lesson opened with the same title on several PCs is one lesson.
 
     An empty title is that of the activity, in the language of the page.
@@ -94,7 +94,7 @@ class NewLesson(Body):
     activity: Annotated[str | None, Field(max_length=100, description="a name")] = None
 
 
-class LessonChanges(Body):
+class LessonChanges(RequestModel):
     """Changes of a lesson; omitted fields stay."""
 
     title: Name | None = None
@@ -105,7 +105,7 @@ class LessonChanges(Body):
     closed: bool = False
 
 
-class Note(Shape):
+class Note(ResponseModel):
     """The teacher's note about a run; `seen_at` is when the group read it."""
 
     id: Id
@@ -117,45 +117,45 @@ class Note(Shape):
     program_name: str | None
 
 
-class NoteList(Shape):
+class NoteList(ResponseModel):
     """Notes about runs."""
 
     notes: list[Note]
 
 
-class NotePage(Body):
+class NotePage(RequestModel):
     """Selects notes of a group."""
 
     unseen: bool = False
 
 
-class NoteText(Body):
+class NoteText(RequestModel):
     """The text of a note."""
 
     text: Annotated[str, Field(max_length=5000)]
 
 
-class TeacherSession(Shape):
+class TeacherSession(ResponseModel):
     """Whether a PIN is set, and whether the request belongs to a teacher's session."""
 
     has_pin: bool
     is_open: bool
 
 
-class Pin(Body):
+class Pin(RequestModel):
     """A PIN: 4 to 12 digits."""
 
     pin: Annotated[str, Field(max_length=100)]
 
 
-class Computer(Shape):
+class Computer(ResponseModel):
     """This PC."""
 
     id: Id
     name: str
 
 
-class ComputerName(Body):
+class ComputerName(RequestModel):
     """A name for this PC."""
 
     name: Name

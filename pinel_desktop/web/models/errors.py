@@ -1,9 +1,9 @@
 """Error answers, and faults of documents."""
 
-from pinel_desktop.web.models import Json, Shape
+from pinel_desktop.web.models import Json, ResponseModel
 
 
-class Fault(Shape):
+class Fault(ResponseModel):
     """One fault of a document: its place as a JSON pointer, the block there, and a message."""
 
     code: str
@@ -14,7 +14,7 @@ class Fault(Shape):
     params: Json
 
 
-class Notice(Shape):
+class Notice(ResponseModel):
     """A message for a person, and what to do."""
 
     code: str
@@ -22,7 +22,7 @@ class Notice(Shape):
     remedy: str
 
 
-class ErrorBody(Shape):
+class ErrorBody(ResponseModel):
     """An error; `faults` is empty unless a document has faults."""
 
     code: str
@@ -32,7 +32,7 @@ class ErrorBody(Shape):
     faults: list[Fault]
 
 
-class ErrorAnswer(Shape):
+class ErrorAnswer(ResponseModel):
     """Every answer with a status of 400 and above."""
 
     error: ErrorBody

@@ -21,13 +21,13 @@ from typing import (
 from pydantic import ConfigDict, Field, GetCoreSchemaHandler, RootModel, create_model
 from pydantic_core import CoreSchema
 
+from pinel_desktop.events.model import NullIfInterrupted
 from pinel_desktop.events.model import StreamEvent as Declared
-from pinel_desktop.events.model import UnknownWhenCutOff
 from pinel_desktop.events.types import APP_EVENTS, RUN_EVENTS
-from pinel_desktop.web.models import DEFERRED, Id, Shape
+from pinel_desktop.web.models import DEFERRED, Id, ResponseModel
 
 
-class RunEvent(Shape):
+class RunEvent(ResponseModel):
     """Fields of every event of a run; time in s is tick / 30. Recorded events may lack fields that have a default."""
 
     model_config = ConfigDict(json_schema_serialization_defaults_required=False)
@@ -45,7 +45,9 @@ def described(declaration: type) -> tuple[str, dict[str, str]]:
     return about, {name: " ".join(text.split()) for name, text in found}
 
 
-def _model(declaration: type, name: str, base: type[Shape], **head: Any) -> type[Shape]:
+def _model(
+    declaration: type, name: str, base: type[ResponseModel], **head: Any
+) -> type[ResponseModel]:
     about, meanings = described(declaration)
     declared = getattr(declaration, "__dataclass_fields__", {})
     fields: dict[str, Any] = dict(head)
@@ -61,8 +63,8 @@ def _model(declaration: type, name: str, base: type[Shape], **head: Any) -> type
 
 
 @cache
-def _object(declaration: type) -> type[Shape]:
-    return _model(declaration, declaration.__name__, Shape)
+def _object(declaration: type) -> type[ResponseModel]:
+    return _model(declaration, declaration.__name__, ResponseModel)
 
 
 def _wire(hint: Any) -> Any:
@@ -70,7 +72,7 @@ def _wire(hint: Any) -> Any:
     if is_typeddict(hint):
         return _object(hint)
     origin, parts = get_origin(hint), get_args(hint)
-    if origin is Annotated and any(isinstance(part, UnknownWhenCutOff) for part in parts):
+    if origin is Annotated and any(isinstance(part, NullIfInterrupted) for part in parts):
         return parts[0] | None
     if origin is UnionType:
         return reduce(or_, map(_wire, parts))
@@ -96,8 +98,8 @@ class _OneOf:
 
 
 @cache
-def _event(declaration: type[Declared]) -> type[Shape]:
-    base = RunEvent if declaration.type in RUN_EVENTS else Shape
+def _event(declaration: type[Declared]) -> type[ResponseModel]:
+    base = RunEvent if declaration.type in RUN_EVENTS else ResponseModel
     name = f"{declaration.__name__}Event"
     return _model(declaration, name, base, type=(Literal[declaration.type], ...))
 

@@ -4,13 +4,13 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from pinel_desktop.web.models import Body, Id, Shape, Time
+from pinel_desktop.web.models import Id, RequestModel, ResponseModel, Time
 from pinel_desktop.web.models.errors import Notice
 
 _Path = Annotated[str, Field(max_length=4000)]
 
 
-class FileFound(Shape):
+class FileFound(ResponseModel):
     """A bundle in a folder; `modified_at` is by the clock of the PC that wrote it.
 
     Merging an `anonymous` bundle adds its groups again as "Grupo 1" and so on, even if the store has them.
@@ -24,7 +24,7 @@ class FileFound(Shape):
     modified_at: Time
 
 
-class Folder(Shape):
+class Folder(ResponseModel):
     """A removable drive, or the school's shared folder; `free_bytes` is null if unknown.
 
     The shared folder is listed even if it cannot be read, then with `is_reachable` false.
@@ -39,7 +39,7 @@ class Folder(Shape):
     files: list[FileFound]
 
 
-class FolderList(Shape):
+class FolderList(ResponseModel):
     """Removable drives first; `shared` is the path of the shared folder, "" for none.
 
     With `takes_backups` it also gets copies of this PC's backups.
@@ -50,7 +50,7 @@ class FolderList(Shape):
     takes_backups: bool
 
 
-class SharedFolder(Body):
+class SharedFolder(RequestModel):
     """A folder of this PC or of the network; "" for none. Without `takes_backups` that stays as it was."""
 
     path: _Path
@@ -59,7 +59,7 @@ class SharedFolder(Body):
     ] = None
 
 
-class NewBundle(Body):
+class NewBundle(RequestModel):
     """The target folder, and the content: all work, or that of one class or group."""
 
     folder: _Path
@@ -68,7 +68,7 @@ class NewBundle(Body):
     anonymous: Annotated[bool, Field(description="without names and texts")] = False
 
 
-class Bundle(Shape):
+class Bundle(ResponseModel):
     """A written bundle; `left_out` is a message about work of this PC that other PCs would refuse."""
 
     path: str
@@ -80,7 +80,7 @@ class Bundle(Shape):
     left_out: Notice | None
 
 
-class BundlesToMerge(Body):
+class BundlesToMerge(RequestModel):
     """Files to merge, in this order."""
 
     paths: Annotated[list[_Path], Field(min_length=1, max_length=500)]
@@ -91,7 +91,7 @@ class BundlesToMerge(Body):
     keep_newer: Annotated[bool, Field(description="keep what was moved or is newer too")] = True
 
 
-class MergedCounts(Shape):
+class MergedCounts(ResponseModel):
     """Numbers of rows."""
 
     groups: int
@@ -100,7 +100,7 @@ class MergedCounts(Shape):
     runs: int
 
 
-class PendingWork(Shape):
+class PendingWork(ResponseModel):
     """A group that would be deleted, or a program whose group stays, with what was unknown where it was deleted."""
 
     kind: Literal["group", "program"]
@@ -116,7 +116,7 @@ class PendingWork(Shape):
     n_new_runs: int
 
 
-class PendingDeletion(Shape):
+class PendingDeletion(ResponseModel):
     """Work deleted for good on another PC that this PC still has, until the teacher confirms the deletion."""
 
     groups: int
@@ -126,7 +126,7 @@ class PendingDeletion(Shape):
     work: Annotated[list[PendingWork], Field(description="what can be kept")]
 
 
-class Merged(Shape):
+class Merged(ResponseModel):
     """The result of merging one file: the rows `added`, or the `problem` for which it was refused.
 
     `held_back` counts rows not added because they were deleted for good here, `removed` counts rows deleted by this
@@ -154,20 +154,20 @@ class Merged(Shape):
     problem: Notice | None = None
 
 
-class MergeList(Shape):
+class MergeList(ResponseModel):
     """Results in the order of the files; `content_hash` is equal on all PCs with the same work."""
 
     merged: list[Merged]
     content_hash: str
 
 
-class NameOfFile(Body):
+class NameOfFile(RequestModel):
     """The name of the chosen file, for messages."""
 
     name: Annotated[str, Field(max_length=1000)] = ""
 
 
-class ImportedProgram(Shape):
+class ImportedProgram(ResponseModel):
     """A program imported from a file, with its group and class."""
 
     program_id: Id
@@ -176,7 +176,7 @@ class ImportedProgram(Shape):
     nothing_new: bool
 
 
-class KnownComputer(Shape):
+class KnownComputer(ResponseModel):
     """A PC whose work was merged; `exported_at` and `merged_at` are those of its latest bundle."""
 
     computer_id: Id
@@ -186,7 +186,7 @@ class KnownComputer(Shape):
     n_runs: int
 
 
-class UnconfirmedCounts(Shape):
+class UnconfirmedCounts(ResponseModel):
     """Runs that came with files, whose pass does not count: by what is known of them."""
 
     waiting: int = 0
@@ -195,7 +195,7 @@ class UnconfirmedCounts(Shape):
     not_repeatable: int = 0
 
 
-class UndecidedDeletion(Shape):
+class UndecidedDeletion(ResponseModel):
     """Work deleted for good on another PC and still here, which nobody confirmed or kept; merging `path` asks again."""
 
     computer: str
@@ -207,7 +207,7 @@ class UndecidedDeletion(Shape):
     runs: int
 
 
-class KnownComputerList(Shape):
+class KnownComputerList(ResponseModel):
     """The most recently merged first."""
 
     computers: list[KnownComputer]
@@ -215,14 +215,14 @@ class KnownComputerList(Shape):
     undecided: list[UndecidedDeletion]
 
 
-class WrittenFile(Shape):
+class WrittenFile(ResponseModel):
     """A bundle written on this PC."""
 
     path: str
     made_at: Time
 
 
-class Removed(Shape):
+class Removed(ResponseModel):
     """Numbers of rows deleted for good from the database and its backups.
 
     Some files may still hold them: `backups` that could not be rewritten, and bundles written on this PC (`files`).

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from pinel_desktop.web.models import Body, Id, Json, Shape, Time
+from pinel_desktop.web.models import Id, Json, RequestModel, ResponseModel, Time
 from pinel_desktop.web.models.activities import GoalPicture
 from pinel_desktop.web.models.errors import Fault, Notice
 
@@ -12,7 +12,7 @@ _Text = Annotated[str, Field(max_length=1000)]
 _Input = Annotated[str, Field(max_length=100)]
 
 
-class Stage(Body):
+class Stage(RequestModel):
     """Where a sample solution runs, and with which inputs."""
 
     solution: Annotated[Json, Field(description="a program that passes, as a document")]
@@ -40,7 +40,7 @@ class OwnActivityDraft(Stage):
     checks: Annotated[list[Json], Field(max_length=100, description="docs/activities.md")]
 
 
-class OwnActivityToEdit(Shape):
+class OwnActivityToEdit(ResponseModel):
     """An own activity as its form shows it."""
 
     id: Id
@@ -59,7 +59,7 @@ class OwnActivityToEdit(Shape):
     answers: list[str]
 
 
-class OwnActivity(Shape):
+class OwnActivity(ResponseModel):
     """An activity that a teacher made, as lists show it.
 
     `problem` says why this release cannot use it, such as an activity of a newer one; it has no picture then.
@@ -72,13 +72,13 @@ class OwnActivity(Shape):
     problem: Notice | None
 
 
-class OwnActivityList(Shape):
+class OwnActivityList(ResponseModel):
     """The oldest first."""
 
     activities: list[OwnActivity]
 
 
-class Proposal(Shape):
+class Proposal(ResponseModel):
     """What the form begins with for a sample solution, run under the ideal robot."""
 
     finished: Annotated[bool, Field(description="the solution ended by itself, without a failure")]
@@ -88,7 +88,7 @@ class Proposal(Shape):
     ]
 
 
-class Sample(Shape):
+class Sample(ResponseModel):
     """What the form proposes for a sample solution.
 
     `faults` are those of the program or its world; the proposal is null then.
@@ -98,7 +98,7 @@ class Sample(Shape):
     proposal: Proposal | None
 
 
-class Trial(Shape):
+class Trial(ResponseModel):
     """What the checks say of a program under a robot; `is_right` if the solution passes, or the empty one does not."""
 
     program: Annotated[str, Field(description="`solution` or `empty`")]
@@ -108,7 +108,7 @@ class Trial(Shape):
     words: Annotated[str, Field(description='why it does not pass, else ""')]
 
 
-class Trials(Shape):
+class Trials(ResponseModel):
     """The trial of an activity; `faults` are what makes it unusable, and there are no trials then."""
 
     faults: list[Fault]

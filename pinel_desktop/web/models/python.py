@@ -4,11 +4,11 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from pinel_desktop.web.models import Body, Json, Shape
+from pinel_desktop.web.models import Json, RequestModel, ResponseModel
 from pinel_desktop.web.models.errors import Fault
 
 
-class PythonLine(Shape):
+class PythonLine(ResponseModel):
     """The command that a line of the text belongs to; lines count from 1."""
 
     line: int
@@ -16,7 +16,7 @@ class PythonLine(Shape):
     block: str | None
 
 
-class WrittenPython(Shape):
+class WrittenPython(ResponseModel):
     """The text with the command of each line; null if the document has faults."""
 
     text: str | None
@@ -24,20 +24,20 @@ class WrittenPython(Shape):
     faults: list[Fault]
 
 
-class PythonSource(Body):
+class PythonSource(RequestModel):
     """Python text of a program."""
 
     text: Annotated[str, Field(max_length=2**20)]
 
 
-class ReadPython(Shape):
+class ReadPython(ResponseModel):
     """The document; null if the text has faults, which have `line` and `column` in `params`."""
 
     document: Json | None
     faults: list[Fault]
 
 
-class DocumentToWrite(Body):
+class DocumentToWrite(RequestModel):
     """A program document, or a bare list of commands."""
 
     document: dict[str, Any] | list[Any]

@@ -5,13 +5,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from pinel_desktop.web.models import Body, Id, Shape, Time
+from pinel_desktop.web.models import Id, RequestModel, ResponseModel, Time
 from pinel_desktop.web.models.classes import Lesson
 from pinel_desktop.web.models.runs import Run, Unconfirmed
 from pinel_desktop.web.models.work import Version
 
 
-class GroupHead(Shape):
+class GroupHead(ResponseModel):
     """A group with its name, colour and picture."""
 
     id: Id
@@ -20,7 +20,7 @@ class GroupHead(Shape):
     picture: str
 
 
-class ChangeCounts(Shape):
+class ChangeCounts(ResponseModel):
     """Numbers of blocks; one that was both moved and changed counts twice."""
 
     added: int
@@ -29,7 +29,7 @@ class ChangeCounts(Shape):
     moved: int
 
 
-class ReviewMark(Shape):
+class ReviewMark(ResponseModel):
     """A burst of edits between two runs, or a run; times are by the clock of that PC.
 
     `changes` counts differences from version `since` to `version_id`. For edits, `since` is the version before the
@@ -61,7 +61,7 @@ class ReviewMark(Shape):
     repairs: Annotated[Id | None, Field(description="the failed run that this run repairs")]
 
 
-class Figures(Shape):
+class Figures(ResponseModel):
     """Figures of a group; messages `figure_NAME` explain what each counts."""
 
     n_edits: int
@@ -73,7 +73,7 @@ class Figures(Shape):
     active_s: float
 
 
-class BlockCount(Shape):
+class BlockCount(ResponseModel):
     """Blocks of one type at the end of the lesson: `count` attached to programs, `loose` not attached."""
 
     type: str
@@ -81,7 +81,7 @@ class BlockCount(Shape):
     loose: int
 
 
-class OpenedHints(Shape):
+class OpenedHints(ResponseModel):
     """The hints of an activity that a group opened, in order; texts are missing for one of a later release."""
 
     title: str
@@ -89,7 +89,7 @@ class OpenedHints(Shape):
     texts: list[str]
 
 
-class GroupReview(Shape):
+class GroupReview(ResponseModel):
     """A group's marks in chronological order, its figures, blocks and hints, and whether it needs help."""
 
     group: GroupHead
@@ -103,7 +103,7 @@ class GroupReview(Shape):
     hints: list[OpenedHints]
 
 
-class LessonSummary(Shape):
+class LessonSummary(ResponseModel):
     """What a teacher reads first; it names groups in the order of the review, which is no ranking."""
 
     n_groups: int
@@ -125,7 +125,7 @@ class LessonSummary(Shape):
     ]
 
 
-class LessonReview(Shape):
+class LessonReview(ResponseModel):
     """All groups that worked in the lesson, ordered by name."""
 
     lesson: Lesson
@@ -142,20 +142,20 @@ class VersionOfProgram(Version):
     parent_id: Id | None
 
 
-class DifferenceTo(Body):
+class DifferenceTo(RequestModel):
     """The later version to compare with."""
 
     to: Id
 
 
-class DifferentBlock(Shape):
+class DifferentBlock(ResponseModel):
     """A block, by its id in the workspace."""
 
     block: str
     type: str
 
 
-class BlockChange(Shape):
+class BlockChange(ResponseModel):
     """A change of a field, an input's value, "extraState.KEY", "type", "disabled" or "comment"; null if absent."""
 
     name: str
@@ -169,7 +169,7 @@ class ChangedBlock(DifferentBlock):
     what: list[BlockChange]
 
 
-class VersionDifference(Shape):
+class VersionDifference(ResponseModel):
     """Differences by block; a block that was moved and changed is in both lists."""
 
     added: list[DifferentBlock]
@@ -178,7 +178,7 @@ class VersionDifference(Shape):
     moved: list[DifferentBlock]
 
 
-class HistoryPage(Body):
+class HistoryPage(RequestModel):
     """Filters and page of the list of runs; omitted filters select all."""
 
     classroom: Annotated[str | None, Field(description="a class, `none` for groups without")] = None
@@ -200,7 +200,7 @@ class HistoryRun(Run):
     group: GroupHead | None
 
 
-class History(Shape):
+class History(ResponseModel):
     """Newest first; `next` is the value of `before` for the next page, null at the end."""
 
     runs: list[HistoryRun]

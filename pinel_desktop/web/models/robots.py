@@ -5,13 +5,13 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from pinel_desktop.robot import ROBOTS
-from pinel_desktop.web.models import DEFERRED, Body, Json, Shape
+from pinel_desktop.web.models import DEFERRED, Json, RequestModel, ResponseModel
 from pinel_desktop.web.models.worlds import World
 
 RobotName = Annotated[str, Field(json_schema_extra={"enum": list(ROBOTS)})]
 
 
-class Wheel(Shape):
+class Wheel(ResponseModel):
     """A driven wheel from above; its middle in the robot's frame."""
 
     x_m: float
@@ -20,7 +20,7 @@ class Wheel(Shape):
     width_m: float
 
 
-class Sonar(Shape):
+class Sonar(ResponseModel):
     """A sonar: its place in the robot's frame, and its direction from the heading, counterclockwise."""
 
     x_m: float
@@ -28,7 +28,7 @@ class Sonar(Shape):
     angle_rad: float
 
 
-class Laser(Shape):
+class Laser(ResponseModel):
     """A laser scanner: its place in the robot's frame; half of its field is to each side of the heading."""
 
     x_m: float
@@ -38,7 +38,7 @@ class Laser(Shape):
     range_m: float
 
 
-class Robot(Shape):
+class Robot(ResponseModel):
     """A robot model: what a page needs to draw it. The robot's frame has x ahead and y to the left."""
 
     name: Annotated[RobotName, Field(description="the `model` of a run")]
@@ -55,13 +55,13 @@ class Robot(Shape):
     has_bumper: bool
 
 
-class RobotList(Shape):
+class RobotList(ResponseModel):
     """All robot models of the simulator."""
 
     robots: list[Robot]
 
 
-class RobotField(Shape):
+class RobotField(ResponseModel):
     """A field of a real robot's record, in words for its form."""
 
     name: Annotated[str, Field(description="of the room `room.NAME`")]
@@ -74,7 +74,7 @@ class RobotField(Shape):
     is_list: bool
 
 
-class RealRobot(Shape):
+class RealRobot(ResponseModel):
     """A kind of real robot, and what the teacher set up of it on this PC."""
 
     link: Annotated[str, Field(description="the `robot` of a run")]
@@ -88,19 +88,19 @@ class RealRobot(Shape):
     fields: list[RobotField]
 
 
-class RealRobotList(Shape):
+class RealRobotList(ResponseModel):
     """All kinds of real robots that this release can drive."""
 
     robots: list[RealRobot]
 
 
-class RealRobotRecord(Body):
+class RealRobotRecord(RequestModel):
     """What is to be kept of a real robot; what is missing has its default."""
 
     record: Json
 
 
-class RobotContact(Shape):
+class RobotContact(ResponseModel):
     """What a robot told of itself, or why it cannot be reached."""
 
     x_m: float | None
@@ -112,7 +112,7 @@ class RobotContact(Shape):
     remedy: str | None
 
 
-class FoundRobot(Shape):
+class FoundRobot(ResponseModel):
     """A robot of ROS 2 that the network shows."""
 
     namespace: str
@@ -121,14 +121,14 @@ class FoundRobot(Shape):
     holder: Annotated[str | None, Field(description="who drives it now; null for nobody")]
 
 
-class FoundRobots(Shape):
+class FoundRobots(ResponseModel):
     """The robots in a domain of ROS."""
 
     domain: int
     robots: list[FoundRobot]
 
 
-class RobotWatch(Body):
+class RobotWatch(RequestModel):
     """A page that shows how a robot is."""
 
     is_first: Annotated[
@@ -136,7 +136,7 @@ class RobotWatch(Body):
     ]
 
 
-class Jog(Body):
+class Jog(RequestModel):
     """The keys that are held."""
 
     drive: Annotated[float, Field(ge=-1, le=1, description="1 ahead, -1 back")]
@@ -149,7 +149,7 @@ class Jog(Body):
     ]
 
 
-class LinkPath(Body):
+class LinkPath(RequestModel):
     """The `{link}` in a path."""
 
     model_config = DEFERRED

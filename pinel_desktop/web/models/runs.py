@@ -6,7 +6,7 @@ from pydantic import Field
 
 from pinel_desktop.engine.commands import BlockIds, SpeedFactor
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
-from pinel_desktop.web.models import Body, Id, Json, Shape, Time
+from pinel_desktop.web.models import Id, Json, RequestModel, ResponseModel, Time
 from pinel_desktop.web.models.events import Event
 from pinel_desktop.web.models.robots import RobotName
 from pinel_desktop.web.models.work import Version
@@ -20,7 +20,7 @@ Point = tuple[float, float]
 Unconfirmed = Literal["waiting", "differs", "not_passed", "not_repeatable"]
 
 
-class Run(Shape):
+class Run(ResponseModel):
     """One execution of a version; figures are null until the run has ended."""
 
     id: Id
@@ -84,21 +84,21 @@ class RunWithVersion(Run):
     world_document: World | None
 
 
-class RunList(Shape):
+class RunList(ResponseModel):
     """Newest first; `next` is the value of `before` for the next page, null at the end."""
 
     runs: list[Run]
     next: Id | None
 
 
-class RunPage(Body):
+class RunPage(RequestModel):
     """A page of the list."""
 
     before: Id | None = None
     limit: Annotated[int, Field(ge=1, le=200)] = 50
 
 
-class NewRun(Body):
+class NewRun(RequestModel):
     """A version to run, with world, robot and debugging options."""
 
     version_id: Id
@@ -117,14 +117,14 @@ class NewRun(Body):
     paused: Annotated[bool, Field(description="hold before the first block")] = False
 
 
-class CommandAnswer(Shape):
+class CommandAnswer(ResponseModel):
     """The value of `evaluate`, or a message why it has none; null for all other commands."""
 
     value: Any
     problem: str | None
 
 
-class RunEvents(Shape):
+class RunEvents(ResponseModel):
     """All events of a run except telemetry, in order."""
 
     events: list[Event]

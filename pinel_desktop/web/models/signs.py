@@ -4,10 +4,10 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field
 
-from pinel_desktop.web.models import DEFERRED, Body, Id, Shape
+from pinel_desktop.web.models import DEFERRED, Id, RequestModel, ResponseModel
 
 
-class Sign(Shape):
+class Sign(ResponseModel):
     """A sign that the camera knows.
 
     `n_samples` are hands that the class has shown of it, `n_movements` movements. `landmarks` (21 of x to the right,
@@ -23,19 +23,19 @@ class Sign(Shape):
     landmarks: list[list[float]] | None
 
 
-class SignList(Shape):
+class SignList(ResponseModel):
     """Letters first, then what the class taught besides."""
 
     signs: list[Sign]
 
 
-class SignName(Shape):
+class SignName(ResponseModel):
     """The sign that is being recorded, as the class spells it."""
 
     name: str
 
 
-class ClassroomOfCamera(Body):
+class ClassroomOfCamera(RequestModel):
     """The class whose taught signs the camera is to know; null for a group without a class."""
 
     classroom_id: Id | None

@@ -6,7 +6,7 @@ from pydantic import Field, ValidationInfo, create_model, field_validator
 
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.settings import MAX_TEXT, SETTINGS, TEXT, Setting
-from pinel_desktop.web.models import Body, Id, Shape
+from pinel_desktop.web.models import Id, RequestModel, ResponseModel
 from pinel_desktop.web.models.errors import Notice
 
 OF_PAGE = {name: setting for name, setting in SETTINGS.items() if setting.of_page}
@@ -19,7 +19,7 @@ else:
     Name = Literal[tuple(OF_PAGE)]
 
 
-class DatabaseStatus(Shape):
+class DatabaseStatus(ResponseModel):
     """The path of the database, and whether it can be written."""
 
     path: str
@@ -27,7 +27,7 @@ class DatabaseStatus(Shape):
     notice: Notice | None
 
 
-class Status(Shape):
+class Status(ResponseModel):
     """State of app, engine and database; the page's first request."""
 
     app_version: str
@@ -37,7 +37,7 @@ class Status(Shape):
     language: Language
 
 
-class Settings(Body):
+class Settings(RequestModel):
     """Settings of the page."""
 
     language: Language
@@ -51,13 +51,13 @@ def _field(setting: Setting) -> Any:
 
 PageSettings = create_model(
     "PageSettings",
-    __base__=Shape,
+    __base__=ResponseModel,
     __doc__="Settings of this PC, with which the page is served: JSON in `data-settings` of its root.",
     **{name: _field(setting) for name, setting in OF_PAGE.items()},
 )
 
 
-class PageSetting(Body):
+class PageSetting(RequestModel):
     """A setting of the page, kept on this PC; an empty value forgets it."""
 
     name: Name
@@ -72,7 +72,7 @@ class PageSetting(Body):
         return value
 
 
-class InstanceLink(Shape):
+class InstanceLink(ResponseModel):
     """A new address that opens the page once."""
 
     url: str

@@ -6,7 +6,7 @@ from pydantic import Field
 
 from pinel_desktop.engine.commands import SpeedFactor
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
-from pinel_desktop.web.models import Body, Id, Json, Shape, Time
+from pinel_desktop.web.models import Id, Json, RequestModel, ResponseModel, Time
 from pinel_desktop.web.models.errors import Fault
 from pinel_desktop.web.models.robots import RobotName
 from pinel_desktop.web.models.worlds import Start, World
@@ -17,7 +17,7 @@ Name = Annotated[
 Color = Annotated[str, Field(pattern="^#[0-9a-f]{6}$")]
 
 
-class Group(Shape):
+class Group(ResponseModel):
     """Pupils who work together; `n_programs` excludes programs in the bin, which `n_in_bin` counts."""
 
     id: Id
@@ -33,13 +33,13 @@ class Group(Shape):
     n_runs: int
 
 
-class GroupList(Shape):
+class GroupList(ResponseModel):
     """Most recently used first."""
 
     groups: list[Group]
 
 
-class NewGroup(Body):
+class NewGroup(RequestModel):
     """A new group; without `picture`, one that few groups use is chosen."""
 
     name: Name
@@ -47,7 +47,7 @@ class NewGroup(Body):
     picture: Annotated[str, Field(max_length=100)] = ""
 
 
-class GroupChanges(Body):
+class GroupChanges(RequestModel):
     """Changes of a group; omitted fields stay. Only the teacher may change the class."""
 
     name: Name | None = None
@@ -56,7 +56,7 @@ class GroupChanges(Body):
     classroom_id: Id | None = None
 
 
-class Program(Shape):
+class Program(ResponseModel):
     """A program of a group, without its versions."""
 
     id: Id
@@ -69,19 +69,19 @@ class Program(Shape):
     n_runs: int
 
 
-class ProgramList(Shape):
+class ProgramList(ResponseModel):
     """Newest first."""
 
     programs: list[Program]
 
 
-class ProgramName(Body):
+class ProgramName(RequestModel):
     """The name of a program."""
 
     name: Name
 
 
-class Setup(Shape):
+class Setup(ResponseModel):
     """Where and how a program runs; it belongs to the program and is kept with each version."""
 
     world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
@@ -96,7 +96,7 @@ class Setup(Shape):
     n_hints: Annotated[int, Field(ge=0, le=100, description="hints of it that were opened")] = 0
 
 
-class Version(Shape):
+class Version(ResponseModel):
     """One state of a program, never overwritten; `document` is null if the blocks have faults.
 
     `world` is the group's own world; null if the program runs in a world chosen by name. `setup` is null where an
@@ -112,7 +112,7 @@ class Version(Shape):
     setup: Setup | None
 
 
-class VersionMark(Shape):
+class VersionMark(ResponseModel):
     """A version in the history of its program; `parent_id` is the version that was edited.
 
     `setup_only` is true if it has the blocks of that version: only its setup or the group's own world changed.
@@ -144,21 +144,21 @@ class ProgramWithVersion(Program):
     elsewhere: VersionMark | None
 
 
-class VersionLine(Shape):
+class VersionLine(ResponseModel):
     """Newest first; `next` is the value of `before` for the next page, null at the end."""
 
     versions: list[VersionMark]
     next: Id | None
 
 
-class VersionPage(Body):
+class VersionPage(RequestModel):
     """A page of the history."""
 
     before: Id | None = None
     limit: Annotated[int, Field(ge=1, le=500)] = 200
 
 
-class WhichVersion(Body):
+class WhichVersion(RequestModel):
     """With which version a program is opened."""
 
     sound: Annotated[
@@ -166,13 +166,13 @@ class WhichVersion(Body):
     ] = False
 
 
-class VersionLabel(Body):
+class VersionLabel(RequestModel):
     """A label for a version; "" removes it."""
 
     text: Name
 
 
-class NewVersion(Body):
+class NewVersion(RequestModel):
     """The content of the editor; `document` is null if the blocks cannot be converted to one."""
 
     workspace: Json
@@ -184,7 +184,7 @@ class NewVersion(Body):
     )
 
 
-class SavedVersion(Shape):
+class SavedVersion(ResponseModel):
     """A version that is now on disk.
 
     `before` is the previous newest version; if the page does not know it, another window saved it.
@@ -197,13 +197,13 @@ class SavedVersion(Shape):
     deleted_at: Annotated[Time | None, Field(description="the program is in the bin since")]
 
 
-class DocumentToCheck(Body):
+class DocumentToCheck(RequestModel):
     """A program document, or a bare list of commands."""
 
     document: dict[str, Any] | list[Any]
 
 
-class CheckedDocument(Shape):
+class CheckedDocument(ResponseModel):
     """All faults; an empty list means that it can run."""
 
     faults: list[Fault]

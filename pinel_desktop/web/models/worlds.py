@@ -4,13 +4,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field
 
-from pinel_desktop.web.models import Body, Shape
+from pinel_desktop.web.models import RequestModel, ResponseModel
 from pinel_desktop.web.models.errors import Fault
 
 Metres2 = tuple[float, float]
 
 
-class Title(Shape):
+class Title(ResponseModel):
     """A title in each language."""
 
     model_config = ConfigDict(extra="allow", populate_by_name=True)
@@ -21,7 +21,7 @@ class Title(Shape):
     es: str
 
 
-class Start(Shape):
+class Start(ResponseModel):
     """Start pose of the robot, in the world's frame."""
 
     x_m: float
@@ -29,7 +29,7 @@ class Start(Shape):
     heading_deg: float
 
 
-class Wall(Shape):
+class Wall(ResponseModel):
     """A straight wall between two points."""
 
     model_config = ConfigDict(extra="forbid", populate_by_name=True)
@@ -38,7 +38,7 @@ class Wall(Shape):
     to: Metres2
 
 
-class Box(Shape):
+class Box(ResponseModel):
     """A box on the floor."""
 
     center: Metres2
@@ -48,7 +48,7 @@ class Box(Shape):
     mass_kg: Annotated[float, Field(description="of a movable one")] = 2.0
 
 
-class Area(Shape):
+class Area(ResponseModel):
     """An area of the floor: a disc with `radius`, or a rectangle with `size`; in metres."""
 
     center: Metres2
@@ -69,7 +69,7 @@ class Paint(Area):
     color: str
 
 
-class World(Shape):
+class World(ResponseModel):
     """A floor with walls, boxes, zones and colours."""
 
     pinel_world: Literal[1]
@@ -83,19 +83,19 @@ class World(Shape):
     floor: list[Paint] = Field(default=[])
 
 
-class WorldToCheck(Body):
+class WorldToCheck(RequestModel):
     """A world document that may have faults."""
 
     world: Any
 
 
-class CheckedWorld(Shape):
+class CheckedWorld(ResponseModel):
     """All faults; an empty list means that runs can use the world."""
 
     faults: list[Fault]
 
 
-class WorldList(Shape):
+class WorldList(ResponseModel):
     """All worlds for runs."""
 
     worlds: list[World]

@@ -14,28 +14,28 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from storage.errors import StoreError
-from storage.exchange.deleting.knowledge import known_work
+from storage.exchange.deleting.knowledge import version_vectors
 from storage.file.connection import Database
 from storage.sql import require, row_count, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.tables.runs import RUNS
-from storage.text import loaded
+from storage.text import from_json
 
 _BY_NAME = {table.name: table for table in REPLICATED}
-KEPT_KEYS = "(SELECT id FROM main.deletions WHERE turn % 2)"
-_DEAD_CLASSES = f"(SELECT id FROM main.tombstones WHERE id NOT IN {KEPT_KEYS})"
+RETAINED_KEYS = "(SELECT id FROM main.deletions WHERE turn % 2)"
+_TOMBSTONED_CLASSES = f"(SELECT id FROM main.tombstones WHERE id NOT IN {RETAINED_KEYS})"
 # with groups that were seen in a class which was deleted without knowing where they are now
-DEAD_KEYS = f"""(SELECT id FROM (
+TOMBSTONED_KEYS = f"""(SELECT id FROM (
     SELECT id FROM main.tombstones UNION SELECT group_id FROM main.former_classes
-    WHERE NOT has_left AND classroom_id IN {_DEAD_CLASSES}) WHERE id NOT IN {KEPT_KEYS})"""
-_DEAD = "(SELECT id FROM temp.dead)"  # with the rows below them, see `dead_rows`
+    WHERE NOT has_left AND classroom_id IN {_TOMBSTONED_CLASSES}) WHERE id NOT IN {RETAINED_KEYS})"""
+_TOMBSTONED = "(SELECT id FROM temp.dead)"  # with the rows below them, see `dead_rows`
 
 
 def _deleted(table: ReplicatedTable) -> str:
     """Condition: the row's key or that of a row that it belongs to has a tombstone."""
-    own = [f"id IN {_DEAD}"] if "id" in table.key else []
+    own = [f"id IN {_TOMBSTONED}"] if "id" in table.key else []
     return " OR ".join([*own, *(_parent_deleted(*parent) for parent in _followed(table))])
 
 
@@ -46,34 +46,34 @@ def _followed(table: ReplicatedTable) -> tuple[tuple[str, str], ...]:
 
 def _parent_deleted(column: str, name: str) -> str:
     parent = _BY_NAME[name]
-    keys = f"(SELECT id FROM {name} WHERE {_deleted(parent)})" if _followed(parent) else _DEAD
+    keys = f"(SELECT id FROM {name} WHERE {_deleted(parent)})" if _followed(parent) else _TOMBSTONED
     return f"{column} IN {keys}"
 
 
 # rows that refer to a row are deleted before it
 _DELETIONS = {table.name: _deleted(table) for table in reversed(REPLICATED) if table.deletable}
-_DEAD_RUNS = f"(SELECT id FROM runs WHERE {_deleted(RUNS)})"
+_TOMBSTONED_RUNS = f"(SELECT id FROM runs WHERE {_deleted(RUNS)})"
 _PENDING_NAMES = f"""SELECT name FROM (
-    SELECT 1 AS place, name FROM main.classrooms WHERE id IN {_DEAD}
-    UNION SELECT 2, name FROM main.groups WHERE id IN {_DEAD}
-    UNION SELECT 3, title FROM main.lessons WHERE id IN {_DEAD}
-    UNION SELECT 4, name FROM main.programs WHERE id IN {_DEAD}
-    UNION SELECT 5, sign FROM main.taught_signs WHERE id IN {_DEAD}
-    UNION SELECT 6, coalesce(program_name, world) FROM main.runs WHERE id IN {_DEAD}
-        OR id IN (SELECT run_id FROM main.notes WHERE id IN {_DEAD}))
+    SELECT 1 AS place, name FROM main.classrooms WHERE id IN {_TOMBSTONED}
+    UNION SELECT 2, name FROM main.groups WHERE id IN {_TOMBSTONED}
+    UNION SELECT 3, title FROM main.lessons WHERE id IN {_TOMBSTONED}
+    UNION SELECT 4, name FROM main.programs WHERE id IN {_TOMBSTONED}
+    UNION SELECT 5, sign FROM main.taught_signs WHERE id IN {_TOMBSTONED}
+    UNION SELECT 6, coalesce(program_name, world) FROM main.runs WHERE id IN {_TOMBSTONED}
+        OR id IN (SELECT run_id FROM main.notes WHERE id IN {_TOMBSTONED}))
     WHERE name <> '' GROUP BY name ORDER BY min(place), name LIMIT 20"""
 # keys of the classes, groups and programs that deleted rows belong to: exports of one of these may hold the rows
 _CONCERNED = f"""
     WITH dead_runs AS (
-             SELECT group_id, program_id FROM runs WHERE id IN {_DEAD_RUNS}
-                 OR id IN (SELECT run_id FROM notes WHERE id IN {_DEAD})),
-         dead_programs AS (SELECT id, group_id FROM programs WHERE id IN {_DEAD}
+             SELECT group_id, program_id FROM runs WHERE id IN {_TOMBSTONED_RUNS}
+                 OR id IN (SELECT run_id FROM notes WHERE id IN {_TOMBSTONED})),
+         dead_programs AS (SELECT id, group_id FROM programs WHERE id IN {_TOMBSTONED}
                                OR id IN (SELECT program_id FROM dead_runs)),
-         dead_groups AS (SELECT id, classroom_id FROM groups WHERE id IN {_DEAD}
+         dead_groups AS (SELECT id, classroom_id FROM groups WHERE id IN {_TOMBSTONED}
                              OR id IN (SELECT group_id FROM dead_programs UNION SELECT group_id FROM dead_runs))
     SELECT id FROM temp.dead UNION SELECT id FROM dead_programs UNION SELECT id FROM dead_groups
-    UNION SELECT classroom_id FROM dead_groups UNION SELECT classroom_id FROM lessons WHERE id IN {_DEAD}
-    UNION SELECT classroom_id FROM taught_signs WHERE id IN {_DEAD}"""
+    UNION SELECT classroom_id FROM dead_groups UNION SELECT classroom_id FROM lessons WHERE id IN {_TOMBSTONED}
+    UNION SELECT classroom_id FROM taught_signs WHERE id IN {_TOMBSTONED}"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +103,7 @@ class Deletion:
     still_in: tuple[Path, ...] = ()
 
 
-def remove(database: Database, kind: str, *keys: str) -> Deletion:
+def purge(database: Database, kind: str, *keys: str) -> Deletion:
     """Deletes a `classroom` with its groups, a `group` with its programs, a `program` with its runs, a `run` with
     its notes, a `lesson`, a `note` or a `taught_sign`, one or several; not from backups, which `Exchange.remove` does,
     nor from bundles.
@@ -115,13 +115,13 @@ def remove(database: Database, kind: str, *keys: str) -> Deletion:
     def job(db: sqlite3.Connection) -> Deletion:
         for key in keys:
             require(db, f"{kind}s", key)
-        return remove_keys(db, keys, spare_running=True)
+        return purge_keys(db, keys, spare_running=True)
 
     deletion = database.write(job)
-    return replace(deletion, overwritten=database.checkpoint(is_patient=True))
+    return replace(deletion, overwritten=database.checkpoint(waits_for_readers=True))
 
 
-def remove_keys(
+def purge_keys(
     db: sqlite3.Connection, ids: Collection[str], *, spare_running: bool = False
 ) -> Deletion:
     """Deletes rows by their keys with all that belongs to them, within the caller's transaction.
@@ -134,39 +134,40 @@ def remove_keys(
     Args:
         spare_running: raises StoreError `run_in_progress` where a run that has not ended would be deleted.
     """
-    before = dead_keys(db)
+    before = tombstoned_keys(db)
     _note_who_left(db, ids)
     db.executemany("INSERT OR IGNORE INTO tombstones (id) VALUES (?)", [(key,) for key in ids])
-    _delete_anew(db, ids)
-    with dead_rows(db):
+    _raise_turn(db, ids)
+    with tombstoned_rows(db):
         _note_below(db, before)
-        deletion = erase(db, spare_running=spare_running)
-    return replace(deletion, ids=tuple(sorted(dead_keys(db) - before)))
+        deletion = delete_tombstoned(db, spare_running=spare_running)
+    return replace(deletion, ids=tuple(sorted(tombstoned_keys(db) - before)))
 
 
 @contextmanager
-def dead_rows(db: sqlite3.Connection) -> Iterator[None]:
+def tombstoned_rows(db: sqlite3.Connection) -> Iterator[None]:
     """Within, `temp.dead` has the keys that are deleted, with the groups, lessons and programs below them."""
     db.execute("CREATE TEMP TABLE dead (id TEXT PRIMARY KEY) WITHOUT ROWID")
     try:
-        db.execute(f"INSERT INTO temp.dead SELECT id FROM {DEAD_KEYS}")
+        db.execute(f"INSERT INTO temp.dead SELECT id FROM {TOMBSTONED_KEYS}")
         for table in REPLICATED:
             if table.own_tombstone:
                 for column, _ in table.parents:
                     db.execute(
-                        f"INSERT OR IGNORE INTO temp.dead SELECT id FROM main.{table.name} WHERE {column} IN {_DEAD}"
+                        f"INSERT OR IGNORE INTO temp.dead SELECT id FROM main.{table.name}"
+                        f" WHERE {column} IN {_TOMBSTONED}"
                     )
         yield
     finally:
         db.execute("DROP TABLE temp.dead")
 
 
-def erase(db: sqlite3.Connection, *, spare_running: bool) -> Deletion:
+def delete_tombstoned(db: sqlite3.Connection, *, spare_running: bool) -> Deletion:
     """Deletes the rows of `temp.dead` and all that belongs to them; `ids` are those of rows that were there."""
     db.execute("PRAGMA secure_delete = ON")
-    exports = _exports_of_dead(db)
+    exports = _exports_of_tombstoned(db)
     running = _running(db)
-    ids = tuple(sorted(doomed_keys(db)))
+    ids = tuple(sorted(keys_to_delete(db)))
     counts = {
         table: db.execute(f"DELETE FROM {table} WHERE {condition}").rowcount
         for table, condition in _DELETIONS.items()
@@ -178,17 +179,17 @@ def erase(db: sqlite3.Connection, *, spare_running: bool) -> Deletion:
     return Deletion(ids, {table: n for table, n in counts.items() if n}, exports)
 
 
-def doomed_keys(db: sqlite3.Connection) -> set[str]:
+def keys_to_delete(db: sqlite3.Connection) -> set[str]:
     """Keys in `temp.dead` of rows that are here."""
     keys = " UNION ALL ".join(
-        f"SELECT id FROM main.{table.name} WHERE id IN {_DEAD}"
+        f"SELECT id FROM main.{table.name} WHERE id IN {_TOMBSTONED}"
         for table in REPLICATED
         if table.deletable and "id" in table.key
     )
     return {str(key) for (key,) in tuples(db, keys)}
 
 
-def doomed_counts(db: sqlite3.Connection) -> dict[str, int]:
+def counts_to_delete(db: sqlite3.Connection) -> dict[str, int]:
     """Rows by table that `erase` would delete now."""
     rows = {
         table: row_count(db, f"main.{table}", condition) for table, condition in _DELETIONS.items()
@@ -196,14 +197,14 @@ def doomed_counts(db: sqlite3.Connection) -> dict[str, int]:
     return {table: n for table, n in rows.items() if n}
 
 
-def doomed_names(db: sqlite3.Connection) -> tuple[str, ...]:
+def names_to_delete(db: sqlite3.Connection) -> tuple[str, ...]:
     """Names of what `erase` would delete now, classes first; not all where there are many."""
     return tuple(str(row["name"]) for row in db.execute(_PENDING_NAMES))
 
 
-def dead_keys(db: sqlite3.Connection) -> set[str]:
+def tombstoned_keys(db: sqlite3.Connection) -> set[str]:
     """Keys of all that was deleted for good, and not kept since."""
-    return {str(key) for (key,) in tuples(db, DEAD_KEYS[1:-1])}
+    return {str(key) for (key,) in tuples(db, TOMBSTONED_KEYS[1:-1])}
 
 
 def _note_who_left(db: sqlite3.Connection, ids: Collection[str]) -> None:
@@ -213,27 +214,27 @@ def _note_who_left(db: sqlite3.Connection, ids: Collection[str]) -> None:
     db.executemany(left, [{"key": key} for key in ids])
 
 
-def _delete_anew(db: sqlite3.Connection, ids: Iterable[str]) -> None:
+def _raise_turn(db: sqlite3.Connection, ids: Iterable[str]) -> None:
     """Rows that were kept once are deleted in the next turn."""
-    anew = "UPDATE deletions SET turn = turn + 1 WHERE turn % 2 AND id = ?"
-    db.executemany(anew, [(key,) for key in ids])
+    query = "UPDATE deletions SET turn = turn + 1 WHERE turn % 2 AND id = ?"
+    db.executemany(query, [(key,) for key in ids])
 
 
 def _note_below(db: sqlite3.Connection, before: set[str]) -> None:
     """What a person deletes gets tombstones, each row that goes with it too, and how far its work was known here."""
-    rows = {str(key) for (key,) in tuples(db, _DEAD[1:-1])} - before
+    rows = {str(key) for (key,) in tuples(db, _TOMBSTONED[1:-1])} - before
     db.executemany("INSERT OR IGNORE INTO tombstones VALUES (?)", [(key,) for key in rows])
-    _delete_anew(db, rows)
-    for key, knew in known_work(db, rows):
+    _raise_turn(db, rows)
+    for key, version_vector in version_vectors(db, rows):
         db.execute(
             "INSERT INTO deletions VALUES (?, 0, ?) ON CONFLICT (id) DO UPDATE SET knew = excluded.knew",
-            [key, knew],
+            [key, version_vector],
         )
 
 
-def _exports_of_dead(db: sqlite3.Connection) -> tuple[Exported, ...]:
+def _exports_of_tombstoned(db: sqlite3.Connection) -> tuple[Exported, ...]:
     """Those of all of the store, and those of a part that has to do with it; none where nothing is deleted."""
-    if not doomed_counts(db):
+    if not counts_to_delete(db):
         return ()
     concerned = {str(key) for (key,) in tuples(db, _CONCERNED) if key}
     rows = db.execute("SELECT path, made_at, content FROM exports ORDER BY id").fetchall()
@@ -246,16 +247,16 @@ def _exports_of_dead(db: sqlite3.Connection) -> tuple[Exported, ...]:
 
 def _delete_file_names(db: sqlite3.Connection) -> None:
     """Exports of deleted rows alone are named once, when the rows go. Of merged files the name alone is deleted."""
-    dead = {str(key) for (key,) in tuples(db, _DEAD[1:-1])}
+    tombstoned = {str(key) for (key,) in tuples(db, _TOMBSTONED[1:-1])}
     for row in db.execute("SELECT id, content FROM exports").fetchall():
-        if (scope := _scope_of(row["content"])) and scope <= dead:
+        if (scope := _scope_of(row["content"])) and scope <= tombstoned:
             db.execute("DELETE FROM exports WHERE id = ?", [row["id"]])
     db.execute("UPDATE merges SET file = '' WHERE file <> ''")
 
 
 def _scope_of(content: str) -> set[str]:
     """Keys of the class, group or program that an exported file is of; none for all of the store."""
-    return {key for key in loaded(content)["of"].values() if key}
+    return {key for key in from_json(content)["of"].values() if key}
 
 
 def _running(db: sqlite3.Connection) -> int:

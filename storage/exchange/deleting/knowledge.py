@@ -9,7 +9,7 @@ from typing import Any
 
 from storage.sql import tuples
 from storage.sqlite import sqlite3
-from storage.text import dumped
+from storage.text import to_json
 
 # group, program, PC and newest key
 _NEWEST = """
@@ -19,7 +19,7 @@ _NEWEST = """
     SELECT group_id, program_id, coalesce(computer_id, ''), max(id) FROM main.runs GROUP BY 1, 2, 3"""
 
 
-def known_work(db: sqlite3.Connection, ids: Collection[str]) -> Iterator[tuple[str, str]]:
+def version_vectors(db: sqlite3.Connection, ids: Collection[str]) -> Iterator[tuple[str, str]]:
     """Of the groups and programs among these keys: the key, and what `deletions.knew` is to hold."""
     rows = "SELECT id, classroom_id FROM main.groups UNION ALL SELECT id, NULL FROM main.programs"
     found = {str(key): classroom for key, classroom in tuples(db, rows) if key in ids}
@@ -32,5 +32,5 @@ def known_work(db: sqlite3.Connection, ids: Collection[str]) -> Iterator[tuple[s
                 newest[key][computer_id] = max(last, newest[key].get(computer_id, ""))
     for key, classroom in sorted(found.items()):
         of_pcs = {"newest": dict(sorted(newest[key].items()))}
-        knew: dict[str, Any] = {"classroom": classroom} if classroom else {}
-        yield key, dumped(knew | of_pcs)
+        version_vector: dict[str, Any] = {"classroom": classroom} if classroom else {}
+        yield key, to_json(version_vector | of_pcs)

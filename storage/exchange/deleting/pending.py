@@ -9,9 +9,9 @@ from typing import Any
 
 from storage.sql import tuples
 from storage.sqlite import sqlite3
-from storage.text import dumped, loaded
+from storage.text import from_json, to_json
 
-_KNEW = """SELECT id, knew FROM main.deletions
+_VERSION_VECTORS = """SELECT id, knew FROM main.deletions
     UNION ALL SELECT id, knew FROM bundle.deletions"""
 _DELETED_THERE = "SELECT id FROM bundle.tombstones UNION SELECT id FROM main.tombstones"
 _GROUPS = """SELECT groups.id, groups.name, classroom_id, coalesce(classrooms.name, '') AS place
@@ -22,7 +22,7 @@ _WORK = """SELECT 'edit' AS kind, versions.id, program_id, group_id, coalesce(co
     FROM main.versions JOIN main.programs ON programs.id = program_id
     UNION ALL SELECT 'run', id, program_id, group_id, coalesce(computer_id, '') FROM main.runs"""
 # what is kept with a group or program: the class that it is in, here or in the bundle, and all that is below it
-_KEPT = """
+_RETAINED = """
     WITH chosen AS (SELECT value AS id FROM json_each(?)),
          a_program AS (SELECT id, group_id FROM main.programs
                        WHERE id IN (SELECT id FROM chosen) OR group_id IN (SELECT id FROM chosen)),
@@ -80,15 +80,15 @@ class PendingDeletion:
         return frozenset(one.id for one in self.work if one.is_newer)
 
 
-def pending_work(db: sqlite3.Connection, doomed: Collection[str]) -> Iterator[PendingWork]:
+def pending_work(db: sqlite3.Connection, to_delete: Collection[str]) -> Iterator[PendingWork]:
     """The groups and programs among the doomed keys, with the bundle attached."""
-    knew = _knew(db)
+    version_vectors = _version_vectors(db)
     deleted = {str(key) for (key,) in tuples(db, _DELETED_THERE)}
-    work = [row for row in tuples(db, _WORK) if row[2] in doomed or row[3] in doomed]
-    programs = [row for row in tuples(db, _PROGRAMS) if row[0] in doomed]
+    work = [row for row in tuples(db, _WORK) if row[2] in to_delete or row[3] in to_delete]
+    programs = [row for row in tuples(db, _PROGRAMS) if row[0] in to_delete]
     for key, name, classroom_id, place in tuples(db, _GROUPS).fetchall():
-        if key in doomed:
-            known = knew.get(key, {}) if key in deleted else {"newest": {}}
+        if key in to_delete:
+            known = version_vectors.get(key, {}) if key in deleted else {"newest": {}}
             mine = [row for row in work if row[3] == key]
             new_programs = sum(row[2] == key and row[0] not in deleted for row in programs)
             is_moved = known.get("classroom", classroom_id) != classroom_id
@@ -96,20 +96,26 @@ def pending_work(db: sqlite3.Connection, doomed: Collection[str]) -> Iterator[Pe
             counts = (n_programs, *_counted(mine, known, new_programs))
             yield PendingWork("group", key, name, place, is_moved, *counts)
     for key, name, group_id, place in programs:
-        if group_id not in doomed:
+        if group_id not in to_delete:
             mine = [row for row in work if row[2] == key]
             yield PendingWork(
-                "program", key, name, place, False, 1, *_counted(mine, knew.get(key, {}), 0)
+                "program",
+                key,
+                name,
+                place,
+                False,
+                1,
+                *_counted(mine, version_vectors.get(key, {}), 0),
             )
 
 
-def keep(db: sqlite3.Connection, ids: Collection[str], doomed: Collection[str]) -> set[str]:
+def retain(db: sqlite3.Connection, ids: Collection[str], to_delete: Collection[str]) -> set[str]:
     """Notes that groups and programs stay, with what belongs to them: everywhere, until they are deleted anew.
 
     Returns:
         Their keys, those of their classes, and of what is below them.
     """
-    kept = {str(key) for (key,) in tuples(db, _KEPT, (dumped(sorted(ids)),))}
+    retained = {str(key) for (key,) in tuples(db, _RETAINED, (to_json(sorted(ids)),))}
     turns = f"""
         SELECT dead.id, (SELECT max(turn) FROM (SELECT 0 AS turn
                    UNION ALL SELECT turn FROM main.deletions WHERE id = dead.id
@@ -119,13 +125,13 @@ def keep(db: sqlite3.Connection, ids: Collection[str], doomed: Collection[str]) 
     db.execute(
         f"""INSERT INTO main.deletions (id, turn, knew) SELECT id, turn | 1, '{{}}' FROM ({turns}) WHERE 1
             ON CONFLICT (id) DO UPDATE SET turn = excluded.turn""",
-        [dumped(sorted(kept.intersection(doomed))), dumped(sorted(kept))],
+        [to_json(sorted(retained.intersection(to_delete))), to_json(sorted(retained))],
     )
-    return kept
+    return retained
 
 
-def _knew(db: sqlite3.Connection) -> dict[str, dict[str, Any]]:
-    return {str(key): loaded(text) for key, text in tuples(db, _KNEW)}
+def _version_vectors(db: sqlite3.Connection) -> dict[str, dict[str, Any]]:
+    return {str(key): from_json(text) for key, text in tuples(db, _VERSION_VECTORS)}
 
 
 def _counted(

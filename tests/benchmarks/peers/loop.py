@@ -29,11 +29,11 @@ def answer(prepare: Callable[[Twists], Drive]) -> None:
     twists: Twists = json.loads(sys.stdin.readline())["twists"]
     for _ in sys.stdin:
         drive = prepare(twists)
-        began = time.process_time()
+        start_s = time.process_time()
         pose, ranges = drive()
-        told: dict[str, Any] = {
-            "seconds": time.process_time() - began,
+        result: dict[str, Any] = {
+            "seconds": time.process_time() - start_s,
             "pose": [float(value) for value in pose],
             "ranges": [float(value) for value in ranges],
         }
-        print(json.dumps(told), flush=True)
+        print(json.dumps(result), flush=True)

@@ -35,14 +35,14 @@ def main() -> None:
     model = YOLO("yolov8n.yaml", verbose=False)
 
     def seconds(picture: np.ndarray) -> float:
-        began = time.process_time()
+        start_s = time.process_time()
         model.predict(picture, imgsz=SIDE, device="cpu", verbose=False)
-        return time.process_time() - began
+        return time.process_time() - start_s
 
     contiguous = [np.ascontiguousarray(picture) for picture in pictures]
     for _ in sys.stdin:
-        told = {"seconds": [seconds(picture) for picture in contiguous]}
-        print(json.dumps(told), flush=True)
+        result = {"seconds": [seconds(picture) for picture in contiguous]}
+        print(json.dumps(result), flush=True)
 
 
 if __name__ == "__main__":

@@ -143,12 +143,12 @@ def test_a_person_pauses_in_the_middle_of_a_block_and_steps_to_the_next() -> Non
         def pause_requested(self) -> bool:
             self.asked += 1
             if self.asked == 10:
-                self._wanted = True
-            return self._wanted
+                self._requested = True
+            return self._requested
 
         @pause_requested.setter
         def pause_requested(self, value: bool) -> None:
-            self._wanted = value
+            self._requested = value
 
     control = Impatient()
     session = Session(NESTED, control)
@@ -197,10 +197,10 @@ def test_values_are_told_while_the_run_stands(
     control: RunControl, expression: Any, value: Any
 ) -> None:
     control.breakpoints = frozenset(["here"])
-    told: list[Any] = []
+    replies: list[Any] = []
 
     def answer(found: Any, error: PinelError | None) -> None:
-        told.append(found if error is None else error.code)
+        replies.append(found if error is None else error.code)
         control.resume()
 
     def observe(_tick: int, event: Event) -> None:
@@ -211,6 +211,6 @@ def test_values_are_told_while_the_run_stands(
     assert program is not None
     options = RunOptions(observer=observe, control=control)
     result = execute(program, open_link("sim", world="empty_room"), options)
-    assert told == [value]
+    assert replies == [value]
     assert result.ended.state == "finished"
     assert result.variables["n"] == 21.5

@@ -6,12 +6,12 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.events.model import Event, Ranges, RunEnded, RunState, Telemetry, Things
+from pinel_desktop.events.model import BoxesMoved, Event, Ranges, RunEnded, RunState, Telemetry
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import SMALL_ROBOT, Setting
+from pinel_desktop.robot import SMALL_ROBOT, SimulationConfig
 from tests.sim.rooms import box, room_document
 
 Log = list[tuple[int, Event]]
@@ -22,11 +22,11 @@ START = (-1.0, 0.5, 90.0)
 def watched(
     commands: list[dict[str, Any]],
     *boxes: dict[str, Any],
-    setting: Setting | None = None,
+    setting: SimulationConfig | None = None,
     control: RunControl | None = None,
     start: tuple[float, float, float] = (0.0, 0.0, 0.0),
 ) -> tuple[RunResult, Log]:
-    setting, log = setting or Setting(), list[tuple[int, Event]]()
+    setting, log = setting or SimulationConfig(), list[tuple[int, Event]]()
     program = read_document({"pinel_ir": 1, "commands": commands}).program
     assert program is not None
     link = open_link("sim", world=room_document(*boxes, start=start), setting=setting, seed=5)
@@ -47,13 +47,13 @@ def test_pushed_boxes_are_told_at_most_ten_times_a_second_and_where_they_end() -
     result, log = watched(
         PUSH, box(0.8, 0.0, movable=True), box(0.0, 1.5, movable=True), box(1.6, -1.5)
     )
-    told = of_type(log, Things)
+    reports = of_type(log, BoxesMoved)
     assert result.ended.state == "finished"
-    assert {name for _, event in told for name in event.boxes} == {"0"}
-    ticks = [tick for tick, _ in told]
+    assert {name for _, event in reports for name in event.boxes} == {"0"}
+    ticks = [tick for tick, _ in reports]
     assert len(ticks) > 5
     assert min(b - a for a, b in itertools.pairwise(ticks[:-1])) >= 3
-    x, y, yaw = told[-1][1].boxes["0"]
+    x, y, yaw = reports[-1][1].boxes["0"]
     assert x == pytest.approx(1.2 + 0.2225 + 0.2, abs=0.02)
     assert (y, yaw) == pytest.approx((0, 0), abs=0.02)
     assert isinstance(log[-1][1], RunEnded)
@@ -61,23 +61,23 @@ def test_pushed_boxes_are_told_at_most_ten_times_a_second_and_where_they_end() -
 
 def test_boxes_are_told_in_the_frame_of_the_world() -> None:
     _, log = watched(PUSH, box(-1.0, 1.2, movable=True), start=START)
-    x, y, _ = of_type(log, Things)[-1][1].boxes["0"]
+    x, y, _ = of_type(log, BoxesMoved)[-1][1].boxes["0"]
     assert x == pytest.approx(-1.0, abs=0.02)
     assert y > 1.6
 
 
 def test_nothing_is_told_of_boxes_that_nobody_pushes() -> None:
     _, log = watched([{"action": "turn", "angle": 90}], box(0.8, 0.0, movable=True))
-    assert of_type(log, Things) == []
+    assert of_type(log, BoxesMoved) == []
 
 
 def test_ranges_are_told_at_most_ten_times_a_second_while_somebody_asks() -> None:
     control = RunControl()
     control.subscriptions = frozenset(["lidar"])
     result, log = watched(PUSH, control=control)
-    told = of_type(log, Ranges)
-    assert len(told) == pytest.approx(result.ended.duration_s * 10, abs=2)
-    ranges = told[0][1]
+    reports = of_type(log, Ranges)
+    assert len(reports) == pytest.approx(result.ended.duration_s * 10, abs=2)
+    ranges = reports[0][1]
     assert ranges.sonar is None
     assert len(ranges.lidar) == 181
     assert ranges.lidar[0] == ranges.lidar[180] == pytest.approx(1.99, abs=1e-3)
@@ -88,16 +88,16 @@ def test_ranges_are_told_at_most_ten_times_a_second_while_somebody_asks() -> Non
 def test_looking_does_not_change_the_run() -> None:
     control = RunControl()
     control.subscriptions = frozenset(["lidar", "sonar"])
-    setting = Setting(preset="realistic")
-    seen, _ = watched(PUSH, setting=setting, control=control)
+    setting = SimulationConfig(preset="realistic")
+    subscribed, _ = watched(PUSH, setting=setting, control=control)
     unseen, _ = watched(PUSH, setting=setting)
-    assert seen.ended.telemetry_sha256 == unseen.ended.telemetry_sha256
+    assert subscribed.ended.telemetry_sha256 == unseen.ended.telemetry_sha256
 
 
 def test_robot_without_a_scanner_tells_none_and_its_three_sonars() -> None:
     control = RunControl()
     control.subscriptions = frozenset(["lidar", "sonar"])
-    setting = Setting(model=SMALL_ROBOT.name)
+    setting = SimulationConfig(model=SMALL_ROBOT.name)
     _, log = watched(PUSH, control=control, setting=setting)
     ranges = of_type(log, Ranges)[0][1]
     assert ranges.lidar is None
@@ -137,8 +137,8 @@ def test_who_looks_during_a_pause_is_told_once() -> None:
         ),
     )
     kinds = [event for _, event in log if isinstance(event, Ranges | RunState)]
-    told = [event for event in kinds if isinstance(event, Ranges)]
-    assert [event.sonar is None for event in told] == [False, True]
+    reports = [event for event in kinds if isinstance(event, Ranges)]
+    assert [event.sonar is None for event in reports] == [False, True]
     assert isinstance(kinds[-1], RunState)  # between the pause and going on
 
 
@@ -154,7 +154,7 @@ def test_true_pose_is_the_pose_of_an_ideal_robot_in_the_start_frame() -> None:
 
 
 def test_true_pose_of_a_robot_that_knows_its_wheels_only_is_another() -> None:
-    _, log = watched(PUSH, setting=Setting(preset="realistic", feedback="odometry"))
+    _, log = watched(PUSH, setting=SimulationConfig(preset="realistic", feedback="odometry"))
     last = of_type(log, Telemetry)[-1][1]
     assert last.x_m == pytest.approx(1.2, abs=0.005)
     assert 1e-4 < math.hypot(last.true_x_m - last.x_m, last.true_y_m - last.y_m) < 0.2
@@ -172,5 +172,5 @@ def test_sensor_that_the_small_robot_lacks_fails_the_run_in_words(
     expression: dict[str, Any], sensor: str
 ) -> None:
     command = {"action": "set_variable", "name": "x", "value": expression}
-    result, _ = watched([command], setting=Setting(model=SMALL_ROBOT.name))
+    result, _ = watched([command], setting=SimulationConfig(model=SMALL_ROBOT.name))
     assert (result.ended.reason, result.ended.params) == ("sensor_missing", {"sensor": sensor})

@@ -31,7 +31,7 @@ COUNT = {
 def test_variables_are_reported_at_most_five_times_a_second(execute_commands: Any) -> None:
     _, log = execute_commands(put("i", 0), COUNT)
     ticks = [tick for tick, _ in watched(log)]
-    assert all(later - earlier >= 6 for earlier, later in itertools.pairwise(ticks[:-1]))
+    assert all(following - earlier >= 6 for earlier, following in itertools.pairwise(ticks[:-1]))
     assert len(ticks) == pytest.approx(60 / 6, abs=2)
     assert watched(log)[-1][1].variables == {"i": 60}
 

@@ -11,7 +11,7 @@ from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.program.sensors import SENSORS
-from pinel_desktop.robot import Sensors, Setting
+from pinel_desktop.robot import Sensors, SimulationConfig
 from sim.world import list_worlds
 
 WALL, HULL = 3.99, 0.2225
@@ -126,7 +126,7 @@ def test_a_robot_that_stops_by_distance_does_not_touch_a_wall_met_at_any_angle(
         if isinstance(event, Telemetry):
             touched.append(event.bumper)
 
-    link = open_link("sim", world=world, setting=Setting(preset=preset))
+    link = open_link("sim", world=world, setting=SimulationConfig(preset=preset))
     result = execute(program, link, RunOptions(observer=observe))
     assert result.ended.state == "finished"
     assert not any(touched)
@@ -148,10 +148,10 @@ def test_lidar_measures_from_the_centre(value_of: Any) -> None:
 
 
 def test_place_and_heading_are_in_the_start_frame(value_of: Any) -> None:
-    way = forward(1), turn(90), forward(0.5), turn(90)
+    route = forward(1), turn(90), forward(0.5), turn(90)
     for world in ("empty_room", "tic_tac_toe"):
-        assert value_of(measure("x"), *way, world=world) == pytest.approx(1, abs=1e-3)
-        assert value_of(measure("y"), *way, world=world) == pytest.approx(0.5, abs=1e-3)
+        assert value_of(measure("x"), *route, world=world) == pytest.approx(1, abs=1e-3)
+        assert value_of(measure("y"), *route, world=world) == pytest.approx(0.5, abs=1e-3)
     assert value_of(measure("heading"), turn(-90)) == pytest.approx(-90, abs=0.01)
     assert -180 < value_of(measure("heading"), turn(180)) <= 180
 
@@ -161,9 +161,9 @@ def test_compass_knows_the_map_whatever_the_start(value_of: Any) -> None:
     for start_deg in (0, 90, -135):
         turned = {**room, "start": {**room["start"], "heading_deg": start_deg}}
         for left_deg in (0, 90, -90):
-            looks_deg = 90 - start_deg - left_deg
-            seen = value_of(measure("compass"), turn(left_deg), world=turned)
-            assert seen == pytest.approx(180 - (180 - looks_deg) % 360, abs=0.01)
+            map_heading_deg = 90 - start_deg - left_deg
+            measured = value_of(measure("compass"), turn(left_deg), world=turned)
+            assert measured == pytest.approx(180 - (180 - map_heading_deg) % 360, abs=0.01)
 
 
 def test_time_is_seconds_since_the_run_began(value_of: Any) -> None:
@@ -210,7 +210,7 @@ class Blind(SimLink):
     """A robot that moves and senses nothing."""
 
     def __init__(self) -> None:
-        super().__init__(world="empty_room", setting=Setting(), seed=0)
+        super().__init__(world="empty_room", setting=SimulationConfig(), seed=0)
         self.sensors = Sensors()
 
 

@@ -62,7 +62,7 @@ def test_thousand_marks_are_enough(execute_commands: Any) -> None:
     assert len(of_type(log, Marked)) == len(result.marks) == 1_000
 
 
-def keep(sensor: str, name: str) -> dict[str, Any]:
+def store(sensor: str, name: str) -> dict[str, Any]:
     return {"action": "set_variable", "name": name, "value": {"sensor": sensor}}
 
 
@@ -90,16 +90,16 @@ def test_mark_is_found_in_its_place_of_the_world_and_nowhere_else(execute_comman
     to_a, to_b = ({"action": "go_to_place", "place": name} for name in "AB")
     result, _ = execute_commands(
         to_a,
-        keep("has_mark", "before"),
+        store("has_mark", "before"),
         {"action": "move_forward", "distance": 0.4},
         MARK,
         to_a,
-        keep("mark_here", "a"),
+        store("mark_here", "a"),
         to_b,
-        keep("has_mark", "b"),
+        store("has_mark", "b"),
         to_a,
         {**MARK, "symbol": "O"},
-        keep("mark_here", "last"),
+        store("mark_here", "last"),
         world="tic_tac_toe",
     )
     assert result.variables == {"before": False, "a": "X", "b": False, "last": "O"}
@@ -108,6 +108,6 @@ def test_mark_is_found_in_its_place_of_the_world_and_nowhere_else(execute_comman
 def test_mark_outside_of_all_places_is_found_where_it_is(execute_commands: Any) -> None:
     a_bit = {"action": "move_forward", "distance": 0.25}
     result, _ = execute_commands(
-        MARK, a_bit, keep("has_mark", "near"), a_bit, keep("mark_here", "far"), world="empty_room"
+        MARK, a_bit, store("has_mark", "near"), a_bit, store("mark_here", "far"), world="empty_room"
     )
     assert result.variables == {"near": True, "far": ""}

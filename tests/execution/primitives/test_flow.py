@@ -44,7 +44,7 @@ BREAK, CONTINUE = {"action": "break"}, {"action": "continue"}
 
 
 @pytest.mark.parametrize(
-    ("start", "end", "by", "said"),
+    ("start", "end", "by", "texts"),
     [
         (1, 3, None, ["1", "2", "3"]),
         (3, 1, -1, ["3", "2", "1"]),
@@ -56,10 +56,10 @@ BREAK, CONTINUE = {"action": "break"}, {"action": "continue"}
     ],
 )
 def test_for_counts_to_the_end_and_down_where_the_step_is_negative(
-    start: float, end: float, by: float | None, said: list[str], execute_commands: Any
+    start: float, end: float, by: float | None, texts: list[str], execute_commands: Any
 ) -> None:
     result, _ = execute_commands(count(start, end, by))
-    assert result.said == said
+    assert result.said == texts
 
 
 def test_for_fixes_its_values_on_entry_and_sets_its_variable_every_round(

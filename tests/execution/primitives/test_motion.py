@@ -141,8 +141,8 @@ def test_sliding_along_a_wall_is_blocked_where_the_robot_came_nearest(
 @pytest.mark.parametrize("action", ["move_forward", "move_backward", "go_to"])
 def test_motion_that_ends_beside_its_goal_is_blocked(action: str, execute_commands: Any) -> None:
     """A corner pushes the robot aside shortly before its goal."""
-    way = -1 if action == "move_backward" else 1
-    corner = {"center": [way * 2.2, 0.1], "size": [0.4, 0.4], "heading_deg": 45}
+    direction = -1 if action == "move_backward" else 1
+    corner = {"center": [direction * 2.2, 0.1], "size": [0.4, 0.4], "heading_deg": 45}
     start = {"x_m": 0, "y_m": 0, "heading_deg": 0}
     world = {"name": "w", "start": start, "walls": [], "boxes": [corner]}
     goal = {"x": 2.1, "y": 0} if action == "go_to" else {"distance": 2.1}
@@ -150,7 +150,7 @@ def test_motion_that_ends_beside_its_goal_is_blocked(action: str, execute_comman
     ended, last = result.ended, telemetry(log)[-1]
     assert (ended.state, ended.reason, ended.block) == ("failed", "blocked", "m")
     assert abs(last.y_m) > 0.1
-    assert 0 < way * ended.params["done"] < 2.1
+    assert 0 < direction * ended.params["done"] < 2.1
 
 
 def test_grazing_a_corner_does_not_end_a_motion(execute_commands: Any) -> None:

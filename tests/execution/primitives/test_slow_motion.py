@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.events.model import Said
+from pinel_desktop.events.model import TextShown
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
@@ -33,12 +33,14 @@ def program(*commands: Json) -> Any:
     ],
 )
 def test_a_snails_pace_is_planned_at_once_and_ends_in_words(speed: Json, motion: Json) -> None:
-    began = time.monotonic()
+    start_s = time.monotonic()
     ended = execute(
         program({"action": "set_speed", **speed}, motion), open_link("sim", world="empty_room")
     ).ended
     assert (ended.state, ended.reason) == ("failed", "blocked")
-    assert in_time(time.monotonic() - began, 5.0)  # a plan of all of it took a minute and gigabytes
+    assert in_time(
+        time.monotonic() - start_s, 5.0
+    )  # a plan of all of it took a minute and gigabytes
 
 
 def test_stop_is_heard_in_a_motion_of_hours() -> None:
@@ -91,7 +93,7 @@ def test_straight_back_is_180_degrees(execute_commands: Any) -> None:
         {"action": "go_to", "x": -0.5, "y": 0},
         {"action": "say", "text": {"op": ">", "args": [{"sensor": "heading"}, 179]}},
     )
-    assert [event.text for _, event in log if isinstance(event, Said)] == ["180", "true"]
+    assert [event.text for _, event in log if isinstance(event, TextShown)] == ["180", "true"]
 
 
 def test_exactly_an_hour_is_within_the_limit(execute_commands: Any) -> None:

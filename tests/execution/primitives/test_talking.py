@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.events.model import Answered, Asked, Beeped, Event, Said
+from pinel_desktop.events.model import Answered, Asked, Beeped, Event, TextShown
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.inputs import LiveInputs, ScriptedInputs
 from tests.execution.wall import Wall
@@ -24,7 +24,7 @@ def of_type(log: Any, kind: type[Event]) -> list[Any]:
 def test_what_is_said_is_reported_in_order_and_kept(execute_commands: Any) -> None:
     result, log = execute_commands(say("Olá!"), say(3), say(0.5), say(True), say([1, "a"]))
     assert result.said == ["Olá!", "3", "0.5", "true", "1, a"]
-    assert of_type(log, Said) == [Said("s", text) for text in result.said]
+    assert of_type(log, TextShown) == [TextShown("s", text) for text in result.said]
     assert result.ended.duration_s == 0
 
 
@@ -38,7 +38,7 @@ def test_thousand_are_enough(command: Any, reason: str, execute_commands: Any) -
     result, log = execute_commands(thousand, command)
     ended = result.ended
     assert (ended.reason, ended.params, ended.block) == (reason, {"max": 1000}, command["block"])
-    assert len(of_type(log, Said) + of_type(log, Beeped)) == 1_000
+    assert len(of_type(log, TextShown) + of_type(log, Beeped)) == 1_000
 
 
 def test_beep_is_reported(execute_commands: Any) -> None:

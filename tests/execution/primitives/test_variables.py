@@ -101,18 +101,18 @@ def test_list_of_10_000_is_full(execute_commands: Any) -> None:
 
 
 def test_texts_and_lists_altogether_have_a_limit(execute_commands: Any) -> None:
-    longest = put("t", "x" * 10_000)
+    long_text = put("t", "x" * 10_000)
     lists = [put(f"l{i}", []) for i in range(2)]
     result, _ = execute_commands(
-        longest, *lists, *[repeat(500, append(f"l{i}", var("t"))) for i in range(2)]
+        long_text, *lists, *[repeat(500, append(f"l{i}", var("t"))) for i in range(2)]
     )
     assert reason(result) == ("memory_full", {"max": 10_000_000}, "append l1")
 
 
 def test_what_is_overwritten_makes_room(execute_commands: Any) -> None:
-    longest = put("t", "x" * 10_000)
+    long_text = put("t", "x" * 10_000)
     result, _ = execute_commands(
-        longest, repeat(20, put("l", []), repeat(400, append("l", var("t"))))
+        long_text, repeat(20, put("l", []), repeat(400, append("l", var("t"))))
     )
     assert result.ended.state == "finished"
 

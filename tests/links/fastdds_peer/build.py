@@ -34,11 +34,11 @@ def _library_version() -> Path:
     for place in ("fastrtps/config.h", "*/fastrtps/config.h"):
         for header in INCLUDES.glob(place):
             return header
-    wanted = subprocess.run(
+    dry_run = subprocess.run(
         ["sh", "scripts/system-packages.sh", "--dry-run", "test"],
         cwd=ROOT, capture_output=True, text=True, check=False,
     )  # fmt: skip
-    assert "libfastrtps-dev" not in wanted.stdout, "run `make setup`: it installs Fast DDS"
+    assert "libfastrtps-dev" not in dry_run.stdout, "run `make setup`: it installs Fast DDS"
     pytest.skip("this system has no package of Fast DDS 2: no DDS of somebody else to test with")
 
 

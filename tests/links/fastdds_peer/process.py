@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from pinel_desktop.robot import Twist2D
 from tests.links.fastdds_peer.build import built_peer
-from tests.links.unicycle import stood_from_s
+from tests.links.unicycle import standstill_since_s
 
 CommandType = Literal["twist", "twist_stamped"]
 READY_WITHIN_S = 10.0
@@ -19,7 +19,7 @@ class FastDdsPeer:
     """A running robot.
 
     Attributes:
-        heard: all velocities that reached it, with the time (s, monotonic).
+        received: all velocities that reached it, with the time (s, monotonic).
         commands: the same as the robot told them, with frame and stamp.
         endpoints: who publishes commands and subscribes to odometry, as its DDS discovered them.
     """
@@ -27,7 +27,7 @@ class FastDdsPeer:
     def __init__(
         self, domain: int, command: CommandType = "twist", user_data: tuple[str, str] = ("", "")
     ) -> None:
-        self.heard: list[tuple[float, Twist2D]] = []
+        self.received: list[tuple[float, Twist2D]] = []
         self.commands: list[dict[str, Any]] = []
         self.endpoints: list[dict[str, Any]] = []
         self._is_mute = False
@@ -46,14 +46,16 @@ class FastDdsPeer:
     def _read(self) -> None:
         assert self._process.stdout is not None
         for line in self._process.stdout:
-            told = json.loads(line)
-            if "at" in told:
-                self.commands.append(told)
-                self.heard.append((told["at"], Twist2D(float(told["v"]), float(told["omega"]))))
-            elif "ready" in told:
+            report = json.loads(line)
+            if "at" in report:
+                self.commands.append(report)
+                self.received.append(
+                    (report["at"], Twist2D(float(report["v"]), float(report["omega"])))
+                )
+            elif "ready" in report:
                 self._ready.set()
             else:
-                self.endpoints.append(told)
+                self.endpoints.append(report)
 
     @property
     def is_mute(self) -> bool:
@@ -66,14 +68,14 @@ class FastDdsPeer:
         assert self._process.stdin is not None
         self._process.stdin.write("mute\n" if is_mute else "speak\n")
 
-    def stood_from_s(self) -> float | None:
+    def standstill_since_s(self) -> float | None:
         """Since when only zeros have come (monotonic); None if the last velocity was another one."""
-        return stood_from_s(list(self.heard))
+        return standstill_since_s(list(self.received))
 
     def wait_until_driven(self) -> None:
         """Waits for velocities of a motion."""
         due_s = time.monotonic() + 20.0
-        while not any(twist.v_mps > 0.1 for _, twist in self.heard[-3:]):
+        while not any(twist.v_mps > 0.1 for _, twist in self.received[-3:]):
             assert time.monotonic() < due_s, "the robot is not driven"
             time.sleep(0.01)
 

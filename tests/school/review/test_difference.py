@@ -92,11 +92,11 @@ def test_odd_workspaces_never_raise(before: Any, after: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    "odd", [None, {}, [], 7, {"blocks": None}, {"blocks": {"blocks": [None, 3]}}]
+    "not_a_workspace", [None, {}, [], 7, {"blocks": None}, {"blocks": {"blocks": [None, 3]}}]
 )
-def test_what_holds_no_blocks_is_empty(odd: Any) -> None:
-    assert difference(odd, odd) == Difference()
-    assert ids(difference(odd, workspace_of([start(), move()])).added) == ["m"]
+def test_what_holds_no_blocks_is_empty(not_a_workspace: Any) -> None:
+    assert difference(not_a_workspace, not_a_workspace) == Difference()
+    assert ids(difference(not_a_workspace, workspace_of([start(), move()])).added) == ["m"]
 
 
 def test_a_program_nested_ten_thousand_deep_is_compared() -> None:

@@ -13,8 +13,8 @@ from pinel_desktop.school.review import (
     review_lesson,
     versions_needed,
 )
-from pinel_desktop.school.review.order import lines_of
-from pinel_desktop.school.review.records import key_of
+from pinel_desktop.school.review.lesson_events import key_of
+from pinel_desktop.school.review.order import timelines_of
 from tests.school.review.sketches import move, start, workspace_of
 
 
@@ -56,7 +56,7 @@ def review(*events: Edit | Run, activity: str | None = None, **metres: float) ->
 
 
 def keys(*events: Edit | Run) -> list[str]:
-    return [key_of(event) for line in lines_of(work(*events)) for event in line]
+    return [key_of(event) for line in timelines_of(work(*events)) for event in line]
 
 
 def test_bursts_between_runs_are_one_mark_with_what_changed() -> None:
@@ -71,12 +71,12 @@ def test_bursts_between_runs_are_one_mark_with_what_changed() -> None:
         d=2,
         e=1,
     )
-    assert [(mark.kind, mark.n_edits, mark.version_id) for mark in found.marks] == [
+    assert [(mark.kind, mark.n_edits, mark.version_id) for mark in found.timeline] == [
         ("edit", 2, "b"),
         ("run", 0, "b"),
         ("edit", 2, "e"),
     ]
-    first, _, last = found.marks
+    first, _, last = found.timeline
     assert (first.at, first.until) == (at(0), at(1))
     assert first.changes == Counts(added=1)
     # what was changed and changed back between two runs does not count
@@ -85,8 +85,8 @@ def test_bursts_between_runs_are_one_mark_with_what_changed() -> None:
 
 def test_edits_of_two_programs_are_two_marks() -> None:
     found = review(edit("a", 1), edit("b", 1, program_id="q"), edit("c", 2), a=1, b=1, c=2)
-    assert [mark.program_id for mark in found.marks] == ["p", "q", "p"]
-    assert [mark.changes for mark in found.marks] == [
+    assert [mark.program_id for mark in found.timeline] == ["p", "q", "p"]
+    assert [mark.changes for mark in found.timeline] == [
         Counts(added=1),
         Counts(added=1),
         Counts(changed=1),
@@ -96,11 +96,11 @@ def test_edits_of_two_programs_are_two_marks() -> None:
 
 def test_a_burst_ends_at_a_long_pause() -> None:
     found = review(edit("a", 1, 0), edit("b", 2, 5), edit("c", 3, 11), a=1, b=1, c=2)
-    assert [(mark.at, mark.until, mark.n_edits) for mark in found.marks] == [
+    assert [(mark.at, mark.until, mark.n_edits) for mark in found.timeline] == [
         (at(0), at(5), 2),
         (at(11), at(11), 1),
     ]
-    assert (found.marks[1].since, found.marks[1].changes) == ("b", Counts(changed=1))
+    assert (found.timeline[1].since, found.timeline[1].changes) == ("b", Counts(changed=1))
 
 
 def test_a_version_that_changed_its_setup_only_is_no_change_of_blocks() -> None:
@@ -118,15 +118,15 @@ def test_a_version_that_changed_its_setup_only_is_no_change_of_blocks() -> None:
         d=2,
         f=2,
     )
-    assert [(mark.kind, mark.n_edits, mark.version_id) for mark in found.marks] == [
+    assert [(mark.kind, mark.n_edits, mark.version_id) for mark in found.timeline] == [
         ("edit", 2, "d"),
         ("run", 0, "d"),
         ("run", 0, "f"),
     ]
-    burst = found.marks[0]
+    burst = found.timeline[0]
     assert (burst.at, burst.until) == (at(1), at(2))
     assert (burst.since, burst.changes) == ("old", Counts(changed=1))
-    figures = found.figures
+    figures = found.metrics
     assert (figures.n_edits, figures.n_runs, figures.n_hints) == (2, 2, 2)
     assert figures.time_to_first_run_s == 180.0
     assert figures.active_s == 366.0
@@ -135,7 +135,7 @@ def test_a_version_that_changed_its_setup_only_is_no_change_of_blocks() -> None:
 def test_a_program_whose_setup_alone_was_changed_has_its_blocks_but_no_mark() -> None:
     event = edit("b", 7, parent_id="a", setup_only=True)
     found = review(event, b=1)
-    assert (found.marks, found.figures.n_edits) == ((), 0)
+    assert (found.timeline, found.metrics.n_edits) == ((), 0)
     assert found.blocks == BlocksInUse({"move_forward": 1}, {})
     assert versions_needed(work(event)) == {"b"}
 
@@ -149,8 +149,8 @@ def test_only_the_workspaces_between_marks_are_asked_for() -> None:
 
 def test_changes_are_unknown_where_a_version_is_not_at_hand() -> None:
     found = review(edit("b", 7, parent_id="elsewhere"), b=1)
-    assert (found.marks[0].since, found.marks[0].changes) == ("elsewhere", None)
-    assert review(edit("b", 7), b=1).marks[0].changes is None
+    assert (found.timeline[0].since, found.timeline[0].changes) == ("elsewhere", None)
+    assert review(edit("b", 7), b=1).timeline[0].changes is None
 
 
 def test_the_first_good_run_after_a_failing_one_is_its_repair() -> None:
@@ -165,11 +165,11 @@ def test_the_first_good_run_after_a_failing_one_is_its_repair() -> None:
         a=1,
         e=0.5,
     )
-    repairs = {mark.run.id: mark.repairs for mark in found.marks if mark.run}
+    repairs = {mark.run.id: mark.repairs for mark in found.timeline if mark.run}
     assert repairs == {"b": None, "c": None, "d": None, "f": "d", "g": None}
-    (repair,) = [mark for mark in found.marks if mark.repairs]
+    (repair,) = [mark for mark in found.timeline if mark.repairs]
     assert (repair.since, repair.changes) == ("a", Counts(changed=1))
-    assert found.figures.n_failed == 2
+    assert found.metrics.n_failed == 2
 
 
 def test_what_did_not_pass_is_repaired_by_passing() -> None:
@@ -182,13 +182,13 @@ def test_what_did_not_pass_is_repaired_by_passing() -> None:
         run("e", "a", 1, passed=True, **square),
         a=1,
     )
-    assert [mark.repairs for mark in found.marks if mark.run] == [None, None, None, "b"]
-    assert found.figures.n_failed == 0
+    assert [mark.repairs for mark in found.timeline if mark.run] == [None, None, None, "b"]
+    assert found.metrics.n_failed == 0
 
 
 def test_a_run_of_another_program_repairs_nothing() -> None:
     found = review(run("b", "a", 1, state="failed"), run("c", "x", 1, program_id="q"))
-    assert [mark.repairs for mark in found.marks] == [None, None]
+    assert [mark.repairs for mark in found.timeline] == [None, None]
 
 
 def test_attempts_count_runs_of_the_activity_up_to_the_first_that_passed() -> None:
@@ -200,19 +200,19 @@ def test_attempts_count_runs_of_the_activity_up_to_the_first_that_passed() -> No
         run("e", "v", 1, activity="square", passed=True),
         run("f", "v", 1, activity="square", passed=True),
     ]
-    assert review(*runs, activity="square").figures.attempts_until_passed == 3
-    assert review(*runs).figures.attempts_until_passed == 1
-    assert review(*runs[:2], activity="square").figures.attempts_until_passed is None
-    assert review(*runs).figures.n_runs == 6
+    assert review(*runs, activity="square").metrics.attempts_until_passed == 3
+    assert review(*runs).metrics.attempts_until_passed == 1
+    assert review(*runs[:2], activity="square").metrics.attempts_until_passed is None
+    assert review(*runs).metrics.n_runs == 6
 
 
 def test_time_to_the_first_run_counts_from_the_first_edit() -> None:
     first, second = edit("a", 1, 1), edit("b", 2, 2)
-    assert review(first, second, run("c", "b", 2, 3.5)).figures.time_to_first_run_s == 150
-    assert review(first).figures.time_to_first_run_s is None
-    assert review(run("0", "z", 1, 0), first).figures.time_to_first_run_s is None
-    elsewhere = run("c", "b", 2, 3, computer_id="other")
-    assert review(first, elsewhere).figures.time_to_first_run_s is None
+    assert review(first, second, run("c", "b", 2, 3.5)).metrics.time_to_first_run_s == 150
+    assert review(first).metrics.time_to_first_run_s is None
+    assert review(run("0", "z", 1, 0), first).metrics.time_to_first_run_s is None
+    on_other_pc = run("c", "b", 2, 3, computer_id="other")
+    assert review(first, on_other_pc).metrics.time_to_first_run_s is None
 
 
 def test_hours_in_which_nobody_was_there_do_not_count_before_the_first_run() -> None:
@@ -222,7 +222,7 @@ def test_hours_in_which_nobody_was_there_do_not_count_before_the_first_run() -> 
         Edit("c", "p", "", 3, at="2026-03-04T09:00:00Z", computer_id="pc"),
         Run("d", "p", "", "c", "2026-03-04T09:01:30Z", "finished", 3, computer_id="pc"),
     )
-    assert review(*lessons_of_two_days).figures.time_to_first_run_s == 19 * 60 + 90
+    assert review(*lessons_of_two_days).metrics.time_to_first_run_s == 19 * 60 + 90
 
 
 def test_active_time_leaves_long_pauses_out() -> None:
@@ -232,12 +232,12 @@ def test_active_time_leaves_long_pauses_out() -> None:
         edit("c", 3, 20),
         run("d", "c", 3, 22),
     ]
-    assert review(*events).figures.active_s == 4 * 60 + 2 * 60 + 6
-    assert review(edit("a", 1, 10), edit("b", 2, 5)).figures.active_s == 0
+    assert review(*events).metrics.active_s == 4 * 60 + 2 * 60 + 6
+    assert review(edit("a", 1, 10), edit("b", 2, 5)).metrics.active_s == 0
     paused = Run("r", "p", "", "a", at(0), "finished", ended_at=at(40), duration_s=30)
-    assert review(paused).figures.active_s == 30
+    assert review(paused).metrics.active_s == 30
     running = Run("r", "p", "", "a", at(0), "running")
-    assert review(running).figures.active_s == 0
+    assert review(running).metrics.active_s == 0
 
 
 def test_a_clock_that_is_set_back_does_not_turn_the_order_round() -> None:
@@ -286,8 +286,8 @@ def test_a_repair_may_be_made_at_another_pc() -> None:
         m1=1,
         a1=2,
     )
-    assert [mark.repairs for mark in found.marks] == [None, None, None, "m2"]
-    assert [mark.changes for mark in found.marks][2:] == [Counts(changed=1), Counts(changed=1)]
+    assert [mark.repairs for mark in found.timeline] == [None, None, None, "m2"]
+    assert [mark.changes for mark in found.timeline][2:] == [Counts(changed=1), Counts(changed=1)]
 
 
 def test_groups_are_ordered_by_name_and_by_nothing_else() -> None:

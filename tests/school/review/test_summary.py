@@ -1,7 +1,7 @@
 """The line that a teacher reads first."""
 
 from pinel_desktop.school.review import (
-    Fault,
+    CommonMistake,
     GroupReview,
     Run,
     review_group,
@@ -40,7 +40,7 @@ def test_it_counts_who_passed_and_names_who_is_stuck_in_the_order_of_the_review(
         "id of Robos": "passed",
         "id of Tatus": "help",
     }
-    assert found.fault == Fault("r2", 3, is_told=False)
+    assert found.mistake == CommonMistake("r2", 3, is_advice=False)
 
 
 def test_a_run_that_was_stopped_by_hand_says_nothing() -> None:
@@ -54,18 +54,18 @@ def test_a_run_that_was_stopped_by_hand_says_nothing() -> None:
 
 def test_what_only_one_group_did_wrong_is_not_common() -> None:
     review = review_lesson([group("Tatus", *(run(f"t{n}", "v", n, n, **HIT) for n in range(5)))])
-    assert summary(review, "square").fault is None
+    assert summary(review, "square").mistake is None
 
 
 def test_what_was_said_about_the_activity_is_named_where_as_many_groups_heard_it() -> None:
-    looked = {**NOT_YET, "told": "square 2"}
+    advised = {**NOT_YET, "mistake_key": "square 2"}
     shared = [
-        group("Tatus", run("t", "v", 0, 0, **looked), run("t2", "v", 1, 1, **HIT)),
-        group("Araras", run("a", "v", 0, 3, **looked), run("a2", "v", 1, 4, **HIT)),
+        group("Tatus", run("t", "v", 0, 0, **advised), run("t2", "v", 1, 1, **HIT)),
+        group("Araras", run("a", "v", 0, 3, **advised), run("a2", "v", 1, 4, **HIT)),
     ]
-    assert summary(review_lesson(shared), "square").fault == Fault("a", 2, is_told=True)
+    assert summary(review_lesson(shared), "square").mistake == CommonMistake("a", 2, is_advice=True)
     more = [*shared, group("Emas", run("e", "v", 0, 9, **HIT))]
-    assert summary(review_lesson(more), "square").fault == Fault("e", 3, is_told=False)
+    assert summary(review_lesson(more), "square").mistake == CommonMistake("e", 3, is_advice=False)
 
 
 def test_a_group_that_passed_needs_help_only_with_something_else() -> None:
@@ -78,4 +78,4 @@ def test_a_group_that_passed_needs_help_only_with_something_else() -> None:
 
 def test_an_empty_lesson_has_an_empty_summary() -> None:
     found = summary(review_lesson([]), "square")
-    assert (found.n_groups, found.n_passed, found.stuck, found.fault) == (0, 0, (), None)
+    assert (found.n_groups, found.n_passed, found.stuck, found.mistake) == (0, 0, (), None)

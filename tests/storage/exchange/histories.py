@@ -12,7 +12,7 @@ from pathlib import Path
 
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deleting.deletion import remove_keys
+from storage.exchange.deleting.deletion import purge_keys
 from storage.exchange.merge_report import MergeReport
 from storage.exchange.merging import merge_attached
 from storage.sql import insert
@@ -73,8 +73,8 @@ class Pc:
 
     def make_group(self, classroom_id: str | None, name: str) -> None:
         """A new group."""
-        look = {"color": "#000000", "picture": "", "name_key": name}
-        self.add("groups", name=name, classroom_id=classroom_id, used_at=NOW, **look)
+        appearance = {"color": "#000000", "picture": "", "name_key": name}
+        self.add("groups", name=name, classroom_id=classroom_id, used_at=NOW, **appearance)
 
     def save(self, program_id: str) -> None:
         """A new version of a program."""
@@ -89,9 +89,9 @@ class Pc:
             "group_id": group_id,
             "version_id": version_id,
         }
-        told = {"link": "sim", "world": "w", "world_document": "{}", "seed": 1, "parameters": "{}"}
+        setup = {"link": "sim", "world": "w", "world_document": "{}", "seed": 1, "parameters": "{}"}
         ended = {"app_version": "1", "state": "finished", "started_at": NOW, "computer_id": self.id}
-        insert(self.db, "runs", row | told | ended)
+        insert(self.db, "runs", row | setup | ended)
 
     def rename(self, group_id: str, name: str) -> None:
         """Another name of a group."""
@@ -114,11 +114,16 @@ class Pc:
     def remove(self, key: str) -> None:
         """Deletes a row for good."""
         self.db.execute("BEGIN")
-        remove_keys(self.db, [key])
+        purge_keys(self.db, [key])
         self.db.execute("COMMIT")
 
     def merge(
-        self, other: "Pc", *, delete: bool, kept: Collection[str] = (), keep_newer: bool = False
+        self,
+        other: "Pc",
+        *,
+        delete: bool,
+        retained: Collection[str] = (),
+        retain_newer: bool = False,
     ) -> MergeReport:
         """Merges another PC's work."""
         unchanged = (
@@ -129,7 +134,7 @@ class Pc:
         self.db.execute("BEGIN")
         try:
             report = merge_attached(
-                self.db, info, NOW, delete=delete, kept=kept, keep_newer=keep_newer
+                self.db, info, NOW, delete=delete, retained=retained, retain_newer=retain_newer
             )
             self.db.execute("COMMIT")
         finally:
@@ -138,12 +143,12 @@ class Pc:
 
 
 class History:
-    """What happened at several PCs; `gone` has what people deleted, or let be deleted after they were asked."""
+    """What happened at several PCs; `deleted` has what people deleted, or let be deleted after they were asked."""
 
     def __init__(self, chance: random.Random) -> None:
         self.chance = chance
         self.pcs = [Pc() for _ in range(chance.randint(3, 6))]
-        self.gone: set[str] = set()
+        self.deleted: set[str] = set()
         self.made: set[str] = set()
 
     def close(self) -> None:
@@ -151,7 +156,7 @@ class History:
         for pc in self.pcs:
             pc.close()
 
-    def go_on(self, n_steps: int) -> None:
+    def advance(self, n_steps: int) -> None:
         """Lets something happen so many times."""
         for _ in range(n_steps):
             pc = self.chance.choice(self.pcs)
@@ -159,13 +164,13 @@ class History:
             self._happens(pc)
             after = set(pc.keys())
             self.made |= after
-            self.gone |= before - after
+            self.deleted |= before - after
 
-    def exchange(self, most: int = 12) -> int:
+    def exchange(self, max_rounds: int = 12) -> int:
         """One PC merges the work of all and all merge its work, by chance which, and decide, until nothing changes;
         tells in how many rounds."""
         before: set[str] = set()
-        for n in range(most):
+        for n in range(max_rounds):
             hub, *others = self._any_order(self.pcs)
             for pc in others:
                 self.merge(hub, pc, decides=True)
@@ -175,7 +180,7 @@ class History:
             if len(found) == 1 and found == before:
                 return n
             before = found
-        raise AssertionError(f"no end after {most} rounds")
+        raise AssertionError(f"no end after {max_rounds} rounds")
 
     def merge(self, pc: Pc, other: Pc, *, decides: bool) -> None:
         """A merge: nothing goes without being asked, and only what was named; nothing goes that is to be kept."""
@@ -186,19 +191,21 @@ class History:
             return
         present = pc.keys()
         some = {one.id for one in asked.work if self.chance.random() < 0.5}
-        kept, keep_newer = self.chance.choice((((), True), ((), True), ((), False), (some, False)))
-        report = pc.merge(other, delete=True, kept=kept, keep_newer=keep_newer)
-        gone = present.keys() - pc.keys().keys()
-        if not report.kept:
+        retained, retain_newer = self.chance.choice(
+            (((), True), ((), True), ((), False), (some, False))
+        )
+        report = pc.merge(other, delete=True, retained=retained, retain_newer=retain_newer)
+        deleted = present.keys() - pc.keys().keys()
+        if not report.retained:
             counts = [
-                sum(present[key] == table for key in gone)
+                sum(present[key] == table for key in deleted)
                 for table in ("groups", "programs", "runs")
             ]
             assert counts == [asked.groups, asked.programs, asked.runs], "not what was named"
-        chosen = set(asked.newer if keep_newer else kept)
-        assert {one.id for one in report.kept} == chosen
-        assert not gone & chosen, "deleted what was to be kept"
-        self.gone |= gone
+        chosen = set(asked.newer if retain_newer else retained)
+        assert {one.id for one in report.retained} == chosen
+        assert not deleted & chosen, "deleted what was to be kept"
+        self.deleted |= deleted
 
     def _any_order(self, pcs: list[Pc]) -> list[Pc]:
         return self.chance.sample(pcs, len(pcs))

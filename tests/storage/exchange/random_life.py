@@ -34,7 +34,7 @@ class RandomLife:
             *(self._merge,) * 4,
         )
 
-    def go_on(self, n_steps: int) -> None:
+    def advance(self, n_steps: int) -> None:
         for _ in range(n_steps):
             rare = self._chance.random() < _RARE
             self._chance.choice(self._rare if rare else self._common)()

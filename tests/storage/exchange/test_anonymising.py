@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import Recorder, RunStart, Store
+from storage import RunRecorder, RunStart, Store
 from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import a_run, exported, merged, problems_in, work
 from tests.storage.sample_runs import ended, sample
@@ -38,15 +38,15 @@ def private(store: Store) -> Store:
     program, _ = work(store, group, "Quadrado do Joao")
     version = store.versions.save(program.id, {"text": "Joao"}, DOCUMENT, world=WORLD)
     run = store.runs.begin(RunStart("sim", "own", WORLD, 1, "0.1.0", version_id=version.id))
-    recorder = Recorder(store)
+    recorder = RunRecorder(store)
     recorder(sample(run.id, 0))
-    said = {"v": 1, "run": run.id, "tick": 1, "block": "k1"}
-    recorder({**said, "type": "said", "seq": 1, "text": "Joao mora aqui"})
+    event = {"v": 1, "run": run.id, "tick": 1, "block": "k1"}
+    recorder({**event, "type": "said", "seq": 1, "text": "Joao mora aqui"})
     recorder(
-        {**said, "type": "watch", "seq": 2, "variables": {"Joao": 3}, "stack": [], "gesture": "B"}
+        {**event, "type": "watch", "seq": 2, "variables": {"Joao": 3}, "stack": [], "gesture": "B"}
     )
     recorder(ended(run.id, 3, 2))
-    store.exchange.remove("run", work(store, group, "Quadrado")[1])
+    store.exchange.purge("run", work(store, group, "Quadrado")[1])
     return store
 
 
@@ -89,9 +89,9 @@ def test_what_a_variable_is_called_does_not_spare_its_text(
     call = {"action": "call", "function": "f", "arguments": {name: "Joao"}}
     version = store.versions.save(program.id, {}, {**DOCUMENT, "commands": [call]})
     run = store.runs.begin(RunStart("sim", "own", WORLD, 1, "0.1.0", version_id=version.id))
-    recorder = Recorder(store)
-    seen = {"v": 1, "run": run.id, "tick": 0, "block": None, "type": "watch", "seq": 0}
-    recorder({**seen, "variables": {name: "Joao"}, "stack": [], "gesture": None})
+    recorder = RunRecorder(store)
+    event = {"v": 1, "run": run.id, "tick": 0, "block": None, "type": "watch", "seq": 0}
+    recorder({**event, "variables": {name: "Joao"}, "stack": [], "gesture": None})
     recorder(ended(run.id, 1, 0))
     path = store.exchange.export(
         tmp_path / "x.pinel", app_version="1", computer=("", ""), anonymous=[]
@@ -106,23 +106,23 @@ def test_an_own_world_that_is_called_like_one_that_ships_loses_its_texts(
     for title in ("Sala vazia", "Casa do Joao"):
         world = {**shipped, "title": title}
         run = store.runs.begin(RunStart("sim", "empty_room", world, 1, "0.1.0", document=DOCUMENT))
-        Recorder(store)(ended(run.id, 0, 0))
+        RunRecorder(store)(ended(run.id, 0, 0))
     path = store.exchange.export(
         tmp_path / "x.pinel",
         app_version="1",
         computer=("", ""),
         anonymous=["empty_room", "Sala vazia"],
     ).path
-    kept = [json.loads(text) for (text,) in rows(path, "SELECT world_document FROM runs")]
-    assert kept[0] == shipped
-    assert kept[1]["title"] not in ("Sala vazia", "Casa do Joao")
+    worlds = [json.loads(text) for (text,) in rows(path, "SELECT world_document FROM runs")]
+    assert worlds[0] == shipped
+    assert worlds[1]["title"] not in ("Sala vazia", "Casa do Joao")
 
 
 def test_programs_still_say_what_they_do(anonymous: Path) -> None:
     documents = [json.loads(text) for (text,) in rows(anonymous, "SELECT document FROM versions")]
     found = next(one for one in documents if one["functions"])
-    say, set_variable, move, call, pen = found["commands"]
-    assert say == {"action": "say", "text": say["text"], "block": say["block"]}
+    speech, set_variable, move, call, pen = found["commands"]
+    assert speech == {"action": "say", "text": speech["text"], "block": speech["block"]}
     assert set_variable["name"] == move["distance"]["args"][0]["var"]
     assert (move["action"], move["distance"]["op"], pen["color"]) == ("move_forward", "+", "red")
     (function,) = found["functions"]

@@ -69,7 +69,7 @@ def test_a_place_that_no_float_can_hold_is_refused(number: str) -> None:
 
 
 def test_large_texts_are_not_remembered() -> None:
-    json_check._remembered.cache_clear()
+    json_check._cached_read.cache_clear()
     tracemalloc.start()
     try:
         for n in range(5):
@@ -79,7 +79,7 @@ def test_large_texts_are_not_remembered() -> None:
     finally:
         tracemalloc.stop()
     assert left < 1_000_000
-    assert json_check._remembered.cache_info().currsize == 1
+    assert json_check._cached_read.cache_info().currsize == 1
 
 
 @pytest.mark.parametrize(
@@ -96,10 +96,12 @@ def test_a_row_that_would_be_refused_does_not_keep_the_others_from_travelling(
     store: Store, tmp_path: Path, opened: Callable[..., Store]
 ) -> None:
     group = store.groups.create("Onças")
-    kept, _ = work(store, group, "Bom")
-    odd, _ = work(store, group, "Estranho")
+    valid, _ = work(store, group, "Bom")
+    invalid, _ = work(store, group, "Estranho")
     store._database.write(
-        lambda db: db.execute("UPDATE versions SET parent_id = 'x' WHERE program_id = ?", [odd.id])
+        lambda db: db.execute(
+            "UPDATE versions SET parent_id = 'x' WHERE program_id = ?", [invalid.id]
+        )
     )
     info = exported(store, tmp_path / "a.pinel")
     assert len(info.left_out) == 2
@@ -107,5 +109,5 @@ def test_a_row_that_would_be_refused_does_not_keep_the_others_from_travelling(
     assert problems_in(info.path) == []
     other = opened(tmp_path / "other.db")
     assert merged(other, info.path).added["runs"] == 1
-    assert other.versions.newest(kept.id) == store.versions.newest(kept.id)
-    assert other.versions.newest(odd.id) is None
+    assert other.versions.newest(valid.id) == store.versions.newest(valid.id)
+    assert other.versions.newest(invalid.id) is None

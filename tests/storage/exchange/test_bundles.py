@@ -99,9 +99,9 @@ def test_a_part_holds_what_it_belongs_to_and_what_belongs_to_it(
     program = busy.programs.of_group(group.id)[0]
     scope = Scope(group_id=group.id) if kind == "group" else Scope(program_id=program.id)
     info = exported(busy, tmp_path / "a.pinel", scope)
-    wanted = {"classrooms": 1, "groups": 1, "programs": 1, "versions": 2, "version_labels": 1}
-    wanted |= {"runs": 1, "notes": 1, "lessons": 1, "computers": 1, "tombstones": 0}
-    assert wanted.items() <= info.counts.items()
+    expected = {"classrooms": 1, "groups": 1, "programs": 1, "versions": 2, "version_labels": 1}
+    expected |= {"runs": 1, "notes": 1, "lessons": 1, "computers": 1, "tombstones": 0}
+    assert expected.items() <= info.counts.items()
     other = opened(tmp_path / "other.db")
     merged(other, info.path)
     assert other.programs.of_group(group.id)[0].name == "Programa Onças"

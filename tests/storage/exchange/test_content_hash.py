@@ -27,7 +27,7 @@ NASTY = (
 
 def by_the_page(store: Store) -> str:
     digest = hashlib.sha256()
-    with store._database.reading() as db:
+    with store._database.read_connection() as db:
         for table in REPLICATED:
             key, going = ", ".join(table.key), table.condition.format(schema="main")
             found = db.execute(f"SELECT * FROM {table.name} WHERE {going} ORDER BY {key}")
@@ -73,10 +73,10 @@ def test_a_value_that_moves_into_the_next_row_or_column_changes_the_hash(
     run = a_run(store, version.id)
     hashes = set()
     for reason, block in (('a","\0"],["b', "c"), ("a", 'b"],["c'), ("a", "b")):
-        store._database.write(partial(_say, values=[reason, block, run]))
+        store._database.write(partial(_set_reason_and_block, values=[reason, block, run]))
         hashes.add(hash_of(store))
     assert len(hashes) == 3
 
 
-def _say(db: sqlite3.Connection, values: list[str]) -> None:
+def _set_reason_and_block(db: sqlite3.Connection, values: list[str]) -> None:
     db.execute("UPDATE runs SET reason = ?, block = ? WHERE id = ?", values)

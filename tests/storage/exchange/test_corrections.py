@@ -90,11 +90,11 @@ def latest(revision: int, time: str) -> str:
 
 
 def key_of(store: Store, table: str) -> str:
-    with store._database.reading() as db:
+    with store._database.read_connection() as db:
         (found,) = db.execute(f"SELECT id FROM {table}").fetchall()
     return str(found["id"])
 
 
 def row(store: Store, table: str, key: str) -> tuple[object, ...]:
-    with store._database.reading() as db:
+    with store._database.read_connection() as db:
         return tuple(db.execute(f"SELECT * FROM {table} WHERE id = ?", [key]).fetchone())

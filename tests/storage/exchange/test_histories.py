@@ -14,7 +14,7 @@ SLICE = 250
 def lived(seed: int) -> History:
     """A history in which everything reached everybody, and every question was answered; it is held to all rules."""
     history = History(random.Random(seed))
-    history.go_on(N_STEPS)
+    history.advance(N_STEPS)
     history.exchange()
     return history
 
@@ -25,11 +25,13 @@ def hold_to_the_rules(seed: int) -> None:
     try:
         assert len({pc.hash() for pc in history.pcs}) == 1
         there = set(history.pcs[0].keys())
-        assert history.made - history.gone <= there, "lost"
+        assert history.made - history.deleted <= there, "lost"
         for pc in history.pcs:
             assert pc.problems() == []
         first, *others = history.pcs
-        assert all(first.merge(other, delete=True, keep_newer=True).nothing_new for other in others)
+        assert all(
+            first.merge(other, delete=True, retain_newer=True).nothing_new for other in others
+        )
     finally:
         history.close()
 
@@ -47,17 +49,17 @@ def new_pc_after(files: list[Pc], rounds: int) -> str:
 def hold_to_any_order(seed: int) -> None:
     """A new PC that merges files of all PCs, of two moments each, has one hash in any order."""
     history = History(random.Random(seed))
-    history.go_on(N_STEPS // 2)
+    history.advance(N_STEPS // 2)
     files = [pc.copy() for pc in history.pcs]
-    history.go_on(N_STEPS // 2)
+    history.advance(N_STEPS // 2)
     files += [pc.copy() for pc in history.pcs]
     orders = [history.chance.sample(files, len(files)) for _ in range(4)]
-    is_kept = any(file.all("SELECT 1 FROM deletions WHERE turn > 0") for file in files)
-    hashes = {new_pc_after(order, rounds=2 if is_kept else 1) for order in orders}
+    has_retained = any(file.all("SELECT 1 FROM deletions WHERE turn > 0") for file in files)
+    hashes = {new_pc_after(order, rounds=2 if has_retained else 1) for order in orders}
     for pc in files:
         pc.close()
     history.close()
-    assert len(hashes) == 1, f"{is_kept=}"
+    assert len(hashes) == 1, f"{has_retained=}"
 
 
 def test_everything_that_reached_everybody_is_one_store() -> None:

@@ -289,16 +289,16 @@ def test_another_version_in_the_place_of_that_whose_key_it_has(
     assert (found.code, found.params["problem"]) == ("bundle_hostile", "versions.id")
 
 
-LARGEST = {
+MAX_VALUES = {
     "a run of an hour with the most commands": "UPDATE runs SET n_executed = 108000000",
     "a key of a block with NUL": "UPDATE runs SET block = 'a' || char(0) || 'b'",
     "a deep workspace": f"""UPDATE versions SET workspace = '{{"a":{_SHALLOWER},"b":{"1" * 450}}}'""",
 }
 
 
-@pytest.mark.parametrize("kind", LARGEST)
+@pytest.mark.parametrize("kind", MAX_VALUES)
 def test_what_a_store_may_write_is_let_in(bundle: Path, store: Store, kind: str) -> None:
-    assert merged(store, changed(bundle, LARGEST[kind])).added["runs"] == 2
+    assert merged(store, changed(bundle, MAX_VALUES[kind])).added["runs"] == 2
 
 
 def test_after_the_largest_revision_and_number_work_still_travels(

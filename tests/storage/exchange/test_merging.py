@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import Recorder, RunStart, StoreError, open_for_reading, open_store
+from storage import RunRecorder, RunStart, StoreError, open_for_reading, open_store
 from storage.exchange.known_computers import known_computers
 from storage.exchange.merging import merge
 from storage.exchange.scope import Scope
@@ -100,18 +100,18 @@ def test_of_two_ways_to_go_on_the_one_that_is_not_open_is_told(pc: Opened, tmp_p
     for store, texts in ((here, ("mine",)), (there, ("theirs", "theirs again"))):
         for text in texts:
             last = store.versions.save(program.id, {"text": text}, None)
-            assert store.versions.elsewhere(last) is None
+            assert store.versions.newest_on_other_pc(last) is None
     merged(here, exported(there, tmp_path / "b.pinel").path)
     newest = here.versions.newest(program.id)
     assert newest
     assert newest.workspace == {"text": "theirs again"}
-    other = here.versions.elsewhere(newest)
+    other = here.versions.newest_on_other_pc(newest)
     assert other
     assert here.versions.get(other.id).workspace == {"text": "mine"}
     here.versions.save(program.id, {"text": "both"}, None)
     back = here.versions.newest(program.id)
     assert back
-    assert here.versions.elsewhere(back) is None  # no end of another PC is left
+    assert here.versions.newest_on_other_pc(back) is None  # no end of another PC is left
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -122,9 +122,9 @@ def test_every_order_comes_to_the_same(seed: int, tmp_path: Path) -> None:
         # clocks of school PCs are often wrong
         with a_store(tmp_path / f"pc{n}.db", f"{2010 + 9 * n}-05-01T10:00:00+00:00") as store:
             life = RandomLife(store, chance, files)
-            life.go_on(n_steps=25)
+            life.advance(n_steps=25)
             files.append(exported(store, tmp_path / f"{n}.pinel").path)
-            life.go_on(n_steps=5)
+            life.advance(n_steps=5)
             if n == 3:
                 files.append(exported(store, tmp_path / f"{n}b.pinel").path)
     orders = list(itertools.permutations(files))
@@ -225,7 +225,7 @@ class TestDeleted:
         assert len(here.groups.all()) == 1
         report = here.exchange.merge(path, delete=True)
         assert report.left_in == [str(mine)]
-        with here._database.reading() as db:
+        with here._database.read_connection() as db:
             assert [row["file"] for row in db.execute("SELECT DISTINCT file FROM merges")] == [""]
         files = [here.path, here.path.with_name(f"{here.path.name}-wal"), backup.path]
         assert [file for file in files if b"Quagga" in file.read_bytes()] == []
@@ -271,7 +271,7 @@ def test_a_deletion_waits_until_the_run_has_ended(pc: Opened, tmp_path: Path) ->
     with pytest.raises(StoreError) as caught:
         merged(here, path)
     assert (caught.value.code, hash_of(here)) == ("run_in_progress", before)
-    recorder = Recorder(here)
+    recorder = RunRecorder(here)
     recorder(ended(run.id, 0, 0))
     assert merged(here, path).removed["runs"] == 2
 
@@ -283,8 +283,8 @@ def test_the_store_knows_whom_it_has_heard_from(pc: Opened, tmp_path: Path) -> N
     for n in range(2):
         info = exported(there, tmp_path / f"{n}.pinel")
         merged(here, info.path)
-    (heard,) = known_computers(here._database)
-    assert (heard.name, heard.exported_at, heard.n_runs) == ("Lab 7", info.exported_at, 1)
+    (computer,) = known_computers(here._database)
+    assert (computer.name, computer.exported_at, computer.n_runs) == ("Lab 7", info.exported_at, 1)
 
 
 def test_a_store_that_can_only_be_read_takes_nothing(pc: Opened, tmp_path: Path) -> None:
@@ -343,7 +343,7 @@ def test_a_merge_that_is_killed_leaves_nothing_or_all_and_can_go_on(
     allowed = {hash_after(tmp_path, files[:n]) for n in range(4)}
     target, root = tmp_path / "killed.db", Path(__file__).parents[3]
     script = [sys.executable, "-c", MERGER, str(root), str(target), *map(str, files)]
-    seen = set()
+    observed = set()
     for delay_s in [0.02 * n for n in range(8)]:
         with subprocess.Popen(script, stdout=subprocess.PIPE) as process:
             assert process.stdout is not None
@@ -352,9 +352,9 @@ def test_a_merge_that_is_killed_leaves_nothing_or_all_and_can_go_on(
             process.kill()
         with open_store(target) as store:
             assert store.notice is None
-            seen.add(hash_of(store))
+            observed.add(hash_of(store))
         assert problems_in(target) == []
-    assert seen <= allowed
+    assert observed <= allowed
     with open_store(target) as store:
         for file in files:
             merge(store._database, file)

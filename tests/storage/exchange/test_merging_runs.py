@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import Recorder, RunStart, open_store
+from storage import RunRecorder, RunStart, open_store
 from storage.file.backups import make_backup
 from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import Opened, a_run, exported, hash_of, merged, work
@@ -40,7 +40,7 @@ def test_a_whole_run_is_not_replaced_by_its_copy_from_a_backup(
     """The backup was made while the run went on; its copy is closed as interrupted when the app starts."""
     here, teacher = pc("a"), pc("b")
     run = here.runs.begin(RunStart("sim", "w", WORLD, 1, "0.1.0", document=SQUARE))
-    recorder = Recorder(here)
+    recorder = RunRecorder(here)
     for tick in range(60):
         recorder(sample(run.id, tick))
     recorder.flush()
@@ -71,7 +71,7 @@ def test_what_was_judged_stays_judged(pc: Opened, tmp_path: Path, order: tuple[s
     here, there = pc("a"), pc("b")
     _, run_id = work(there, there.groups.create("Onças"), "Quadrado")
     exported(there, tmp_path / "unjudged.pinel")
-    there.checks.record(run_id, True, {"cases": []})
+    there.grading_results.record(run_id, True, {"cases": []})
     exported(there, tmp_path / "judged.pinel")
     for name in order:
         for store in (here, there):

@@ -8,7 +8,7 @@ from typing import Any
 import duckdb
 import pytest
 
-from storage import Recorder, RunStart, Store, StoreError
+from storage import RunRecorder, RunStart, Store, StoreError
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.parquet import FILES
 from tests.storage.bundle_makers import a_run, work
@@ -73,11 +73,11 @@ def test_columns_and_types_are_those_of_the_page(busy: Store, tmp_path: Path) ->
 
 def test_the_page_names_every_column() -> None:
     rows = re.findall(r"^\| (?:`(\w+)` )?\| `(\w+)` \| (\w+) \|", PAGE.read_text("utf-8"), re.M)
-    table, told = "", []
+    table, documented = "", []
     for name, column, kind in rows:
         table = name or table
-        told.append((table, column, kind))
-    assert told == [(table, name, kind) for table in FILES for name, kind, *_ in FILES[table]]
+        documented.append((table, column, kind))
+    assert documented == [(table, name, kind) for table in FILES for name, kind, *_ in FILES[table]]
 
 
 def test_an_estimate_stands_beside_the_true_closing_error(busy: Store, tmp_path: Path) -> None:
@@ -94,7 +94,7 @@ def test_a_run_of_an_earlier_release_has_no_estimate_beside_its_own(
     run = store.runs.begin(RunStart("sim", "w", WORLD, 1, "0.1.0", document=SQUARE))
     end = ended(run.id, 0, 0)
     del end["estimated_closing_error_m"]
-    Recorder(store)(end)
+    RunRecorder(store)(end)
     folder = written(store, tmp_path / "school").path
     query = f"SELECT closing_error_m, estimated_closing_error_m FROM '{folder}/runs.parquet'"
     assert ask(query) == [(0.00005, None)]
@@ -111,7 +111,7 @@ def test_a_folder_that_is_there_stays_and_is_remembered(busy: Store, tmp_path: P
     assert folder.name == "school-2"
     assert sorted(file.name for file in tmp_path.glob("*school*")) == ["school", "school-2"]
     group = busy.groups.all()[0]
-    assert busy.exchange.remove("group", group.id).exports[0].path == str(folder)
+    assert busy.exchange.purge("group", group.id).exports[0].path == str(folder)
 
 
 def test_names_can_be_left_out(busy: Store, tmp_path: Path) -> None:

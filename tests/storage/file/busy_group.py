@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parents[3]))
 
 import sqlite_utils  # noqa: F401 - what is imported once need not be by each child
 
-from storage import Recorder, RunStart, Store, StoreError, open_store, warm_up
+from storage import RunRecorder, RunStart, Store, StoreError, open_store, warm_up
 from storage.file.backups import make_backup
 from tests.storage.sample_runs import block_started, ended, sample
 
@@ -32,8 +32,8 @@ def text_of(n: int) -> str:
     return f"{n} " + "x" * (n * 997 % 9000)
 
 
-def say(kept: str, **about: Any) -> None:
-    os.write(1, json.dumps({"kept": kept, **about}).encode() + b"\n")  # one atomic write
+def report(kind: str, **about: Any) -> None:
+    os.write(1, json.dumps({"kept": kind, **about}).encode() + b"\n")  # one atomic write
 
 
 def edit(store: Store, group_id: str) -> None:
@@ -43,17 +43,17 @@ def edit(store: Store, group_id: str) -> None:
             program = program or store.programs.create(group_id, "P")
             version = store.versions.save(program.id, {"text": text_of(n)}, {"pinel_ir": 1})
         except StoreError as error:
-            say("refused", code=error.code, problem=str(error))
+            report("refused", code=error.code, problem=str(error))
         else:
-            say("version", id=version.id, n=n)
+            report("version", id=version.id, n=n)
 
 
 def run(store: Store, version_id: str) -> None:
-    recorder = Recorder(store)
+    recorder = RunRecorder(store)
     for n_samples in lengths():
         try:
             run_id = store.runs.begin(start_of(version_id)).id
-            say("run", id=run_id)
+            report("run", id=run_id)
             recorder(block_started(run_id, 0))
             for tick in range(n_samples):
                 recorder(sample(run_id, tick, seq=1 + tick))
@@ -62,9 +62,9 @@ def run(store: Store, version_id: str) -> None:
             recorder(ended(run_id, 1 + n_samples, n_samples))
             recorder.flush().result()
         except StoreError as error:
-            say("refused", code=error.code, problem=str(error))
+            report("refused", code=error.code, problem=str(error))
         else:
-            say("end of run", id=run_id, n=n_samples)
+            report("end of run", id=run_id, n=n_samples)
 
 
 def lengths() -> Iterator[int]:
@@ -84,9 +84,9 @@ def back_up(path: Path) -> None:
         try:
             make_backup(path, datetime.fromtimestamp(86_400.0 * n, UTC))
         except StoreError as error:
-            say("refused", code=error.code, problem=str(error))
+            report("refused", code=error.code, problem=str(error))
         else:
-            say("backup")
+            report("backup")
 
 
 def limit(store: Store | None, disk: list[Any] | None) -> None:
@@ -121,13 +121,13 @@ def be_busy(path: Path, disk: list[Any] | None) -> None:
 
 
 def child(path: Path, disk: list[Any] | None) -> None:
-    threading.excepthook = lambda failure: say("crashed", why=repr(failure.exc_value))
+    threading.excepthook = lambda failure: report("crashed", why=repr(failure.exc_value))
     try:
         be_busy(path, disk)
     except StoreError as error:
-        say("refused", code=error.code, problem=str(error))
+        report("refused", code=error.code, problem=str(error))
     except BaseException as error:
-        say("crashed", why=repr(error))
+        report("crashed", why=repr(error))
     finally:
         os._exit(0)
 
@@ -137,9 +137,9 @@ def main() -> None:
     for line in sys.stdin:
         asked = json.loads(line)
         if pid := os.fork():
-            say("born", pid=pid)
+            report("born", pid=pid)
             os.waitpid(pid, 0)
-            say("gone", pid=pid)
+            report("gone", pid=pid)
         else:
             child(Path(asked["path"]), asked["disk"])
 

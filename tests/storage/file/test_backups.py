@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from storage import Store, open_store
-from storage.exchange.deleting.deletion import remove, remove_keys
+from storage.exchange.deleting.deletion import purge, purge_keys
 from storage.file import backups
 from storage.file.backups import (
     Backup,
@@ -19,9 +19,9 @@ from storage.file.backups import (
     is_due,
     list_backups,
     make_backup,
+    prune,
     remove_from_backups,
-    remove_surplus,
-    worth_keeping,
+    retained_backups,
 )
 from storage.sqlite import sqlite3
 from tests.storage.file.backup_files import DAY, MUCH, NOON, backed_up, much, names_in
@@ -115,7 +115,7 @@ def test_files_of_others_in_the_folder_are_neither_listed_nor_deleted(
         (folder_of(path) / name).write_text("")
     backup = backed_up(path)
     assert list_backups(path) == [backup]
-    remove_surplus(path, free=much)
+    prune(path, free=much)
     assert {file.name for file in folder_of(path).iterdir()} == {*others, backup.path.name}
 
 
@@ -155,7 +155,7 @@ def test_the_last_three_are_kept_and_the_last_of_each_day_for_14_days_then_of_ea
     None
 ):
     twice_a_day = [NOON + n * DAY / 2 for n in range(2 * 150)]
-    chosen = worth_keeping(fakes(*twice_a_day), MUCH)
+    chosen = retained_backups(fakes(*twice_a_day), MUCH)
     assert [backup.number for backup in chosen[:4]] == [299, 298, 297, 296]
     days = sorted({backup.made_at.date() for backup in chosen}, reverse=True)
     assert len(days) == 14 + 8
@@ -165,25 +165,25 @@ def test_the_last_three_are_kept_and_the_last_of_each_day_for_14_days_then_of_ea
 
 
 def test_a_pc_that_has_the_same_day_every_day_has_more_than_one_backup() -> None:
-    assert len(worth_keeping(fakes(*[NOON] * 30), MUCH)) == 3
+    assert len(retained_backups(fakes(*[NOON] * 30), MUCH)) == 3
 
 
 def test_holidays_and_wrong_clocks_make_nothing_old() -> None:
     before_holidays = [NOON + n * DAY for n in range(5)]
     chosen = fakes(*before_holidays, NOON + 90 * DAY, NOON + 30_000 * DAY, NOON - 5000 * DAY)
-    assert worth_keeping(chosen, MUCH) == chosen
+    assert retained_backups(chosen, MUCH) == chosen
 
 
 def test_the_oldest_go_when_together_they_are_too_large_but_never_the_newest() -> None:
     made = fakes(*(NOON + n * DAY for n in range(5)), size=100)
-    assert worth_keeping(made, 350) == made[:3]
-    assert worth_keeping(made, 1) == made[:1]
+    assert retained_backups(made, 350) == made[:3]
+    assert retained_backups(made, 1) == made[:1]
 
 
 def test_backups_take_a_tenth_of_the_free_disk_at_most(store: Store, path: Path) -> None:
     made = [backed_up(path, NOON + n * DAY) for n in range(5)]
     size = made[0].size_bytes
-    remove_surplus(path, free=lambda _: 19 * size)
+    prune(path, free=lambda _: 19 * size)
     assert list_backups(path) == [made[4], made[3]]
 
 
@@ -194,12 +194,12 @@ def remove_group(db: sqlite3.Connection, ids: Collection[str]) -> None:
 def test_what_is_deleted_for_good_goes_out_of_every_backup_to_the_last_byte(
     store: Store, path: Path
 ) -> None:
-    gone = store.groups.create("Fulano de Tal")
+    deleted = store.groups.create("Fulano de Tal")
     backed_up(path)
     store.groups.create("B")
     backed_up(path, NOON + DAY)
     before = list_backups(path)
-    assert remove_from_backups(path, [gone.id], remove_group) == []
+    assert remove_from_backups(path, [deleted.id], remove_group) == []
     assert [(b.path, b.made_at) for b in list_backups(path)] == [
         (b.path, b.made_at) for b in before
     ]
@@ -208,17 +208,17 @@ def test_what_is_deleted_for_good_goes_out_of_every_backup_to_the_last_byte(
         content = backup.path.read_bytes()
         assert damage_of(backup.path) is None
         assert b"Fulano" not in content
-        assert gone.id.encode() not in content
+        assert deleted.id.encode() not in content
 
 
 def test_what_may_still_hold_deleted_work_is_named(store: Store, path: Path) -> None:
-    gone = store.groups.create("Fulano de Tal")
+    deleted = store.groups.create("Fulano de Tal")
     bad = backed_up(path).path
     bad.write_bytes(b"rubbish" * 1000)
     good = backed_up(path, NOON + DAY).path
     aside = path.with_name("pinel.damaged-20261121-120000.db")
     aside.write_bytes(b"Fulano")
-    assert remove_from_backups(path, [gone.id], remove_group) == [bad, aside]
+    assert remove_from_backups(path, [deleted.id], remove_group) == [bad, aside]
     assert names_in(good) == []
 
 
@@ -237,10 +237,14 @@ def test_a_group_with_all_its_work_goes_out_of_backups_of_earlier_releases_too(
     db.close()
     backed_up(older)
     store = opened(older, clock=lambda: NOON + DAY)
-    kept_group = store.groups.create("B")
+    retained_group = store.groups.create("B")
     backed_up(older, NOON + 2 * DAY)
-    assert remove_from_backups(older, ["g"], remove_keys) == []
-    assert [names_in(backup.path) for backup in list_backups(older)] == [[kept_group.name], [], []]
+    assert remove_from_backups(older, ["g"], purge_keys) == []
+    assert [names_in(backup.path) for backup in list_backups(older)] == [
+        [retained_group.name],
+        [],
+        [],
+    ]
     for backup in list_backups(older):
         db = sqlite3.connect(f"{backup.path.as_uri()}?immutable=1", uri=True)
         assert db.execute("SELECT count(*) FROM versions").fetchone() == (0,)
@@ -250,12 +254,12 @@ def test_a_group_with_all_its_work_goes_out_of_backups_of_earlier_releases_too(
 def test_a_backup_that_is_being_made_does_not_keep_what_is_deleted_meanwhile(
     store: Store, path: Path
 ) -> None:
-    gone = store.groups.create("Fulano de Tal")
+    deleted = store.groups.create("Fulano de Tal")
     deleting: list[threading.Thread] = []
 
     def delete() -> None:
-        remove(store._database, "group", gone.id)
-        remove_from_backups(path, [gone.id], remove_keys)
+        purge(store._database, "group", deleted.id)
+        remove_from_backups(path, [deleted.id], purge_keys)
 
     def stop() -> bool:
         if not deleting:  # the copy has begun

@@ -9,7 +9,7 @@ import pytest
 
 from storage import RunStart, Store, text
 from storage.tables.work import VERSIONS
-from storage.text import continue_after, dumped, id_of, may_be_of, new_id
+from storage.text import continue_after, id_of, may_be_of, new_id, to_json
 
 NOW = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -48,7 +48,7 @@ def started(
     return start
 
 
-def begun(store: Store, version_id: str) -> str:
+def begin_run(store: Store, version_id: str) -> str:
     start = RunStart("sim", "empty_room", {}, 0, "1", version_id=version_id)
     return store.runs.begin(start).id
 
@@ -75,7 +75,7 @@ def test_an_id_of_content_grows_as_well_and_is_of_no_other_content() -> None:
 
 def test_the_key_of_a_version_is_of_what_it_was_in_the_files_of_schools() -> None:
     row = {"program_id": "p", "created_at": "t", "workspace": "{}", "faults": "[]"}
-    content = dumped([row.get(name) for name in VERSIONS.bound])
+    content = to_json([row.get(name) for name in VERSIONS.bound])
     assert content == '["p",null,null,null,"t","{}",null,"[]",null,null]'
     assert may_be_of("01a20d29-698b-8bc5-83b0-c5b5ca476ff5", content)
 
@@ -98,7 +98,7 @@ def test_after_a_start_with_another_time_what_is_new_comes_first(
             group_id = group_id or store.groups.create("A").id
             program = store.programs.create(group_id, "P")
             version = store.versions.save(program.id, {"n": 1}, None)
-            made.append(begun(store, version.id))
+            made.append(begin_run(store, version.id))
             assert store.programs.of_group(group_id)[0].id == program.id
             assert store.runs.newest(1)[0].id == made[-1]
     with started() as store:
@@ -136,5 +136,5 @@ def test_work_of_one_morning_is_one_lesson_while_the_clock_is_set_right(
         assert len(set(lessons)) == 1
     clock.time = NOW
     with started() as store:
-        later = store.versions.save(program.id, {"n": "another day"}, None)
-        assert later.lesson_id not in lessons
+        next_version = store.versions.save(program.id, {"n": "another day"}, None)
+        assert next_version.lesson_id not in lessons

@@ -52,12 +52,12 @@ def journal_mode(path: Path) -> str:
     return mode
 
 
-def begun(store: Store) -> None:
+def save_program(store: Store) -> None:
     program = store.programs.create(store.groups.create("A").id, "P")
     store.versions.save(program.id, {"n": 1}, None)
 
 
-def check_that_work_is_kept_without_wal(opened: Callable[..., Store], path: Path) -> None:
+def check_that_work_is_stored_without_wal(opened: Callable[..., Store], path: Path) -> None:
     store = opened()
     assert store.writable
     assert store.notice is not None
@@ -78,9 +78,9 @@ def test_on_a_network_share_the_file_is_written_without_wal_and_that_is_told(
     opened: Callable[..., Store], path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with opened() as store:
-        begun(store)
+        save_program(store)
     monkeypatch.setattr(opening, "is_on_share", lambda folder: True)
-    check_that_work_is_kept_without_wal(opened, path)
+    check_that_work_is_stored_without_wal(opened, path)
     assert journal_mode(path) == "delete"
     monkeypatch.undo()
     with opened() as store:
@@ -98,20 +98,20 @@ def test_where_sqlite_can_share_no_memory_the_file_is_written_without_wal_and_th
     had_wal: bool,
 ) -> None:
     real = address
-    with monkeypatch.context() as elsewhere:
+    with monkeypatch.context() as patch:
         if not had_wal:
-            elsewhere.setattr(opening, "address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
+            patch.setattr(opening, "address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
         with opened() as store:
-            begun(store)
+            save_program(store)
     monkeypatch.setattr(opening, "address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
-    check_that_work_is_kept_without_wal(opened, path)
+    check_that_work_is_stored_without_wal(opened, path)
 
 
 def test_a_wal_that_came_with_the_file_is_taken_in_where_there_can_be_none(
     opened: Callable[..., Store], path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     store = opened()
-    begun(store)
+    save_program(store)
     there = tmp_path / "there" / "pinel.db"
     there.parent.mkdir()
     for suffix in ("", "-wal"):
@@ -129,7 +129,7 @@ def test_a_backup_of_a_file_without_wal_is_given_up_while_somebody_writes_all_th
     monkeypatch.setattr(opening, "is_on_share", lambda folder: True)
     monkeypatch.setattr("storage.file.backups._PAGES", 4)
     store = opened()
-    begun(store)
+    save_program(store)
     (program,) = store.programs.of_group(store.groups.all()[0].id)
     store.versions.save(program.id, {"text": "x" * 400_000}, None)
     n_saved = 0

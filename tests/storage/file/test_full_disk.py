@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import Recorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store
+from storage import RunRecorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store
 from storage.file.backups import make_backup
 from storage.sqlite import sqlite3
 from tests.storage.file.refusals import code_of
@@ -46,7 +46,9 @@ def test_a_run_goes_on_while_the_disk_is_full_and_is_kept_when_there_is_room_aga
 ) -> None:
     run = store.runs.begin(start)
     problems: list[str | None] = []
-    recorder = Recorder(store, lambda problem: problems.append(problem.code if problem else None))
+    recorder = RunRecorder(
+        store, lambda problem: problems.append(problem.code if problem else None)
+    )
     limit_pages(store, 0)
     events = list(square(run.id, laps=3))
     recorder({**events[0], "type": "run_state", "state": "running", "text": "x" * 20_000})
@@ -102,14 +104,14 @@ def problems() -> list[str | None]:
 
 
 @pytest.fixture
-def recorder(store: Store, timer: ManualTimer, problems: list[str | None]) -> Recorder:
+def recorder(store: Store, timer: ManualTimer, problems: list[str | None]) -> RunRecorder:
     def note(problem: StoreError | None) -> None:
         problems.append(problem.code if problem else None)
 
-    return Recorder(store, note, later=timer)
+    return RunRecorder(store, note, schedule=timer)
 
 
-def end_on_a_full_disk(store: Store, recorder: Recorder, run: RunRow) -> None:
+def end_on_a_full_disk(store: Store, recorder: RunRecorder, run: RunRow) -> None:
     limit_pages(store, 0)
     recorder({**ended(run.id, 0, 60), "text": "x" * 20_000})
     settle(store)
@@ -119,7 +121,7 @@ def end_on_a_full_disk(store: Store, recorder: Recorder, run: RunRow) -> None:
 def test_the_end_of_a_run_is_written_by_itself_when_the_disk_has_room_again(
     store: Store,
     start: RunStart,
-    recorder: Recorder,
+    recorder: RunRecorder,
     timer: ManualTimer,
     problems: list[str | None],
 ) -> None:
@@ -139,7 +141,7 @@ def test_the_end_of_a_run_is_written_by_itself_when_the_disk_has_room_again(
 
 
 def test_the_end_of_a_run_is_written_after_anything_else_that_could_be(
-    store: Store, start: RunStart, recorder: Recorder, timer: ManualTimer
+    store: Store, start: RunStart, recorder: RunRecorder, timer: ManualTimer
 ) -> None:
     run = store.runs.begin(start)
     end_on_a_full_disk(store, recorder, run)
@@ -154,7 +156,7 @@ def test_a_run_that_could_be_written_late_only_ended_when_it_ended(
 ) -> None:
     now = [NOON]
     store = opened(clock=lambda: now[0])
-    recorder = Recorder(store, later=timer)
+    recorder = RunRecorder(store, schedule=timer)
     run = store.runs.begin(start)
     end_on_a_full_disk(store, recorder, run)
     now[0] += timedelta(hours=1)
@@ -165,7 +167,7 @@ def test_a_run_that_could_be_written_late_only_ended_when_it_ended(
 
 @pytest.mark.parametrize("end", ["recorder", "store"])
 def test_nothing_is_tried_any_more_after_closing(
-    store: Store, start: RunStart, recorder: Recorder, timer: ManualTimer, end: str
+    store: Store, start: RunStart, recorder: RunRecorder, timer: ManualTimer, end: str
 ) -> None:
     end_on_a_full_disk(store, recorder, store.runs.begin(start))
     (recorder if end == "recorder" else store).close()
@@ -188,14 +190,14 @@ def test_a_run_that_was_cut_off_is_closed_later_when_the_disk_was_full_at_the_st
 
     with monkeypatch.context() as patch:
         patch.setattr("storage.runs.runs.Runs.close_interrupted", refuse)
-        later = opened(close_interrupted=True)
-    assert (later.unfinished, later.notice and later.notice.code) == (True, "disk_full")
-    recorder = Recorder(later)
+        reopened = opened(close_interrupted=True)
+    assert (reopened.unfinished, reopened.notice and reopened.notice.code) == (True, "disk_full")
+    recorder = RunRecorder(reopened)
     recorder.flush()
     recorder.flush().result()
-    assert later.runs.get(run.id).reason == "interrupted"
-    assert [event["type"] for event in later.runs.events(run.id)] == ["run_ended"]
-    assert (later.unfinished, later.notice) == (False, None)
+    assert reopened.runs.get(run.id).reason == "interrupted"
+    assert [event["type"] for event in reopened.runs.events(run.id)] == ["run_ended"]
+    assert (reopened.unfinished, reopened.notice) == (False, None)
 
 
 @pytest.fixture
@@ -234,7 +236,7 @@ def test_a_run_that_ended_on_a_full_disk_is_kept_when_the_filler_is_gone(
     start = RunStart(link="sim", world="w", world_document={}, seed=0, app_version="1")
     with open_store(tiny_disk / "pinel.db") as store:
         run = store.runs.begin(start)
-        recorder = Recorder(store, later=timer)
+        recorder = RunRecorder(store, schedule=timer)
         filler = tiny_disk / "film.mp4"
         with contextlib.suppress(OSError), filler.open("wb", buffering=0) as file:
             while True:
@@ -286,7 +288,7 @@ def test_a_quota_that_is_used_up_is_told_apart_from_a_broken_disk(
 
 
 @contextlib.contextmanager
-def largest_file(size_bytes: int) -> Iterator[None]:
+def file_size_limit(size_bytes: int) -> Iterator[None]:
     """The system lets no file of this process grow beyond that size."""
     resource = pytest.importorskip("resource", reason="this system has no such limit")
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -301,7 +303,7 @@ def test_a_file_that_may_not_grow_is_told_as_a_full_disk_and_keeps_what_was_save
     path: Path, store: Store, version: VersionRow, opened: Callable[..., Store]
 ) -> None:
     big = {"blocks": "x" * 50_000}
-    with largest_file(path.with_name(f"{path.name}-wal").stat().st_size):
+    with file_size_limit(path.with_name(f"{path.name}-wal").stat().st_size):
         assert code_of(lambda: store.versions.save(version.program_id, big, None)) == "disk_full"
         assert code_of(lambda: store.groups.create("B")) == "disk_full"
     assert opened().versions.newest(version.program_id) == version
@@ -312,7 +314,7 @@ def test_a_file_that_may_not_grow_is_told_as_a_full_disk_and_keeps_what_was_save
 def test_a_new_file_that_may_not_become_large_enough_is_told_as_a_full_disk(
     path: Path, size_bytes: int
 ) -> None:
-    with largest_file(size_bytes):
+    with file_size_limit(size_bytes):
         assert code_of(lambda: open_store(path)) == "disk_full"
     with open_store(path) as store:
         assert store.groups.create("A").name == "A"
@@ -322,7 +324,7 @@ def test_a_backup_that_may_not_become_as_large_as_the_file_has_no_room(
     path: Path, store: Store, version: VersionRow
 ) -> None:
     store.versions.save(version.program_id, {"blocks": "x" * 500_000}, None)
-    with largest_file(path.stat().st_size // 2):
+    with file_size_limit(path.stat().st_size // 2):
         assert code_of(lambda: make_backup(path, NOON)) == "backup_no_room"
     assert make_backup(path, NOON) is not None
 

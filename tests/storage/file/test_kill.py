@@ -21,10 +21,10 @@ from storage.sqlite import sqlite3
 from tests.storage.file.busy_group import FILE_SIZE, PAGES, text_of
 
 BUSY_GROUP = Path(__file__).with_name("busy_group.py")
-LONGEST_S = 0.35
+MAX_LIFE_S = 0.35
 KILLS_PER_FILE = 25
 FULL_DISK = {"disk_full", "backup_no_room"}
-Said = dict[str, Any]
+Report = dict[str, Any]
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="kill -9")
 
@@ -35,23 +35,25 @@ class Nursery:
     def __init__(self, process: "subprocess.Popen[str]") -> None:
         self._process = process
 
-    def said_before_kill(self, path: Path, disk: list[Any] | None, after_s: float) -> list[Said]:
+    def reports_before_kill(
+        self, path: Path, disk: list[Any] | None, after_s: float
+    ) -> list[Report]:
         """Everything that a group said between its start and its end by SIGKILL, `after_s` later."""
         assert self._process.stdin is not None
         self._process.stdin.write(json.dumps({"path": str(path), "disk": disk}) + "\n")
         self._process.stdin.flush()
-        said = list(self._until("born"))
+        reports = list(self._until("born"))
         time.sleep(after_s)
         with suppress(ProcessLookupError):  # it could not open the file on a full disk
-            os.kill(said[-1]["pid"], signal.SIGKILL)
-        return said + list(self._until("gone"))
+            os.kill(reports[-1]["pid"], signal.SIGKILL)
+        return reports + list(self._until("gone"))
 
-    def _until(self, last: str) -> Iterator[Said]:
+    def _until(self, last: str) -> Iterator[Report]:
         assert self._process.stdout is not None
         for line in self._process.stdout:
-            said = json.loads(line)
-            yield said
-            if said["kept"] == last:
+            report = json.loads(line)
+            yield report
+            if report["kept"] == last:
                 return
         raise AssertionError("the nursery is gone")
 
@@ -82,10 +84,10 @@ def check_file(path: Path) -> None:
     assert [b.path.name for b in list_backups(path) if damage_of(b.path)] == []
 
 
-def check_kept(path: Path, said: list[Said]) -> None:
+def check_stored(path: Path, reports: list[Report]) -> None:
     with open_store(path, close_interrupted=True) as store:
         assert store.notice is None
-        for line in said:
+        for line in reports:
             match line["kept"]:
                 case "version":
                     workspace = store.versions.get(line["id"]).workspace
@@ -98,10 +100,10 @@ def check_kept(path: Path, said: list[Said]) -> None:
                     assert len(store.runs.events(line["id"])) == 2
 
 
-def is_wrong(said: Said) -> bool:
+def is_wrong(report: Report) -> bool:
     """A group crashed, or was told something else than that there is no room: its disk has no other fault."""
-    return said["kept"] == "crashed" or (
-        said["kept"] == "refused" and said["code"] not in FULL_DISK
+    return report["kept"] == "crashed" or (
+        report["kept"] == "refused" and report["code"] not in FULL_DISK
     )
 
 
@@ -109,23 +111,23 @@ def kill_again_and_again(folder: Path, n_kills: int, seed: int) -> None:
     chance = random.Random(seed)
     counts: Counter[str] = Counter()
     refusals: Counter[str] = Counter()
-    wrong: list[Said] = []
+    wrong: list[Report] = []
     with nursery() as groups:
         for first in range(0, n_kills, KILLS_PER_FILE):
             path = folder / f"{first}.db"
-            said: list[Said] = []
+            reports: list[Report] = []
             for _ in range(KILLS_PER_FILE):
-                said += groups.said_before_kill(
-                    path, some_disk(chance), chance.random() * LONGEST_S
+                reports += groups.reports_before_kill(
+                    path, some_disk(chance), chance.random() * MAX_LIFE_S
                 )
                 check_file(path)
-            check_kept(path, said)
-            counts.update(line["kept"] for line in said)
-            refusals.update(line["code"] for line in said if line["kept"] == "refused")
-            wrong += [line for line in said if is_wrong(line)]
+            check_stored(path, reports)
+            counts.update(line["kept"] for line in reports)
+            refusals.update(line["code"] for line in reports if line["kept"] == "refused")
+            wrong += [line for line in reports if is_wrong(line)]
     print(f"\nseed {seed}: {n_kills} kills, {dict(counts)}, {dict(refusals)}")
     assert wrong == []
-    assert min(counts[kept] for kept in ("version", "run", "end of run", "refused", "backup")) > 10
+    assert min(counts[kind] for kind in ("version", "run", "end of run", "refused", "backup")) > 10
 
 
 @pytest.mark.timeout(300)

@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
-from storage import Recorder, RunStart, Store, open_store
+from storage import RunRecorder, RunStart, Store, open_store
 from tests.storage.sample_runs import ended, sample
 
 N_EDITS, N_RUNS, N_SAMPLES = 60, 8, 45
@@ -25,7 +25,7 @@ with open_store(Path(sys.argv[1])) as store:
 
 def work(store: Store, program_id: str, who: str) -> None:
     """Edits a program and runs it, again and again."""
-    recorder = Recorder(store)
+    recorder = RunRecorder(store)
     for n in range(N_EDITS):
         version = store.versions.save(program_id, {"who": who, "n": n}, None)
         if n % (N_EDITS // N_RUNS) == 0:
@@ -38,7 +38,7 @@ def work(store: Store, program_id: str, who: str) -> None:
 
 
 def check_all_there(store: Store, program_id: str, *whos: str) -> None:
-    marks = store.versions.line_of(program_id)
+    marks = store.versions.history_of(program_id)
     assert sorted(mark.number for mark in marks) == list(range(1, len(whos) * N_EDITS + 1))
     for who in whos:
         texts = [store.versions.get(mark.id).workspace for mark in marks]

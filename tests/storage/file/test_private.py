@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from storage import Store
-from storage.file.private import make_private
+from storage.file.private import restrict_permissions
 from storage.file.temporary import remove_leftovers, temporary_folder
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
@@ -50,7 +50,7 @@ def shown(tmp_path: Path) -> Path:
 
 
 def test_what_others_could_read_is_private_after_a_start(shown: Path) -> None:
-    make_private(shown, is_own_folder=True)
+    restrict_permissions(shown, is_own_folder=True)
     folder = shown.parent
     assert (mode(folder), mode(folder / "backups")) == (0o700, 0o700)
     for name in (
@@ -67,13 +67,13 @@ def test_what_others_could_read_is_private_after_a_start(shown: Path) -> None:
 @pytest.mark.parametrize(("is_own", "bits"), [(False, 0o775), (True, 0o2775)])
 def test_a_folder_that_is_shared_on_purpose_stays_so(shown: Path, is_own: bool, bits: int) -> None:
     shown.parent.chmod(bits)
-    make_private(shown, is_own_folder=is_own)
+    restrict_permissions(shown, is_own_folder=is_own)
     assert (mode(shown.parent), mode(shown)) == (bits, 0o664)
 
 
 def test_a_folder_that_is_made_is_private(tmp_path: Path, opened: Callable[..., Store]) -> None:
     store = opened(tmp_path / "new" / "pinel.db")
-    make_private(store.path, is_own_folder=False)
+    restrict_permissions(store.path, is_own_folder=False)
     assert (mode(tmp_path / "new"), mode(store.path)) == (0o700, 0o600)
     assert mode(tmp_path / "new" / "pinel.db-wal") == 0o600
 

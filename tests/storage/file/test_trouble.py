@@ -45,7 +45,7 @@ def all_garbled(content: bytes) -> bytes:
 
 
 @pytest.mark.parametrize(
-    ("damage", "code", "n_kept"),
+    ("damage", "code", "n_recovered"),
     [
         (garbled_header, "database_salvaged_alone", 200),
         (garbled_middle, "database_salvaged_alone", 100),
@@ -58,7 +58,7 @@ def test_a_damaged_file_is_set_aside_untouched_and_a_new_one_begun_with_what_can
     opened: Callable[..., Store],
     damage: Callable[[bytes], bytes],
     code: str,
-    n_kept: int,
+    n_recovered: int,
 ) -> None:
     damaged = damage(filled(path))
     path.write_bytes(damaged)
@@ -68,7 +68,7 @@ def test_a_damaged_file_is_set_aside_untouched_and_a_new_one_begun_with_what_can
     aside = path.with_name("pinel.damaged-20261121-120000.db")
     assert store.notice.params["name"] == aside.name
     assert aside.read_bytes() == damaged
-    assert len(store.groups.all()) >= n_kept
+    assert len(store.groups.all()) >= n_recovered
     assert store.groups.create("A").name == "A"
 
 

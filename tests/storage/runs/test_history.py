@@ -107,11 +107,11 @@ def test_runs_are_chosen_by_lesson_and_time(school: School) -> None:
     first = school.run("robots")
     school.clock.passes(days=1)
     second = school.run("robots")
-    (later, earlier) = school.store.lessons.of_classroom(school.groups["9º A"])
+    (newer, earlier) = school.store.lessons.of_classroom(school.groups["9º A"])
     assert school.page(lesson_ids=(earlier.id,)) == [first]
-    assert school.page(lesson_ids=(earlier.id, later.id)) == [second, first]
-    assert school.page(began_from="2026-03-03", began_before="2026-03-04") == [second]
-    assert school.page(began_before="2026-03-03T00:00:00.000000Z") == [first]
+    assert school.page(lesson_ids=(earlier.id, newer.id)) == [second, first]
+    assert school.page(started_from="2026-03-03", started_before="2026-03-04") == [second]
+    assert school.page(started_before="2026-03-03T00:00:00.000000Z") == [first]
 
 
 def test_pages_follow_each_other_without_gap(school: School) -> None:
@@ -127,7 +127,7 @@ def test_pages_follow_each_other_without_gap(school: School) -> None:
     [
         ({}, "sqlite_autoindex_runs_1"),
         ({"classroom_id": "x"}, "runs_history"),
-        ({"outcome": "failed", "activity": "square", "began_from": "2026"}, "runs_history"),
+        ({"outcome": "failed", "activity": "square", "started_from": "2026"}, "runs_history"),
         ({"outcome": "passed"}, "runs_history"),
         ({"world": "maze"}, "runs_history"),
         ({"group_id": "x"}, "idx_runs_group_id_id"),
@@ -136,10 +136,10 @@ def test_pages_follow_each_other_without_gap(school: School) -> None:
 )
 def test_every_choice_is_read_from_an_index(school: School, which: Any, index: str) -> None:
     asked: list[str] = []
-    with school.store._database.reading() as db:
+    with school.store._database.read_connection() as db:
         db.set_trace_callback(asked.append)
     school.store.history.page(RunFilter(**which))
-    with school.store._database.reading() as db:
+    with school.store._database.read_connection() as db:
         db.set_trace_callback(None)
         (query,) = [text for text in asked if "SELECT" in text]
         plan = "; ".join(row["detail"] for row in db.execute(f"EXPLAIN QUERY PLAN {query}"))
@@ -153,7 +153,7 @@ def test_a_lesson_s_records_are_lines_of_its_groups(school: School) -> None:
     second = school.edit("robots", 2)
     school.run("stars")
     (lesson,) = school.store.lessons.of_classroom(school.groups["9º A"])
-    lines = school.store.lesson_records.of([lesson.id])
+    lines = school.store.lesson_histories.of([lesson.id])
     assert [(group.name, group.picture) for group in lines.groups] == [("robots", "rocket")]
     work = lines.work[school.groups["robots"]]
     assert [(edit.version_id, edit.number, edit.parent_id) for edit in work.edits] == [
@@ -168,11 +168,11 @@ def test_a_lesson_s_records_are_lines_of_its_groups(school: School) -> None:
 
 def test_workspaces_are_read_by_version(school: School) -> None:
     first, second = school.edit("robots", 1), school.edit("robots", 2)
-    read = school.store.lesson_records.workspaces
+    read = school.store.lesson_histories.workspaces
     assert read([first, second, "gone"]) == {first: {"n": 1}, second: {"n": 2}}
     assert read([]) == {}
 
 
 def test_a_lesson_without_work_has_no_groups(school: School) -> None:
     lesson = school.store.lessons.open(school.groups["9º A"], "Aula 1")
-    assert school.store.lesson_records.of([lesson.id]).groups == []
+    assert school.store.lesson_histories.of([lesson.id]).groups == []

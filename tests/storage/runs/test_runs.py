@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pinel_desktop.events.event_sequencer import EventSequencer
 from pinel_desktop.events.model import RunEnded
-from pinel_desktop.events.stamp import EventStamp
-from pinel_desktop.events.types import KEPT, URGENT
-from storage import GroupRow, Recorder, RunRow, RunStart, Store, StoreError, VersionRow
-from storage.exchange.deleting.deletion import remove_keys
+from pinel_desktop.events.types import RECORDED, URGENT
+from storage import GroupRow, RunRecorder, RunRow, RunStart, Store, StoreError, VersionRow
+from storage.exchange.deleting.deletion import purge_keys
 from storage.sqlite import sqlite3
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import block_started, ended, sample, square
@@ -30,8 +30,8 @@ def clock() -> ManualClock:
 
 
 @pytest.fixture
-def recorder(store: Store, clock: ManualClock) -> Recorder:
-    return Recorder(store, clock=clock, kept=KEPT, urgent=URGENT)
+def recorder(store: Store, clock: ManualClock) -> RunRecorder:
+    return RunRecorder(store, clock=clock, recorded=RECORDED, urgent=URGENT)
 
 
 @pytest.fixture
@@ -65,7 +65,7 @@ def test_a_run_of_the_command_line_keeps_its_document_instead_of_a_version(store
 
 
 def test_a_recorded_run_reads_back_as_it_was(
-    store: Store, run: RunRow, recorder: Recorder, clock: ManualClock
+    store: Store, run: RunRow, recorder: RunRecorder, clock: ManualClock
 ) -> None:
     samples = list(square(run.id))
     recorder(block_started(run.id, seq=0))
@@ -89,7 +89,7 @@ def test_a_recorded_run_reads_back_as_it_was(
 
 @pytest.mark.parametrize("forged", ['"0"', "true", "1e999", "{}", "null"])
 def test_of_an_estimate_that_is_no_number_nothing_is_read(
-    store: Store, run: RunRow, recorder: Recorder, forged: str
+    store: Store, run: RunRow, recorder: RunRecorder, forged: str
 ) -> None:
     recorder(ended(run.id, seq=0, tick=0))
     text = f'{{"estimated_closing_error_m": {forged}}}'
@@ -99,19 +99,19 @@ def test_of_an_estimate_that_is_no_number_nothing_is_read(
 
 
 def test_what_sensors_measured_for_those_who_watched_is_not_kept_and_pushed_boxes_are(
-    store: Store, run: RunRow, recorder: Recorder
+    store: Store, run: RunRow, recorder: RunRecorder
 ) -> None:
     head = {"v": 1, "run": run.id, "tick": 3}
-    things = {**head, "seq": 1, "type": "things", "boxes": {"0": [1.0, 2.0, 0.5]}}
+    boxes_event = {**head, "seq": 1, "type": "things", "boxes": {"0": [1.0, 2.0, 0.5]}}
     recorder(block_started(run.id, seq=0))
-    recorder(things)
+    recorder(boxes_event)
     recorder({**head, "seq": 2, "type": "ranges", "sonar": [1.0] * 16, "lidar": None})
     recorder.flush().result()
-    assert store.runs.events(run.id) == [block_started(run.id, seq=0), things]
+    assert store.runs.events(run.id) == [block_started(run.id, seq=0), boxes_event]
 
 
 def test_telemetry_is_written_about_once_a_second(
-    store: Store, run: RunRow, recorder: Recorder, clock: ManualClock, path: Path
+    store: Store, run: RunRow, recorder: RunRecorder, clock: ManualClock, path: Path
 ) -> None:
     for event in list(square(run.id))[:300]:
         clock.now_s = event["tick"] / 30
@@ -125,7 +125,7 @@ def test_telemetry_is_written_about_once_a_second(
 
 
 def test_a_pause_is_written_at_once_because_nothing_may_follow(
-    store: Store, run: RunRow, recorder: Recorder
+    store: Store, run: RunRow, recorder: RunRecorder
 ) -> None:
     pause = {"v": 1, "type": "run_state", "run": run.id, "seq": 0, "tick": 0, "state": "paused"}
     recorder(pause)
@@ -134,7 +134,7 @@ def test_a_pause_is_written_at_once_because_nothing_may_follow(
 
 
 def test_a_run_that_failed_says_why_and_where(
-    store: Store, run: RunRow, recorder: Recorder
+    store: Store, run: RunRow, recorder: RunRecorder
 ) -> None:
     recorder(
         ended(run.id, 0, 60, state="failed", reason="blocked", block="kL0p", params={"seconds": 2})
@@ -149,7 +149,7 @@ def test_a_run_that_failed_says_why_and_where(
 
 
 def test_two_runs_after_each_other_do_not_mix(
-    store: Store, run: RunRow, start: RunStart, recorder: Recorder
+    store: Store, run: RunRow, start: RunStart, recorder: RunRecorder
 ) -> None:
     second = store.runs.begin(start)
     for row, n in ((run, 3), (second, 5)):
@@ -182,19 +182,19 @@ def test_a_run_that_could_not_begin_leaves_nothing(store: Store, run: RunRow) ->
 
 
 def test_an_interrupted_run_is_closed_with_what_was_recorded(
-    store: Store, run: RunRow, recorder: Recorder, opened: Callable[..., Store]
+    store: Store, run: RunRow, recorder: RunRecorder, opened: Callable[..., Store]
 ) -> None:
     recorder(block_started(run.id, seq=0))
     for event in list(square(run.id))[:90]:
         recorder({**event, "seq": event["tick"] + 1})
     recorder.flush().result()
-    later = opened(close_interrupted=True)
-    row = later.runs.get(run.id)
+    reopened = opened(close_interrupted=True)
+    row = reopened.runs.get(run.id)
     assert (row.state, row.reason, row.n_executed) == ("failed", "interrupted", None)
     assert row.duration_s == pytest.approx(89 / 30)
     assert row.path[0] == [0, 0]
-    assert len(later.runs.telemetry(run.id).rows) == 90
-    first, last = later.runs.events(run.id)
+    assert len(reopened.runs.telemetry(run.id).rows) == 90
+    first, last = reopened.runs.events(run.id)
     assert first["type"] == "block_started"
     assert (last["type"], last["seq"], last["tick"], last["reason"]) == (
         "run_ended",
@@ -208,7 +208,7 @@ def test_the_end_of_an_interrupted_run_has_the_fields_of_every_end(
     run: RunRow, opened: Callable[..., Store]
 ) -> None:
     (end,) = opened(close_interrupted=True).runs.events(run.id)
-    expected = EventStamp(run.id).wire(0, RunEnded.cut_off("interrupted", 0.0))
+    expected = EventSequencer(run.id).wire(0, RunEnded.interrupted("interrupted", 0.0))
     assert expected.pop("estimated_closing_error_m") is None  # absent where it is not known
     assert end == expected
 
@@ -220,20 +220,22 @@ def test_another_program_that_opens_the_file_leaves_live_runs_alone(
 
 
 def test_what_comes_of_a_run_that_is_gone_does_not_keep_others_waiting(
-    store: Store, start: RunStart, run: RunRow, recorder: Recorder
+    store: Store, start: RunStart, run: RunRow, recorder: RunRecorder
 ) -> None:
     recorder(sample(run.id, 0))
-    store._database.write(lambda db: remove_keys(db, [run.id]))
+    store._database.write(lambda db: purge_keys(db, [run.id]))
     recorder({"v": 1, "type": "said", "run": run.id, "seq": 1, "tick": 1, "text": "x"})
     recorder(ended(run.id, 2, 1))
-    later = store.runs.begin(start)
-    recorder(ended(later.id, 0, 0))
+    next_run = store.runs.begin(start)
+    recorder(ended(next_run.id, 0, 0))
     assert recorder.problem is None
-    assert store.runs.get(later.id).state != "running"
-    assert [row.id for row in store.runs.newest(5)] == [later.id]
+    assert store.runs.get(next_run.id).state != "running"
+    assert [row.id for row in store.runs.newest(5)] == [next_run.id]
 
 
-def test_a_batch_written_twice_is_the_same(store: Store, run: RunRow, recorder: Recorder) -> None:
+def test_a_batch_written_twice_is_the_same(
+    store: Store, run: RunRow, recorder: RunRecorder
+) -> None:
     recorder(block_started(run.id, seq=0))
     recorder.flush().result()
     recorder(ended(run.id, 1, 0))

@@ -104,9 +104,9 @@ def test_the_outline_of_many_rounds_looks_like_one(laps: int) -> None:
 def test_the_outline_of_a_scribble_has_at_most_64_points_and_begins_where_it_began() -> None:
     rng = np.random.default_rng(3)
     points = np.cumsum(rng.normal(0, 0.05, (5000, 2)), axis=0)
-    kept = outline(points)
-    assert 16 < len(kept) <= MAX_POINTS
-    assert np.allclose(kept[0], points[0], atol=1e-4)
+    simplified = outline(points)
+    assert 16 < len(simplified) <= MAX_POINTS
+    assert np.allclose(simplified[0], points[0], atol=1e-4)
 
 
 def test_the_outline_of_nothing_is_nothing() -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from storage.sqlite import sqlite3
-from storage.tables.columns import KEPT, TEXT, Column, ReplicatedTable
+from storage.tables.columns import TEXT, UNCHANGED, Column, ReplicatedTable
 from storage.tables.migrations import MIGRATIONS_TABLE, migrate
 from storage.tables.replicated import REPLICATED, TABLES
 from storage.tables.rules import short
@@ -56,7 +56,7 @@ def test_columns_refer_to_tables_that_are_declared() -> None:
 
 
 def test_a_text_must_say_what_becomes_of_it_in_an_anonymous_bundle() -> None:
-    assert Column("motto", TEXT, "a motto", short, KEPT).anonymous == KEPT
+    assert Column("motto", TEXT, "a motto", short, UNCHANGED).anonymous == UNCHANGED
     with pytest.raises(ValueError, match="motto"):
         Column("motto", TEXT, "a motto", short)
 

@@ -83,17 +83,17 @@ def test_a_class_is_told_from_another_of_its_name_by_the_pc_of_its_first_lesson(
 def test_what_is_thrown_away_comes_back_from_the_bin(
     school: Store, robots: GroupRow, square: ProgramRow
 ) -> None:
-    kept = edited(school, square, "a")
+    version_id = edited(school, square, "a")
     assert school.programs.move_to_bin(square.id).deleted_at is not None
     assert school.programs.of_group(robots.id) == []
     group = school.groups.get(robots.id)
     assert (group.n_programs, group.n_in_bin) == (0, 1)
     assert [row.id for row in school.programs.of_group(robots.id, in_bin=True)] == [square.id]
-    assert school.programs.take_from_bin(square.id).deleted_at is None
+    assert school.programs.restore_from_bin(square.id).deleted_at is None
     assert school.programs.of_group(robots.id, in_bin=True) == []
     newest = school.versions.newest(square.id)
     assert newest is not None
-    assert newest.id == kept
+    assert newest.id == version_id
 
 
 def test_the_line_of_versions_knows_what_came_of_what(school: Store, square: ProgramRow) -> None:
@@ -101,14 +101,14 @@ def test_the_line_of_versions_knows_what_came_of_what(school: Store, square: Pro
     back = school.versions.save(square.id, {"text": "c"}, None, parent_id=first)
     school.versions.label(first, "  anda em   linha ")
     run_of(school, second)
-    line = school.versions.line_of(square.id)
+    line = school.versions.history_of(square.id)
     assert [(mark.number, mark.parent_id, mark.label) for mark in line] == [
         (3, first, ""),
         (2, first, ""),
         (1, None, "anda em linha"),
     ]
     assert [(mark.can_run, mark.n_runs) for mark in line] == [(False, 0), (True, 1), (True, 0)]
-    assert [mark.id for mark in school.versions.line_of(square.id, before=back.id, limit=1)] == [
+    assert [mark.id for mark in school.versions.history_of(square.id, before=back.id, limit=1)] == [
         second
     ]
     assert school.versions.label(first, "").label == ""
@@ -163,7 +163,7 @@ def test_a_lesson_that_was_deleted_for_good_is_another_when_its_title_comes_back
     school: Store, ninth: str
 ) -> None:
     first = school.lessons.open(ninth, "Aula 7").id
-    school.exchange.remove("lesson", first)
+    school.exchange.purge("lesson", first)
     second = school.lessons.open(ninth, "Aula 7").id
     assert second != first
     assert school.lessons.open(ninth, "aula 7").id == second
@@ -193,13 +193,13 @@ def test_a_note_is_new_to_its_group_until_it_is_seen(
     note = school.notes.write(run_id, "  Por que girou 90°? \n\ud800 ")
     assert (note.text, note.program_name) == ("Por que girou 90°?", "Quadrado")
     assert school.notes.of_group(robots.id, unseen=True) == school.notes.of_run(run_id) == [note]
-    assert school.notes.mark_seen(note.id).seen_at is not None
+    assert school.notes.acknowledge(note.id).seen_at is not None
     assert school.notes.of_group(robots.id, unseen=True) == []
     assert school.notes.rewrite(note.id, "Outra").seen_at is None
     assert code_of(lambda: school.notes.write(run_id, " \n")) == "note_empty"
     assert code_of(lambda: school.notes.write(run_id, "a" * 1001)) == "note_too_long"
     assert code_of(lambda: school.notes.write("x", "a")) == "run_not_found"
-    assert code_of(lambda: school.notes.mark_seen("x")) == "note_not_found"
+    assert code_of(lambda: school.notes.acknowledge("x")) == "note_not_found"
 
 
 def merged_in_both_orders(folder: Path, one: Store, other: Store) -> list[Store]:
@@ -236,7 +236,7 @@ def test_the_teacher_s_change_beats_what_pupils_did_on_the_older_state(
         teacher.groups.change(robots.id, {"classroom_id": other}, by_teacher=True)
         clock.passes(days=1)
         clock.is_set(days=ahead - 1)
-        school.notes.mark_seen(note)
+        school.notes.acknowledge(note)
         for color in COLORS[-2:]:
             school.groups.change(robots.id, {"color": color, "name": "Gatos"})
         edited(school, square, "b")
@@ -245,8 +245,8 @@ def test_the_teacher_s_change_beats_what_pupils_did_on_the_older_state(
     for store in stores:
         with store:
             assert (store.notes.get(note).text, store.notes.get(note).seen_at) == ("Por quê?", None)
-            kept = store.lessons.get(lesson)
-            assert (kept.title, kept.part_of) == ("Losango", first)
+            merged_lesson = store.lessons.get(lesson)
+            assert (merged_lesson.title, merged_lesson.part_of) == ("Losango", first)
             assert store.groups.get(robots.id).classroom_id == other
 
 
@@ -266,7 +266,7 @@ def test_what_pupils_did_is_kept_where_the_teacher_changed_nothing(
         merged(teacher, exported(school, tmp_path / "b.pinel").path)
         clock.passes(days=1)
         clock.is_set(days=ahead - 1)
-        school.notes.mark_seen(note)
+        school.notes.acknowledge(note)
         school.groups.change(robots.id, {"color": COLORS[-1], "name": "Gatos"})
         school.lessons.close(lesson)
         stores = merged_in_both_orders(tmp_path, school, teacher)

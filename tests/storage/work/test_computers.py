@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from storage import GroupRow, ProgramRow, Store, open_store
-from storage.work.machine import machine_mark
+from storage.work.machine import machine_id_hash
 
 
 def edited(store: Store, program: ProgramRow, text: str) -> str:
@@ -42,14 +42,14 @@ def test_a_copied_data_folder_is_another_pc_with_its_first_work(
     program: ProgramRow,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "one")
+    monkeypatch.setattr("storage.work.machine.machine_id_hash", lambda: "one")
     version = edited(store, program, "a")
     key, _ = store.computers.this()
     store.computers.rename("PC 07")
     store.close()
     copy = Path(shutil.copy(path, tmp_path / "copy.db"))
     monkeypatch.setattr("platform.node", lambda: "lab-2")
-    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "other")
+    monkeypatch.setattr("storage.work.machine.machine_id_hash", lambda: "other")
     with open_store(copy) as other:
         assert other.lessons.current(group.classroom_id) is None
         edited(other, program, "b")
@@ -57,13 +57,13 @@ def test_a_copied_data_folder_is_another_pc_with_its_first_work(
         assert theirs[0] != key
         assert theirs[1] == "lab-2"
         assert other.computers.this() == theirs
-        line = other.versions.line_of(program.id)
+        line = other.versions.history_of(program.id)
         assert [(mark.computer, mark.id == version) for mark in line] == [
             ("lab-2", False),
             ("PC 07", True),
         ]
     for mark in ("one", None):
-        monkeypatch.setattr("storage.work.machine.machine_mark", lambda mark=mark: mark)
+        monkeypatch.setattr("storage.work.machine.machine_id_hash", lambda mark=mark: mark)
         with open_store(path) as again:
             assert again.computers.this() == (key, "PC 07")
 
@@ -71,18 +71,18 @@ def test_a_copied_data_folder_is_another_pc_with_its_first_work(
 def test_a_file_without_a_machine_s_mark_stays_this_pc_s(
     store: Store, program: ProgramRow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: None)
+    monkeypatch.setattr("storage.work.machine.machine_id_hash", lambda: None)
     here = store.computers.this()
-    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "one")
+    monkeypatch.setattr("storage.work.machine.machine_id_hash", lambda: "one")
     assert store.computers.this() == here
     edited(store, program, "a")
     assert store.computers.this() == here
-    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "other")
+    monkeypatch.setattr("storage.work.machine.machine_id_hash", lambda: "other")
     assert store.computers.this() != here
 
 
 def test_the_mark_of_a_machine_is_the_same_each_time_and_tells_nothing() -> None:
-    mark = machine_mark()
-    machine_mark.cache_clear()
-    assert machine_mark() == mark
+    mark = machine_id_hash()
+    machine_id_hash.cache_clear()
+    assert machine_id_hash() == mark
     assert mark is None or (len(mark) == 64 and f"{uuid.getnode():012x}" not in mark)

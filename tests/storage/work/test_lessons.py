@@ -134,22 +134,22 @@ def test_what_is_open_is_no_content(school: Store, other: Store, ninth: str, pat
     assert current(school, ninth) == lesson  # as in a file of an earlier release
 
 
-@pytest.mark.parametrize("elsewhere", [False, True], ids=["here", "on another PC"])
+@pytest.mark.parametrize("on_other_pc", [False, True], ids=["here", "on another PC"])
 def test_of_a_lesson_that_is_deleted_nothing_stays_open(
     school: Store,
     other: Store,
     ninth: str,
     square: ProgramRow,
     tmp_path: Path,
-    elsewhere: bool,
+    on_other_pc: bool,
 ) -> None:
     lesson = school.lessons.open(ninth, "Quadrado").id
-    if elsewhere:
+    if on_other_pc:
         brought(school, other, tmp_path)
         removed(other, lesson)
         brought(other, school, tmp_path)
     else:
-        school.exchange.remove("lesson", lesson)
+        school.exchange.purge("lesson", lesson)
     assert current(school, ninth) is None
     again = saved(school, square)
     assert (again.id != lesson, again.by_itself) == (True, True)
@@ -191,7 +191,7 @@ def test_a_lesson_goes_on_after_a_start_but_not_in_a_copied_folder(
     copy = Path(shutil.copy(path, tmp_path / "copy.db"))
     clock.passes(hours=5)
     assert current(started(), ninth) == lesson
-    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "another")
+    monkeypatch.setattr("storage.work.machine.machine_id_hash", lambda: "another")
     there = started(copy)
     assert current(there, ninth) is None
     assert saved(there, square).by_itself

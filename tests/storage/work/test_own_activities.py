@@ -46,7 +46,7 @@ def test_an_activity_is_changed_deleted_and_brought_back(store: Store) -> None:
     store.own_activities.delete(key)
     assert titles(store) == ["Volta"]
     assert store.own_activities.get(key).document["name"] == key
-    store.own_activities.take_back(key)
+    store.own_activities.undelete(key)
     assert titles(store) == ["Até a janela", "Volta"]
 
 

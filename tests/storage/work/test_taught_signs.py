@@ -63,7 +63,7 @@ def test_a_sign_has_hands_at_rest_and_movements_each_counted_for_itself(
     teach = store.taught_signs.name_to_teach
     assert code_of(lambda: teach(fifth, "y", is_moving=True)) == "sign_taught_enough"
     assert teach(fifth, "y") == "Y"
-    store.exchange.remove("taught_sign", *store.taught_signs.keys(fifth, "Y"))
+    store.exchange.purge("taught_sign", *store.taught_signs.keys(fifth, "Y"))
     assert store.taught_signs.of_classroom(fifth) == []
 
 
@@ -166,7 +166,7 @@ def test_they_are_deleted_with_their_class_and_do_not_come_back(
 ) -> None:
     store.taught_signs.add(fifth, "7", hands(1.5))
     bundle = exported(store, tmp_path / "a.pinel").path
-    assert store.exchange.remove("classroom", fifth).counts["taught_signs"] == 1
+    assert store.exchange.purge("classroom", fifth).counts["taught_signs"] == 1
     merged(store, bundle)
     with closing(opened_file(path, "ro")) as db:
         assert row_count(db, "taught_signs") == 0
@@ -181,7 +181,7 @@ def test_a_sign_is_deleted_for_good_and_can_be_taught_anew(
     other = opened(tmp_path / "other.db")
     before = exported(store, tmp_path / "a.pinel").path
     merged(other, before)
-    removal = store.exchange.remove("taught_sign", *store.taught_signs.keys(fifth, "7"))
+    removal = store.exchange.purge("taught_sign", *store.taught_signs.keys(fifth, "7"))
     assert removal.counts == {"taught_signs": 2}
     assert [export.path for export in removal.exports] == [str(before)]
     assert hands(1.5, 1)[:64] not in path.read_bytes()

@@ -66,7 +66,7 @@ def test_a_name_that_cannot_be_seen_is_empty(
 
 
 @pytest.mark.parametrize(
-    ("name", "kept"),
+    ("name", "cleaned"),
     [
         ("Zé\u202egpj.exe", "Zégpj.exe"),
         ("\u2067Os\u2069 \u200eRobôs\u200f", "Os Robôs"),
@@ -78,10 +78,10 @@ def test_a_name_that_cannot_be_seen_is_empty(
     ids=ascii,
 )
 def test_a_name_loses_what_turns_or_hides_its_letters(
-    store: Store, group: GroupRow, name: str, kept: str
+    store: Store, group: GroupRow, name: str, cleaned: str
 ) -> None:
-    assert store.programs.create(group.id, name).name == kept
-    assert store.groups.create(f"{name} 2").name == f"{kept} 2"
+    assert store.programs.create(group.id, name).name == cleaned
+    assert store.groups.create(f"{name} 2").name == f"{cleaned} 2"
 
 
 def test_joiners_make_no_second_group_of_the_same_name(store: Store, group: GroupRow) -> None:
@@ -192,11 +192,11 @@ def test_what_no_bundle_could_carry_is_refused_and_not_kept(
     deep: dict[str, Any] = {}
     for _ in range(500):
         deep = {"do": deep}
-    kept = store.versions.save(program.id, deep, None)
-    assert store.versions.get(kept.id) == kept
+    saved = store.versions.save(program.id, deep, None)
+    assert store.versions.get(saved.id) == saved
     with pytest.raises(StoreError, match="work_unreadable"):
         store.versions.save(program.id, {}, deep)
-    assert [mark.id for mark in store.versions.line_of(program.id)] == [kept.id]
+    assert [mark.id for mark in store.versions.history_of(program.id)] == [saved.id]
 
 
 def test_settings_are_kept(store: Store, opened: Callable[..., Store]) -> None:
@@ -232,5 +232,5 @@ def test_where_and_how_it_runs_is_part_of_a_version(
     assert in_the_maze.id != version.id
     assert store.versions.get(in_the_maze.id).setup == setup
     assert store.versions.save(*content, setup=dict(setup)).id == in_the_maze.id
-    newest, before = store.versions.line_of(program.id)[:2]
+    newest, before = store.versions.history_of(program.id)[:2]
     assert (newest.setup, before.setup) == (setup, None)

@@ -52,7 +52,7 @@ class Draws(CheckBase):
             return nothing_drawn(evidence, self.tolerance)
         fit = self.fit(drawing)
         is_extra = fit.extra_m >= fit.missing_m
-        motion = evidence.motion_at(int(drawing.places[fit.worst])) if is_extra else None
+        motion = evidence.motion_at(int(drawing.indices[fit.worst])) if is_extra else None
         figure, off = "draws" if self.of == "trail" else "way", "extra" if is_extra else "missing"
         return CheckResult(
             passed=fit.off_m <= self.tolerance,
@@ -94,7 +94,9 @@ def nothing_drawn(evidence: Evidence, target: float) -> CheckResult:
     """A check that fails because the robot did not drive, or left no line."""
     if evidence.path_m <= 0.02:
         return CheckResult(False, 0.0, target, None, "check_no_motion")
-    first = next((one for one in evidence.begun if one.action not in ("turn", "pen")), None)
+    first = next(
+        (one for one in evidence.started_commands if one.action not in ("turn", "pen")), None
+    )
     pointer, values = first.pointer if first else None, {"path_m": evidence.path_m}
     return CheckResult(False, 0.0, target, pointer, "check_no_trail", values)
 
@@ -111,13 +113,13 @@ def _template_of(solution: Evidence) -> list[list[list[float]]]:
 
 
 def _thinned(trail: Points) -> list[list[float]]:
-    kept = [trail[0]]
+    thinned = [trail[0]]
     for point in trail:
-        if np.hypot(*(point - kept[-1])) >= _STEP_M:
-            kept.append(point)
-    if np.hypot(*(trail[-1] - kept[-1])) > 0.0:
-        kept.append(trail[-1])
-    return [[rounded(float(value), 3) for value in point] for point in kept]
+        if np.hypot(*(point - thinned[-1])) >= _STEP_M:
+            thinned.append(point)
+    if np.hypot(*(trail[-1] - thinned[-1])) > 0.0:
+        thinned.append(trail[-1])
+    return [[rounded(float(value), 3) for value in point] for point in thinned]
 
 
 def _cut(line: list[list[float]]) -> Iterator[list[list[float]]]:

@@ -52,26 +52,26 @@ class PathLength(CheckBase):
         )
 
     def criterion(self, language: str) -> str:
-        least, most = self.at_least_m, self.at_most_m
-        if most <= _STILL_M:
+        min_m, max_m = self.at_least_m, self.at_most_m
+        if max_m <= _STILL_M:
             return text("criterion_path_still", language)
-        if most >= NO_LIMIT:
-            return text("criterion_path_least", language, least_m=least)
-        if least <= 0:
-            return text("criterion_path_most", language, most_m=most)
-        if most - least <= _NEAR * most:
-            return text("criterion_path", language, about_m=(least + most) / 2)
-        return text("criterion_path_range", language, least_m=least, most_m=most)
+        if max_m >= NO_LIMIT:
+            return text("criterion_path_least", language, least_m=min_m)
+        if min_m <= 0:
+            return text("criterion_path_most", language, most_m=max_m)
+        if max_m - min_m <= _NEAR * max_m:
+            return text("criterion_path", language, about_m=(min_m + max_m) / 2)
+        return text("criterion_path_range", language, least_m=min_m, most_m=max_m)
 
     @classmethod
     def proposed(cls, solution: Evidence) -> dict[str, Any]:
-        least, most = (rounded(solution.path_m + by, 1) for by in (-0.2, 0.2))
-        return {"at_least_m": max(0.0, least), "at_most_m": most}
+        min_m, max_m = (rounded(solution.path_m + by, 1) for by in (-0.2, 0.2))
+        return {"at_least_m": max(0.0, min_m), "at_most_m": max_m}
 
     def with_tolerance(self, tolerance: RealRobotTolerance) -> Self:
-        least_m = self.at_least_m * (1 - tolerance.path)
-        most_m = max(self.at_most_m * (1 + tolerance.path), tolerance.move_m)
-        return self.model_copy(update={"at_least_m": least_m, "at_most_m": most_m})
+        min_m = self.at_least_m * (1 - tolerance.path)
+        max_m = max(self.at_most_m * (1 + tolerance.path), tolerance.move_m)
+        return self.model_copy(update={"at_least_m": min_m, "at_most_m": max_m})
 
     def faults(self, world: World | None) -> Iterator[CheckFault]:
         return limits_faults("at_least_m", self.at_least_m, self.at_most_m)

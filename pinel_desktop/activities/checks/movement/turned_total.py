@@ -58,11 +58,11 @@ class TurnedTotal(CheckBase):
         )
 
     def criterion(self, language: str) -> str:
-        least, most = self.at_least_deg, self.at_most_deg
+        min_deg, max_deg = self.at_least_deg, self.at_most_deg
         code = "criterion_turned_range"
-        if most >= NO_LIMIT or least <= 0:
-            code = "criterion_turned_least" if most >= NO_LIMIT else "criterion_turned_most"
-        turned = text(code, language, least_deg=least, most_deg=most)
+        if max_deg >= NO_LIMIT or min_deg <= 0:
+            code = "criterion_turned_least" if max_deg >= NO_LIMIT else "criterion_turned_most"
+        turned = text(code, language, least_deg=min_deg, most_deg=max_deg)
         if self.net_deg is None:
             return turned
         if self.net_deg == 0:
@@ -77,8 +77,8 @@ class TurnedTotal(CheckBase):
         return limits if turned else None
 
     def with_tolerance(self, tolerance: RealRobotTolerance) -> Self:
-        least_deg = max(0.0, self.at_least_deg - tolerance.turn_deg)
-        most_deg = self.at_most_deg * (1 + tolerance.path) + tolerance.turn_deg
+        min_deg = max(0.0, self.at_least_deg - tolerance.turn_deg)
+        max_deg = self.at_most_deg * (1 + tolerance.path) + tolerance.turn_deg
         within = max(self.net_within, tolerance.turn_deg)
-        changes = {"at_least_deg": least_deg, "at_most_deg": most_deg, "net_within": within}
+        changes = {"at_least_deg": min_deg, "at_most_deg": max_deg, "net_within": within}
         return self.model_copy(update=changes)

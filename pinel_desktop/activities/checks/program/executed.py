@@ -15,7 +15,7 @@ class Executed(CheckBase):
     n: Annotated[int, Field(ge=0, le=1_000_000)]
 
     def evaluate(self, evidence: Evidence) -> CheckResult:
-        n, target = evidence.n_begun(self.action), self.n
+        n, target = evidence.n_started(self.action), self.n
         values: dict[str, Any] = {"name": self.action, "measured": n, "target": target}
         there = next((one for one in evidence.commands if one.action == self.action), None)
         pointer, code = there.pointer if there else None, "check_executed"

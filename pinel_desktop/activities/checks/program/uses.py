@@ -38,12 +38,12 @@ class Uses(CheckBase):
         return CheckResult(passed, n, target, pointer, code, values, is_irrecoverable=not passed)
 
     def criterion(self, language: str) -> str:
-        least, most, name = self.at_least, self.at_most, self.action
-        if most >= NO_LIMIT:
-            return counted("criterion_uses", least, language, name=name)
-        if least in (0, 1) or most == 0:
-            return counted("criterion_uses_most", most, language, name=name)
-        return text("criterion_uses_range", language, name=name, least=least, most=most)
+        min_n, max_n, name = self.at_least, self.at_most, self.action
+        if max_n >= NO_LIMIT:
+            return counted("criterion_uses", min_n, language, name=name)
+        if min_n in (0, 1) or max_n == 0:
+            return counted("criterion_uses_most", max_n, language, name=name)
+        return text("criterion_uses_range", language, name=name, least=min_n, most=max_n)
 
     def faults(self, world: World | None) -> Iterator[CheckFault]:
         if self.action not in action_names():

@@ -2,7 +2,7 @@ from typing import Literal
 
 from pinel_desktop.activities.checks.base import CheckBase, CheckResult
 from pinel_desktop.activities.evidence import Evidence
-from pinel_desktop.runs.spec import CUT_OFF
+from pinel_desktop.runs.spec import INTERRUPTED_REASONS
 
 
 class Finished(CheckBase):
@@ -15,7 +15,7 @@ class Finished(CheckBase):
         ended = evidence.log.ended
         state, reason = str(ended["state"]), ended.get("reason")
         values = dict(ended.get("params") or {})
-        is_at_block = state != "finished" and reason not in CUT_OFF
+        is_at_block = state != "finished" and reason not in INTERRUPTED_REASONS
         pointer = evidence.running.pointer if evidence.running and is_at_block else None
         code = str(reason) if reason else "check_finished"
         return CheckResult(state == "finished", state, "finished", pointer, code, values)

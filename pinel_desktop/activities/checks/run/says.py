@@ -6,7 +6,7 @@ from pinel_desktop.activities.checks.base import CheckBase, CheckResult, FormFie
 from pinel_desktop.activities.evidence import Evidence
 
 
-class Says(CheckBase):
+class ShowsText(CheckBase):
     """It says something that contains `text`, capitals or not."""
 
     requires = None
@@ -16,11 +16,11 @@ class Says(CheckBase):
 
     def evaluate(self, evidence: Evidence) -> CheckResult:
         target = self.text.casefold()
-        passed = any(target in one.casefold() for one in evidence.said)
-        last = evidence.said[-1] if evidence.said else ""
+        passed = any(target in one.casefold() for one in evidence.shown_texts)
+        last = evidence.shown_texts[-1] if evidence.shown_texts else ""
         pointer, values = evidence.last_pointer_of("say"), {"text": self.text}
         return CheckResult(passed, last, self.text, pointer, "check_says", values)
 
     @classmethod
     def proposed(cls, solution: Evidence) -> dict[str, Any] | None:
-        return {"text": solution.said[0]} if solution.said else None
+        return {"text": solution.shown_texts[0]} if solution.shown_texts else None

@@ -16,10 +16,10 @@ class Time(CheckBase):
     at_most_s: Annotated[float, Field(gt=0, le=3600)]
 
     def evaluate(self, evidence: Evidence) -> CheckResult:
-        taken, target = evidence.duration_s, self.at_most_s
-        values, is_over = {"measured_s": taken, "target_s": target}, taken > target
+        duration_s, target = evidence.duration_s, self.at_most_s
+        values, is_over = {"measured_s": duration_s, "target_s": target}, duration_s > target
         return CheckResult(
-            not is_over, taken, target, None, "check_time", values, "measured_time", is_over
+            not is_over, duration_s, target, None, "check_time", values, "measured_time", is_over
         )
 
     def criterion(self, language: str) -> str:

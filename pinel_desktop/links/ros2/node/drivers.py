@@ -11,18 +11,18 @@ T = TypeVar("T")
 _LISTENING_S = 1.0
 # Of it, after this PC shows that it drives: of two that begin together one sees the other. Looks, not time: what a PC
 # that stood still for a while saw last may be old.
-_CLAIM_S, _CLAIM_LOOKS = 0.3, 6
+_CLAIM_S, _CLAIM_POLLS = 0.3, 6
 # Another PINEL that comes later withdraws by itself before this.
 WITHDRAWS_S = 3.0
 # A robot whose program begins anew hears again within this time.
-DEAF_S = 1.0
+UNMATCHED_TIMEOUT_S = 1.0
 # A robot that reports nothing for longer than this may not hear, either,
-SILENT_S = 0.5
+LOST_TIMEOUT_S = 0.5
 # and one that comes back within this time after the last command still hears that it has to stand.
 LAST_S = 1.5
 
 
-def drivers(publish: AbstractSet[T], listen: AbstractSet[T], tell: AbstractSet[T]) -> set[T]:
+def drivers(publish: AbstractSet[T], listen: AbstractSet[T], report: AbstractSet[T]) -> set[T]:
     """Those who command a robot, without the robot itself: a bridge to ROS 1 passes commands on both ways.
 
     Whoever both listens to commands and publishes them is the robot if it tells its odometry, too, or if nobody else
@@ -31,9 +31,9 @@ def drivers(publish: AbstractSet[T], listen: AbstractSet[T], tell: AbstractSet[T
     Args:
         publish: who publishes commands, the asking one left out.
         listen: who listens to them.
-        tell: who publishes the odometry.
+        report: who publishes the odometry.
     """
-    robots = listen & tell or (listen if len(listen) == 1 else set())
+    robots = listen & report or (listen if len(listen) == 1 else set())
     return set(publish - robots)
 
 
@@ -47,15 +47,15 @@ class Claim(Generic[T]):
     def __init__(self) -> None:
         self._started_s = time.monotonic()
         self._disputed_since_s: float | None = None
-        self._n_looks = 0
+        self._n_polls = 0
         self.is_disputed = False
 
     def holder(self) -> T | None:
         """Somebody else who publishes commands now; the one that cannot withdraw first."""
         raise NotImplementedError
 
-    def withdraws_within_s(self, holder: T, *, is_later: bool) -> float:
-        """How long is waited for somebody else to withdraw. `is_later`: this PC drove before."""
+    def withdraws_within_s(self, holder: T, *, is_newcomer: bool) -> float:
+        """How long is waited for somebody else to withdraw. `is_newcomer`: this PC drove before."""
         raise NotImplementedError
 
     def problem(self) -> Exception:
@@ -68,15 +68,15 @@ class Claim(Generic[T]):
             self._started_s = time.monotonic()
         return time.monotonic() - self._started_s >= _LISTENING_S - _CLAIM_S
 
-    def start(self) -> None:
+    def announce(self) -> None:
         """This PC publishes commands from now on."""
         self._started_s = time.monotonic()
 
-    def is_claimed(self) -> bool:
+    def check_claim(self) -> bool:
         """Looks again; whether enough looks since `start` saw nobody else. Raises as `require_alone`."""
         self.require_alone()
-        self._n_looks += 1
-        return self._n_looks > _CLAIM_LOOKS
+        self._n_polls += 1
+        return self._n_polls > _CLAIM_POLLS
 
     def require_alone(self) -> None:
         """Raises `problem` when somebody else begins to drive, and does not withdraw.
@@ -90,6 +90,6 @@ class Claim(Generic[T]):
             return
         now_s = time.monotonic()
         self._disputed_since_s = since_s = self._disputed_since_s or now_s
-        is_later = since_s - self._started_s > 2 * _LISTENING_S
-        if now_s - since_s >= self.withdraws_within_s(holder, is_later=is_later):
+        is_newcomer = since_s - self._started_s > 2 * _LISTENING_S
+        if now_s - since_s >= self.withdraws_within_s(holder, is_newcomer=is_newcomer):
             raise self.problem()

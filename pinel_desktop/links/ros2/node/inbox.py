@@ -13,18 +13,18 @@ class Inbox:
 
     def __init__(self):
         self.ended = threading.Event()
-        self._take = None
+        self._handler = None
         threading.Thread(target=self._work, daemon=True).start()
 
-    def follow(self, take):
-        """From here on each line goes to `take`; what came before is stale."""
-        self._take = take
+    def follow(self, handler):
+        """From here on each line goes to `handler`; what came before is stale."""
+        self._handler = handler
 
     def _work(self):
         try:
             for line in _lines():
-                if self._take is not None:
-                    self._take(line)
+                if self._handler is not None:
+                    self._handler(line)
         finally:
             self.ended.set()
 

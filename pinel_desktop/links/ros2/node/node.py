@@ -21,9 +21,9 @@ import time
 
 import rclpy
 import sensor_msgs.msg
-from drivers import DEAF_S, LAST_S, SILENT_S
+from drivers import LAST_S, LOST_TIMEOUT_S, UNMATCHED_TIMEOUT_S
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
-from holding import PINEL, Holding, RefusalError
+from holding import PINEL, CommandClaim, RefusalError
 from inbox import Inbox
 from nav_msgs.msg import Odometry
 from outbox import Outbox
@@ -35,7 +35,7 @@ from std_msgs.msg import Bool
 
 SEARCH_S = 5.0
 POLL_S = 0.05
-STALE_S = 0.3
+COMMAND_TIMEOUT_S = 0.3
 WATCH_S = 0.2
 N_LAST_ZEROS = 5
 COMMANDS = {"geometry_msgs/msg/Twist": Twist, "geometry_msgs/msg/TwistStamped": TwistStamped}
@@ -44,12 +44,12 @@ NEWEST = QoSProfile(
     depth=1, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.RELIABLE
 )
 # for a robot that hears nobody else: a late one is told the last velocity, but none that has expired
-NEWEST_KEPT = QoSProfile(
+NEWEST_TRANSIENT_LOCAL = QoSProfile(
     depth=1,
     history=HistoryPolicy.KEEP_LAST,
     reliability=ReliabilityPolicy.RELIABLE,
     durability=DurabilityPolicy.TRANSIENT_LOCAL,
-    lifespan=Duration(nanoseconds=int(STALE_S * 1e9)),
+    lifespan=Duration(nanoseconds=int(COMMAND_TIMEOUT_S * 1e9)),
 )
 # a best-effort subscription matches every publisher
 ANY = QoSProfile(
@@ -65,7 +65,7 @@ class EndedError(Exception):
     """The input has ended before the robot was found."""
 
 
-class Drive:
+class RobotConnection:
     """Publishers and subscriptions of one robot. What waits in it ends with the event `ended`."""
 
     def __init__(self, node, configuration, outbox, ended):
@@ -77,13 +77,13 @@ class Drive:
         self._drives = configuration.get("drives", True)
         self._messages = Messages(outbox)
         self._sensors = Sensors(node, configuration, self._messages, outbox)
-        self._heard_s, self._deaf_since_s = time.monotonic(), None
-        self._holding = Holding(node, self._command_topic, self._odometry_topic)
+        self._last_command_s, self._unmatched_since_s = time.monotonic(), None
+        self._claim = CommandClaim(node, self._command_topic, self._odometry_topic)
 
     def open(self):
         """Finds the robot's topics and connects with them. Raises RefusalError and EndedError."""
         if self._drives:
-            self._wait(self._holding.is_free, self._holding.problem)
+            self._wait(self._claim.is_free, self._claim.problem)
         self._type = self._found(
             self._command_topic, COMMANDS, self._node.get_subscriptions_info_by_topic
         )
@@ -91,9 +91,9 @@ class Drive:
             self._odometry_topic, ODOMETRIES, self._node.get_publishers_info_by_topic
         )
         messages = self._messages
-        take = messages.take_odometry if odometry is Odometry else messages.take_pose
-        self._node.create_subscription(odometry, self._odometry_topic, take, ANY)
-        self._sensors.look()
+        callback = messages.on_odometry if odometry is Odometry else messages.on_pose
+        self._node.create_subscription(odometry, self._odometry_topic, callback, ANY)
+        self._sensors.poll()
         if self._drives:
             self._publish()
 
@@ -102,15 +102,15 @@ class Drive:
         topic = self._command_topic
         listeners = self._node.get_subscriptions_info_by_topic(topic)
         durabilities = {listener.qos_profile.durability for listener in listeners}
-        keeps = DurabilityPolicy.TRANSIENT_LOCAL in durabilities
-        quality = NEWEST_KEPT if keeps else NEWEST
+        is_transient_local = DurabilityPolicy.TRANSIENT_LOCAL in durabilities
+        quality = NEWEST_TRANSIENT_LOCAL if is_transient_local else NEWEST
         self._publisher = self._node.create_publisher(self._type, topic, quality)
-        self._holding.start()
-        self._wait(self._is_heard, self._deaf)
-        while not self._holding.is_claimed():
+        self._claim.announce()
+        self._wait(self._has_subscriber, self._unmatched_problem)
+        while not self._claim.check_claim():
             self._pause()
 
-    def _is_heard(self):
+    def _has_subscriber(self):
         return self._publisher.get_subscription_count() > 0
 
     def _found(self, topic, known, endpoints):
@@ -135,28 +135,28 @@ class Drive:
     def _missing(self, topic):
         return RefusalError("robot_not_found", topic=topic, domain=self._configuration["domain"])
 
-    def _deaf(self):
+    def _unmatched_problem(self):
         return RefusalError("robot_deaf", topic=self._command_topic)
 
     def _pause(self):
         if self._ended.wait(POLL_S):
             raise EndedError()
 
-    def _require_heard(self):
+    def _require_subscriber(self):
         """Raises RefusalError when nobody takes the commands any more."""
-        if self._is_heard():
-            self._deaf_since_s = None
+        if self._has_subscriber():
+            self._unmatched_since_s = None
             return
         now_s = time.monotonic()
-        self._deaf_since_s = self._deaf_since_s or now_s
-        if now_s - self._deaf_since_s > DEAF_S:
-            raise self._deaf()
+        self._unmatched_since_s = self._unmatched_since_s or now_s
+        if now_s - self._unmatched_since_s > UNMATCHED_TIMEOUT_S:
+            raise self._unmatched_problem()
 
     def send(self, v, omega):
         """Publishes a velocity, zeros where somebody else is there, nothing where the node only listens."""
         if self._publisher is None:
             return
-        if self._holding.is_disputed:
+        if self._claim.is_disputed:
             v = omega = 0.0
         message = self._type()
         twist = message
@@ -166,7 +166,7 @@ class Drive:
         twist.linear.x, twist.angular.z = float(v), float(omega)
         self._publisher.publish(message)
 
-    def stand(self):
+    def send_last_zeros(self):
         """Sends the last zeros, and goes on for a while where the robot is silent."""
         due_s, n_sent = time.monotonic() + LAST_S, 0
         while n_sent < N_LAST_ZEROS or (self._is_lost() and time.monotonic() < due_s):
@@ -175,13 +175,13 @@ class Drive:
             time.sleep(0.02)
 
     def _is_lost(self):
-        heard_s = self._messages.heard_s
-        return heard_s is not None and time.monotonic() - heard_s > SILENT_S
+        last_pose_s = self._messages.last_pose_s
+        return last_pose_s is not None and time.monotonic() - last_pose_s > LOST_TIMEOUT_S
 
-    def hear(self, line):
+    def handle_line(self, line):
         """Follows a line of the app."""
         v, omega = json.loads(line)["twist"]
-        self._heard_s = time.monotonic()
+        self._last_command_s = time.monotonic()
         self.send(v, omega)
 
     def watch(self):
@@ -189,22 +189,22 @@ class Drive:
         checked_s = time.monotonic()
         while not self._ended.wait(POLL_S):
             now_s = time.monotonic()
-            if now_s - self._heard_s > STALE_S:
+            if now_s - self._last_command_s > COMMAND_TIMEOUT_S:
                 self.send(0.0, 0.0)
             if now_s - checked_s > WATCH_S:
                 checked_s = now_s
-                self._look_around()
+                self._poll_graph()
 
-    def _look_around(self):
-        self._sensors.look()
+    def _poll_graph(self):
+        self._sensors.poll()
         if not self._drives:
-            self._outbox.say("holder", name=self._holding.holder())
+            self._outbox.put("holder", name=self._claim.holder())
             return
         try:
-            self._holding.require_alone()
-            self._require_heard()
+            self._claim.require_alone()
+            self._require_subscriber()
         except RefusalError as refusal:
-            tell(self._outbox, refusal)
+            report_problem(self._outbox, refusal)
 
 
 class Sensors:
@@ -224,9 +224,9 @@ class Sensors:
             for field, sensor, kinds in self.KINDS
             if configuration.get(field)
         ]
-        self._found, self._gone = {}, set()
+        self._found, self._withdrawn = {}, set()
 
-    def look(self):
+    def poll(self):
         """Subscribes to what is new, and tells what nobody publishes any more."""
         for row in list(self._waiting):
             topic, sensor, kinds = row
@@ -235,14 +235,14 @@ class Sensors:
                 self._waiting.remove(row)
                 self._found[sensor] = topic
                 self._subscribe(topic, kind)
-                self._outbox.say("offered", sensor, sensor=sensor)
+                self._outbox.put("offered", sensor, sensor=sensor)
         for sensor, topic in self._found.items():
             if self._node.get_publishers_info_by_topic(topic):
-                self._gone.discard(sensor)
-            elif sensor not in self._gone:
-                self._gone.add(sensor)
+                self._withdrawn.discard(sensor)
+            elif sensor not in self._withdrawn:
+                self._withdrawn.add(sensor)
                 self._outbox.drop(sensor)  # the level of a battery would come after this
-                self._outbox.say("gone", sensor, sensor=sensor)
+                self._outbox.put("gone", sensor, sensor=sensor)
 
     def _is_published(self, topic, kind):
         types = {endpoint.topic_type for endpoint in self._node.get_publishers_info_by_topic(topic)}
@@ -250,9 +250,9 @@ class Sensors:
         return f"{package}/msg/{kind}" in types and message_type(kind) is not None
 
     def _subscribe(self, topic, kind):
-        take = getattr(self._messages, "take_" + kind.lower())
+        callback = getattr(self._messages, "on_" + kind.lower())
         quality = RING if kind == "Range" else ANY
-        self._node.create_subscription(message_type(kind), topic, take, quality)
+        self._node.create_subscription(message_type(kind), topic, callback, quality)
 
 
 def message_type(kind):
@@ -264,24 +264,24 @@ class Messages:
     """Turns messages of the robot into lines.
 
     Attributes:
-        heard_s: when the newest one about its pose came (monotonic); None before the first.
+        last_pose_s: when the newest one about its pose came (monotonic); None before the first.
     """
 
     def __init__(self, outbox):
-        self._say = outbox.say
-        self.heard_s = None
+        self._put = outbox.put
+        self.last_pose_s = None
 
-    def take_odometry(self, message):
+    def on_odometry(self, message):
         twist = message.twist.twist
-        self._say_pose(message.pose.pose, [twist.linear.x, twist.angular.z], message.header)
+        self._put_pose(message.pose.pose, [twist.linear.x, twist.angular.z], message.header)
 
-    def take_pose(self, message):
-        self._say_pose(message.pose, [None, None], message.header)
+    def on_pose(self, message):
+        self._put_pose(message.pose, [None, None], message.header)
 
-    def _say_pose(self, pose, velocity, header):
-        self.heard_s = time.monotonic()
+    def _put_pose(self, pose, velocity, header):
+        self.last_pose_s = time.monotonic()
         q = pose.orientation
-        self._say(
+        self._put(
             "odometry",
             position=[pose.position.x, pose.position.y],
             orientation=[q.x, q.y, q.z, q.w],
@@ -290,8 +290,8 @@ class Messages:
             frame=header.frame_id,
         )
 
-    def take_laserscan(self, message):
-        self._say(
+    def on_laserscan(self, message):
+        self._put(
             "scan",
             first=message.angle_min,
             step=message.angle_increment,
@@ -299,23 +299,23 @@ class Messages:
             ranges=[round(float(found), 3) for found in message.ranges],
         )
 
-    def take_range(self, message):
+    def on_range(self, message):
         frame = message.header.frame_id
-        self._say("range", frame, frame=frame, range=message.range, longest=message.max_range)
+        self._put("range", frame, frame=frame, range=message.range, longest=message.max_range)
 
-    def take_pointcloud(self, message):
+    def on_pointcloud(self, message):
         points = [[round(float(point.x), 3), round(float(point.y), 3)] for point in message.points]
-        self._say("points", points=points)
+        self._put("points", points=points)
 
-    def take_bool(self, message):
-        self._say("bumper", pressed=bool(message.data))
+    def on_bool(self, message):
+        self._put("bumper", pressed=bool(message.data))
 
-    def take_batterystate(self, message):
-        self._say("battery", level=message.percentage)
+    def on_batterystate(self, message):
+        self._put("battery", level=message.percentage)
 
 
-def tell(outbox, refusal):
-    outbox.say("problem", refusal.code, code=refusal.code, params=refusal.params)
+def report_problem(outbox, refusal):
+    outbox.put("problem", refusal.code, code=refusal.code, params=refusal.params)
 
 
 def run(configuration, context, outbox, inbox):
@@ -326,14 +326,14 @@ def run(configuration, context, outbox, inbox):
     spinning = threading.Thread(target=executor.spin)
     spinning.start()
     try:
-        drive = Drive(node, configuration, outbox, inbox.ended)
-        drive.open()
-        outbox.say("ready")
-        inbox.follow(drive.hear)
-        drive.watch()
-        drive.stand()
+        connection = RobotConnection(node, configuration, outbox, inbox.ended)
+        connection.open()
+        outbox.put("ready")
+        inbox.follow(connection.handle_line)
+        connection.watch()
+        connection.send_last_zeros()
     except RefusalError as refusal:
-        tell(outbox, refusal)
+        report_problem(outbox, refusal)
     except EndedError:
         pass  # nothing was sent to the robot
     finally:
@@ -345,7 +345,7 @@ def run(configuration, context, outbox, inbox):
 
 def main():
     outbox, inbox = Outbox(), Inbox()
-    outbox.say("begun")
+    outbox.put("begun")
     configuration = json.loads(sys.argv[1])
     context = Context()
     rclpy.init(context=context, domain_id=configuration["domain"])

@@ -23,7 +23,7 @@ class Outbox:
         self._thread = threading.Thread(target=self._work, daemon=True)
         self._thread.start()
 
-    def say(self, kind, key="", **fields):
+    def put(self, kind, key="", **fields):
         """Hands a line over; never waits."""
         with self._changed:
             self._waiting[kind, key] = {"type": kind, **fields}

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from flask import Response
 
-from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.api.exchange import (
     UploadedFile,
     file_name,
@@ -23,7 +23,7 @@ from pinel_desktop.web.models.lesson_files import (
     TargetFolder,
     WrittenLessonFile,
 )
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher, require_teacher_if_there_is_one
 from storage import StoreError
@@ -39,20 +39,20 @@ _READS = ("bundle_not_lesson", "lesson_not_found")
 
 @api.get(
     "/lessons/<id>/file",
-    responses=answers(OCTETS, *TEACHER, "lesson_not_found", "lesson_without_class", *WRITES),
+    responses=responses(OCTETS, *TEACHER, "lesson_not_found", "lesson_without_class", *WRITES),
 )
 def get_lesson_file(path: IdPath) -> Response:
     """What a PC needs for a lesson, as a file; nothing that pupils made. For the teacher."""
     require_teacher()
     with temporary_folder() as folder:
-        info = _written(path.id, folder / "lesson.pinel", is_noted=False)
+        info = _written(path.id, folder / "lesson.pinel", is_recorded=False)
         octets = info.path.read_bytes()
     return Response(octets, mimetype="application/octet-stream")
 
 
 @api.post(
     "/lessons/<id>/file",
-    responses=answers(
+    responses=responses(
         WrittenLessonFile,
         *TEACHER,
         "lesson_not_found",
@@ -68,12 +68,12 @@ def write_lesson_file(path: IdPath, body: TargetFolder) -> Response:
     title = services().store.lessons.get(path.id).title
     name = f"{file_name(title)}-{datetime.now().astimezone():%Y-%m-%d}.pinel"
     info = _written(path.id, Path(body.folder) / name)
-    return answer(WrittenLessonFile(path=str(info.path), name=info.path.name))
+    return json_response(WrittenLessonFile(path=str(info.path), name=info.path.name))
 
 
 @api.post(
     "/lessons/file",
-    responses=answers(OpenedLesson, "teacher_only", "body_too_large", *_READS, *WRITES),
+    responses=responses(OpenedLesson, "teacher_only", "body_too_large", *_READS, *WRITES),
 )
 def open_lesson_file(query: LessonFileName, raw: UploadedFile) -> Response:
     """Opens the lesson of a file, the body, on this PC. Without a PIN for all, else for the teacher."""
@@ -82,7 +82,7 @@ def open_lesson_file(query: LessonFileName, raw: UploadedFile) -> Response:
         return _opened(path)
 
 
-@api.post("/lessons/file/path", responses=answers(OpenedLesson, *TEACHER, *_READS, *WRITES))
+@api.post("/lessons/file/path", responses=responses(OpenedLesson, *TEACHER, *_READS, *WRITES))
 def open_found_lesson_file(body: LessonFilePath) -> Response:
     """Opens the lesson of a file on a stick or in the shared folder. For the teacher."""
     require_teacher()
@@ -98,7 +98,7 @@ def _opened(path: Path) -> Response:
     parts.signs.refresh()
     assert lesson.classroom_id is not None  # of a lesson that a teacher opened
     classroom = parts.store.classrooms.get(lesson.classroom_id)
-    return answer(
+    return json_response(
         OpenedLesson(
             lesson=Lesson.of(lesson),
             classroom=Classroom.of(classroom),
@@ -108,7 +108,7 @@ def _opened(path: Path) -> Response:
     )
 
 
-def _written(lesson_id: str, dest: Path, *, is_noted: bool = True) -> "BundleInfo":
+def _written(lesson_id: str, dest: Path, *, is_recorded: bool = True) -> "BundleInfo":
     from storage.exchange.scope import Scope  # noqa: PLC0415 - when a file is written
 
     parts = services()
@@ -120,5 +120,5 @@ def _written(lesson_id: str, dest: Path, *, is_noted: bool = True) -> "BundleInf
         app_version=parts.app_version,
         computer=parts.store.computers.this(),
         scope=Scope(classroom_id=lesson.classroom_id, lesson_id=lesson.id),
-        is_noted=is_noted,
+        is_recorded=is_recorded,
     )

@@ -9,11 +9,11 @@ from flask import Response
 from pinel_desktop.errors import PinelError
 from pinel_desktop.school.own_activities import (
     in_all_languages,
-    keep_activity,
     own_activity,
     own_goal,
+    save_activity,
 )
-from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.errors import InvalidActivityError
 from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.activities import GoalPicture
@@ -28,7 +28,7 @@ from pinel_desktop.web.models.own_activities import (
     Trial,
     Trials,
 )
-from pinel_desktop.web.responses import answer, describe_faults, notice
+from pinel_desktop.web.responses import describe_faults, json_response, notice
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import OwnActivityRow
@@ -40,20 +40,20 @@ api = Resource("own_activities", "Activities that a teacher makes.", __name__)
 
 _FINISHED = {"check": "finished"}
 _UNNAMED = "new"
-_KEPT = ("own_activity_unsound", "invalid_activity", "name_empty", "name_too_long")
+_SAVE_ERRORS = ("own_activity_unsound", "invalid_activity", "name_empty", "name_too_long")
 
 
-@api.get("/own-activities", responses=answers(OwnActivityList, *TEACHER))
+@api.get("/own-activities", responses=responses(OwnActivityList, *TEACHER))
 def list_own_activities() -> Response:
     """The activities that were made here or came in files. For the teacher."""
     require_teacher()
     rows = services().store.own_activities.all()
-    return answer(OwnActivityList(activities=[_listed(row) for row in rows]))
+    return json_response(OwnActivityList(activities=[_listed(row) for row in rows]))
 
 
 @api.get(
     "/own-activities/<id>",
-    responses=answers(
+    responses=responses(
         OwnActivityToEdit,
         *TEACHER,
         "own_activity_not_found",
@@ -65,51 +65,51 @@ def get_own_activity(path: IdPath) -> Response:
     """An own activity to be edited. For the teacher."""
     require_teacher()
     row = services().store.own_activities.get(path.id)
-    return answer(_to_edit(row, own_activity(row)))
+    return json_response(_to_edit(row, own_activity(row)))
 
 
 @api.post(
     "/own-activities",
-    responses=answers(OwnActivity, *TEACHER, *_KEPT, "own_activities_too_many", *WRITES),
+    responses=responses(OwnActivity, *TEACHER, *_SAVE_ERRORS, "own_activities_too_many", *WRITES),
 )
 def create_own_activity(body: OwnActivityDraft) -> Response:
     """Keeps a new activity. Its solution must pass, and a program without commands must not. For the teacher."""
     require_teacher()
-    return _keep(services().store.own_activities.new_key(), body)
+    return _save(services().store.own_activities.new_key(), body)
 
 
 @api.put(
     "/own-activities/<id>",
-    responses=answers(OwnActivity, *TEACHER, *_KEPT, "own_activity_not_found", *WRITES),
+    responses=responses(OwnActivity, *TEACHER, *_SAVE_ERRORS, "own_activity_not_found", *WRITES),
 )
 def change_own_activity(path: IdPath, body: OwnActivityDraft) -> Response:
     """Replaces an activity; lessons and programs that name it have the new one. For the teacher."""
     require_teacher()
-    return _keep(services().store.own_activities.get(path.id).id, body)
+    return _save(services().store.own_activities.get(path.id).id, body)
 
 
 @api.delete(
-    "/own-activities/<id>", responses=answers(Empty, *TEACHER, "own_activity_not_found", *WRITES)
+    "/own-activities/<id>", responses=responses(Empty, *TEACHER, "own_activity_not_found", *WRITES)
 )
 def delete_own_activity(path: IdPath) -> Response:
     """Takes an activity off the lists; programs that are to solve it still are. For the teacher."""
     require_teacher()
     services().store.own_activities.delete(path.id)
-    return answer(Empty())
+    return json_response(Empty())
 
 
 @api.post(
     "/own-activities/<id>/take-back",
-    responses=answers(Empty, *TEACHER, "own_activity_not_found", *WRITES),
+    responses=responses(Empty, *TEACHER, "own_activity_not_found", *WRITES),
 )
 def restore_own_activity(path: IdPath) -> Response:
     """Puts a deleted activity on the lists again. For the teacher."""
     require_teacher()
-    services().store.own_activities.take_back(path.id)
-    return answer(Empty())
+    services().store.own_activities.undelete(path.id)
+    return json_response(Empty())
 
 
-@api.post("/own-activities/measure", responses=answers(Sample, *TEACHER, "body_too_large"))
+@api.post("/own-activities/measure", responses=responses(Sample, *TEACHER, "body_too_large"))
 def measure_solution(body: Stage) -> Response:
     """Runs a sample solution and proposes checks that fit what it does. For the teacher."""
     from pinel_desktop.activities import proposal_for  # noqa: PLC0415 - heavy
@@ -121,12 +121,12 @@ def measure_solution(body: Stage) -> Response:
     if activity is None or faults or reading.faults:
         found = [*reading.faults, *faults]
         shown = describe_faults(found, parts.settings.language)
-        return answer(Sample(faults=shown, proposal=None))
+        return json_response(Sample(faults=shown, proposal=None))
     proposal = Proposal(**asdict(proposal_for(activity, reading)))
-    return answer(Sample(faults=[], proposal=proposal))
+    return json_response(Sample(faults=[], proposal=proposal))
 
 
-@api.post("/own-activities/try", responses=answers(Trials, *TEACHER, "body_too_large"))
+@api.post("/own-activities/try", responses=responses(Trials, *TEACHER, "body_too_large"))
 def try_activity(body: OwnActivityDraft) -> Response:
     """Runs the solution and a program without commands under the ideal and the realistic robot. For the teacher."""
     from pinel_desktop.activities import trials  # noqa: PLC0415 - heavy
@@ -135,26 +135,26 @@ def try_activity(body: OwnActivityDraft) -> Response:
     language = services().settings.language
     activity, faults = _read(_document(_UNNAMED, body))
     if activity is None or faults:
-        return answer(Trials(faults=describe_faults(faults, language), trials=[]))
+        return json_response(Trials(faults=describe_faults(faults, language), trials=[]))
     shown = [
         Trial(
             program=one.program,
             preset=one.preset,
             passed=one.passed,
             is_right=one.is_right,
-            words=one.words.get(language, ""),
+            words=one.texts.get(language, ""),
         )
         for one in trials(activity)
     ]
-    return answer(Trials(faults=[], trials=shown))
+    return json_response(Trials(faults=[], trials=shown))
 
 
-def _keep(key: str, body: OwnActivityDraft) -> Response:
+def _save(key: str, body: OwnActivityDraft) -> Response:
     document = _document(key, body)
     activity, faults = _read(document)
     if activity is None or faults:
         raise InvalidActivityError(describe_faults(faults, services().settings.language))
-    return answer(_listed(keep_activity(services().store, activity, document)))
+    return json_response(_listed(save_activity(services().store, activity, document)))
 
 
 def _read(document: dict[str, Any]) -> tuple["Activity | None", Any]:

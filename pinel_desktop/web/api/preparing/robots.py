@@ -7,15 +7,15 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain
-from pinel_desktop.robot.record import (
-    RECORDS,
-    RobotRecord,
-    RosRecord,
+from pinel_desktop.robot.robot_profile import (
+    PROFILES,
+    RobotProfile,
+    RosProfile,
     fields_of,
     limits,
-    record_from,
+    profile_from,
 )
-from pinel_desktop.web.api import TEACHER, WRITES, Resource, answers
+from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.models import Empty
 from pinel_desktop.web.models.robots import (
     FoundRobot,
@@ -30,22 +30,22 @@ from pinel_desktop.web.models.robots import (
     RobotWatch,
 )
 from pinel_desktop.web.models.worlds import World
-from pinel_desktop.web.responses import answer
+from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import is_teacher, require_teacher
 
 api = Resource("robots", "Real robots.", __name__)
 
 
-@api.get("/real-robots", responses=answers(RealRobotList))
+@api.get("/real-robots", responses=responses(RealRobotList))
 def list_real_robots() -> Response:
     """All kinds of real robots. How a robot is reached is told to the teacher only."""
-    return answer(RealRobotList(robots=[_robot(link) for link in services().robots.kinds]))
+    return json_response(RealRobotList(robots=[_robot(link) for link in services().robots.kinds]))
 
 
 @api.put(
     "/real-robots/<link>",
-    responses=answers(
+    responses=responses(
         RealRobot, "unknown_link", "robot_record_range", "robot_record_invalid", *TEACHER, *WRITES
     ),
 )
@@ -56,41 +56,43 @@ def put_real_robot(path: LinkPath, body: RealRobotRecord) -> Response:
     """
     require_teacher()
     try:
-        services().robots.keep(path.link, body.record)
+        services().robots.save(path.link, body.record)
     except PinelError as error:
-        raise _in_words(error, path.link) from error
-    return answer(_robot(path.link))
+        raise _with_field_label(error, path.link) from error
+    return json_response(_robot(path.link))
 
 
-@api.delete("/real-robots/<link>", responses=answers(RealRobot, "unknown_link", *TEACHER, *WRITES))
+@api.delete(
+    "/real-robots/<link>", responses=responses(RealRobot, "unknown_link", *TEACHER, *WRITES)
+)
 def forget_real_robot(path: LinkPath) -> Response:
     """Undoes the set-up of a kind of robot on this PC. For the teacher."""
     require_teacher()
     services().robots.forget(path.link)
-    return answer(_robot(path.link))
+    return json_response(_robot(path.link))
 
 
 @api.post(
     "/real-robots/<link>/contact",
-    responses=answers(RobotContact, "unknown_link", "robot_not_set_up", *TEACHER),
+    responses=responses(RobotContact, "unknown_link", "robot_not_set_up", *TEACHER),
 )
 def contact_real_robot(path: LinkPath) -> Response:
     """Connects with the robot, listens for a second and leaves it standing. For the teacher."""
     require_teacher()
     parts = services()
-    record = parts.robots.record(path.link)
+    record = parts.robots.profile(path.link)
     try:
         found = parts.engine.contact(record.for_contact())
     except PinelError as error:
-        words = explain(error, parts.settings.language)
+        text = explain(error, parts.settings.language)
         nothing = dict.fromkeys(("x_m", "y_m", "heading_deg", "rate_hz", "battery"))
-        return answer(RobotContact(**nothing, problem=words.message, remedy=words.remedy))
-    return answer(RobotContact(**found, problem=None, remedy=None))
+        return json_response(RobotContact(**nothing, problem=text.message, remedy=text.remedy))
+    return json_response(RobotContact(**found, problem=None, remedy=None))
 
 
 @api.post(
     "/real-robots/<link>/find",
-    responses=answers(
+    responses=responses(
         FoundRobots,
         "unknown_link",
         "robot_record_range",
@@ -105,28 +107,32 @@ def find_real_robots(path: LinkPath, body: RealRobotRecord) -> Response:
     """Looks for robots of ROS 2 in the domain of a record that need not be kept. For the teacher."""
     require_teacher()
     try:
-        record = record_from({**body.record, "link": path.link})
+        record = profile_from({**body.record, "link": path.link})
     except PinelError as error:
-        raise _in_words(error, path.link) from error
-    if not isinstance(record, RosRecord):
-        found_by_search = [one for one, kind in RECORDS.items() if issubclass(kind, RosRecord)]
+        raise _with_field_label(error, path.link) from error
+    if not isinstance(record, RosProfile):
+        found_by_search = [one for one, kind in PROFILES.items() if issubclass(kind, RosProfile)]
         raise PinelError("unknown_link", value=path.link, allowed=found_by_search)
     found = services().engine.find(record)
-    return answer(FoundRobots(domain=record.domain, robots=[FoundRobot(**one) for one in found]))
+    return json_response(
+        FoundRobots(domain=record.domain, robots=[FoundRobot(**one) for one in found])
+    )
 
 
-@api.post("/real-robots/<link>/watch", responses=answers(Empty, "unknown_link", "robot_not_set_up"))
+@api.post(
+    "/real-robots/<link>/watch", responses=responses(Empty, "unknown_link", "robot_not_set_up")
+)
 def watch_real_robot(path: LinkPath, body: RobotWatch) -> Response:
     """Listens to the robot for the next seconds: `robot_state` events tell how it is. Nothing is commanded."""
     parts = services()
-    record = parts.robots.record(path.link)
-    parts.robot_watching.watch(parts.engine, record, is_first=body.is_first)
-    return answer(Empty())
+    record = parts.robots.profile(path.link)
+    parts.status_feed.watch(parts.engine, record, is_first=body.is_first)
+    return json_response(Empty())
 
 
 @api.post(
     "/real-robots/<link>/jog",
-    responses=answers(Empty, "unknown_link", "robot_not_set_up", "run_in_progress", *TEACHER),
+    responses=responses(Empty, "unknown_link", "robot_not_set_up", "run_in_progress", *TEACHER),
 )
 def jog_real_robot(path: LinkPath, body: Jog) -> Response:
     """Moves the robot slowly for a fifth of a second. For the teacher.
@@ -135,56 +141,58 @@ def jog_real_robot(path: LinkPath, body: Jog) -> Response:
     """
     require_teacher()
     parts = services()
-    record = parts.robots.record(path.link)
+    record = parts.robots.profile(path.link)
     parts.engine.jog(record, body.drive, body.turn, body.sent_ms / 1000)
-    return answer(Empty())
+    return json_response(Empty())
 
 
-@api.delete("/real-robots/<link>/jog", responses=answers(Empty, "unknown_link", "robot_not_set_up"))
+@api.delete(
+    "/real-robots/<link>/jog", responses=responses(Empty, "unknown_link", "robot_not_set_up")
+)
 def halt_real_robot(path: LinkPath) -> Response:
     """Stops a robot that is moved by keys, at once; anybody may."""
     parts = services()
-    parts.engine.halt(parts.robots.record(path.link))
-    return answer(Empty())
+    parts.engine.halt(parts.robots.profile(path.link))
+    return json_response(Empty())
 
 
 @api.post(
     "/real-robots/<link>/at-start",
-    responses=answers(Empty, "unknown_link", "robot_not_set_up", *TEACHER),
+    responses=responses(Empty, "unknown_link", "robot_not_set_up", *TEACHER),
 )
-def stand_real_robot_at_start(path: LinkPath) -> Response:
+def set_real_robot_start(path: LinkPath) -> Response:
     """The robot stands at the start of its room: its place is counted from here. For the teacher."""
     require_teacher()
     parts = services()
-    parts.engine.stand_at_start(parts.robots.record(path.link))
-    return answer(Empty())
+    parts.engine.set_start_here(parts.robots.profile(path.link))
+    return json_response(Empty())
 
 
-def _in_words(error: PinelError, link: str) -> PinelError:
+def _with_field_label(error: PinelError, link: str) -> PinelError:
     """The error with its field as the form names it."""
     field = str(error.params.get("field", ""))
-    name = next((one for one in fields_of(RECORDS[link]) if field.startswith(one)), None)
+    name = next((one for one in fields_of(PROFILES[link]) if field.startswith(one)), None)
     if name is None:
         return error
-    return PinelError(error.code, **{**error.params, "field": _words(name)[0]})
+    return PinelError(error.code, **{**error.params, "field": _label_and_hint(name)[0]})
 
 
 def _robot(link: str) -> RealRobot:
-    kept = services().robots.kept(link)
-    record = kept or RECORDS[link]()
+    stored = services().robots.find(link)
+    record = stored or PROFILES[link]()
     return RealRobot(
         link=link,
-        is_set_up=kept is not None,
+        is_set_up=stored is not None,
         max_v_mps=record.max_v_mps,
         slow_v_mps=record.slowed().max_v_mps,
-        world=World.model_validate(kept.room.as_world()) if kept else None,
+        world=World.model_validate(stored.room.as_world()) if stored else None,
         record=record.as_message() if is_teacher() else None,
         fields=[_field(type(record), name) for name in fields_of(type(record))],
     )
 
 
-def _field(record: type[RobotRecord], name: str) -> RobotField:
-    label, hint = _words(name)
+def _field(record: type[RobotProfile], name: str) -> RobotField:
+    label, hint = _label_and_hint(name)
     low, high = limits(record, name)
     info = record.model_fields.get(name)
     is_number = not math.isnan(low)
@@ -203,13 +211,13 @@ def _field(record: type[RobotRecord], name: str) -> RobotField:
 def _part(field: str) -> Literal["speed", "room", "address", "tolerance"]:
     if field.startswith("room."):
         return "room"
-    if field not in RobotRecord.model_fields:
+    if field not in RobotProfile.model_fields:
         return "address"
     return "tolerance" if "tolerance" in field else "speed"
 
 
-def _words(field: str) -> tuple[str, str]:
+def _label_and_hint(field: str) -> tuple[str, str]:
     """Label and hint of a field."""
     code = f"robot_field_{field.replace('.', '_')}"
-    words = describe(code, {}, services().settings.language)
-    return words.message, words.remedy
+    text = describe(code, {}, services().settings.language)
+    return text.message, text.remedy

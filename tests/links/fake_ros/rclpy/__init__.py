@@ -51,8 +51,8 @@ class Node:
         self._name, self._context = name, context
         context.n_nodes += 1
         self._robot = socket.create_connection(("127.0.0.1", _GRAPH["port"]))
-        self._takers = {}
-        self._publishers, self._gone = [], []
+        self._callbacks = {}
+        self._publishers, self._withdrawn = [], []
         threading.Thread(target=self._listen, daemon=True).start()
 
     def _listen(self):
@@ -60,16 +60,16 @@ class Node:
             for line in lines:
                 report = json.loads(line)
                 if report["kind"] == "graph":
-                    self._publishers, self._gone = report["publishers"], report["gone"]
-                for kind, (make, take) in list(self._takers.items()):
+                    self._publishers, self._withdrawn = report["publishers"], report["gone"]
+                for kind, (make, callback) in list(self._callbacks.items()):
                     if kind == report["kind"]:
-                        take(make(report))
+                        callback(make(report))
 
     def get_name(self):
         return self._name
 
     def get_subscriptions_info_by_topic(self, topic):
-        there = topic == "/cmd_vel" and topic not in self._gone and _GRAPH["command_type"]
+        there = topic == "/cmd_vel" and topic not in self._withdrawn and _GRAPH["command_type"]
         return [endpoint("robot", there)] if there else []
 
     def get_publishers_info_by_topic(self, topic):
@@ -78,7 +78,7 @@ class Node:
             return [endpoint(name) for name in names]
         if topic == "/parameter_events":
             return [endpoint(self._name), endpoint("robot")]
-        there = topic not in self._gone and _GRAPH["published"].get(topic)
+        there = topic not in self._withdrawn and _GRAPH["published"].get(topic)
         return [endpoint("robot", there)] if there else []
 
     def create_publisher(self, kind, topic, qos):
@@ -86,9 +86,9 @@ class Node:
         self._robot.sendall(json.dumps({"publishes": self._name}).encode() + b"\n")
         return Publisher(self, self._robot)
 
-    def create_subscription(self, kind, topic, take, qos):
+    def create_subscription(self, kind, topic, callback, qos):
         assert qos.reliability == "best_effort"
-        self._takers[kind.KIND] = (kind.of, take)
+        self._callbacks[kind.KIND] = (kind.of, callback)
 
     def get_clock(self):
         stamp = SimpleNamespace(sec=int(time.time()), nanosec=0)

@@ -9,7 +9,7 @@ import { haltKeys, joggedLink } from "./jog";
 /** The link of the simulator, which every page begins with: nothing real moves because somebody chose it before. */
 export const SIMULATOR = "sim";
 
-/** The name of the room's world document in the list of runs: pinel_desktop/robot/record.py. */
+/** The name of the room's world document in the list of runs: pinel_desktop/robot/robot_profile.py. */
 export const ROOM_WORLD = "room";
 
 /** The kinds of real robots, as the server last told. */

@@ -34,6 +34,20 @@ describe("what only the teacher may do", () => {
     expect(work).toHaveBeenCalledTimes(1);
   });
 
+  test("is tried again without the PIN if the teacher signed in while the request was under way", async () => {
+    teacherSession.value = { has_pin: true, is_open: false };
+    let refuse: (error: unknown) => void = () => {};
+    const refused = new Promise<string>((_, reject) => {
+      refuse = reject;
+    });
+    const work = vi.fn().mockReturnValueOnce(refused).mockResolvedValueOnce("done");
+    const done = asTeacher<string>(work);
+    teacherSession.value = OPEN;
+    refuse(shut());
+    expect(await done).toBe("done");
+    expect(teacherSession.value).toEqual(OPEN);
+  });
+
   test("says what else went wrong", async () => {
     const conflict = new ApiError(409, { code: "group_exists" });
     await expect(asTeacher(() => Promise.reject(conflict))).rejects.toBe(conflict);

@@ -62,10 +62,13 @@ teacherSession.subscribe((now) => {
  * lost.
  */
 export async function asTeacher<T>(work: () => Promise<T>): Promise<T> {
+  const before = teacherSession.peek();
   try {
     return await work();
   } catch (error) {
     if (!isSignedOut(error)) throw error;
+    // the refusal may arrive after the teacher has signed in: the PIN is not requested again
+    if (teacherSession.peek()?.is_open && teacherSession.peek() !== before) return asTeacher(work);
     teacherSession.value = { has_pin: error.code !== "pin_missing", is_open: false };
     await new Promise<void>((resolve) => {
       waiting.value = [...waiting.peek(), resolve];

@@ -38,16 +38,18 @@ function Runs() {
         )}
       </div>
       <Loaded of={choices}>{(found) => <RunFilters filter={filter} choices={found} />}</Loaded>
-      <Loaded of={list}>
-        {(page, { busy }) => (
-          <RunCards
-            page={page}
-            lessons={choices.status === "ready" ? choices.value.lessons : []}
-            busy={busy}
-            onOlder={older}
-          />
-        )}
-      </Loaded>
+      {choices.status !== "loading" && ( // later, the filters would move the cards under a click
+        <Loaded of={list}>
+          {(page, { busy }) => (
+            <RunCards
+              page={page}
+              lessons={choices.status === "ready" ? choices.value.lessons : []}
+              busy={busy}
+              onOlder={older}
+            />
+          )}
+        </Loaded>
+      )}
       <ChosenRuns chosen={chosen} />
     </main>
   );

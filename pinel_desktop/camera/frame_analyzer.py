@@ -1,0 +1,70 @@
+"""The signs in the frames of a camera, in their order."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pinel_desktop.camera.frames import RawFrame
+from pinel_desktop.camera.landmark_sequence import RecordedHand
+from pinel_desktop.gestures.classifier import SignClassifier, SignPrediction
+from pinel_desktop.gestures.recognition import RecognisedHand, Recogniser
+
+
+@dataclass(frozen=True, slots=True)
+class DetectedSign:
+    """A hand in a frame and what it shows.
+
+    Attributes:
+        points: 21 landmarks (x, y) in px of the frame.
+        handedness: which hand of the person it is.
+        features: the hand as numbers, (1748,).
+        prediction: the sign that it shows.
+        is_taught: whether the likeliest sign is one that the class taught.
+    """
+
+    points: NDArray[np.float32]
+    handedness: Literal["left", "right"]
+    features: NDArray[np.float32]
+    prediction: SignPrediction
+    is_taught: bool
+
+
+class FrameAnalyzer:
+    """Looks at the frames of one camera."""
+
+    def __init__(self, recogniser: Recogniser) -> None:
+        self._recogniser = recogniser
+        self._taught: frozenset[str] = frozenset()
+
+    @property
+    def classifier(self) -> SignClassifier:
+        """Which signs it knows."""
+        return self._recogniser.classifier
+
+    def set_classifier(self, classifier: SignClassifier, taught: frozenset[str]) -> None:
+        """Knows other signs from now on, some of which a class taught."""
+        self._recogniser.classifier, self._taught = classifier, taught
+
+    def analyze(self, frame: RawFrame) -> list[DetectedSign]:
+        """The hands of the next frame, at most two."""
+        if frame.hands is not None:
+            return [self._recorded(hand) for hand in frame.hands]
+        return [self._found(hand) for hand in self._recogniser.track(frame.picture)]
+
+    def reset(self) -> None:
+        """Forgets the hands that it follows: the next frame comes from elsewhere."""
+        self._recogniser.reset_tracking()
+
+    def _recorded(self, hand: RecordedHand) -> DetectedSign:
+        prediction = self.classifier.predict(hand.features, self._recogniser.doubt)
+        side: Literal["left", "right"] = "left" if hand.is_left else "right"
+        return DetectedSign(
+            hand.points, side, hand.features, prediction, prediction.best in self._taught
+        )
+
+    def _found(self, recognised: RecognisedHand) -> DetectedSign:
+        hand, prediction = recognised.hand, recognised.prediction
+        points, is_taught = hand.points[:, :2].astype(np.float32), prediction.best in self._taught
+        return DetectedSign(points, hand.handedness, recognised.features, prediction, is_taught)

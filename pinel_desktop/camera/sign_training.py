@@ -1,0 +1,149 @@
+"""What a class taught, learnt beside the frames, and the frames and movements from which it is to learn."""
+
+import base64
+import logging
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pinel_desktop.camera.frame_analyzer import DetectedSign
+from pinel_desktop.gestures.classifier import Samples, SignClassifier
+from pinel_desktop.gestures.features import N_FEATURES
+from pinel_desktop.gestures.movements import N_FRAMES, N_NUMBERS, HandObservation, MovementSegmenter
+from pinel_desktop.gestures.moving_signs import MovingSignClassifier
+from pinel_desktop.gestures.stability import is_still
+
+_log = logging.getLogger(__name__)
+_SAMPLE_S = 0.12  # frames that follow each other at once show the same
+_SAMPLE_DTYPE = np.dtype("<f2")
+_MAX_FLOAT16 = float(np.finfo(np.float16).max)
+
+
+@dataclass(frozen=True, slots=True)
+class TrainedSigns:
+    """A classifier, the names of the signs in it that a class taught, and the signs that move."""
+
+    classifier: SignClassifier
+    taught: frozenset[str] = frozenset()
+    moving: MovingSignClassifier = field(default_factory=lambda: MovingSignClassifier({}))
+
+
+class SignTrainer:
+    """Teaches a classifier on a thread of its own, so that frames go on meanwhile."""
+
+    def __init__(self, classifier: SignClassifier) -> None:
+        self._letters = classifier
+        self._lock = threading.Lock()
+        self._n_started = 0
+        self._trained: TrainedSigns | None = None
+        self._is_busy = False
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether something is to be taken soon: what is recognised until then is not what the class means."""
+        return self._is_busy
+
+    def train(self, signs: Sequence[dict[str, Any]]) -> None:
+        """Begins with the letters that ship and these signs.
+
+        Args:
+            signs: of each `sign`, and `samples` and `movements`, base64 of float16 (n, 1748).
+        """
+        with self._lock:
+            self._n_started += 1
+            self._is_busy = True
+            number = self._n_started
+        threading.Thread(
+            target=self._work, args=(number, signs), name="camera-learner", daemon=True
+        ).start()
+
+    def pop_result(self) -> TrainedSigns | None:
+        """What was learnt since it was asked last; None for nothing."""
+        with self._lock:
+            trained, self._trained = self._trained, None
+            self._is_busy = self._is_busy and trained is None
+            return trained
+
+    def _work(self, number: int, signs: Sequence[dict[str, Any]]) -> None:
+        try:
+            trained = self._taught(signs)
+        except (KeyError, TypeError, ValueError, np.linalg.LinAlgError):
+            _log.exception("signs cannot be learnt")
+            trained = TrainedSigns(self._letters)
+        with self._lock:
+            if number == self._n_started:  # else it is another class's turn already
+                self._trained = trained
+
+    def _taught(self, signs: Sequence[dict[str, Any]]) -> TrainedSigns:
+        moves = {sign["sign"]: _unpacked(sign["movements"]) for sign in signs}
+        moving = {name: rows.reshape(-1, N_FRAMES, N_NUMBERS) for name, rows in moves.items()}
+        known = MovingSignClassifier({name: rows for name, rows in moving.items() if len(rows)})
+        samples = [_unpacked(sign["samples"]) for sign in signs]
+        names = [sign["sign"] for sign, found in zip(signs, samples, strict=True) for _ in found]
+        if not names:
+            return TrainedSigns(self._letters, moving=known)
+        classifier = self._letters.with_samples(Samples(np.concatenate(samples), tuple(names)))
+        classifier.predict(np.zeros(N_FEATURES, np.float32))  # derives what is derived once
+        return TrainedSigns(classifier, frozenset(names), known)
+
+
+class SampleCollector:
+    """Chooses frames from which a sign is to be learnt: one hand, at rest, each a moment after the one before."""
+
+    def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Forgets the frames so far."""
+        self._points: NDArray[np.float32] | None = None
+        self._last_frame_s = self._last_sample_s = float("-inf")
+
+    def update(self, time_s: float, hands: Sequence[DetectedSign]) -> str | None:
+        """The hand of a good frame, packed as messages carry it; None for another frame."""
+        before, elapsed_s = self._points, time_s - self._last_frame_s
+        self._points, self._last_frame_s = (hands[0].points if len(hands) == 1 else None), time_s
+        if self._points is None or before is None or not is_still(before, self._points, elapsed_s):
+            return None
+        if time_s - self._last_sample_s < _SAMPLE_S:
+            return None
+        packed = pack(hands[0].features)
+        self._last_sample_s = time_s if packed else self._last_sample_s
+        return packed
+
+
+class MovementCollector:
+    """Cuts out the movements from which a sign is to be learnt: of one hand, from rest to rest."""
+
+    def __init__(self) -> None:
+        self._segmenter = MovementSegmenter()
+
+    def reset(self) -> None:
+        """Forgets the frames so far."""
+        self._segmenter.reset()
+
+    def update(self, time_s: float, hands: Sequence[DetectedSign]) -> str | None:
+        """The movement that ends with this frame, packed as messages carry it; None without one."""
+        if len(hands) != 1:
+            self._segmenter.reset() if hands else None
+            return None
+        hand = hands[0]
+        movement = self._segmenter.update(
+            HandObservation(time_s, hand.points, hand.handedness == "left")
+        )
+        return None if movement is None else pack(movement)
+
+
+def pack(numbers: NDArray[np.float32]) -> str | None:
+    """Numbers of a sample as messages carry them; None for what half precision cannot hold."""
+    if not (np.abs(numbers) <= _MAX_FLOAT16).all():
+        return None
+    return base64.b64encode(numbers.astype(_SAMPLE_DTYPE).tobytes()).decode("ascii")
+
+
+def _unpacked(packed: str) -> NDArray[np.float32]:
+    octets = base64.b64decode(packed, validate=True)
+    return np.frombuffer(octets, _SAMPLE_DTYPE).reshape(-1, N_FEATURES).astype(np.float32)

@@ -1,0 +1,194 @@
+"""Receives what a robot publishes, on a thread of its own, and watches who else drives it."""
+
+import logging
+import math
+import threading
+import time
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from cyclonedds.core import InstanceState, ReadCondition, SampleState, ViewState, WaitSet
+from cyclonedds.idl import IdlStruct
+from cyclonedds.internal import InvalidSample
+from cyclonedds.sub import DataReader
+from cyclonedds.util import duration
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.dds import messages
+from pinel_desktop.links.dds.session import Session, delete
+from pinel_desktop.links.odometry import yaw_of
+from pinel_desktop.links.ros_sensors import LidarScan, RosSensors
+from pinel_desktop.links.transport import Odometry, Receiver
+from pinel_desktop.robot import Twist2D
+
+_WATCHED_EACH_S = 0.2
+# At most so often a topic is read; of a flood the newest message counts.
+_MIN_INTERVAL_S = 0.005
+_NEW = SampleState.NotRead | ViewState.Any | InstanceState.Any
+_AT_ONCE = 4
+_MAX_WAIT = duration(milliseconds=100)
+
+_log = logging.getLogger(__name__)
+Handler = Callable[[Any], None]
+
+
+class RobotClock:
+    """The robot's own time, told from the stamps of its odometry: a robot passes over commands that look old."""
+
+    def __init__(self) -> None:
+        self._ahead_s: float | None = None  # of this PC's monotonic clock
+
+    def set(self, stamp_s: float | None) -> None:
+        """A message of `stamp_s` has just come; None for one without a time."""
+        if stamp_s is not None and math.isfinite(stamp_s):
+            self._ahead_s = stamp_s - time.monotonic()
+
+    def now(self) -> messages.Time:
+        """Zero before the first message: robots take it for their present."""
+        if self._ahead_s is None:
+            return messages.Time()
+        now_s = max(0.0, time.monotonic() + self._ahead_s)
+        whole_s = math.floor(now_s)
+        return messages.Time(whole_s, int((now_s - whole_s) * 1e9))
+
+
+class RobotSubscriber:
+    """Hands a robot's messages to its link and its sensors.
+
+    Args:
+        watch: called five times a second on this thread; what it raises stops the robot.
+
+    Attributes:
+        last_pose_s: when the newest message about its pose came (monotonic); None before the first.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        receiver: Receiver,
+        sensors: RosSensors,
+        watch: Callable[[], None],
+    ) -> None:
+        self._clock = RobotClock()
+        self._session, self._receiver, self._sensors = session, receiver, sensors
+        self._watch = watch
+        self.last_pose_s: float | None = None
+        self._handlers: list[tuple[DataReader[Any], ReadCondition, Handler]] = []
+        self._waitset = WaitSet(session.participant)
+        self._ending = threading.Event()
+        self._has_failed = False
+        self._thread = threading.Thread(target=self._work, name="robot-receiver", daemon=True)
+
+    def start(self) -> None:
+        self._thread.start()
+
+    def close(self) -> None:
+        self._ending.set()
+        if self._thread.is_alive():
+            self._thread.join()
+        delete(self._waitset)
+
+    def stamped(self, twist: Twist2D) -> messages.TwistStamped:
+        """A command with the robot's own time."""
+        header = messages.Header(self._clock.now(), "base_link")
+        linear, angular = messages.Vector3(x=twist.v_mps), messages.Vector3(z=twist.omega_radps)
+        return messages.TwistStamped(header, messages.Twist(linear, angular))
+
+    def subscribe(self, topic: str, message: type[IdlStruct]) -> None:
+        """Begins to receive a topic; before `start`, or in `watch`."""
+        reader = self._session.reader(topic, message)
+        condition = ReadCondition(reader, _NEW)
+        self._waitset.attach(condition)
+        self._handlers.append((reader, condition, getattr(self, _HANDLERS[message])))
+        if message in _OFFERED:
+            self._sensors.offer(_OFFERED[message])
+
+    def withdraw(self, message: type[IdlStruct]) -> None:
+        """The robot publishes messages of this type no more: what the last one told counts no longer."""
+        if message in _OFFERED:
+            self._sensors.withdraw(_OFFERED[message])
+        else:
+            self._receiver.on_battery(math.nan)
+
+    def _work(self) -> None:
+        watched_s = -math.inf
+        while not self._ending.is_set():
+            started_s = time.monotonic()
+            if started_s - watched_s >= _WATCHED_EACH_S:
+                watched_s = started_s
+                self._guarded(self._watch)
+            self._waitset.wait(_MAX_WAIT)
+            for reader, _, handle in tuple(self._handlers):
+                self._guarded(partial(self._read_samples, reader, handle))
+            self._ending.wait(max(0.0, _MIN_INTERVAL_S - (time.monotonic() - started_s)))
+
+    def _guarded(self, act: Callable[[], None]) -> None:
+        """A PinelError stops the robot; a message that cannot be read is passed over."""
+        try:
+            act()
+        except PinelError as problem:
+            self._receiver.on_problem(problem)
+        except Exception:
+            if not self._has_failed:
+                _log.exception("a message of the robot could not be read")
+            self._has_failed = True
+
+    def _read_samples(self, reader: "DataReader[Any]", handle: Handler) -> None:
+        for sample in reader.take(_AT_ONCE):
+            if not isinstance(sample, InvalidSample):
+                handle(sample)
+
+    def _on_odometry(self, message: messages.Odometry) -> None:
+        twist = message.twist.twist
+        self._forward_pose(message.header, message.pose.pose, twist.linear.x, twist.angular.z)
+
+    def _on_pose(self, message: messages.PoseStamped) -> None:
+        self._forward_pose(message.header, message.pose, None, None)
+
+    def _forward_pose(
+        self, header: messages.Header, pose: messages.Pose, v: float | None, omega: float | None
+    ) -> None:
+        self.last_pose_s = time.monotonic()
+        stamp_s = header.stamp.sec + header.stamp.nanosec * 1e-9 or None
+        self._clock.set(stamp_s)
+        at, turned = pose.position, pose.orientation
+        yaw = yaw_of(turned.x, turned.y, turned.z, turned.w)
+        self._receiver.on_odometry(Odometry(at.x, at.y, yaw, v, omega, stamp_s, header.frame_id))
+
+    def _on_scan(self, message: messages.LaserScan) -> None:
+        bounds = (message.range_min, message.range_max)
+        scan = LidarScan(message.angle_min, message.angle_increment, *bounds, message.ranges)
+        self._sensors.on_scan(scan)
+
+    def _on_range(self, message: messages.Range) -> None:
+        self._sensors.on_range(message.header.frame_id, message.range, message.max_range)
+
+    def _on_points(self, message: messages.PointCloud) -> None:
+        self._sensors.on_points([(point.x, point.y) for point in message.points])
+
+    def _on_bumper(self, message: messages.Bool) -> None:
+        self._sensors.on_bumper(message.data)
+
+    def _on_battery(self, message: messages.BatteryState) -> None:
+        level = message.percentage  # from 0 to 1; some robots count to 100
+        self._receiver.on_battery(level / 100 if level > 1.0 else level)
+
+
+_HANDLERS: dict[type[IdlStruct], str] = {
+    messages.Odometry: "_on_odometry",
+    messages.PoseStamped: "_on_pose",
+    messages.LaserScan: "_on_scan",
+    messages.Range: "_on_range",
+    messages.RangeBeforeIron: "_on_range",
+    messages.PointCloud: "_on_points",
+    messages.Bool: "_on_bumper",
+    messages.BatteryState: "_on_battery",
+}
+_OFFERED: dict[type[IdlStruct], str] = {
+    messages.LaserScan: "lidar",
+    messages.Range: "sonar",
+    messages.RangeBeforeIron: "sonar",
+    messages.PointCloud: "sonar",
+    messages.Bool: "bumper",
+}

@@ -1,0 +1,244 @@
+"""How a PC reaches a real robot, what that robot may do, and the room that it drives in.
+
+A PC keeps one record for each kind of link; a run keeps the record that it was started with.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Annotated, Any, ClassVar, Self
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.robot.geometry import Pose2D
+from pinel_desktop.robot.models import RobotModel
+
+# The app's start imports this module; a model is built when it is first used.
+_SETTINGS = ConfigDict(defer_build=True, frozen=True, extra="forbid")
+
+# What DDS allows: domain 232 is the last whose ports are below 65536 (OMG DDSI-RTPS 2.5, 9.6.2).
+LAST_DOMAIN = 232
+# A ROS name: letters, digits, underlines, parts separated by slashes.
+_ROS_NAME = r"^/?[A-Za-z_][A-Za-z0-9_]*(/[A-Za-z_][A-Za-z0-9_]*)*$"
+_SOON_S = 20.0
+# name of the world document of a room
+ROOM = "room"
+RosName = Annotated[str, Field(pattern=_ROS_NAME, max_length=100)]
+HostName = Annotated[str, Field(pattern=r"^[A-Za-z0-9.:\-]+$", max_length=100)]
+
+
+class Room(BaseModel):
+    """The free floor of a real room, a rectangle around its middle, and where the robot stands at the start of a run.
+
+    The frame is that of worlds: the origin in the middle, x to the right of the drawing, metres, degrees.
+    """
+
+    model_config = _SETTINGS
+
+    width_m: Annotated[float, Field(ge=1.0, le=50.0)] = 4.0
+    depth_m: Annotated[float, Field(ge=1.0, le=50.0)] = 4.0
+    x_m: Annotated[float, Field(ge=-25.0, le=25.0)] = 0.0
+    y_m: Annotated[float, Field(ge=-25.0, le=25.0)] = 0.0
+    heading_deg: Annotated[float, Field(ge=-360.0, le=360.0)] = 0.0
+
+    @property
+    def start(self) -> Pose2D:
+        """Where the robot stands at the start, in m and rad."""
+        return Pose2D(self.x_m, self.y_m, math.radians(self.heading_deg))
+
+    def as_world(self) -> dict[str, Any]:
+        """A world document (docs/worlds.md) that shows the room: its edge as walls, and the start."""
+        x, y = self.width_m / 2, self.depth_m / 2
+        corners = [[-x, -y], [x, -y], [x, y], [-x, y]]
+        edges = zip(corners, corners[1:] + corners[:1], strict=True)
+        return {
+            "pinel_world": 1,
+            "name": ROOM,
+            "title": {"pt-BR": "Sala de verdade", "en": "Real room", "es": "Sala real"},
+            "size_m": [self.width_m, self.depth_m],
+            "start": {"x_m": self.x_m, "y_m": self.y_m, "heading_deg": self.heading_deg},
+            "walls": [{"from": a, "to": b} for a, b in edges],
+            "boxes": [],
+        }
+
+
+class RobotProfile(BaseModel):
+    """What is the same for each kind of real robot.
+
+    Attributes:
+        max_v_mps, max_omega_dps: the robot is never commanded faster, whatever a program sets.
+        move_tolerance_m, turn_tolerance_deg: a motion that ends this near to its goal has arrived. Wheels stick before
+            they move by less.
+        room: a robot that comes to its edge is stopped.
+        comes_to_us: it connects to this PC, which waits for it; all others are looked for.
+    """
+
+    model_config = _SETTINGS
+    link: ClassVar[str]
+    comes_to_us: ClassVar[bool] = False
+
+    max_v_mps: Annotated[float, Field(ge=0.05, le=1.2)] = 0.3
+    max_omega_dps: Annotated[float, Field(ge=5.0, le=300.0)] = 60.0
+    move_tolerance_m: Annotated[float, Field(ge=0.001, le=0.1)] = 0.01
+    turn_tolerance_deg: Annotated[float, Field(ge=0.1, le=10.0)] = 0.6
+    room: Room = Field(default_factory=Room)
+
+    @property
+    def address(self) -> str:
+        """Identifies the robot among all that this PC can reach: two runs never drive the same one."""
+        raise NotImplementedError
+
+    def limited(self, robot: RobotModel) -> RobotModel:
+        """The robot's model with the speeds of this record."""
+        v = min(self.max_v_mps, robot.max_v_mps)
+        omega = min(math.radians(self.max_omega_dps), robot.max_omega_radps)
+        return replace(
+            robot,
+            max_v_mps=v,
+            max_omega_radps=omega,
+            start_v_mps=min(v, robot.start_v_mps),
+            start_omega_radps=min(omega, robot.start_omega_radps),
+        )
+
+    def as_message(self) -> dict[str, Any]:
+        """Plain JSON data: `record_from` reads it."""
+        return {"link": self.link, **self.model_dump(mode="json")}
+
+    def as_record(self) -> dict[str, Any]:
+        """The same without secrets, for the record of a run, which travels to other PCs."""
+        return {"link": self.link, **self.model_dump(mode="json", exclude={"key"})}
+
+    def slowed(self) -> Self:
+        """At half of its speeds, for the first run in front of people."""
+        halved = {
+            name: max(limits(type(self), name)[0], getattr(self, name) / 2)
+            for name in ("max_v_mps", "max_omega_dps")
+        }
+        return self.model_copy(update=halved)
+
+    def for_contact(self) -> Self:
+        """For a try whether the robot can be reached, which somebody watches."""
+        return self
+
+
+class RosProfile(RobotProfile):
+    """A robot that speaks ROS 2.
+
+    Attributes:
+        domain: the robot's ROS_DOMAIN_ID.
+        namespace: before the names of its topics; empty for none.
+        command_topic: geometry_msgs Twist or TwistStamped, whichever the robot subscribes to.
+        odometry_topic: nav_msgs Odometry or geometry_msgs PoseStamped.
+        scan_topic, sonar_topic, bumper_topic, battery_topic: empty if the robot has none.
+        peers: addresses of the robot where the network passes no multicast on.
+    """
+
+    domain: Annotated[int, Field(ge=0, le=LAST_DOMAIN)] = 0
+    namespace: RosName | Annotated[str, Field(pattern="^$")] = ""
+    command_topic: RosName = "cmd_vel"
+    odometry_topic: RosName = "odom"
+    scan_topic: RosName | Annotated[str, Field(pattern="^$")] = "scan"
+    sonar_topic: RosName | Annotated[str, Field(pattern="^$")] = "sonar"
+    bumper_topic: RosName | Annotated[str, Field(pattern="^$")] = "bumper_state"
+    battery_topic: RosName | Annotated[str, Field(pattern="^$")] = "battery_state"
+    peers: Annotated[tuple[HostName, ...], Field(max_length=20)] = ()
+
+    @property
+    def address(self) -> str:
+        return f"domain {self.domain} {self.name_of(self.command_topic)}"
+
+    def name_of(self, topic: str) -> str:
+        """A topic's full name; an absolute one keeps its own. Without the first slash."""
+        if topic.startswith("/") or not self.namespace:
+            return topic.strip("/")
+        return f"{self.namespace.strip('/')}/{topic}"
+
+
+class DdsProfile(RosProfile):
+    """A robot of ROS 2, reached without an installed ROS."""
+
+    link = "dds"
+
+
+class Ros2Profile(RosProfile):
+    """A robot of ROS 2, reached with the ROS that is installed on this PC."""
+
+    link = "ros2"
+
+
+class BridgeProfile(RobotProfile):
+    """A simulator or robot that asks this PC over HTTP for velocities and reports its pose, as the original PINEL's.
+
+    Attributes:
+        host, port: where this PC listens.
+        key: what each request must bring; empty for none, as the original's clients do.
+        wait_s: how long connecting waits for the first request.
+    """
+
+    link = "bridge"
+    comes_to_us = True
+
+    host: HostName = "127.0.0.1"
+    port: Annotated[int, Field(ge=0, le=65535)] = 5000
+    key: Annotated[str, Field(max_length=100)] = ""
+    wait_s: Annotated[float, Field(ge=0.1, le=3600.0)] = 60.0
+
+    def for_contact(self) -> Self:
+        return self.model_copy(update={"wait_s": min(self.wait_s, _SOON_S)})
+
+    @property
+    def address(self) -> str:
+        return f"{self.url_host}:{self.port}"
+
+    @property
+    def url_host(self) -> str:
+        """The host as it stands in a URL."""
+        return f"[{self.host}]" if ":" in self.host else self.host
+
+
+PROFILES: dict[str, type[RobotProfile]] = {
+    record.link: record for record in (DdsProfile, Ros2Profile, BridgeProfile)
+}
+
+
+def fields_of(record: type[RobotProfile]) -> list[str]:
+    """Names of all fields; those of the room are `room.NAME`."""
+    own = [name for name in record.model_fields if name != "room"]
+    return [*own, *(f"room.{name}" for name in Room.model_fields)]
+
+
+def limits(record: type[RobotProfile], field: str) -> tuple[float, float]:
+    """Smallest and largest value of a number; NaN for a field that is no number."""
+    in_room, _, name = field.rpartition(".")
+    fields = Room.model_fields if in_room == "room" else record.model_fields
+    bounds = fields[name].metadata if name in fields else []
+    low = next((bound.ge for bound in bounds if hasattr(bound, "ge")), math.nan)
+    high = next((bound.le for bound in bounds if hasattr(bound, "le")), math.nan)
+    return float(low), float(high)
+
+
+def profile_from(message: Mapping[str, Any]) -> RobotProfile:
+    """The record of plain JSON data; what is missing has its default.
+
+    Raises:
+        PinelError: `unknown_link`; with the field and its value `robot_record_range` for what is no number within the
+            field's bounds, `robot_record_invalid` for all else.
+    """
+    fields = dict(message)
+    link = fields.pop("link", None)
+    if link not in PROFILES:
+        raise PinelError("unknown_link", value=link, allowed=list(PROFILES))
+    try:
+        return PROFILES[link].model_validate(fields)
+    except ValidationError as error:
+        raise _first_fault(PROFILES[link], error) from error
+
+
+def _first_fault(record: type[RobotProfile], error: ValidationError) -> PinelError:
+    first = error.errors(include_url=False)[0]
+    field = ".".join(str(part) for part in first["loc"] if not str(part).startswith("constrained"))
+    low, high = limits(record, field)
+    if math.isnan(low):
+        return PinelError("robot_record_invalid", field=field, value=first["input"])
+    return PinelError("robot_record_range", field=field, value=first["input"], low=low, high=high)

@@ -1,0 +1,190 @@
+"""One real robot: listened to while a page asks for it, reserved by whoever drives it."""
+
+import contextlib
+import logging
+import math
+import threading
+import time
+from collections.abc import Callable, Iterator
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links import open_link
+from pinel_desktop.links.real import RealLink
+from pinel_desktop.processes.messages import Message
+from pinel_desktop.robot import Pose2D, RobotLink
+from pinel_desktop.robot.robot_profile import RobotProfile
+from pinel_desktop.runs.robots import LEASE_S
+from pinel_desktop.runs.robots.state import UPDATE_INTERVAL_S, RobotSnapshot, StatePublisher, Use
+
+# A robot that is silent for so long may have begun anew, with other types of messages or another address.
+_RECONNECT_AFTER_S = 10.0
+_AGAIN_S = 2.0
+_RELEASED_WITHIN_S = 5.0
+
+_log = logging.getLogger(__name__)
+Follow = Callable[[RobotLink], None]
+
+
+class RobotMonitor:
+    """Listens on a thread of its own, which ends some seconds after the last `renew_lease`.
+
+    Whoever drives the robot reserves it: listening ends first, and the state is then told from the link that drives.
+    """
+
+    def __init__(self, record: RobotProfile, send: Callable[[Message], None]) -> None:
+        self._profile = record
+        self._changed = threading.Condition()
+        self._thread: threading.Thread | None = None
+        self._lease_ends_s = -math.inf
+        self._use: Use = "watch"
+        self._n_users = 0
+        self._is_listening = False
+        self._link: RealLink | None = None
+        self._start: Pose2D | None = None
+        self._missing: PinelError | None = None  # while nothing is heard
+        self._trouble: PinelError | None = None  # of the last drive by keys
+        self._publisher = StatePublisher(send)
+
+    @property
+    def start(self) -> Pose2D | None:
+        """Where it stood at the room's start, in its odometry frame; None while nobody knows."""
+        return self._start
+
+    def renew_lease(self, record: RobotProfile) -> None:
+        """Listens for a while longer; with another record than before, anew."""
+        with self._changed:
+            self._lease_ends_s = time.monotonic() + LEASE_S
+            if not self._n_users:
+                self._use_profile(record)
+            if self._thread is None:
+                self._thread = threading.Thread(target=self._work, name="robot-watch", daemon=True)
+                self._thread.start()
+
+    def set_start_here(self) -> None:
+        """It stands at the room's start: from now on its place in the room is counted from here."""
+        with self._changed:
+            self._start = self._link.pose if self._link else None
+            self._trouble = None
+
+    @contextlib.contextmanager
+    def reserved(self, use: Use, record: RobotProfile) -> Iterator[Follow]:
+        """Nothing listens to the robot meanwhile; the link that is followed tells its state.
+
+        Raises PinelError `robot_in_use` for keys while a run or a try has it.
+        """
+        with self._changed:
+            if use == "jog" and self._n_users:
+                raise PinelError("robot_in_use")
+            self._n_users += 1
+            self._use, self._trouble = use, None
+            self._changed.notify_all()
+            self._changed.wait_for(lambda: not self._is_listening, _RELEASED_WITHIN_S)
+            self._missing = None
+        try:
+            yield self._follow
+        finally:
+            with self._changed:
+                self._update_start()
+                self._n_users -= 1
+                self._use, self._link = "watch", None
+                self._changed.notify_all()
+
+    def fail(self, problem: PinelError) -> None:
+        """Tells why it is driven no more, until it is reserved again."""
+        self._trouble = problem
+
+    def close(self) -> None:
+        """Ends listening."""
+        with self._changed:
+            self._lease_ends_s = -math.inf
+            thread = self._thread
+            self._changed.notify_all()
+        if thread is not None:
+            thread.join(_RELEASED_WITHIN_S)
+
+    def _use_profile(self, record: RobotProfile) -> None:
+        if record != self._profile:
+            self._profile, self._start = record, None
+            self._missing = self._trouble = None
+            self._changed.notify_all()
+
+    def _follow(self, link: RobotLink) -> None:
+        if isinstance(link, RealLink):
+            with self._changed:
+                self._link = link
+                self._changed.notify_all()
+
+    def _update_start(self) -> None:
+        """Where a drive began, its place is counted from; after a lost reference nobody knows where it is."""
+        if self._link is None:
+            return
+        problem = self._link.problem
+        is_lost = problem is not None and problem.code in _LOST
+        self._start = None if is_lost else self._link.start or self._start
+
+    def _work(self) -> None:
+        self._publisher.force_next()
+        while True:
+            with self._changed:
+                if time.monotonic() >= self._lease_ends_s:
+                    self._thread = self._start = self._missing = self._trouble = None
+                    return
+                self._is_listening = is_free = self._n_users == 0
+                record = self._profile
+            if is_free:
+                self._listen(record)
+            else:
+                self._publish_state()
+                self._wait(lambda: not self._n_users, UPDATE_INTERVAL_S)
+
+    def _listen(self, record: RobotProfile) -> None:
+        link = open_link(record.link, world=record.room.as_world(), robot=record)
+        assert isinstance(link, RealLink)
+        self._publish_state()
+        try:
+            link.listen(lambda: self._is_over(record))
+            self._follow(link)
+            self._missing = None
+            self._receive(link, record)
+        except PinelError as problem:
+            self._missing = problem
+        except Exception:
+            _log.exception("a robot could not be listened to")
+        finally:
+            link.close()
+            with self._changed:
+                self._link, self._is_listening = None, False
+                self._changed.notify_all()
+        if not self._is_over(record):
+            self._publish_state()
+            self._wait(lambda: self._is_over(record), _AGAIN_S)
+
+    def _receive(self, link: RealLink, record: RobotProfile) -> None:
+        """Tells what is heard, until the robot is needed, or must be looked for again."""
+        while not self._is_over(record):
+            if link.problem is not None:
+                self._start = None
+                raise link.problem
+            self._start = self._start or link.pose
+            self._publish_state()
+            if link.n_odometry and link.age_s > _RECONNECT_AFTER_S:
+                return
+            self._wait(lambda: self._is_over(record), UPDATE_INTERVAL_S / 2)
+
+    def _is_over(self, record: RobotProfile) -> bool:
+        is_due = time.monotonic() >= self._lease_ends_s
+        return is_due or self._n_users > 0 or record != self._profile
+
+    def _wait(self, condition: Callable[[], bool], seconds: float) -> None:
+        with self._changed:
+            self._changed.wait_for(condition, seconds)
+
+    def _publish_state(self) -> None:
+        with self._changed:
+            problem = self._trouble or self._missing
+            snapshot = RobotSnapshot(self._profile, self._use, self._link, self._start, problem)
+        self._publisher.publish(snapshot)
+
+
+# After these nobody knows where the robot is.
+_LOST = frozenset({"reference_lost", "odometry_frame_changed"})

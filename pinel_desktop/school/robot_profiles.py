@@ -1,0 +1,69 @@
+"""The real robots of this PC: a record for each kind of link, which the teacher sets up."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.robot import PIONEER_3DX
+from pinel_desktop.robot.robot_profile import PROFILES, RobotProfile, profile_from
+from pinel_desktop.school.pin_rate_limiter import Settings
+
+
+class RobotProfiles:
+    """Keeps the records in the settings of the store.
+
+    Args:
+        links: names of the links that this app has.
+    """
+
+    def __init__(self, settings: Settings, links: Sequence[str]) -> None:
+        self._settings = settings
+        self.kinds = tuple(link for link in links if link in PROFILES)
+
+    def find(self, link: str) -> RobotProfile | None:
+        """The record of a kind, None before it is set up. Raises PinelError `unknown_link`."""
+        stored = self._settings.get(self._key(link))
+        if not isinstance(stored, dict):
+            return None
+        try:
+            return profile_from(stored)
+        except PinelError:  # of a newer release
+            return None
+
+    def profile(self, link: str) -> RobotProfile:
+        """The record of a kind. Raises PinelError `unknown_link`, `robot_not_set_up`."""
+        record = self.find(link)
+        if record is None:
+            raise PinelError("robot_not_set_up")
+        return record
+
+    def save(self, link: str, fields: dict[str, Any]) -> RobotProfile:
+        """Sets up a kind; what is missing has its default.
+
+        Raises:
+            PinelError: `unknown_link`, `robot_record_range`, `robot_record_invalid`, and a start that is not in the
+                room, such as `start_in_wall`.
+        """
+        key = self._key(link)
+        record = profile_from({**fields, "link": link})
+        _require_room(record)
+        self._settings.set(key, record.as_message())
+        return record
+
+    def forget(self, link: str) -> None:
+        """Undoes the set-up of a kind. Raises PinelError `unknown_link`."""
+        self._settings.set(self._key(link), None)
+
+    def _key(self, link: str) -> str:
+        if link not in self.kinds:
+            raise PinelError("unknown_link", value=link, allowed=["sim", *self.kinds])
+        return f"robot_{link}"
+
+
+def _require_room(record: RobotProfile) -> None:
+    """Raises PinelError with the first fault of the start, such as `start_in_wall`."""
+    from pinel_desktop.worlds import read_own_world  # noqa: PLC0415 - heavy
+
+    _, faults = read_own_world(record.room.as_world(), robot=PIONEER_3DX.name)
+    for fault in faults:
+        raise PinelError(fault.code, **fault.params)

@@ -1,0 +1,54 @@
+"""What pages are told of the real robots that they ask about."""
+
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from pinel_desktop.events.app_events import RobotStateChanged
+from pinel_desktop.messages import describe
+from pinel_desktop.robot.robot_profile import RobotProfile
+from pinel_desktop.runs.robots import LEASE_S
+
+if TYPE_CHECKING:
+    from pinel_desktop.engine.client import EngineClient
+
+
+class RobotStatusFeed:
+    """Lets the engine listen while a page asks, and publishes what it tells in words of the chosen language.
+
+    Args:
+        publish: takes events for all pages.
+        language: gives the chosen language.
+    """
+
+    def __init__(
+        self, publish: Callable[[dict[str, Any]], None], language: Callable[[], str]
+    ) -> None:
+        self._publish, self._language = publish, language
+        self._asked_s: dict[str, float] = {}
+        self._last: dict[str, dict[str, Any]] = {}
+
+    def watch(self, engine: "EngineClient", robot: RobotProfile, *, is_first: bool) -> None:
+        """A page asks; one that asks for the first time is told what is known already."""
+        now_s = time.monotonic()
+        if now_s - self._asked_s.get(robot.link, now_s) > LEASE_S:  # what was told last is old
+            self._last.pop(robot.link, None)
+        self._asked_s[robot.link] = now_s
+        known = self._last.get(robot.link)
+        if is_first and known is not None:
+            self._publish(known)
+        engine.watch(robot)
+
+    def publish_state(self, state: dict[str, Any]) -> None:
+        """A message of the engine."""
+        values = dict(state)
+        code, params = values["code"], values.pop("params")
+        del values["type"]
+        text = describe(code, params, self._language()) if code else None
+        event = RobotStateChanged(
+            **values,
+            message=text.message if text else "",
+            remedy=text.remedy if text else "",
+        )
+        self._last[event.link] = event.to_wire()
+        self._publish(event.to_wire())

@@ -1,0 +1,109 @@
+"""The marks of a lesson as a CSV table, with headings and values in the given language."""
+
+from collections.abc import Mapping
+from datetime import datetime
+
+from pinel_desktop.messages import catalogue, describe
+from pinel_desktop.robot.robot_profile import ROOM
+from pinel_desktop.school.review import Counts, LessonReview, TimelineEntry, spreadsheet
+from pinel_desktop.school.review.spreadsheet import Cell
+
+_COLUMNS = (
+    "group",
+    "computer",
+    "at",
+    "kind",
+    "program",
+    "version",
+    "n_edits",
+    "added",
+    "removed",
+    "changed",
+    "moved",
+    "state",
+    "reason",
+    "activity",
+    "passed",
+    "duration_s",
+    "repairs",
+    "robot",
+    "lesson",
+    "world",
+)
+
+
+def timeline_csv(
+    review: LessonReview,
+    computers: Mapping[str, str],
+    lessons: Mapping[str, str],
+    reasons: Mapping[str, str],
+    titles: Mapping[str, str],
+    language: str,
+) -> str:
+    """CSV with one row for each mark of each group.
+
+    Args:
+        computers: names of PCs by their key.
+        lessons: titles of the lesson and of those joined to it, by their key.
+        reasons: messages why runs ended, by run id.
+        titles: of activities, by name.
+    """
+
+    from pinel_desktop.activities import world_titles  # noqa: PLC0415 - heavy
+
+    own = describe("review_own_world", {}, language).message
+    worlds = world_titles(language) | {
+        "own": own,
+        ROOM: describe("review_room", {}, language).message,
+    }
+
+    def text(code: str) -> str:
+        return describe(f"review_{code}", {}, language).message
+
+    def row(name: str, mark: TimelineEntry, begins: Mapping[str, str]) -> list[Cell]:
+        run, changes = mark.run, mark.changes
+        counts = changes or Counts()
+        changed = (counts.added, counts.removed, counts.changed, counts.moved)
+        return [
+            name,
+            computers.get(mark.computer_id or ""),
+            _local(mark.at),
+            text(f"kind_{mark.kind}"),
+            mark.program_name,
+            mark.number,
+            None if run else mark.n_edits,
+            *(None if changes is None else count for count in changed),
+            text(f"state_{run.state}") if run else None,
+            reasons.get(run.id) if run else None,
+            titles.get(run.activity, run.activity) if run and run.activity else None,
+            None if run is None or run.passed is None else text(_YES_NO[run.passed]),
+            run.duration_s if run else None,
+            begins.get(mark.repairs or ""),
+            _robot(run.link, language) if run else None,
+            lessons.get(mark.lesson_id or ""),
+            worlds.get(run.world, run.world) if run and run.world else None,
+        ]
+
+    rows = [
+        row(group.name, mark, {one.run.id: _local(one.at) for one in group.timeline if one.run})
+        for group in review.groups
+        for mark in group.timeline
+    ]
+    return spreadsheet([text(f"column_{name}") for name in _COLUMNS], rows, language)
+
+
+_YES_NO = {True: "passed_yes", False: "passed_no"}
+
+
+def _robot(link: str, language: str) -> str:
+    """The kind of robot; the link itself of a newer release."""
+    code = f"review_robot_{link}"
+    return describe(code, {}, language).message if code in catalogue(language) else link
+
+
+def _local(time: str) -> str:
+    """A time in the time zone of this PC, in a form that spreadsheets read; invalid text is unchanged."""
+    try:
+        return f"{datetime.fromisoformat(time).astimezone():%Y-%m-%d %H:%M:%S}"
+    except (ValueError, OverflowError):
+        return time

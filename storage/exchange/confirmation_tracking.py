@@ -1,0 +1,74 @@
+"""Which runs of a bundle this PC must repeat before their pass counts, and which records give way to others.
+
+A bundle may have been made by anybody, so a pass that comes with one is marked in `unconfirmed_runs`, whoever wrote it.
+The mark goes when the run, repeated here, came out the same and passed (`pinel_desktop/school/confirming.py`).
+
+In the SQL `main` is the store and `bundle` the bundle; a row of the store is called `ours`, one of the bundle `theirs`.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from storage.exchange.joins import may_merge, rows_in_both
+from storage.file.row_checksums import OF_RUNS, content_checksum, copy_rows
+from storage.sql import row_count
+from storage.sqlite import sqlite3
+from storage.tables.runs import RUNS
+from storage.text import to_json
+
+_UNCONFIRMED = "main.unconfirmed_runs"
+# a run that counts as passed, or will be judged by its record: only these need a mark
+_COUNTS = "activity IS NOT NULL AND (passed = 1 OR passed IS NULL AND check_report IS NULL)"
+_IS_CUT_OFF = "ours.state = 'running' OR ours.reason IS 'interrupted'"
+_IS_TO_BE_JUDGED = f"ours.passed IS NULL AND ours.check_report IS NULL AND NOT ({_IS_CUT_OFF})"
+# condition: the run `ours` counts here as passed, or is to be judged by its record; no bundle changes it
+COUNTS_HERE = f"""(ours.activity IS NOT NULL AND (ours.passed IS 1 OR {_IS_TO_BE_JUDGED})
+    AND ours.id NOT IN (SELECT run_id FROM {_UNCONFIRMED}))"""
+_REFUTED = f"""SELECT ours.id {rows_in_both(RUNS)} JOIN {_UNCONFIRMED} AS mark ON mark.run_id = ours.id
+    WHERE mark.finding IS NOT NULL AND theirs.passed = 1 AND theirs.state <> 'running'"""
+
+
+@contextmanager
+def tracking_unconfirmed(
+    db: sqlite3.Connection, now: str, *, replaces_refuted: bool = True
+) -> Iterator[None]:
+    """Merge within this: afterwards the runs that came or changed have the marks that they need.
+
+    Args:
+        replaces_refuted: a run that was repeated here in vain becomes as the bundle has it, and is to be repeated again, as a
+            forged record may have come before that of the PC that drove.
+    """
+    shared = f"SELECT * FROM main.runs WHERE id IN (SELECT id FROM bundle.runs) AND {_COUNTS}"
+    db.execute(f"CREATE TEMP TABLE before AS {shared}")
+    refuted = [str(row[0]) for row in db.execute(_REFUTED)] if replaces_refuted else []
+    others = [run_id for run_id in refuted if _differs(db, run_id)]
+    yield
+    for run_id in others:
+        _replace(db, run_id)
+    db.execute(
+        f"""INSERT OR REPLACE INTO {_UNCONFIRMED} (run_id, marked_at)
+            SELECT id, ? FROM ({shared} EXCEPT SELECT * FROM temp.before)
+            UNION SELECT value, ? FROM json_each(?)""",
+        [now, now, to_json(others)],
+    )
+    db.execute("DROP TABLE temp.before")
+
+
+def n_unconfirmed(db: sqlite3.Connection) -> int:
+    """How many runs of the bundle have a mark in the store."""
+    return row_count(db, _UNCONFIRMED, "run_id IN (SELECT id FROM bundle.runs)")
+
+
+def _differs(db: sqlite3.Connection, run_id: str) -> bool:
+    return any(
+        content_checksum(db, table, run_id) != content_checksum(db, table, run_id, "bundle")
+        for table in OF_RUNS
+    )
+
+
+def _replace(db: sqlite3.Connection, run_id: str) -> None:
+    """Not a run whose group or version was deleted here."""
+    which = f"SELECT 1 FROM bundle.runs AS theirs WHERE id = ? AND {may_merge(RUNS)}"
+    if db.execute(which, [run_id]).fetchone():
+        for table in OF_RUNS:
+            copy_rows(db, table, run_id, "bundle")

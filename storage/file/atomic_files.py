@@ -1,0 +1,126 @@
+"""Files that appear under their name only when they are complete, and names that no file has yet."""
+
+import errno
+import os
+import secrets
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+_LEFTOVER_S = 3600.0  # without a write; an export takes minutes
+
+
+@contextmanager
+def atomic_write(final: Path) -> Iterator[Path]:
+    """A path to write to; its file replaces `final` when it is complete and on disk. A failure leaves nothing."""
+    part = final.with_name(f".{final.name}.part")
+    try:
+        part.unlink(missing_ok=True)
+        yield part
+        _sync(part)
+        part.replace(final)
+        _sync_folder(final.parent)
+    finally:
+        _remove(part)
+
+
+@dataclass(slots=True)
+class NewFile:
+    """A file that is being written.
+
+    Attributes:
+        part: the path to write to.
+        final: where it is in the end.
+    """
+
+    part: Path
+    final: Path
+
+
+@contextmanager
+def atomic_create(dest: Path) -> Iterator[NewFile]:
+    """A file that gets its name when it is complete and on disk; where there is one already, the new one gets a number.
+
+    A failure leaves nothing. What a process that was killed left in the folder is deleted with a later file there.
+    """
+    part = dest.with_name(f".{dest.name}.{secrets.token_hex(4)}.part")
+    new = NewFile(part, dest)
+    try:
+        yield new
+        _sync(part)
+        _remove_leftovers(part, dest.suffix)
+        new.final = _placed(part, dest)
+        _sync_folder(dest.parent)
+    finally:
+        _remove(part)
+
+
+def _placed(part: Path, dest: Path) -> Path:
+    for path in numbered(dest):
+        with suppress(FileExistsError):
+            _link(part, path)
+            return path
+    raise AssertionError("numbers do not end")
+
+
+def _link(part: Path, final: Path) -> None:
+    """Gives the file its name. Raises FileExistsError where there is one."""
+    try:
+        os.link(part, final)
+    except FileExistsError:
+        raise
+    except OSError:  # FAT and some shares know no links: for a moment an empty file has the name
+        final.open("xb").close()
+        try:
+            part.replace(final)
+        except OSError:
+            final.unlink()
+            raise
+
+
+def _remove_leftovers(part: Path, suffix: str) -> None:
+    """Times are compared on the disk: the clock of this PC may be wrong, and others write into a shared folder."""
+    now_s = part.stat().st_mtime
+    for left in part.parent.glob(f".*{suffix}.*part"):
+        with suppress(OSError):
+            if left.lstat().st_mtime < now_s - _LEFTOVER_S:
+                left.unlink()
+
+
+def _remove(part: Path) -> None:
+    for suffix in ("", "-journal"):
+        part.with_name(part.name + suffix).unlink(missing_ok=True)
+
+
+def numbered(path: Path, suffix: str | None = None) -> Iterator[Path]:
+    """The path, then the same with 2, 3 and so on before its suffix."""
+    ending = path.suffix if suffix is None else suffix
+    yield path
+    n = 1
+    while True:
+        n += 1
+        yield path.with_name(f"{path.name.removesuffix(ending)}-{n}{ending}")
+
+
+def free_path(path: Path, suffix: str | None = None) -> Path:
+    """The first of `numbered` where nothing is."""
+    return next(one for one in numbered(path, suffix) if not one.exists())
+
+
+def _sync(path: Path) -> None:
+    with path.open("rb+") as file:
+        os.fsync(file.fileno())
+
+
+def _sync_folder(folder: Path) -> None:
+    """Puts the file's name on disk too. Systems that cannot sync a folder do this by themselves."""
+    try:
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+    except OSError as error:
+        if error.errno == errno.EIO:
+            raise
