@@ -42,7 +42,8 @@ class HandDetector:
         """The hands of an RGB picture, at most two, the best first.
 
         Close hands need a smaller picture, faint ones a lower score: these are tried until one hand is found. If none
-        is certain, the best guess is given with its presence. `accepts` passes over palms; `exhaustive=False` tries once.
+        is certain, the best guess is given with its presence. `accepts` passes over palms; `exhaustive=False`
+        tries once.
         """
         guess: Hand | None = None
         for min_score in _PALM_SCORES[: None if exhaustive else 1]:

@@ -35,8 +35,8 @@ def tracking_unconfirmed(
     """Merge within this: afterwards the runs that came or changed have the marks that they need.
 
     Args:
-        replaces_refuted: a run that was repeated here in vain becomes as the bundle has it, and is to be repeated again, as a
-            forged record may have come before that of the PC that drove.
+        replaces_refuted: replaces a run that this PC refuted by the bundle's run, which is then repeated: a forged
+            record may have come before the record of the PC that drove.
     """
     shared = f"SELECT * FROM main.runs WHERE id IN (SELECT id FROM bundle.runs) AND {_COUNTS}"
     db.execute(f"CREATE TEMP TABLE before AS {shared}")
