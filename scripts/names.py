@@ -15,6 +15,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from pinel_desktop.activities.model import Activity
 from pinel_desktop.messages import LANGUAGES, catalogue
 from pinel_desktop.web.description import description
 from scripts.reference import schemas
@@ -45,18 +46,18 @@ TEXTS = "i18n/"  # its keys are the catalogue's
 Declaration = tuple[str, int, str]
 
 
-def words_of(name: str) -> list[str]:
-    """The words of an identifier: `takeBack_s` -> ["take", "back", "s"]."""
+def split(name: str) -> list[str]:
+    """Splits an identifier: `takeBack_s` -> ["take", "back", "s"]."""
     parted = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name)
     parted = re.sub(r"([A-Z]+)([A-Z][a-z])", r"\1_\2", parted)
-    return [word for word in parted.lower().split("_") if word]
+    return [part for part in parted.lower().split("_") if part]
 
 
 def banned_in(name: str) -> list[str]:
-    """The banned words and phrases of an identifier."""
-    words = words_of(name)
-    found = [word for word in words if word in BANNED]
-    pairs = set(pairwise(words))
+    """Returns the banned words and phrases of an identifier."""
+    parts = split(name)
+    found = [part for part in parts if part in BANNED]
+    pairs = set(pairwise(parts))
     return found + [" ".join(phrase) for phrase in BANNED_PHRASES if phrase in pairs]
 
 
@@ -103,7 +104,13 @@ def page_declarations() -> Iterator[Declaration]:
 @cache
 def recorded_names() -> frozenset[str]:
     """Names of HTTP, of the database, and of the documents that files hold."""
-    found = {*_keys(description()), *_keys(schemas.of_programs()), *_keys(schemas.of_worlds())}
+    documents = (
+        description(),
+        schemas.of_programs(),
+        schemas.of_worlds(),
+        Activity.model_json_schema(),
+    )
+    found = {name for document in documents for name in _keys(document)}
     found |= set(re.findall(r"\w+", (ROOT / "storage" / "tables" / "ddl.py").read_text("utf-8")))
     for language in LANGUAGES:
         for message in catalogue(language).values():

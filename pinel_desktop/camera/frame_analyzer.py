@@ -58,7 +58,7 @@ class FrameAnalyzer:
         self._recogniser.reset_tracking()
 
     def _recorded(self, hand: RecordedHand) -> DetectedSign:
-        prediction = self.classifier.predict(hand.features, self._recogniser.doubt)
+        prediction = self.classifier.predict(hand.features, self._recogniser.thresholds)
         side: Literal["left", "right"] = "left" if hand.is_left else "right"
         return DetectedSign(
             hand.points, side, hand.features, prediction, prediction.best in self._taught

@@ -40,7 +40,7 @@ class Recogniser:
     ) -> None:
         """The letters that ship, or another classifier. Raises PinelError where a file is missing or damaged."""
         self.classifier = classifier or weights_file.load(folder / weights_file.LETTERS.name)
-        self.doubt = thresholds
+        self.thresholds = thresholds
         self._detector = HandDetector(folder)
         self._tracker = HandTracker(self._detector)
         self._warm_up()
@@ -69,7 +69,7 @@ class Recogniser:
 
     def _recognised(self, hand: Hand) -> RecognisedHand:
         numbers = features(hand)
-        return RecognisedHand(hand, numbers, self.classifier.predict(numbers, self.doubt))
+        return RecognisedHand(hand, numbers, self.classifier.predict(numbers, self.thresholds))
 
 
 def clearest(hands: list[RecognisedHand]) -> RecognisedHand | None:

@@ -82,7 +82,7 @@ class LiveChecks:
         """Asks the judge again and again until the run is over; tells each change."""
         from pinel_desktop.judge.messages import RunUpdate  # noqa: PLC0415 - heavy
 
-        first: RunStartInfo | None = run.begun
+        first: RunStartInfo | None = run.start_info
         published: list[CheckProgress] | None = None
         while True:
             is_over, events = run.is_over, run.drain()
@@ -107,14 +107,14 @@ class _EventBuffer:
     """A run, and what it has told since it was last asked.
 
     Attributes:
-        begun: what the judge needs of it; it knows whether it can follow a run on a real robot.
+        start_info: what the judge needs of it; it knows whether it can follow a run on a real robot.
         is_followed: whether it has told its first event.
         stop: set when it is over, or nobody wants to know any more.
         is_over: whether it has told its last event.
     """
 
     def __init__(self, run_id: str, start_info: "RunStartInfo") -> None:
-        self.id, self.begun = run_id, start_info
+        self.id, self.start_info = run_id, start_info
         self.is_followed = False
         self.stop = threading.Event()
         self.is_over = False

@@ -35,7 +35,7 @@ class Behaviour:
         command: type that it subscribes to; empty for none.
         odometry: type that it publishes; empty for none.
         sensors: publishes a scan, sonars, a bumper and its battery.
-        gone: topics that it published, or subscribed to, and has left.
+        left_topics: topics that it published, or subscribed to, and has left.
         is_mute: reports nothing.
         broken: `nan`, `quaternion`, `jump`, `frame`, `clock` or `ahead`: what is wrong with the odometry.
         period_s: from one message to the next.
@@ -50,7 +50,7 @@ class Behaviour:
     odometry: str = "Odometry"
     namespace: str = ""
     sensors: bool = False
-    gone: Sequence[str] = ()
+    left_topics: Sequence[str] = ()
     is_mute: bool = False
     broken: str = ""
     period_s: float = PERIOD_S
@@ -89,7 +89,7 @@ class DdsRobot:
         threading.Thread(target=self._report, daemon=True).start()
         send({"ready": True})
         while True:
-            if self._commands is not None and "cmd_vel" in self.behaviour.gone:
+            if self._commands is not None and "cmd_vel" in self.behaviour.left_topics:
                 delete(self._commands)
                 self._commands = None
             for sample in self._commands.take(1) if self._commands else ():
@@ -113,7 +113,7 @@ class DdsRobot:
             time.sleep(self.behaviour.period_s)
 
     def _publish_sensors(self) -> None:
-        for topic in set(self.behaviour.gone) & set(self._sensors):
+        for topic in set(self.behaviour.left_topics) & set(self._sensors):
             delete(self._sensors.pop(topic)[0])
         for writer, messages in self._sensors.values():
             for message in messages:

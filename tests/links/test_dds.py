@@ -283,7 +283,7 @@ def test_a_robot_that_no_longer_listens_ends_the_run(
 ) -> None:
     robot = start_robot()
     link = connect()
-    robot.change(gone=["cmd_vel"])
+    robot.change(left_topics=["cmd_vel"])
     assert problem_of(link) == "robot_deaf"
 
 
@@ -302,9 +302,9 @@ def test_sensors_that_vanish_are_silent_and_the_robot_drives_on(
     wait_for(lambda: link.battery == 0.75)
     for topic, (sensor, read) in reads.items():
         eventually(read)
-        robot.change(gone=[topic])
+        robot.change(left_topics=[topic])
         wait_for(partial(is_unresponsive, read, sensor))
-    robot.change(gone=["battery_state"])
+    robot.change(left_topics=["battery_state"])
     wait_for(lambda: link.battery is None)
     wait_for(lambda: commanded(link, Twist2D(0.25, 0.0)) == robot.received[-1][1])
     assert not link.bumper()

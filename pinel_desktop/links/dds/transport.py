@@ -131,8 +131,12 @@ class DdsTransport:
             time.sleep(_POLL_S)
 
     def _is_lost(self) -> bool:
-        heard_s = self._subscriber.last_pose_s if self._subscriber is not None else None
-        return self._is_open and heard_s is not None and time.monotonic() - heard_s > LOST_TIMEOUT_S
+        last_pose_s = self._subscriber.last_pose_s if self._subscriber is not None else None
+        return (
+            self._is_open
+            and last_pose_s is not None
+            and time.monotonic() - last_pose_s > LOST_TIMEOUT_S
+        )
 
     def _receive(
         self,

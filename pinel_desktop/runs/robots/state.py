@@ -95,15 +95,15 @@ class StatePublisher:
 
     def _rate(self, link: RealLink) -> float | None:
         """Messages in a second. One that trembles by a tenth is no news."""
-        now_s, n_heard = time.monotonic(), link.n_odometry
+        now_s, n_received = time.monotonic(), link.n_odometry
         counted, since_s, before = self._counted
         if counted is not link:
-            self._counted, self._rate_hz = (link, now_s, n_heard), None
+            self._counted, self._rate_hz = (link, now_s, n_received), None
         elif now_s - since_s >= _RATE_OVER_S:
-            rate_hz = (n_heard - before) / (now_s - since_s)
+            rate_hz = (n_received - before) / (now_s - since_s)
             if self._rate_hz is None or abs(rate_hz - self._rate_hz) > max(1.0, rate_hz / 10):
                 self._rate_hz = float(round(rate_hz))
-            self._counted = (link, now_s, n_heard)
+            self._counted = (link, now_s, n_received)
         return self._rate_hz
 
 

@@ -26,13 +26,13 @@ function program(versions: { id: string; parent: string | null; n: number }[]) {
     autosave: { flush: async () => ({ id: versions.at(-1)?.id }) },
     setStoredVersion: (id: string) => storedVersions.push(id),
   } as unknown as OpenProgram;
-  return { undo: new StoredUndo(open), remembered: storedVersions };
+  return { undo: new StoredUndo(open), storedVersions };
 }
 
 afterEach(() => vi.restoreAllMocks());
 
 test("undo goes on with the version that the newest was made of", async () => {
-  const { undo, remembered: storedVersions } = program([
+  const { undo, storedVersions } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: "a", n: 2 },
     { id: "c", parent: "a", n: 3 },
@@ -44,7 +44,7 @@ test("undo goes on with the version that the newest was made of", async () => {
 });
 
 test("what looks the same is passed over, and before the first there was nothing", async () => {
-  const { undo, remembered: storedVersions } = program([
+  const { undo, storedVersions } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: "a", n: 1 },
   ]);
@@ -55,7 +55,7 @@ test("what looks the same is passed over, and before the first there was nothing
 });
 
 test("a version that does not tell its parent is followed by the one before in the line", async () => {
-  const { undo, remembered: storedVersions } = program([
+  const { undo, storedVersions } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: null, n: 2 },
   ]);

@@ -19,7 +19,7 @@ export function ComputerName({ name }: ComputerNameProps) {
       done={labels.kept}
       hint={labels.nameHint}
       buttonId="keep-computer"
-      onSave={() => setting.keep(() => classesApi.renameComputer(draft.name))}
+      onSave={() => setting.save(() => classesApi.renameComputer(draft.name))}
     >
       <Field label={labels.name} maxLength={60} data-testid="computer-name" {...field("name")} />
     </SettingForm>

@@ -13,7 +13,7 @@ export function NewPin() {
   const save = async () => {
     const wrong = pinFault(draft.pin, draft.again, prepare);
     if (wrong) setting.refuse(wrong);
-    else if (await setting.keep(() => choosePin(draft.pin))) reset();
+    else if (await setting.save(() => choosePin(draft.pin))) reset();
   };
   return (
     <SettingForm

@@ -18,10 +18,10 @@ export function useSetting() {
     return done;
   };
   return {
-    isKept: isSaved,
+    isSaved,
     busy,
     fault,
-    keep: save,
+    save,
     refuse: (message: string) => {
       setSaved(false);
       refuse(message);
@@ -47,7 +47,7 @@ interface SettingFormProps {
 /** Fields of one setting of this PC, and its save button. */
 export function SettingForm(props: SettingFormProps) {
   const { title, setting, done, hint, buttonId, onSave, children } = props;
-  const { isKept: isSaved, busy, fault } = setting;
+  const { isSaved, busy, fault } = setting;
   return (
     <Form class="panel card" onSubmit={onSave}>
       {title && <h2>{title}</h2>}

@@ -39,7 +39,7 @@ async function loadKnown() {
     exchange.knownComputers(),
     classesApi.classrooms(),
   ]);
-  return { heard: knownComputers, classes };
+  return { knownComputers, classes };
 }
 
 interface BoxesProps {
@@ -65,13 +65,13 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
     forgetAnswers();
     return loadAll();
   };
-  const waiting = known.status === "ready" ? known.value.heard.undecided : [];
+  const waiting = known.status === "ready" ? known.value.knownComputers.undecided : [];
   const undecided = waiting.filter(({ path }) => !merging.isAsked(path));
   return (
     <>
       <MergeBox folders={folders} merging={merging} undecided={undecided} onReload={reload} />
       <Loaded of={known}>
-        {({ heard: knownComputers, classes }) => (
+        {({ knownComputers, classes }) => (
           <>
             <SaveBox folders={folders} classes={classes} saved={saved} onSaved={places.again} />
             <KnownComputers knownComputers={knownComputers} onAgain={known.again} />

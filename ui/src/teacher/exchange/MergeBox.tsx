@@ -20,7 +20,7 @@ interface MergeBoxProps {
 /** Merges files of sticks; all but anonymous ones are selected initially. */
 export function MergeBox({ folders, merging, undecided, onReload }: MergeBoxProps) {
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
-  const { results, progress, mergeAll, deleteToo, keep: declineDeletion } = merging;
+  const { results, progress, mergeAll, deleteToo, declineDeletion } = merging;
   const labels = texts.value.exchange;
   const isChosen = (file: FileFound) => ticked.value.get(file.path) ?? !file.anonymous;
   const chosen = folders.flatMap((folder) => folder.files.filter(isChosen));

@@ -49,5 +49,5 @@ export function useMerging(onMerged: () => Promise<void>) {
   /** Whether the result of a file is shown, with its question. */
   const isAsked = (path: string) =>
     results.value.some((one) => one.path === path && one.problem === null);
-  return { results, progress, isAsked, mergeAll, deleteToo, keep: declineDeletion, forget };
+  return { results, progress, isAsked, mergeAll, deleteToo, declineDeletion, forget };
 }

@@ -22,12 +22,12 @@ export function Outlines({ store, view }: OutlinesProps) {
   // drawing order: paint below, walls on top
   const order = ["paint", "zone", "box", "wall"] as const;
   const objects = order.flatMap((kind) =>
-    ofKind(plan, kind).map((object, index) => ({ thing: object, index })),
+    ofKind(plan, kind).map((object, index) => ({ object, index })),
   );
   return (
     <g>
       {objects.map(
-        ({ thing: object, index }) =>
+        ({ object, index }) =>
           !isOuter(plan, object) && (
             <Outline
               key={object.id}
