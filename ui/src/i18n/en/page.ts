@@ -92,7 +92,7 @@ export const page: typeof first = {
     stepHelp: "Runs only the next block",
     over: "Whole function",
     overHelp: "Runs the whole function at once",
-    out: "Leave the function",
+    out: "Leave function",
     outHelp: "Runs until the function is over",
     speed: "Speed",
     model: "Robot model",
