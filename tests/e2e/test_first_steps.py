@@ -84,11 +84,11 @@ def test_a_click_appends_in_the_loop_that_is_selected_else_at_the_end(beginners:
 def test_a_value_goes_where_it_fits_or_lies_loose(beginners: Studio) -> None:
     studio, blocks = beginners, beginners.blocks
     blocks.click_in_toolbox("logic", "se")
-    blocks.click_in_flyout("gesto lido")
+    blocks.click_in_flyout("sinal lido")
     wanted = {"op": "==", "args": [{"gesture": "result"}, "B"]}
     studio.eventually(lambda: studio.values("condition"), [wanted])
     blocks.select(blocks.start())
-    blocks.click_in_toolbox("gestures", "gesto lido")
+    blocks.click_in_toolbox("gestures", "sinal lido")
     expect(blocks.loose()).to_have_count(1)
     expect(said(studio)).to_contain_text("ficou solto")
 

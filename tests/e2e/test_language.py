@@ -205,10 +205,10 @@ def test_a_program_that_was_saved_before_opens_and_is_the_same(empty: Studio) ->
     empty.page.reload()
     empty.wait_until_open()
     blocks = empty.blocks
-    expect(blocks.by_words("ler gesto")).to_be_visible()
+    expect(blocks.by_words("ler sinal")).to_be_visible()
     assert empty.document() is None  # opening a program is no edit
 
-    blocks.type_into(blocks.by_words("ler gesto"), "2,5")
+    blocks.type_into(blocks.by_words("ler sinal"), "2,5")
     wanted = saved["document"]["commands"]
     assert wanted[0]["action"] == "classify_gestures"
     wanted[0]["timeout"] = 2.5

@@ -66,7 +66,7 @@ def test_the_summary_leads_to_the_runs_of_a_group_and_to_the_commonest_fault(
     teacher.go(f"lesson/{teacher.past.lesson}")
     summary = teacher["lesson-summary"]
     expect(summary).to_contain_text("Cumpriram a atividade: 1 de 4")
-    expect(summary).to_contain_text("Erro mais comum (3 grupos)")
+    expect(summary).to_contain_text("O que mais fez rodadas pararem (3 grupos)")
     expect(teacher["lesson-stuck"]).to_have_text(["Grupo 2", "Grupo 10"])
     teacher["lesson-stuck"].nth(1).click()
     row = teacher.row("Grupo 10")

@@ -30,18 +30,14 @@ describe("what the camera sees, in words", () => {
   test("is doubt between two letters", async () => {
     const doubt = hand({ best: "F", second: "T", confidence: 0.5, sure: false });
     const { container } = shown(seen(doubt));
-    expect(container.textContent).toBe("Não sei bem:F ou T?");
+    expect(container.textContent).toBe("Ainda não é certo:F ou T?");
     await passesAxe(container);
   });
 
   test.each([
     ["no hand", seen(), "Mostrem a mão"],
-    ["no letter", seen(hand({ best: "", sure: false })), "Isto ainda não é uma letra"],
-    [
-      "two signs",
-      seen(hand({ best: "A" }), hand({ best: "B" })),
-      "Dois sinais: mostrem uma mão só",
-    ],
+    ["no letter", seen(hand({ best: "", sure: false })), "A letra ainda não foi reconhecida"],
+    ["two signs", seen(hand({ best: "A" }), hand({ best: "B" })), "Há duas mãos: mostrem uma só"],
   ])("says what to do about: %s", (kind, sight, words) => {
     const { container, getByTestId } = shown(sight);
     expect(getByTestId("reading").dataset.kind).toBe(kind);
@@ -51,7 +47,7 @@ describe("what the camera sees, in words", () => {
   test("asks for a hand that is kept still while the sign becomes steady, and shows how near it is", () => {
     const { getByRole, container } = shown(seen(hand()), 0.6);
     expect(getByRole("progressbar").getAttribute("aria-valuenow")).toBe("60");
-    expect(container.textContent).toContain("Fiquem com a mão parada");
+    expect(container.textContent).toContain("Mantenham a mão parada");
   });
 
   test("is what is wrong with the picture, unless a sign is seen in it all the same", () => {

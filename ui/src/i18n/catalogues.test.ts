@@ -1,4 +1,4 @@
-import { readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import type { Language } from "../api/model";
 import { textsOf } from ".";
@@ -51,10 +51,24 @@ function toPupils(language: Language): object {
 /** Words that docs/terms.md has another one for. */
 const FORBIDDEN: Partial<Record<Language, RegExp>> = {
   "pt-BR":
-    /bilhete|execuç|\bpiso|ficheiro|ecrã|\brato\b|utilizador|^Guardar$|Guardando|Guardado em/i,
-  en: /\bexecution|\bcomputer|^Keep$/i,
-  es: /ordenador|rat[oó]n|ejecuci|\bpuls|\bsuelo|\blecci[oó]n|profesor|\bnota\b|\bvosotros/i,
+    /bilhete|execuç|ediç[ãõ]|\bpiso|\bzonas?\b|ficheiro|ecrã|\brato\b|\bPC\b|utilizador|\bgestos?\b|sinalizador|robô real(?!i)|\bnuma?\b|^Guardar$|Guardando|Guardado em/i,
+  en: /\bexecution|\bcomputer|\bzones?\b|\bgestures?\b|\bmend|^Keep$/i,
+  es: /ordenador|rat[oó]n|ejecuci|(?<!\p{L})(edici[oó]n|órdenes|ítem)|\bpuls|\bsuelo|\bzonas?\b|\bsalida|\bequipo|\bgestos?\b|señalador|robot real(?!i)|\blecci[oó]n|profesor|\bnota\b|\bvosotros/iu,
 };
+
+/** Words of the column "Not" that are right elsewhere: the teacher's part is an área, things stand in an orden. */
+const RIGHT_ELSEWHERE = ["área", "orden"];
+
+/** The words of the column "Not", without what is said of them: "guardar, on a button in Portuguese". */
+function notWords(): string[] {
+  const rows = readFileSync("../docs/terms.md", "utf8").match(/^\|.*\|$/gm) ?? [];
+  const cells = rows.map((row) => row.split("|").at(-2)?.trim() ?? "");
+  const told = cells.slice(cells.indexOf("Not") + 1).flatMap((cell) => cell.split(/[,;]/));
+  const words = told.map((one) => one.replace(/\b(in|of|for|on|which|as)\b.*$/, ""));
+  return words
+    .map((word) => word.replace(/[“”]/g, "").trim())
+    .filter((word) => /^\p{L}/u.test(word));
+}
 
 /** How one would speak to a single pupil: pupils are a group. The teacher's texts are not looked at. */
 const TO_ONE: Partial<Record<Language, RegExp>> = {
@@ -66,6 +80,14 @@ const TO_ONE: Partial<Record<Language, RegExp>> = {
 test("the languages are those of the server's messages", () => {
   const folders = readdirSync("../pinel_desktop/messages/catalogue");
   expect([...LANGUAGES].sort()).toEqual(folders.sort());
+});
+
+test("what docs/terms.md says not to write is refused", () => {
+  const words = notWords();
+  expect(words).toContain("execução");
+  const written = words.filter((word) => !RIGHT_ELSEWHERE.includes(word));
+  const refused = (word: string) => Object.values(FORBIDDEN).some((one) => one.test(word));
+  expect(written.filter((word) => !refused(word))).toEqual([]);
 });
 
 describe.each(LANGUAGES)("the catalogue %s", (language) => {
@@ -99,6 +121,7 @@ describe.each(LANGUAGES)("the catalogue %s", (language) => {
       ...leaves({ blocks, editor: editorMessages(language) }),
     ]) {
       expect(text, path).not.toMatch(FORBIDDEN[language] ?? /^(?!)/);
+      expect(text, path).not.toContain("LIBRAS"); // a name in prose: Libras
     }
   });
 

@@ -132,8 +132,8 @@ describe("what the robot does, in words", () => {
     const view = { ...moving("wait", 3, 1), tick: 40 };
     const more = (output: object) =>
       sentenceOf({ ...view, output: { ...IDLE.output, ...output } }, voice)?.more;
-    expect(more({ beeps })).toBe("Bipe × 2");
-    expect(more({ beeps, talk })).toBe("Diz: “Olá!” · Bipe × 2");
+    expect(more({ beeps })).toBe("Apito × 2");
+    expect(more({ beeps, talk })).toBe("Diz: “Olá!” · Apito × 2");
     expect(more({ beeps: { ...beeps, tick: -60 } })).toBe("");
   });
 
@@ -169,18 +169,18 @@ describe("what the robot does, in words", () => {
   });
 
   test("an end tells how far from the start", () => {
-    expect(said(over("finished", {}))).toBe("Programa terminou: voltou ao ponto de partida");
+    expect(said(over("finished", {}))).toBe("O programa terminou: o robô voltou à partida");
     expect(said(over("finished", { closingErrorM: 1.234 }))).toBe(
-      "Programa terminou: parou a 1,23 m da partida",
+      "O programa terminou: o robô parou a 1,23 m da partida",
     );
-    expect(said(over("finished", { pathLengthM: 0 }))).toBe("Programa terminou");
+    expect(said(over("finished", { pathLengthM: 0 }))).toBe("O programa terminou");
   });
 
   const more = (view: RunView) => sentenceOf(view, voice)?.more.replaceAll("\u00a0", " ");
 
   test.each([
     [{ closingErrorM: 0.05, estimatedClosingErrorM: 1e-6 }, "parou a 0,05 m da partida", "voltou"],
-    [{ closingErrorM: 0, estimatedClosingErrorM: 0.31 }, "voltou ao", "parou a 0,31 m dela"],
+    [{ closingErrorM: 0, estimatedClosingErrorM: 0.31 }, "voltou à", "parou a 0,31 m dela"],
     [{ closingErrorM: 0.5, estimatedClosingErrorM: 0.4 }, "a 0,50 m da", "parou a 0,40 m dela"],
   ])("an end tells the truth, and what the robot believes instead: %#", (ending, text, belief) => {
     const view = over("finished", ending);
@@ -195,11 +195,11 @@ describe("what the robot does, in words", () => {
   });
 
   test.each([
-    [0.001, "Pelas medidas do robô, ele voltou ao ponto de partida."],
+    [0.001, "Pelas medidas do robô, ele voltou à partida."],
     [0.25, "Pelas medidas do robô, ele parou a 0,25 m da partida."],
   ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, words) => {
     const view = over("finished", { closingErrorM: null, estimatedClosingErrorM });
-    expect([said(view), more(view)]).toEqual(["Programa terminou", words]);
+    expect([said(view), more(view)]).toEqual(["O programa terminou", words]);
   });
 
   test("a failure has the server's words and remedy", () => {
@@ -280,7 +280,7 @@ describe("what a program did not do is said at its end, and not as a success", (
   });
 
   test("a robot that stood still, unless the program only speaks", () => {
-    const words = "Programa terminou, mas o robô não saiu do lugar";
+    const words = "O programa terminou, mas o robô não saiu do lugar";
     const wait = { action: "wait", seconds: 1 };
     const say = { action: "say", text: "Olá!" };
     expect(end(stored([wait]), still as Partial<RunView>)).toMatchObject({
