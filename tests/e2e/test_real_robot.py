@@ -159,7 +159,7 @@ def test_a_mission_driven_on_the_robot_is_judged_by_what_it_measured(studio: Stu
     assert cut(studio, "how-judged") == []
     begin(studio, "maze")
     expect(studio["how-judged"]).to_have_attribute("data-state", "not_judged")
-    expect(studio["how-judged"]).to_contain_text("precisa do simulador (zonas do chão)")
+    expect(studio["how-judged"]).to_contain_text("precisa do simulador (lugares do mundo)")
     judged_in_review(studio)
 
 

@@ -226,9 +226,9 @@ def corner_at_once(pc: Studio, pictures: Pictures) -> None:
 def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
     append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
     pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
-    told(pc, "a escola ficou de que lado?")
+    told(pc, "de que lado ficou a escola?")
     expect(pc.blocks.fault_words()).to_have_count(1)
-    expect(pc.blocks.fault_words()).to_contain_text("que lado?")
+    expect(pc.blocks.fault_words()).to_contain_text("de que lado ficou")
     pictures.take(pc, "not-yet", "status-line")
     pc["mission-hint"].click()
     pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
@@ -238,14 +238,14 @@ def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
 
 def corner_turns_first(pc: Studio, pictures: Pictures) -> None:
     append(pc, (TURN, "90"), (MOVE, "3"))
-    told(pc, "O que vem antes?")
+    told(pc, "O que ele faz antes?")
     write_program(pc, "robot.move_forward(3.0)\nrobot.turn(90)\nrobot.move_forward(3.0)\n")
     passed(pc)
 
 
 def corner_without_the_last_move(pc: Studio, pictures: Pictures) -> None:
     append(pc, (MOVE, "3"), (TURN, "90"))
-    told(pc, "falta “andar”")
+    told(pc, "falta “andar para frente”")
 
 
 AROUND_THE_CORNER: dict[str, Work] = {
