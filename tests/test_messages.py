@@ -2,6 +2,7 @@ import json
 import re
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -22,16 +23,11 @@ FOLDER = PACKAGE / "messages" / "catalogue"
 AREAS = sorted(file.name for file in (FOLDER / SOURCE_LANGUAGE).iterdir())
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 
-NOTHING = re.compile(r"(?!)")
-
-# words that docs/terms.md has another one for
-FORBIDDEN = {
-    "pt-BR": re.compile(r"bilhete|execuç|\bpiso|ficheiro|utilizador", re.IGNORECASE),
-    "en": re.compile(r"\bexecution", re.IGNORECASE),
-    "es": re.compile(
-        r"ordenador|rat[oó]n|ejecuci|\bpuls|\bsuelo|\blecci[oó]n|profesor|\bnota\b", re.IGNORECASE
-    ),
-}
+ROOT = PACKAGE.parent
+TERMS = ROOT / "docs" / "terms.md"
+SHORT = {"pt": "pt-BR", "en": "en", "es": "es"}
+# names of code in a text, whatever they are made of
+CODE = re.compile(r"\{\w+\}|--[\w-]+|\bpinel [a-z]+|\w+[._]\w[\w.]*")
 # what pupils read in the editor, and how one would speak to one of them alone
 TO_PUPILS = ("program.json", "run.json", "python.json", "worlds.json")
 TO_ONE = {
@@ -77,11 +73,95 @@ def test_every_code_has_words_in_every_language_with_the_same_values(code: str) 
     assert all(values == used[0] for values in used)
 
 
+def not_words() -> list[tuple[str, str]]:
+    """The words of the column "Not" of docs/terms.md, each with its language."""
+    found, is_read = [], False
+    for line in TERMS.read_text("utf-8").splitlines():
+        cell = line[1:-1].rpartition("|")[2].strip() if line.startswith("|") else None
+        if cell in ("Not", None):
+            is_read = cell == "Not"
+        elif is_read and cell and not cell.startswith("---"):
+            for part in cell.split("; "):
+                short, _, words = part.partition(": ")
+                found += [(SHORT[short], word) for word in words.split(", ")]
+    return found
+
+
+def refusal(word: str) -> re.Pattern[str]:
+    """What a word of the column "Not" matches; the head of docs/terms.md says how."""
+    whole = re.fullmatch(r"\[(.+)\]", word)
+    stem = re.escape(whole[1] if whole else word).replace(r"\*", r"\w*")
+    pattern = f"^{stem}$" if whole else rf"(?<!\w){stem}(?!\w)"
+    return re.compile(pattern, 0 if word.isupper() else re.IGNORECASE)
+
+
+def wrong_words(texts: dict[str, str], language: str) -> dict[str, str]:
+    """Those of the texts that have a word which docs/terms.md refuses in their language."""
+    refused = [refusal(word) for of, word in not_words() if of == language]
+    said = {place: CODE.sub(" ", text) for place, text in texts.items()}
+    return {
+        place: texts[place]
+        for place, text in said.items()
+        if any(one.search(text) for one in refused)
+    }
+
+
+def texts_in(node: Any, language: str, place: str = "") -> dict[str, str]:
+    """The texts of a language in a document that has its texts by language."""
+    if isinstance(node, dict) and language in node:
+        return {place: node[language]}
+    items = node.items() if isinstance(node, dict) else enumerate(node if isinstance(node, list) else [])
+    return {
+        key: text
+        for name, one in items
+        for key, text in texts_in(one, language, f"{place}/{name}").items()
+    }
+
+
+DOCUMENTS = [
+    *sorted((PACKAGE / "activities").glob("*catalogue/*/*.json")),
+    *sorted((ROOT / "sim" / "worlds").glob("*.json")),
+]
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_thing_is_called_by_its_one_word(language: str) -> None:
-    said = {code: " ".join(words.values()) for code, words in catalogue(language).items()}
-    forbidden = FORBIDDEN.get(language, NOTHING)
-    assert {code: text for code, text in said.items() if forbidden.search(text)} == {}
+    said = {
+        f"{code}/{part}": text
+        for code, words in catalogue(language).items()
+        for part, text in words.items()
+    }
+    assert wrong_words(said, language) == {}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_missions_examples_and_worlds_call_it_so_too(language: str) -> None:
+    read = {file: json.loads(file.read_text("utf-8")) for file in DOCUMENTS}
+    said = {
+        f"{file.parent.name}/{file.name}{place}": text
+        for file, document in read.items()
+        for place, text in texts_in(document, language).items()
+    }
+    titled = {place.partition("/title")[0] for place in said if place.endswith("/title")}
+    assert len(titled) == sum("title" in document for document in read.values()) > 40
+    assert wrong_words(said, language) == {}
+
+
+@pytest.mark.parametrize(("language", "word"), not_words())
+def test_each_word_that_the_page_of_terms_refuses_is_found_in_a_text(
+    language: str, word: str
+) -> None:
+    bare = word.strip("[]").replace("*", "")
+    said = bare if word.startswith("[") else f"– {bare}, –"
+    assert wrong_words({"here": said}, language) == {"here": said}
+    assert wrong_words({"here": f"x{bare}"}, language) == {}
+
+
+def test_names_of_code_are_no_words() -> None:
+    said = "Use robot.gesture_result, --gestures or “pinel gestures train”: {gesture}."
+    assert wrong_words({"here": said}, "en") == {}
+    assert wrong_words({"here": "A gesture."}, "en") == {"here": "A gesture."}
+    assert wrong_words({"here": "Um sinal de Libras."}, "pt-BR") == {}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
