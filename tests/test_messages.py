@@ -147,6 +147,15 @@ def test_missions_examples_and_worlds_call_it_so_too(language: str) -> None:
     assert wrong_words(said, language) == {}
 
 
+@pytest.mark.parametrize(
+    "page", [ROOT / "README.pt-BR.md", *sorted((ROOT / "docs").glob("*.pt-BR.md"))], ids=str
+)
+def test_pages_in_portuguese_call_it_so_too(page: Path) -> None:
+    prose = re.sub(r"```.*?```|`[^`]*`|\]\([^)]*\)", " ", page.read_text("utf-8"), flags=re.DOTALL)
+    lines = {str(number): line for number, line in enumerate(prose.splitlines(), 1)}
+    assert wrong_words(lines, "pt-BR") == {}
+
+
 @pytest.mark.parametrize(("language", "word"), not_words())
 def test_each_word_that_the_page_of_terms_refuses_is_found_in_a_text(
     language: str, word: str

@@ -71,7 +71,7 @@ def test_what_other_pcs_would_refuse_is_counted_and_not_lost(lab: Path, stick: P
     with closing(sqlite3.connect(lab)) as db, db:
         db.execute("UPDATE groups SET changed_at = '9999-12-31T00:00:00Z' WHERE name = 'Onças'")
     done = pinel("export", stick, "--db", lab)
-    assert "1 groups" in done.stdout
+    assert "Groups: 1;" in done.stdout
     assert "Parts of the work left out of the file" in done.stderr
     assert "Onças / " in done.stderr
     assert "pinel export --json" in done.stderr
@@ -180,7 +180,7 @@ def test_names_can_be_left_out(lab: Path, stick: Path, teacher: Path) -> None:
     octets = Path(exported["path"]).read_bytes()
     assert [name for name in ("Onças", "Araras", "Lab 7", "5º B") if name.encode() in octets] == []
     assert Path(exported["path"]).name.startswith("PINEL-no-names-")
-    assert "2 groups" in (told := pinel("merge", stick, "--db", teacher).stdout)
+    assert "Added: groups, 2;" in (told := pinel("merge", stick, "--db", teacher).stdout)
     assert "without names" in told
     assert "without names" not in pinel("merge", stick, "--db", teacher).stdout
 
