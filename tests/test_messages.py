@@ -110,7 +110,11 @@ def texts_in(node: Any, language: str, place: str = "") -> dict[str, str]:
     """The texts of a language in a document that has its texts by language."""
     if isinstance(node, dict) and language in node:
         return {place: node[language]}
-    items = node.items() if isinstance(node, dict) else enumerate(node if isinstance(node, list) else [])
+    items = (
+        node.items()
+        if isinstance(node, dict)
+        else enumerate(node if isinstance(node, list) else [])
+    )
     return {
         key: text
         for name, one in items

@@ -110,7 +110,9 @@ def test_whoever_merges_has_the_same_hash(lab: Path, stick: Path, tmp_path: Path
 def test_in_words(lab: Path, stick: Path, teacher: Path) -> None:
     pinel("export", stick / "a", "--db", lab)
     done = pinel("merge", stick, "--db", teacher)
-    assert "a.pinel, from Lab 7. Added: groups, 2; programs, 2; versions, 4; runs, 2." in done.stdout
+    assert (
+        "a.pinel, from Lab 7. Added: groups, 2; programs, 2; versions, 4; runs, 2." in done.stdout
+    )
     assert done.stdout.splitlines()[-1].startswith("content_hash  ")
     assert "nothing new" in pinel("merge", stick, "--db", teacher).stdout
 

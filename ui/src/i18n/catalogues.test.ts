@@ -56,7 +56,9 @@ function notWords(): [Language, string][] {
   return readFileSync("../docs/terms.md", "utf8")
     .split("\n")
     .flatMap((line) => {
-      const cell = line.startsWith("|") ? (line.slice(1, -1).split("|").at(-1)?.trim() ?? "") : null;
+      const cell = line.startsWith("|")
+        ? (line.slice(1, -1).split("|").at(-1)?.trim() ?? "")
+        : null;
       const isWords = isRead && cell !== null && /^[^-]/.test(cell);
       isRead = cell === "Not" || (isRead && cell !== null);
       return isWords ? cell.split("; ").flatMap(wordsOf) : [];
