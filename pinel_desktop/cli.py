@@ -16,7 +16,7 @@ _COMMANDS = {
     "export": "Write all work, or a part of it, into one file.",
     "merge": "Bring in the work of other PCs.",
     "salvage": "Bring in what is still readable of a damaged file.",
-    "gestures": "Recognise letters of LIBRAS in pictures.",
+    "gestures": "Recognise letters of Libras in pictures.",
     "pin": "Choose another PIN for the teacher.",
     "doctor": "Say what this PC has and lacks.",
 }

@@ -2,6 +2,7 @@ import json
 import re
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -22,16 +23,11 @@ FOLDER = PACKAGE / "messages" / "catalogue"
 AREAS = sorted(file.name for file in (FOLDER / SOURCE_LANGUAGE).iterdir())
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 
-NOTHING = re.compile(r"(?!)")
-
-# words that docs/terms.md has another one for
-FORBIDDEN = {
-    "pt-BR": re.compile(r"bilhete|execuç|\bpiso|ficheiro|utilizador", re.IGNORECASE),
-    "en": re.compile(r"\bexecution", re.IGNORECASE),
-    "es": re.compile(
-        r"ordenador|rat[oó]n|ejecuci|\bpuls|\bsuelo|\blecci[oó]n|profesor|\bnota\b", re.IGNORECASE
-    ),
-}
+ROOT = PACKAGE.parent
+TERMS = ROOT / "docs" / "terms.md"
+SHORT = {"pt": "pt-BR", "en": "en", "es": "es"}
+# names of code in a text, whatever they are made of
+CODE = re.compile(r"\{\w+\}|--[\w-]+|\bpinel [a-z]+|\w+[._]\w[\w.]*")
 # what pupils read in the editor, and how one would speak to one of them alone
 TO_PUPILS = ("program.json", "run.json", "python.json", "worlds.json")
 TO_ONE = {
@@ -75,6 +71,61 @@ def test_every_code_has_words_in_every_language_with_the_same_values(code: str) 
     assert len({bool(texts["remedy"].strip()) for texts in entry.values()}) == 1
     used = [set(PLACEHOLDER.findall(w["message"] + w["remedy"])) for w in entry.values()]
     assert all(values == used[0] for values in used)
+
+
+def not_words() -> list[tuple[str, str]]:
+    """The words of the column "Not" of docs/terms.md, each with its language."""
+    found, is_read = [], False
+    for line in TERMS.read_text("utf-8").splitlines():
+        cell = line[1:-1].rpartition("|")[2].strip() if line.startswith("|") else None
+        if cell in ("Not", None):
+            is_read = cell == "Not"
+        elif is_read and cell and not cell.startswith("---"):
+            for part in cell.split("; "):
+                short, _, words = part.partition(": ")
+                found += [(SHORT[short], word) for word in words.split(", ")]
+    return found
+
+
+def refusal(word: str) -> re.Pattern[str]:
+    """What a word of the column "Not" matches; the head of docs/terms.md says how."""
+    whole = re.fullmatch(r"\[(.+)\]", word)
+    stem = re.escape(whole[1] if whole else word).replace(r"\*", r"\w*")
+    pattern = f"^{stem}$" if whole else rf"(?<!\w){stem}(?!\w)"
+    return re.compile(pattern, 0 if word.isupper() else re.IGNORECASE)
+
+
+def wrong_words(texts: dict[str, str], language: str) -> dict[str, str]:
+    """Those of the texts that have a word which docs/terms.md refuses in their language."""
+    refused = [refusal(word) for of, word in not_words() if of == language]
+    said = {place: CODE.sub(" ", text) for place, text in texts.items()}
+    return {
+        place: texts[place]
+        for place, text in said.items()
+        if any(one.search(text) for one in refused)
+    }
+
+
+def texts_in(node: Any, language: str, place: str = "") -> dict[str, str]:
+    """The texts of a language in a document that has its texts by language."""
+    if isinstance(node, dict) and language in node:
+        return {place: node[language]}
+    items = (
+        node.items()
+        if isinstance(node, dict)
+        else enumerate(node if isinstance(node, list) else [])
+    )
+    return {
+        key: text
+        for name, one in items
+        for key, text in texts_in(one, language, f"{place}/{name}").items()
+    }
+
+
+DOCUMENTS = [
+    *sorted((PACKAGE / "activities").glob("*catalogue/*/*.json")),
+    *sorted((ROOT / "sim" / "worlds").glob("*.json")),
+]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -1,4 +1,4 @@
-"""`pinel gestures`: letters of LIBRAS in pictures; how well they are recognised; learning them."""
+"""`pinel gestures`: letters of Libras in pictures; how well they are recognised; learning them."""
 
 import json
 import re
@@ -55,7 +55,7 @@ class _Aspect(click.ParamType[float]):
 
 @click.group()
 def command() -> None:
-    """Recognise letters of LIBRAS in pictures."""
+    """Recognise letters of Libras in pictures."""
 
 
 @command.command()

@@ -225,7 +225,7 @@ def _run(
     ended = result.ended
     if curves is not None:
         _draw(curves, options["plot"], reading.program.name if reading.program else "", language)
-    message = describe(ended.reason, ended.params, language).message if ended.reason else None
+    message = describe(ended.reason, ended.params, language).line if ended.reason else None
     run_id = recording.close() if recording else None
     return run_object(result, run_id, message)
 

@@ -1,1 +1,1 @@
-"""Recognises signs of LIBRAS on a hand: pictures in, letters out; no camera, no page, no clock."""
+"""Recognises signs of Libras on a hand: pictures in, letters out; no camera, no page, no clock."""

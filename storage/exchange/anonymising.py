@@ -110,7 +110,7 @@ class _Anonymising:
         return self._plain(value)
 
     def _plain(self, text: str | None) -> str | None:
-        """The same for the same text: a variable stays one. A single sign is a letter of LIBRAS or a mark."""
+        """The same for the same text: a variable stays one. A single sign is a letter of Libras or a mark."""
         if text is None or len(text) <= 1 or text in self._known:
             return text
         return self._texts.setdefault(text, f"t{len(self._texts) + 1}")

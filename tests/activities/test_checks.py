@@ -266,7 +266,7 @@ def test_a_check_tells_what_it_measured_and_which_block_to_look_at() -> None:
 
 def test_a_missing_block_is_named_as_on_the_screen() -> None:
     (found,) = run(activity({"check": "uses", "action": "classify_gestures"})).cases[0].checks
-    assert found.words["pt-BR"] == "Usem o bloco “ler gesto”."
+    assert found.words["pt-BR"] == "Usem o bloco “ler sinal”."
 
 
 def test_jitter_of_the_measured_pose_is_no_way() -> None:

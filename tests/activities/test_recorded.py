@@ -107,7 +107,7 @@ def test_of_a_run_whose_engine_was_lost_no_block_is_to_blame(tmp_path: Path) -> 
     assert report.advice is not None
     assert report.advice.block is None
     assert report.advice.words["pt-BR"] == (
-        "O motor que move o robô parou de repente e foi ligado de novo. "
+        "O simulador parou de repente e foi ligado de novo. "
         "O programa está salvo. Apertem Rodar outra vez."
     )
     assert [check.block for check in report.cases[0].checks if check.kind == "finished"] == [None]

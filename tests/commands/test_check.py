@@ -101,7 +101,7 @@ def test_an_activity_that_nobody_can_fulfil_is_refused_with_all_its_faults(tmp_p
     file.write_text(json.dumps(text), "utf-8")
     done = check(str(file), SQUARE)
     assert done.exit_code == 2
-    assert "/checks/0/zone: The world of this activity has no zone called “Z”." in done.stderr
+    assert "/checks/0/zone: The world of this activity has no place called “Z”." in done.stderr
     assert "/checks/1/action: " in done.stderr
 
 

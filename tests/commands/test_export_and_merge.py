@@ -64,15 +64,15 @@ def test_a_folder_gets_a_file_named_after_the_pc(lab: Path, stick: Path) -> None
     (file,) = stick.iterdir()
     assert file.name.startswith("Lab-7-")
     assert file.suffix == ".pinel"
-    assert "2 groups, 2 programs, 2 runs" in done.stdout
+    assert "Groups: 2; programs: 2; runs: 2." in done.stdout
 
 
 def test_what_other_pcs_would_refuse_is_counted_and_not_lost(lab: Path, stick: Path) -> None:
     with closing(sqlite3.connect(lab)) as db, db:
         db.execute("UPDATE groups SET changed_at = '9999-12-31T00:00:00Z' WHERE name = 'Onças'")
     done = pinel("export", stick, "--db", lab)
-    assert "1 groups" in done.stdout
-    assert "Records left out of the file" in done.stderr
+    assert "Groups: 1;" in done.stdout
+    assert "Parts of the work left out of the file" in done.stderr
     assert "Onças / " in done.stderr
     assert "pinel export --json" in done.stderr
     left_out = answer("export", stick, "--db", lab)["left_out"]
@@ -110,7 +110,9 @@ def test_whoever_merges_has_the_same_hash(lab: Path, stick: Path, tmp_path: Path
 def test_in_words(lab: Path, stick: Path, teacher: Path) -> None:
     pinel("export", stick / "a", "--db", lab)
     done = pinel("merge", stick, "--db", teacher)
-    assert "a.pinel, from Lab 7: 2 groups, 2 programs, 4 versions and 2 runs" in done.stdout
+    assert (
+        "a.pinel, from Lab 7. Added: groups, 2; programs, 2; versions, 4; runs, 2." in done.stdout
+    )
     assert done.stdout.splitlines()[-1].startswith("content_hash  ")
     assert "nothing new" in pinel("merge", stick, "--db", teacher).stdout
 
@@ -258,7 +260,7 @@ def test_a_lesson_file_opens_its_lesson_when_that_is_asked_for(
         path = exported(store, stick / "lesson.pinel", scope).path
     assert "is open" not in pinel("merge", path, "--db", teacher).stdout
     done = pinel("merge", path, "--db", teacher, "--open-lesson")
-    assert "The lesson “Quadrados” is open on this computer." in done.stdout
+    assert "The lesson “Quadrados” is open on this PC." in done.stdout
     with open_store(teacher) as store:
         current = store.lessons.current(classroom)
     assert current is not None

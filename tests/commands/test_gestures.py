@@ -77,7 +77,7 @@ def test_a_missing_network_is_said_in_words(
     monkeypatch.setattr("pinel_desktop.gestures.hands.PALM", missing)
     done = pinel("gestures", "classify", str(tmp_path / "a.png"))
     assert done.exit_code == 1
-    assert "A part of the gesture recognition is missing" in done.stderr
+    assert "A part of the sign recognition is missing" in done.stderr
     assert "make setup" in done.stderr
 
 

@@ -343,7 +343,7 @@ def test_the_command_prints_one_object_about_everything(tmp_path: Path) -> None:
 def test_the_command_speaks_in_words_and_writes_nothing(tmp_path: Path) -> None:
     result = run(tmp_path)
     assert result.output.startswith("PINEL Desktop 0.")
-    assert "[ok] Engine: ready" in result.output
+    assert "[ok] Simulator: ready" in result.output
     assert not list(tmp_path.iterdir())
 
 

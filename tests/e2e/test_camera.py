@@ -57,7 +57,7 @@ def test_a_sign_that_the_camera_sees_decides_what_the_robot_does(studio: Studio)
 
 def test_signs_are_practised_and_spelled_without_a_program(studio: Studio) -> None:
     studio["practice"].click()
-    expect(studio.page).to_have_title("Praticar sinais · PINEL")
+    expect(studio.page).to_have_title("Praticar letras e sinais · PINEL")
     expect(studio["camera-picture"]).to_have_attribute("data-state", "on", timeout=CAMERA_MS)
     expect(studio["practice-text"]).to_have_value("B", timeout=CAMERA_MS)
     expect(studio["reading"]).to_have_attribute("data-kind", "sure")
@@ -248,7 +248,7 @@ def test_the_teacher_tries_the_camera_which_is_off_again_afterwards(studio: Stud
     studio.page.reload()
     expect(studio["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
     studio.expect_each(studio["camera-point"], "data-finding", ["good"] * 4)
-    expect(studio["camera-point"].last).to_have_text("Sinal visto: B")
+    expect(studio["camera-point"].last).to_have_text("Letra ou sinal visto: B")
     assert violations(studio, "camera-point") == []
     for width, height in SCREENS:
         studio.page.set_viewport_size({"width": width, "height": height})

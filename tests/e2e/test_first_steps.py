@@ -90,7 +90,7 @@ def test_a_value_goes_where_it_fits_or_lies_loose(beginners: Studio) -> None:
     expected = {"op": "==", "args": [{"gesture": "result"}, "B"]}
     studio.eventually(lambda: studio.values("condition"), [expected])
     blocks.select(blocks.start())
-    blocks.click_in_toolbox("gestures", "gesto lido")
+    blocks.click_in_toolbox("gestures", "sinal lido")
     expect(blocks.loose()).to_have_count(1)
     expect(announcement(studio)).to_contain_text("ficou solto")
 

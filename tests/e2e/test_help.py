@@ -108,7 +108,7 @@ def test_the_search_finds_blocks_tasks_examples_and_keys(studio: Studio) -> None
     studio["help-search"].fill("copiar")
     expect(studio["help-panel"]).to_contain_text("Ctrl+C")
     studio["help-search"].fill("xyzw")
-    expect(studio["help-panel"]).to_contain_text("Nada com essas palavras")
+    expect(studio["help-panel"]).to_contain_text("Nenhum resultado")
     studio["help-search"].fill("floco")
     studio["help-example"].click()
     studio.wait_until_open()

@@ -132,7 +132,7 @@ def test_long_names_give_way_to_every_button_of_the_header(studio: Studio) -> No
     studio.wait_until_open()
     expect(studio["lesson-chip"]).to_be_visible()
     start = studio.blocks.start()
-    studio.blocks.drag_from_toolbox("gestures", "ler gesto", studio.blocks.below(start))
+    studio.blocks.drag_from_toolbox("gestures", "ler sinal", studio.blocks.below(start))
     expect(studio["practice"]).to_be_visible()
     for layout in layouts(studio, ("pt-BR",), SCREENS[:2]):
         _expect_exits(studio, layout)

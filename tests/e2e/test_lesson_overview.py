@@ -66,7 +66,7 @@ def test_the_summary_leads_to_the_runs_of_a_group_and_to_the_commonest_fault(
     teacher.go(f"lesson/{teacher.past.lesson}")
     summary = teacher["lesson-summary"]
     expect(summary).to_contain_text("Cumpriram a atividade: 1 de 4")
-    expect(summary).to_contain_text("Erro mais comum (3 grupos)")
+    expect(summary).to_contain_text("O que mais fez rodadas pararem (3 grupos)")
     expect(teacher["lesson-stuck"]).to_have_text(["Grupo 2", "Grupo 10"])
     teacher["lesson-stuck"].nth(1).click()
     row = teacher.row("Grupo 10")
@@ -84,7 +84,7 @@ def test_the_hints_that_a_group_read_are_shown(teacher: Teacher) -> None:
     teacher.studio.wait_for_screen(row)  # a group that needs help may be open already
     if row.get_by_test_id("review-open").get_attribute("aria-expanded") == "false":
         row.get_by_test_id("review-open").click()
-    expect(row.get_by_test_id("review-hints")).to_contain_text("Quantos cantos há?")
+    expect(row.get_by_test_id("review-hints")).to_contain_text("Quantos cantos o quadrado tem?")
     expect(row.get_by_test_id("review-hints").get_by_role("listitem")).to_have_count(2)
     teacher.go(f"compare/{teacher.past.runs[-3]}/{teacher.past.runs[-1]}")
     expect(teacher["compare-hints"]).to_contain_text(

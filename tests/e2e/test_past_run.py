@@ -32,7 +32,7 @@ def drive(studio: Studio) -> None:
     # the last samples and what a screen reader says come after the end
     end = round(run["duration_s"] * 30)
     expect(studio["past-run-slider"]).to_have_attribute("max", str(end))
-    expect(studio["status-line"].get_by_role("status")).to_contain_text("Programa terminou")
+    expect(studio["status-line"].get_by_role("status")).to_contain_text("O programa terminou")
 
 
 def floor_picture(studio: Studio) -> str:

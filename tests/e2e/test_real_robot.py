@@ -154,12 +154,12 @@ def test_a_mission_driven_on_the_robot_is_judged_by_what_it_measured(studio: Stu
         check_off(studio)
         expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)
         assert aurora.has_ended(RUN_MS / 1000)
-    expect(studio["how-judged"]).to_have_text("Julgada pelo que o robô mediu.")
+    expect(studio["how-judged"]).to_have_text("Avaliada pelo que o robô mediu.")
     assert violations(studio, "how-judged") == []
     assert cut(studio, "how-judged") == []
     begin(studio, "maze")
     expect(studio["how-judged"]).to_have_attribute("data-state", "not_judged")
-    expect(studio["how-judged"]).to_contain_text("precisa do simulador (zonas do chão)")
+    expect(studio["how-judged"]).to_contain_text("precisa do simulador (lugares do mundo)")
     judged_in_review(studio)
 
 
@@ -176,7 +176,7 @@ def judged_in_review(studio: Studio) -> None:
     studio["review-open"].click()
     run = studio["review-run"]
     expect(run).to_have_attribute("data-outcome", "passed")
-    expect(run).to_contain_text("Robô pela ponte · julgada pelo que o robô mediu")
+    expect(run).to_contain_text("Robô pela ponte · avaliada pelo que o robô mediu")
     assert violations(studio, "review-run") == []
     assert cut(studio, "review-run") == []
     run.get_by_role("link").click()
@@ -221,7 +221,7 @@ def test_teacher_finds_the_robot_moves_it_by_a_held_key_and_makes_its_place_the_
         expect(field(studio, "command_topic")).to_have_value("cmd_vel")
         studio["robot-keep"].click()
         expect(studio.page.get_by_role("status").filter(has_text="Salvo.")).to_be_visible()
-        expect(studio["robot-now"]).to_contain_text("Conectado · bateria 80 %", timeout=RUN_MS)
+        expect(studio["robot-now"]).to_contain_text("Conectado · bateria 80%", timeout=RUN_MS)
 
         hold_until_moved(studio)
         assert violations(studio, "robot-now") == []
@@ -236,7 +236,7 @@ def test_teacher_finds_the_robot_moves_it_by_a_held_key_and_makes_its_place_the_
         studio["run"].click()
         check_off(studio)
         studio.wait_for_phase("finished")
-        expect(studio["robot-state"]).to_contain_text("Conectado · bateria 80 %", timeout=RUN_MS)
+        expect(studio["robot-state"]).to_contain_text("Conectado · bateria 80%", timeout=RUN_MS)
 
 
 def hold_until_moved(studio: Studio) -> None:

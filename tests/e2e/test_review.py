@@ -99,7 +99,7 @@ def test_a_group_opens_to_its_runs_in_words(teacher: Teacher) -> None:
     row.get_by_test_id("review-open").click()
     runs = row.get_by_test_id("review-run")
     expect(runs).to_have_count(3)
-    expect(runs.first).to_contain_text("Rodada 1: um erro interrompeu")
+    expect(runs.first).to_contain_text("Rodada 1: parou antes do fim")
     repair = row.get_by_test_id("review-repair")
     expect(repair).to_have_count(1)
     expect(repair).to_contain_text("rodada 2")

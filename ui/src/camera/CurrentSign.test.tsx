@@ -51,7 +51,7 @@ describe("what the camera sees, in words", () => {
   test("asks for a hand that is kept still while the sign becomes steady, and shows how near it is", () => {
     const { getByRole, container } = shown(sightOf(hand()), 0.6);
     expect(getByRole("progressbar").getAttribute("aria-valuenow")).toBe("60");
-    expect(container.textContent).toContain("Fiquem com a mão parada");
+    expect(container.textContent).toContain("Mantenham a mão parada");
   });
 
   test("is what is wrong with the picture, unless a sign is seen in it all the same", () => {

@@ -6,7 +6,7 @@ import { signsApi } from "../api/signs";
 import { isSameSign } from "../blocks/known_signs";
 import { listenForKeys } from "../kit/listen";
 
-/** The static letters of the LIBRAS alphabet, which the camera knows untaught; both signs for D are one letter. */
+/** The static letters of the Libras alphabet, which the camera knows untaught; both signs for D are one letter. */
 export const LETTERS: readonly string[] = KNOWN;
 
 /** What captures can answer: letters, then what the class in use taught besides. Null until the server has said. */

@@ -188,7 +188,7 @@ describe("what the robot does, in words", () => {
 
   test.each([
     [{ closingErrorM: 0.05, estimatedClosingErrorM: 1e-6 }, "parou a 0,05 m da partida", "voltou"],
-    [{ closingErrorM: 0, estimatedClosingErrorM: 0.31 }, "voltou ao", "parou a 0,31 m dela"],
+    [{ closingErrorM: 0, estimatedClosingErrorM: 0.31 }, "voltou à", "parou a 0,31 m dela"],
     [{ closingErrorM: 0.5, estimatedClosingErrorM: 0.4 }, "a 0,50 m da", "parou a 0,40 m dela"],
   ])("an end tells the truth, and what the robot believes instead: %#", (ending, text, belief) => {
     const view = over("finished", ending);
@@ -203,7 +203,7 @@ describe("what the robot does, in words", () => {
   });
 
   test.each([
-    [0.001, "Pelas medidas do robô, ele voltou ao ponto de partida."],
+    [0.001, "Pelas medidas do robô, ele voltou à partida."],
     [0.25, "Pelas medidas do robô, ele parou a 0,25 m da partida."],
   ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, expected) => {
     const view = over("finished", { closingErrorM: null, estimatedClosingErrorM });

@@ -8,9 +8,9 @@ def leer__la__casilla(jugador):
             elección = robot.ask("Juega O: ¿en qué casilla?")
         número = position_of(casillas, elección)
         if número == 0:
-            robot.say(join("No hay casilla «", elección, "»: jueguen de nuevo."))
+            robot.say(join("No hay casilla “", elección, "”: jueguen de nuevo."))
         elif not item(tablero, número) == "":
-            robot.say(join("Casilla ocupada por «", item(tablero, número), "»: jueguen de nuevo."))
+            robot.say(join("Casilla ocupada por “", item(tablero, número), "”: jueguen de nuevo."))
         else:
             return número
 

@@ -19,7 +19,7 @@ describe("the search", () => {
     ["ATRÁS", "distance_sensor", "pt-BR"],
     ["tras", "move_backward", "pt-BR"],
     ["nao", "not", "pt-BR"],
-    ["gesto lido", "gesture_result", "pt-BR"],
+    ["sinal lido", "gesture_result", "pt-BR"],
     ["lido gest", "gesture_result", "pt-BR"],
     ["raiz", "math_function", "pt-BR"],
     ["vermelho", "pen_down", "pt-BR"],

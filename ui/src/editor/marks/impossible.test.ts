@@ -53,7 +53,7 @@ describe("a place", () => {
     expect(textsFor(until("a", is(CELL, "a")), until("b", is(CELL, "B")))).toEqual({
       a: [
         "Este mundo não tem um lugar com o nome “a”.",
-        "Os lugares dele são: A, B. Maiúsculas e minúsculas contam.",
+        "Os lugares dele são: A, B. Maiúsculas e minúsculas fazem diferença.",
       ],
     });
   });

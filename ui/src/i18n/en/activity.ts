@@ -1,9 +1,9 @@
 import type { activity as first } from "../pt-BR/activity";
 
 export const activity: typeof first = {
-  passed: "You did it! The activity is solved.",
+  passed: "You did it! The mission is accomplished.",
   missing: (what: string) => `Not yet: ${what}`,
-  toTheEnd: "The program solves the activity: now let it run to its end.",
+  toTheEnd: "The program accomplishes the mission: now let it run to its end.",
   goal: "Picture of what the robot should do",
   showGoal: "See what the robot should do",
   ofLesson: (title: string) => `The mission of the lesson is “${title}”.`,
@@ -11,10 +11,10 @@ export const activity: typeof first = {
   mission: "Mission",
   fold: "Fold the mission",
   unfold: "Show the mission",
-  criteria: "What counts",
+  criteria: "What has to happen",
   checkStates: { met: "done", open: "not yet", broken: "not in this run" },
   count: (met: number, all: number) => `${met} of ${all}`,
-  alsoTried: "We also tried with:",
+  alsoTried: "PINEL also tried with:",
   hints: "Hints",
   openHint: (n: number, all: number) => `Open hint ${n} of ${all}`,
   done: "Mission accomplished!",
@@ -22,8 +22,8 @@ export const activity: typeof first = {
   others: "Other missions",
   unknown: "This mission comes from a newer PINEL. The blocks run, but it is not checked here.",
   locked: "The world is the mission's",
-  open: "Activities",
-  choose: "Which mission do you want?",
+  open: "Missions",
+  choose: "Which mission do you want to do?",
   paths: {
     moves: "First moves",
     shapes: "Shapes and angles",

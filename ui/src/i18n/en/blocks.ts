@@ -5,7 +5,7 @@ export const blocks: typeof first = {
   CATEGORY_SENSING: "Sensors",
   CATEGORY_FLOW: "Control",
   CATEGORY_LOGIC: "Logic",
-  CATEGORY_GESTURES: "Gestures",
+  CATEGORY_GESTURES: "Signs",
   CATEGORY_SHOW: "Show",
   CATEGORY_VARIABLES: "Variables",
   CATEGORY_MATHS: "Maths",
@@ -33,7 +33,7 @@ export const blocks: typeof first = {
     "The robot turns and drives to this point. x points ahead of the robot at the start, y to its left.",
   GO_TO_PLACE: "%1 go to the place %2, %3",
   GO_TO_PLACE_TIP:
-    "The robot turns and drives to the middle of the place of this name: a text, the gesture read or a variable.",
+    "The robot turns and drives to the middle of the place of this name: a text, the sign read or a variable.",
   PLACE_NAME: "A",
   STRAIGHT: "straight",
   AROUND: "around things",
@@ -42,9 +42,9 @@ export const blocks: typeof first = {
   SET_SPEED_ANGULAR: "%1 turn at %2 °/s at most",
   SET_SPEED_ANGULAR_TIP:
     "From here on the robot turns no faster. It begins with 90 degrees a second.",
-  SET_SPEED: "%1 drive at %2 m/s at most and turn at %3 °/s",
+  SET_SPEED: "%1 drive at %2 m/s at most and turn at %3 °/s at most",
   SET_SPEED_TIP: "From here on the robot neither drives nor turns faster than this.",
-  DRIVE: "%1 start driving %2 m/s, turning %3 °/s",
+  DRIVE: "%1 keep driving at %2 m/s, turning at %3 °/s",
   DRIVE_TIP:
     "The robot begins to drive like this and the program goes on. It lasts until the next motion block or the end.",
 
@@ -86,7 +86,7 @@ export const blocks: typeof first = {
   CELL: "name of the place",
   CELL_TIP: "The name of the part of the world the robot is in. Empty if it has none.",
   PLACE_NEVER: "This world has no place with the name “%1”.",
-  PLACE_NAMES: "Its places are: %1. Capital and small letters differ.",
+  PLACE_NAMES: "Its places are: %1. Capital and small letters make a difference.",
   PLACES_ARE: "Its places are: %1.",
   PLACE_NONE: "It has no places with names. Choose another world, or add places to this one.",
   SONAR: "sonar %1 (m)",
@@ -135,24 +135,25 @@ export const blocks: typeof first = {
   TRUE: "true",
   FALSE: "false",
 
-  CLASSIFY_GESTURES: "%1 read gesture within %2 s",
+  CLASSIFY_GESTURES: "%1 read sign within %2 s",
   CLASSIFY_GESTURES_TIP:
-    "Waits for someone to sign a LIBRAS letter to the camera and keeps it. Up to 600 seconds.",
-  GESTURE_RESULT: "gesture read",
+    "Waits until someone makes a letter or a sign of Libras for the camera, and keeps what it read. Waits 600 seconds at most.",
+  GESTURE_RESULT: "sign read",
   GESTURE_RESULT_TIP:
-    "The last sign: a letter or a sign of the class. Empty if none was recognised.",
+    "The last sign read: a letter or a sign of the class. Empty if none was recognised.",
   TEXT_LETTER: "%1",
   TEXT_LETTER_TIP:
-    "A sign to compare with the gesture: a letter or a sign of the class. Click to change it.",
+    "A sign to compare with the sign read: a letter or a sign of the class. Click to change it.",
   NO_SIGN: "no sign",
   OTHER_SIGN: "Another sign…",
   ASK_SIGN: "What is the sign called?",
   SIGN_UNKNOWN: "The camera does not know the sign “%1” yet.",
-  SIGN_TO_TEACH: "Teach it in “Sign practice”, or answer with its button when the program asks.",
+  SIGN_TO_TEACH:
+    "Teach the sign in “Practise letters and signs”, or answer with its button when the program asks.",
   SIGN_BY_HAND: "Answer with its button when the program asks: only a class teaches new signs.",
-  SET_GESTURE_RESULT: "%1 pretend the gesture is %2",
+  SET_GESTURE_RESULT: "%1 pretend the sign is %2",
   SET_GESTURE_RESULT_TIP:
-    "Keeps this sign as if it were a gesture. Good for testing without a camera.",
+    "Keeps this sign as if someone had made it. Good for testing without a camera.",
 
   SAY: "%1 say %2",
   SAY_TIP: "Shows a text or a number on the screen for the group to read.",
@@ -183,7 +184,7 @@ export const blocks: typeof first = {
   NEW_NAME: "New variable…",
   RENAME: "Rename “%1”…",
   ASK_NEW_NAME: "What is the new variable called?",
-  ASK_RENAME: "What is “%1” to be called?",
+  ASK_RENAME: "What will the new name of “%1” be?",
   NAME_REFUSED: "A name has letters, digits, spaces and _, 64 at most. It stays “%1”.",
   NAME_TAKEN: "There is a “%1” already. Choose another name.",
 
@@ -225,7 +226,7 @@ export const blocks: typeof first = {
   ITEM: "item %1 of %2",
   ITEM_TIP: "The value at this place of the list. The first is item 1.",
   CONTAINS: "%1 contains %2",
-  CONTAINS_TIP: "True if the value is in the list. Capitals and small letters count the same.",
+  CONTAINS_TIP: "True if the value is in the list. Capital and small letters make no difference.",
   POSITION_OF: "position of %1 in %2",
   POSITION_OF_TIP:
     "The number of the item of the list that is this value. 0 if it is not in the list.",

@@ -8,13 +8,13 @@ export const camera = {
   number: (n: number) => `Camera ${n}`,
   other: "Another source",
   showHand: "Show your hand",
-  noLetter: "This is no letter yet",
-  twoSigns: "Two signs: show one hand only",
-  unsure: "Not sure:",
+  noLetter: "No letter recognised yet",
+  twoSigns: "There are two hands: show one only",
+  unsure: "Not certain yet:",
   either: (one: string, other: string) => `${one} or ${other}?`,
   orElse: (letter: string) => `or ${letter}`,
   hold: "Keep your hand still",
-  sure: (sign: string, share: string) => `${namedSign(sign)}, ${share} sure`,
+  sure: (sign: string, share: string) => `${namedSign(sign)}, with ${share} certainty`,
   steady: "How long until the sign counts",
   expected: "The program expects:",
   sign: (sign: string) => `Drawing: ${namedSign(sign)}`,
@@ -26,11 +26,11 @@ export const camera = {
 };
 
 export const practice = {
-  hint: "Make a letter in LIBRAS and keep your hand still.",
-  seen: "I see the letter",
+  hint: "Make a letter of the Libras manual alphabet and keep your hand still.",
+  seen: "What the camera sees",
   spelled: "Done! Make the next letter.",
-  imitate: "Imitate this letter",
-  choose: "Letter to imitate",
+  imitate: "Make this letter",
+  choose: "Letter to make",
   hand: "Hand",
   right: "Right",
   left: "Left",
@@ -41,14 +41,15 @@ export const practice = {
   back: "Delete letter",
   clear: "Clear",
   bringBack: "Bring it back",
-  moving: "H, J, X, Y and Z: with the keyboard, or taught by the class (experimental).",
+  moving:
+    "The camera does not know H, J, X, Z and Ç yet, which move, nor Y: use the keyboard, or teach these letters (experimental). Of K it reads only the still hand, without the movement.",
   credits:
     "Letters learnt from “Alfabeto em libras” (elainesilva, CC BY 4.0); hands: MediaPipe (Apache 2.0).",
 };
 
 /** Signs that a class teaches the camera. */
 export const teaching = {
-  title: "Teach a sign",
+  title: "Teach a letter or a sign",
   name: "Letter, or name of the sign",
   record: "Record",
   samples: (n: number) => `${n} pictures`,
@@ -59,10 +60,11 @@ export const teaching = {
   moves: "It moves",
   experimental: "experimental",
   suggested: "Letters still missing",
-  howStill: "Hold your hand still until ten pictures are recorded.",
-  howMoving: "Five times: hold your hand still, make the movement, hold it still again.",
+  howStill: "Keep your hand still until ten pictures are recorded.",
+  howMoving:
+    "Do this five times: keep your hand still, make the movement, and keep it still again.",
   movements: (n: number) => (n === 1 ? "1 movement" : `${n} movements`),
   countedMoving: (sign: string, n: number, of: number) =>
-    `${sign}: ${n} of ${of}. Hold still, make the movement, hold still again.`,
+    `${sign}: ${n} of ${of}. Keep your hand still, make the movement, and keep it still again.`,
   learnt: (sign: string) => `Done: the camera knows the sign ${sign}.`,
 };

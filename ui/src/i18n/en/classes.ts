@@ -50,6 +50,6 @@ export const classes: typeof first = {
   lessonFileOpened: (title, classroom) => `The lesson “${title}” of ${classroom} is open.`,
   lessonFileKnown: "All of it was here already.",
   turnsTitle: "Time to swap!",
-  turns: "Swap roles: pilot, reader, floor inspector, signer.",
+  turns: "Swap roles: pilot, reader, path inspector, signer.",
   turnsDone: "We swapped",
 };

@@ -46,8 +46,8 @@ export const exchange: typeof first = {
   programs: (n: number) => (n === 1 ? "1 program" : `${n} programs`),
   versions: (n: number) => (n === 1 ? "1 version" : `${n} versions`),
   runs: (n: number) => (n === 1 ? "1 run" : `${n} runs`),
-  heard: "Whose work is here",
-  heardNobody: "No other PC's yet.",
+  heard: "PCs whose work is already gathered here",
+  heardNobody: "There is no work of another PC yet.",
   computer: "PC",
   exported: "File made",
   merged: "Merged",
@@ -80,28 +80,28 @@ export const exchange: typeof first = {
   isNow: (classroom: string) => `It is in class ${classroom} now.`,
   isNowWithout: "It is in no class now.",
   isNew: (parts: string) => `Newer here: ${parts}.`,
-  edits: (n: number) => (n === 1 ? "1 edit" : `${n} edits`),
+  edits: (n: number) => (n === 1 ? "1 change" : `${n} changes`),
   kept: (names: string) => `Kept on all PCs: ${names}.`,
   keepHere: "Delete nothing",
   unconfirmed: {
-    came: "The work is here; its missions count once PINEL has checked them, which it does by itself.",
+    came: "The work is here; its activities count once PINEL has checked them, which it does by itself.",
     waiting: (n: number) =>
       n === 1
         ? "1 run waits to be checked. PINEL checks by itself while nobody runs programs here."
         : `${n} runs wait to be checked. PINEL checks by itself while nobody runs programs here.`,
     wrong: (n: number) =>
       n === 1
-        ? "1 run does not hold: repeated here, it came out otherwise. Its mission does not count."
-        : `${n} runs do not hold: repeated here, they came out otherwise. Their missions do not count.`,
+        ? "1 run does not hold: repeated here, it came out otherwise. Its activity does not count."
+        : `${n} runs do not hold: repeated here, they came out otherwise. Their activities do not count.`,
     wrongWhere: "The page of the lesson shows whose.",
     notRepeatable: (n: number) =>
       n === 1
-        ? "1 run cannot be repeated here, as one of a real robot. It counts if you accept it on the page of the lesson."
-        : `${n} runs cannot be repeated here, as those of a real robot. They count if you accept them on the page of the lesson.`,
+        ? "1 run cannot be repeated here, for example because it is of a real robot. It counts if you accept it on the page of the lesson."
+        : `${n} runs cannot be repeated here, for example because they are of a real robot. They count if you accept them on the page of the lesson.`,
   },
   deletion: {
     title: "Delete for good",
-    hint: "For when a class leaves, or somebody asks for their data to be deleted. It goes from this PC and from its backups, and no stick brings it back.",
+    hint: "For when a class leaves, or somebody asks for their data to be deleted. All of it goes from this PC and from its backups, and no stick brings it back.",
     what: "What to delete",
     nothing: "Choose a group or the class…",
     group: (name: string) => `Group ${name}`,

@@ -13,8 +13,8 @@ export const page: typeof first = {
     lesson: "Lesson",
     runs: "All runs",
     compare: "Two runs side by side",
-    activities: "Activities",
-    practice: "Sign practice",
+    activities: "Missions",
+    practice: "Practise letters and signs",
     cards: "Cards to cut out",
   },
   header: {
@@ -36,7 +36,7 @@ export const page: typeof first = {
     saving: "Saving…",
     failed: "Not saved",
     refused: "World not saved",
-    failedRemedy: "Carry on: we keep trying by ourselves. Just do not close the window.",
+    failedRemedy: "Carry on: PINEL keeps trying by itself. Just do not close the window.",
     retry: "Try now",
   },
   start: {
@@ -67,7 +67,7 @@ export const page: typeof first = {
     tidy: "Tidy up",
     opening: "Opening the program…",
     openSound: (time: string) => `Open the last version without damage (${time})`,
-    faultsTitle: (n: number) => (n === 1 ? "1 thing to mend" : `${n} things to mend`),
+    faultsTitle: (n: number) => (n === 1 ? "1 thing to fix" : `${n} things to fix`),
     goToBlock: "Show the block",
     unreadable:
       "This program has blocks that this version of PINEL does not know. It stays saved; make another program.",
@@ -84,15 +84,15 @@ export const page: typeof first = {
     otherEnded: "The other program has ended. Press Run to run this one.",
     time: "The time of the last run",
     timeHelp:
-      "Press or drag: the robot goes back to that moment and its block lights up. Arrow keys go from block to block.",
+      "Click or drag: the robot goes back to that moment and its block lights up. Arrow keys go from block to block.",
   },
   debug: {
     bar: "Step by step",
     step: "Step",
     stepHelp: "Runs only the next block",
-    over: "Over",
+    over: "Whole function",
     overHelp: "Runs the whole function at once",
-    out: "Out",
+    out: "Leave function",
     outHelp: "Runs until the function is over",
     speed: "Speed",
     model: "Robot model",
@@ -105,7 +105,7 @@ export const page: typeof first = {
       "Wheels slip and measurements are a little off; a camera sees where the robot is, to about 1 mm.",
     wheelsHelp:
       "Wheels slip and the robot knows only what they tell: little by little it gets lost.",
-    gesture: "gesture read",
+    gesture: "sign read",
     calls: "inside",
     times: (factor: string) => `${factor}×`,
   },
@@ -117,11 +117,12 @@ export const page: typeof first = {
     unsaved: "The program is not saved yet, so it does not run. See the notice above.",
     faults: (n: number) =>
       n === 1
-        ? "Before you run, mend the marked block."
-        : `Before you run, mend the ${n} marked blocks.`,
+        ? "Before you run, fix the marked block."
+        : `Before you run, fix the ${n} marked blocks.`,
     starting: "Getting the robot ready…",
     engineStarting: "The robot is switching on…",
-    engineLost: "The robot switched itself off. It is already starting again.",
+    engineLost:
+      "The part of PINEL that drives the robot stopped. PINEL is already starting it again by itself.",
     running: "Running the program",
     forward: (done: string, amount: string) => `Moving: ${done} of ${amount}`,
     backward: (done: string, amount: string) => `Moving back: ${done} of ${amount}`,
@@ -147,7 +148,7 @@ export const page: typeof first = {
     inFunction: (name: string) => `in the function “${name}”`,
     roundOnly: (round: number) => `round ${round}`,
     stopping: "Stopping the wheels",
-    capture: "Waiting for a LIBRAS sign",
+    capture: "Waiting for a letter or a sign of Libras",
     gesture: (sign: string) => `Sign: ${sign}`,
     noGesture: "No sign",
     captured: {
@@ -163,16 +164,17 @@ export const page: typeof first = {
     held: "Paused before this block.",
     heldHow: "Press Step or Continue.",
     paused: "Paused. Press Continue.",
-    finished: "Program finished",
-    finishedClosed: "Program finished: back where it started",
-    finishedAway: (distance: string) => `Program finished: ${distance} from the start`,
-    measuredClosed: "By what the robot measured, it is back where it started.",
+    finished: "The program finished",
+    finishedClosed: "The program finished: the robot is back at the start",
+    finishedAway: (distance: string) =>
+      `The program finished: the robot is ${distance} from the start`,
+    measuredClosed: "By what the robot measured, it is back at the start.",
     measuredAway: (distance: string) =>
       `By what the robot measured, it is ${distance} from the start.`,
     believesClosed: "The robot thinks that it is back: its measurements are off.",
     believesAway: (distance: string) =>
       `The robot thinks that it is ${distance} away: its measurements are off.`,
-    finishedStill: "The program ended, but the robot did not move",
+    finishedStill: "The program finished, but the robot did not move",
     emptyLoop: (n: number) =>
       n === 1
         ? "A loop is empty: put blocks into it."
@@ -232,11 +234,11 @@ export const page: typeof first = {
     leave: "Back, change nothing",
     put: "Put into blocks",
     empty: "Build the program from blocks, or press Write: the Python appears here.",
-    broken: "Mend the marked blocks: then the Python appears.",
+    broken: "Fix the marked blocks: then the Python appears.",
     checking: "Checking…",
     fine: "All well. It can be put into blocks.",
     unchanged: "Change the text. Then it can be put into blocks.",
-    faults: (n: number) => (n === 1 ? "1 thing to mend" : `${n} things to mend`),
+    faults: (n: number) => (n === 1 ? "1 thing to fix" : `${n} things to fix`),
     place: (line: number, column: number) => `Line ${line}, column ${column}`,
     keys: "Tab indents the line. Esc, then Tab leaves the text.",
     placed: "The Python has become blocks.",
@@ -245,8 +247,7 @@ export const page: typeof first = {
     placeAgain: "Use the blocks from Python again",
     tooLong: (n: number, most: number) =>
       `The program has ${n} commands; as blocks there is room for ${most}.`,
-    tooLongRemedy:
-      "Put equal commands in a row into a repeat, or into a function. As it is, pinel run runs it.",
+    tooLongRemedy: "Put equal commands in a row into a repeat, or into a function.",
   },
   level: {
     label: "How many blocks to show",
@@ -271,7 +272,7 @@ export const page: typeof first = {
     protractor: "Protractor: measure an angle",
     rulerHint: "Drag from one point to another. Esc puts it away.",
     protractorHint:
-      "Drag from the corner along one side, then tap the other side. Esc puts it away.",
+      "Drag from the corner along one side, then click on the other side. Esc puts it away.",
     sonar: "Show the sonar",
     lidar: "Show the laser",
     follow: "Follow the robot",
@@ -282,8 +283,8 @@ export const page: typeof first = {
     startKeys: "Arrow keys move the start; comma and full stop turn the robot.",
   },
   capture: {
-    title: "Which sign did you make?",
-    show: "Show the sign to the camera",
+    title: "Which letter or sign did you make?",
+    show: "Show the letter or the sign to the camera",
     byHand: "Or answer with the buttons:",
     none: "None",
     noneHelp: "None: no sign",
@@ -315,7 +316,7 @@ export const page: typeof first = {
       stopped: "Stopped by the group",
       failed: "Did not finish",
     },
-    passed: "Passed the activity",
+    passed: "Accomplished the mission",
     noName: "No name",
   },
   replay: {
@@ -341,7 +342,7 @@ export const page: typeof first = {
     locked: "For safety it opens only through the program.",
     lockedRemedy: "Close this page and open it again through the PINEL program.",
     goneTitle: "PINEL does not answer.",
-    gone: "We keep trying. If it does not come back, close and open the program. What was saved is kept.",
+    gone: "This page keeps trying by itself. If PINEL does not come back, close and open the program. What was saved is kept.",
     failedTitle: "That did not work.",
     beginEmpty: "Begin empty",
     notLoaded: "This could not be opened.",

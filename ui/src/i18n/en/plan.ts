@@ -1,9 +1,9 @@
 import type { plan as first } from "../pt-BR/plan";
 
 export const plan: typeof first = {
-  title: "A lesson of two hours",
+  title: "Two-hour lesson",
   about:
-    "Twice 50 minutes, five groups. Each group programs its letter; in the end, a sign calls it.",
+    "Two 50-minute periods, five groups. Each group programs its letter; at the end, a sign makes the robot draw it.",
   print: "Print",
   save: "Save as a file",
   saveHelp: "Saves a page that opens and prints in any browser",
@@ -13,12 +13,14 @@ export const plan: typeof first = {
     human: {
       minutes: "0–15",
       teacher: "“What does a robot vacuum cleaner obey?” Human robot: only “forward 1”, “turn 90”.",
-      groups: "Give examples; dictate the way to the door: turning does not move ahead.",
+      groups:
+        "Give examples; dictate the way to the door: when it turns, the robot does not move ahead.",
       screen: "Example Vacuum cleaner",
     },
     alphabet: {
       minutes: "15–25",
-      teacher: "Alphabet: A, B, E, L, S, T, seen from the front.",
+      teacher:
+        "Manual alphabet: A, B, E, L, S, T, seen from the front. Fingerspelling is spelling with it; it is not the sign of the word.",
       groups: "Copy it in pairs.",
       screen: "Large letters",
     },
@@ -31,8 +33,8 @@ export const plan: typeof first = {
     paper: {
       minutes: "35–50",
       teacher:
-        "Hands out paper and cut-out cards (move, turn, repeat, pen, read gesture, if; the number is in pencil).",
-      groups: "Plan the letter (2.6); one of them walks the plan.",
+        "Hands out paper and cut-out cards (move, turn, repeat, pen, read sign, if; the number is written in pencil).",
+      groups: "Plan the letter (2.6); one of them plays the robot and follows the plan.",
       screen: "Off",
     },
     blocks: {
@@ -44,7 +46,7 @@ export const plan: typeof first = {
     decide: {
       minutes: "70–75",
       teacher: "“First read, then decide.”",
-      groups: "Put in read gesture and if.",
+      groups: "Add “read sign” and “if”.",
       screen: "Activity 3.1",
     },
     show: {
@@ -62,15 +64,17 @@ export const plan: typeof first = {
     },
   },
   robots:
-    "One real robot: 3 min for each group, 1 m of tape on the floor, a hand on Stop. None: the projector is the floor.",
+    "One real robot: 3 min for each group, 1 m of tape on the floor, a hand on Stop. Without a robot: the projector shows the floor.",
   deaf: {
-    title: "With a deaf pupil",
+    title: "With deaf pupils",
     points: [
-      "Interpreter and screen side by side; one person speaks at a time.",
-      "Signs agreed on before: robot, turn, repeat, repair.",
-      "Cards with the hand drawn on them.",
+      "Translator-interpreter of Libras (TILS) and screen side by side; each pupil sees the face of who speaks and the TILS; one person speaks at a time.",
+      "The script of the lesson reaches the TILS two days before. Signs agreed on before: robot, turn, repeat, repair.",
+      "The light stays on while the projector is used.",
+      "There is time to look: nobody looks at the screen and at the TILS at once.",
+      "The written language is a second language: whole, short sentences, cards with the hand drawn on them.",
       "What the robot says stays in writing; a beep is seen too, and no clue is sound alone.",
-      "Teaches the alphabet if they want to, without becoming the interpreter.",
+      "A deaf pupil may teach the class the manual alphabet, if they want to; interpreting for classmates is not their task.",
     ],
   },
   projector: {
@@ -82,22 +86,22 @@ export const plan: typeof first = {
     ],
   },
   roles:
-    "In each group everybody acts: pilot, reader, floor inspector, signer. They swap every ten minutes.",
+    "In each group everybody acts: pilot, reader, path inspector, signer. They swap every ten minutes.",
   open: (activity) => `Open ${activity} for the class`,
   isOpen: (activity) => `${activity} is open for the class`,
   noClass: "To open an activity from here, make a class first.",
-  links: { cards: "Cards to cut out", letters: "Practise signs", lessons: "Lessons" },
+  links: { cards: "Cards to cut out", letters: "Practise letters and signs", lessons: "Lessons" },
   cards: {
     title: "Cards to cut out",
     about: "Real blocks, with room to write the values in pencil.",
     back: "Lesson plan",
     which: "Which",
     lists: {
-      lesson: "Of the lesson of two hours",
+      lesson: "Of the two-hour lesson",
       level1: "Level 1",
       level2: "Level 2",
       level3: "Level 3: all",
-      letters: "Signs A, B, E, L, S, T",
+      letters: "Letters of the manual alphabet: A, B, E, L, S, T",
     },
     copies: "Of each",
     ink: "Colour",

@@ -108,8 +108,9 @@ export const teacher: typeof first = {
     newPin: "New PIN",
     newPinAgain: "The new PIN once more",
     pinKept: "The new PIN holds from now on.",
-    turns: "Swap who drives and who navigates",
-    turnsHint: "A quiet line reminds the group to pass the mouse on. Never in the middle of a run.",
+    turns: "Swap roles",
+    turnsHint:
+      "A quiet line reminds the group to change who uses the mouse. Never in the middle of a run.",
     turnsEvery: {
       "0": "Do not remind",
       "5": "Every 5 minutes",
@@ -118,13 +119,13 @@ export const teacher: typeof first = {
     },
     loudness: "Volume of the sounds",
     loudnessHint:
-      "Holds for the beeps of programs and the sound of a mission that is solved. Each group can still turn the sound off.",
+      "Holds for the beeps of programs and the sound of an activity that is passed. Each group can still turn the sound off.",
     loudnessOf: { quiet: "Low", normal: "Medium", loud: "High" },
   },
   camera: {
     title: "Try the camera",
     hint: "Before the lesson, on the PC and in the place where the group will work. No picture is kept, and the camera switches itself off half a minute after you leave.",
-    ready: "Ready: the camera will do for the lesson.",
+    ready: "Ready: the camera is fine for the lesson.",
     notReady: "Not yet: follow the list.",
     points: {
       picture: {
@@ -144,12 +145,12 @@ export const teacher: typeof first = {
         far: "The hand is far away: come nearer.",
         near: "The hand is too near: move it back a little.",
       },
-      sign: { open: "Sign the letter B and keep the hand still." },
+      sign: { open: "Make the letter B and keep the hand still." },
     },
-    seen: (sign: string) => `Sign seen: ${sign}`,
+    seen: (sign: string) => `Letter or sign seen: ${sign}`,
     before: "Before the lesson",
     advice: [
-      "The camera stands as high as the chest of who signs, one or two steps away.",
+      "The camera stands as high as the chest of the signer, one or two steps away.",
       "Light comes from the front. A window behind the hand makes it dark.",
       "One hand at a time, all of it in the picture.",
       "Close other programs that use the camera, such as video calls.",
@@ -163,7 +164,7 @@ export const teacher: typeof first = {
 export const making: typeof firstMaking = {
   title: "Activities",
   intro:
-    "Make an activity from a program that solves it. Groups find it among the activities, and you when you open a lesson.",
+    "Make an activity from a program that solves it. Groups find it among their missions, and you when you open a lesson.",
   make: "New activity",
   empty: "You have not made an activity yet.",
   edit: "Edit",
@@ -187,15 +188,15 @@ export const making: typeof firstMaking = {
     cannot:
       "This program cannot be the solution: it is empty or has an error. Open it in the studio and run it once.",
     unfinished:
-      "The solution did not get to the end, so no group will pass. Mend it in the studio and choose it again.",
+      "The solution did not get to the end, so no group will pass. Fix it in the studio and choose it again.",
     world: "World",
     ownWorld: "The solution's world",
-    gestures: "Signs that the robot sees",
+    gestures: "Letters and signs that the robot sees",
     answers: "Answers to the robot",
     none: "separated by commas",
   },
   checks: {
-    title: "2. What counts",
+    title: "2. What has to happen",
     hint: "Tick only what matters. The numbers are those of the solution; change them if you like. The program must always get to the end.",
     first: "Choose the solution: its numbers appear here.",
   },
@@ -242,7 +243,7 @@ export const making: typeof firstMaking = {
     name: "Title",
     namePlaceholder: "For example: To the door",
     story: "What the robot should do",
-    criteria: "What counts, for the group to read",
+    criteria: "What has to happen, for the group to read",
     hint: (n) => `Hint ${n}`,
     question: "Question for afterwards",
     level: "Blocks",
@@ -296,31 +297,31 @@ export const robotSetup = {
   isSetUp: "Set up: groups can choose it.",
   notSetUp: "Not set up yet: groups do not see it.",
   parts: {
-    speed: "How fast",
+    speed: "Speed",
     room: "Where: free floor and start",
     address: "How to reach the robot",
     tolerance: "More: tolerances",
   },
   picture: "The free floor with the robot at its start",
-  keep: "Save the robot",
+  keep: "Save the robot's settings",
   kept: "Saved.",
-  forget: "Forget this robot",
+  forget: "Remove this robot",
   now: {
     title: "The robot now",
     rate: (times: string) => `${times} messages a second`,
     place: (x: string, y: string, heading: string) =>
       `In the room: x ${x} m, y ${y} m, ${heading}°`,
     honest:
-      "In the picture, filled is the start and dashed is the robot. The place is an estimate: it counts the turns of the wheels since somebody last said where the robot stands, and errs a little with each metre.",
+      "In the picture, the solid line is the start; the dashed one, the robot. The place is an estimate: it counts the turns of the wheels since somebody last said where the robot stands, and errs a little with each metre.",
     use: "The robot is here: use as the start",
-    used: "The start was filled in. Now save the robot.",
+    used: "The start was filled in. Now save the robot's settings.",
     atStart: "The robot stands at the start",
   },
   jog: {
     title: "Move the robot slowly",
     hint: "Hold a button, or click one of them and hold an arrow key. When you let go, the robot stops.",
-    ahead: "Ahead",
-    back: "Back",
+    ahead: "Forward",
+    back: "Backward",
     left: "Turn left",
     right: "Turn right",
     connecting: "Connecting… keep holding.",
@@ -332,7 +333,7 @@ export const robotSetup = {
     hint: (domain: string) => `Looks in domain ${domain} of ROS only, that of the form.`,
     none: (domain: number) => `No robot in domain ${domain}. Is it on, and on the same network?`,
     use: "Use this one",
-    used: "The address was filled in. Now save the robot.",
+    used: "The address was filled in. Now save the robot's settings.",
     nameless: "without a name",
     topics: (command: string, odometry: string) => `${command} and ${odometry}`,
     free: "nobody drives it",
@@ -344,6 +345,6 @@ export const robotSetup = {
     asking: "Looking for the robot…",
     found: (x: string, y: string, rate: string) =>
       `The robot responds: it is at x ${x} m, y ${y} m, and says so ${rate} times a second.`,
-    battery: (percent: string) => `Battery: ${percent} %.`,
+    battery: (percent: string) => `Battery: ${percent}%.`,
   },
 };

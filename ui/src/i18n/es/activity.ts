@@ -1,20 +1,20 @@
 import type { activity as first } from "../pt-BR/activity";
 
 export const activity: typeof first = {
-  passed: "¡Lo lograron! La actividad está resuelta.",
+  passed: "¡Lo lograron! La misión está cumplida.",
   missing: (what: string) => `Todavía no: ${what}`,
-  toTheEnd: "El programa resuelve la actividad: ahora déjenlo correr hasta el final.",
+  toTheEnd: "El programa cumple la misión: ahora déjenlo correr hasta el final.",
   goal: "Dibujo de lo que el robot debe hacer",
   showGoal: "Ver lo que el robot debe hacer",
-  ofLesson: (title: string) => `La misión de la clase es «${title}».`,
+  ofLesson: (title: string) => `La misión de la clase es “${title}”.`,
   openOfLesson: "Abrir la misión",
   mission: "Misión",
   fold: "Plegar la misión",
   unfold: "Mostrar la misión",
-  criteria: "Lo que vale",
-  checkStates: { met: "cumplido", open: "todavía no", broken: "no en esta vez" },
+  criteria: "Lo que tiene que pasar",
+  checkStates: { met: "cumplido", open: "todavía no", broken: "no en este recorrido" },
   count: (met: number, all: number) => `${met} de ${all}`,
-  alsoTried: "También probamos con:",
+  alsoTried: "PINEL también probó con:",
   hints: "Pistas",
   openHint: (n: number, all: number) => `Abrir la pista ${n} de ${all}`,
   done: "¡Misión cumplida!",
@@ -23,8 +23,8 @@ export const activity: typeof first = {
   unknown:
     "Esta misión es de un PINEL más nuevo. Los bloques funcionan, pero aquí no se comprueba.",
   locked: "El mundo es el de la misión",
-  open: "Actividades",
-  choose: "¿Qué misión quieren?",
+  open: "Misiones",
+  choose: "¿Qué misión quieren hacer?",
   paths: {
     moves: "Primeros movimientos",
     shapes: "Figuras y ángulos",

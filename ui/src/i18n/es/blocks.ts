@@ -5,7 +5,7 @@ export const blocks: typeof first = {
   CATEGORY_SENSING: "Sensores",
   CATEGORY_FLOW: "Control",
   CATEGORY_LOGIC: "Lógica",
-  CATEGORY_GESTURES: "Gestos",
+  CATEGORY_GESTURES: "Señas",
   CATEGORY_SHOW: "Mostrar",
   CATEGORY_VARIABLES: "Variables",
   CATEGORY_MATHS: "Cuentas",
@@ -33,7 +33,7 @@ export const blocks: typeof first = {
     "El robot gira y va hasta ese punto. x apunta hacia adelante del robot en la partida; y, hacia su izquierda.",
   GO_TO_PLACE: "%1 ir hasta el lugar %2, %3",
   GO_TO_PLACE_TIP:
-    "El robot gira y va hasta el medio del lugar con ese nombre: un texto, el gesto leído o una variable.",
+    "El robot gira y va hasta el medio del lugar con ese nombre: un texto, la seña leída o una variable.",
   PLACE_NAME: "A",
   STRAIGHT: "en línea recta",
   AROUND: "esquivando",
@@ -43,9 +43,9 @@ export const blocks: typeof first = {
   SET_SPEED_ANGULAR: "%1 girar como máximo a %2 °/s",
   SET_SPEED_ANGULAR_TIP:
     "Desde aquí el robot no gira a más de esa velocidad. Al principio son 90 grados por segundo.",
-  SET_SPEED: "%1 avanzar como máximo a %2 m/s y girar a %3 °/s",
+  SET_SPEED: "%1 avanzar como máximo a %2 m/s y girar como máximo a %3 °/s",
   SET_SPEED_TIP: "Desde aquí el robot no pasa de esas velocidades, ni al avanzar ni al girar.",
-  DRIVE: "%1 acelerar a %2 m/s, girando %3 °/s",
+  DRIVE: "%1 avanzar a %2 m/s, girando a %3 °/s (sin parar)",
   DRIVE_TIP:
     "El robot empieza a moverse así y el programa sigue. Vale hasta el próximo bloque de movimiento o hasta el final.",
 
@@ -62,7 +62,7 @@ export const blocks: typeof first = {
     "Hacia dónde apunta: 0 es como en la partida, 90 es a la izquierda, −90 a la derecha.",
   COMPASS: "brújula (°)",
   COMPASS_TIP:
-    "Hacia dónde apunta el robot en el mapa: 0 es norte (arriba), 90 es este (derecha), 180 es sur, −90 es oeste. No depende de la salida.",
+    "Hacia dónde apunta el robot en el mapa: 0 es norte (arriba), 90 es este (derecha), 180 es sur, −90 es oeste. No depende de la partida.",
   TIME: "tiempo (s)",
   TIME_TIP: "Cuántos segundos pasaron desde que empezó el programa.",
   FLOOR: "color del piso",
@@ -89,7 +89,7 @@ export const blocks: typeof first = {
   CELL: "nombre del lugar",
   CELL_TIP: "El nombre de la parte del mundo en que está el robot. Queda vacío si no tiene nombre.",
   PLACE_NEVER: "Este mundo no tiene un lugar con el nombre “%1”.",
-  PLACE_NAMES: "Sus lugares son: %1. Las mayúsculas y las minúsculas cuentan.",
+  PLACE_NAMES: "Sus lugares son: %1. Las mayúsculas se distinguen de las minúsculas.",
   PLACES_ARE: "Sus lugares son: %1.",
   PLACE_NONE: "No tiene lugares con nombre. Elijan otro mundo o pongan lugares en él.",
   SONAR: "sonar %1 (m)",
@@ -139,25 +139,26 @@ export const blocks: typeof first = {
   TRUE: "verdadero",
   FALSE: "falso",
 
-  CLASSIFY_GESTURES: "%1 leer gesto en hasta %2 s",
+  CLASSIFY_GESTURES: "%1 leer seña en hasta %2 s",
   CLASSIFY_GESTURES_TIP:
-    "Espera a que alguien haga una letra de LIBRAS ante la cámara y la guarda. Hasta 600 segundos.",
-  GESTURE_RESULT: "gesto leído",
+    "Espera a que alguien haga una letra o una seña de Libras ante la cámara, y guarda lo que leyó. Espera 600 segundos como máximo.",
+  GESTURE_RESULT: "seña leída",
   GESTURE_RESULT_TIP:
-    "La última seña: una letra o una seña del curso. Queda vacío si no se reconoció ninguna.",
+    "La última seña leída: una letra o una seña del curso. Queda vacío si no se reconoció ninguna.",
   TEXT_LETTER: "%1",
   TEXT_LETTER_TIP:
-    "Una seña para comparar con el gesto: una letra o una seña del curso. Hagan clic para cambiarla.",
+    "Una seña para comparar con la seña leída: una letra o una seña del curso. Hagan clic para cambiarla.",
   NO_SIGN: "ninguna seña",
   OTHER_SIGN: "Otra seña…",
   ASK_SIGN: "¿Cómo se llama la seña?",
   SIGN_UNKNOWN: "La cámara todavía no conoce la seña “%1”.",
   SIGN_TO_TEACH:
-    "Enséñenla en “Practicar señas”, o respondan con su botón cuando el programa pregunte.",
+    "Enseñen la seña en “Practicar letras y señas”, o respondan con su botón cuando el programa pregunte.",
   SIGN_BY_HAND:
     "Respondan con su botón cuando el programa pregunte: solo un curso enseña señas nuevas.",
-  SET_GESTURE_RESULT: "%1 hacer como si el gesto fuera %2",
-  SET_GESTURE_RESULT_TIP: "Guarda esta seña como si fuera un gesto. Útil para probar sin cámara.",
+  SET_GESTURE_RESULT: "%1 hacer como si la seña fuera %2",
+  SET_GESTURE_RESULT_TIP:
+    "Guarda esta seña como si alguien la hubiera hecho. Útil para probar sin cámara.",
 
   SAY: "%1 decir %2",
   SAY_TIP: "Muestra un texto o un número en la pantalla, para que el grupo lo lea.",
@@ -188,7 +189,7 @@ export const blocks: typeof first = {
   NEW_NAME: "Nueva variable…",
   RENAME: "Cambiar el nombre de “%1”…",
   ASK_NEW_NAME: "¿Cómo se llama la nueva variable?",
-  ASK_RENAME: "¿Cómo se va a llamar “%1”?",
+  ASK_RENAME: "¿Cuál será el nuevo nombre de “%1”?",
   NAME_REFUSED: "Un nombre tiene letras, números, espacios y _, hasta 64. Quedó “%1”.",
   NAME_TAKEN: "Ya existe “%1” aquí. Elijan otro nombre.",
 
@@ -232,7 +233,8 @@ export const blocks: typeof first = {
   ITEM: "elemento %1 de %2",
   ITEM_TIP: "El valor que está en ese lugar de la lista. El primero es el elemento 1.",
   CONTAINS: "%1 contiene %2",
-  CONTAINS_TIP: "Verdadero si el valor está en la lista. Mayúsculas y minúsculas no cuentan.",
+  CONTAINS_TIP:
+    "Verdadero si el valor está en la lista. Las mayúsculas no se distinguen de las minúsculas.",
   POSITION_OF: "posición de %1 en %2",
   POSITION_OF_TIP:
     "El número del elemento de la lista en que está el valor. Da 0 si no está en ella.",

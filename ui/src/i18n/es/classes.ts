@@ -33,7 +33,7 @@ export const classes: typeof first = {
   },
   choose: "Curso",
   noClass: "Sin curso",
-  emptyTitle: "¿Qué grupo son ustedes?",
+  emptyTitle: "¿Cuál es el grupo de ustedes?",
   emptyHint:
     "Este curso todavía no tiene grupos en esta computadora. Elijan un nombre y un dibujo.",
   change: "Cambiar nombre, color y dibujo",
@@ -51,6 +51,6 @@ export const classes: typeof first = {
   lessonFileOpened: (title, classroom) => `La clase “${title}” de ${classroom} está abierta.`,
   lessonFileKnown: "Todo ya estaba aquí.",
   turnsTitle: "¡Hora de cambiar!",
-  turns: "Cambien de papel: piloto, lector, inspector del piso, señalador.",
+  turns: "Cambien de papel: piloto, lector, inspector del camino, señante.",
   turnsDone: "Cambiamos",
 };

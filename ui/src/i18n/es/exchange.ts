@@ -47,8 +47,8 @@ export const exchange: typeof first = {
   programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
   versions: (n: number) => (n === 1 ? "1 versión" : `${n} versiones`),
   runs: (n: number) => (n === 1 ? "1 recorrido" : `${n} recorridos`),
-  heard: "De quién hay trabajos aquí",
-  heardNobody: "Todavía de ninguna otra computadora.",
+  heard: "Computadoras con trabajos ya reunidos aquí",
+  heardNobody: "Todavía no hay trabajos de otra computadora.",
   computer: "Computadora",
   exported: "Archivo hecho el",
   merged: "Unido el",
@@ -83,28 +83,28 @@ export const exchange: typeof first = {
   isNow: (classroom: string) => `Está ahora en el curso ${classroom}.`,
   isNowWithout: "Está ahora sin curso.",
   isNew: (parts: string) => `Más nuevo aquí: ${parts}.`,
-  edits: (n: number) => (n === 1 ? "1 edición" : `${n} ediciones`),
+  edits: (n: number) => (n === 1 ? "1 cambio" : `${n} cambios`),
   kept: (names: string) => `Se mantiene en todas las computadoras: ${names}.`,
   keepHere: "No borrar nada",
   unconfirmed: {
-    came: "El trabajo está aquí; las misiones cuentan cuando PINEL las haya comprobado, lo que hace solo.",
+    came: "El trabajo está aquí; las actividades cuentan cuando PINEL las haya comprobado, lo que hace solo.",
     waiting: (n: number) =>
       n === 1
         ? "1 recorrido espera la comprobación. PINEL comprueba solo mientras nadie ejecuta programas aquí."
         : `${n} recorridos esperan la comprobación. PINEL comprueba solo mientras nadie ejecuta programas aquí.`,
     wrong: (n: number) =>
       n === 1
-        ? "1 recorrido no coincide: repetido aquí, el resultado fue otro. Su misión no cuenta."
-        : `${n} recorridos no coinciden: repetidos aquí, el resultado fue otro. Sus misiones no cuentan.`,
+        ? "1 recorrido no coincide: repetido aquí, el resultado fue otro. Su actividad no cuenta."
+        : `${n} recorridos no coinciden: repetidos aquí, el resultado fue otro. Sus actividades no cuentan.`,
     wrongWhere: "La página de la clase muestra de qué grupo.",
     notRepeatable: (n: number) =>
       n === 1
-        ? "1 recorrido no se puede repetir aquí, por ejemplo de un robot real. Cuenta si usted lo acepta en la página de la clase."
-        : `${n} recorridos no se pueden repetir aquí, por ejemplo de un robot real. Cuentan si usted los acepta en la página de la clase.`,
+        ? "1 recorrido no se puede repetir aquí, por ejemplo porque es de un robot de verdad. Cuenta si usted lo acepta en la página de la clase."
+        : `${n} recorridos no se pueden repetir aquí, por ejemplo porque son de un robot de verdad. Cuentan si usted los acepta en la página de la clase.`,
   },
   deletion: {
     title: "Borrar para siempre",
-    hint: "Para cuando un curso se despide o alguien pide que se borren sus datos. Desaparece de esta computadora y de las copias de seguridad, y ninguna memoria USB lo trae de vuelta.",
+    hint: "Para cuando un curso se despide o alguien pide que se borren sus datos. Todo desaparece de esta computadora y de las copias de seguridad, y ninguna memoria USB lo trae de vuelta.",
     what: "Qué borrar",
     nothing: "Elija un grupo o el curso…",
     group: (name: string) => `El grupo ${name}`,

@@ -3,7 +3,7 @@ import type { plan as first } from "../pt-BR/plan";
 export const plan: typeof first = {
   title: "Clase de dos horas",
   about:
-    "Dos veces 50 minutos, cinco grupos. Cada grupo programa su letra; al final, una seña la llama.",
+    "Dos períodos de 50 minutos, cinco grupos. Cada grupo programa su letra; al final, una seña hace que el robot la dibuje.",
   print: "Imprimir",
   save: "Guardar como archivo",
   saveHelp: "Guarda una página que se abre e imprime en cualquier navegador",
@@ -13,26 +13,27 @@ export const plan: typeof first = {
     human: {
       minutes: "0–15",
       teacher: "“¿A qué obedece una aspiradora robot?” Robot humano: solo “avanzar 1”, “girar 90”.",
-      groups: "Dan ejemplos; dictan hasta la puerta: girar no avanza.",
+      groups: "Dan ejemplos; dictan el camino hasta la puerta: al girar, el robot no avanza.",
       screen: "Ejemplo Aspiradora",
     },
     alphabet: {
       minutes: "15–25",
-      teacher: "Alfabeto: A, B, E, L, S, T, vistas de frente.",
+      teacher:
+        "Alfabeto manual: A, B, E, L, S, T, vistas de frente. Dactilología es deletrear con él; no es la seña de la palabra.",
       groups: "Copian en parejas.",
       screen: "Letras grandes",
     },
     first: {
       minutes: "25–35",
-      teacher: "Paseo inicial y actividad 1.3.",
+      teacher: "Primer paseo y actividad 1.3.",
       groups: "Predicen, ejecutan, comparan.",
       screen: "Tarjeta, piso",
     },
     paper: {
       minutes: "35–50",
       teacher:
-        "Da papel y tarjetas recortadas (avanzar, girar, repetir, lápiz, leer gesto, si; el número va a lápiz).",
-      groups: "Planean la letra (2.6); uno camina el plan.",
+        "Da papel y tarjetas recortadas (avanzar, girar, repetir, lápiz, leer seña, si; el número se escribe a lápiz).",
+      groups: "Planean la letra (2.6); un integrante hace de robot y sigue el plan.",
       screen: "Apagada",
     },
     blocks: {
@@ -44,7 +45,7 @@ export const plan: typeof first = {
     decide: {
       minutes: "70–75",
       teacher: "“Primero leer, después decidir.”",
-      groups: "Ponen leer gesto y si.",
+      groups: "Agregan “leer seña” y “si”.",
       screen: "Actividad 3.1",
     },
     show: {
@@ -62,15 +63,17 @@ export const plan: typeof first = {
     },
   },
   robots:
-    "Un robot real: 3 min por grupo, cinta de 1 m en el piso, mano en Parar. Ninguno: el proyector es el piso.",
+    "Un robot de verdad: 3 min por grupo, cinta de 1 m en el piso, mano en Parar. Sin robot: el piso aparece en el proyector.",
   deaf: {
-    title: "Con un alumno sordo",
+    title: "Con alumnos sordos",
     points: [
-      "Intérprete y pantalla lado a lado; habla una persona por vez.",
-      "Señas acordadas antes: robot, girar, repetir, arreglo.",
-      "Tarjetas con la mano dibujada.",
+      "Traductor-intérprete de Libras (TILS) y pantalla lado a lado; cada alumno ve el rostro de quien habla y al TILS; habla una persona por vez.",
+      "El guion de la clase le llega al TILS dos días antes. Señas acordadas antes: robot, girar, repetir, arreglo.",
+      "La luz queda encendida durante la proyección.",
+      "Hay tiempo para mirar: nadie mira la pantalla y al TILS al mismo tiempo.",
+      "La lengua escrita es segunda lengua: frases enteras y cortas, tarjetas con la mano dibujada.",
       "Lo que dice el robot queda escrito; el pitido también se ve, y ninguna pista es solo sonora.",
-      "Enseña el alfabeto si quiere, sin volverse traductor.",
+      "El alumno sordo puede enseñar el alfabeto manual al curso, si quiere; no es tarea suya interpretar para sus compañeros.",
     ],
   },
   projector: {
@@ -82,11 +85,15 @@ export const plan: typeof first = {
     ],
   },
   roles:
-    "En cada grupo todos actúan: piloto, lector, inspector del piso, señante. Cambian cada diez minutos.",
+    "En cada grupo todos actúan: piloto, lector, inspector del camino, señante. Cambian cada diez minutos.",
   open: (activity) => `Abrir ${activity} para el curso`,
   isOpen: (activity) => `${activity} está abierta para el curso`,
   noClass: "Para abrir una actividad desde aquí, cree antes un curso.",
-  links: { cards: "Tarjetas para recortar", letters: "Practicar señas", lessons: "Clases" },
+  links: {
+    cards: "Tarjetas para recortar",
+    letters: "Practicar letras y señas",
+    lessons: "Clases",
+  },
   cards: {
     title: "Tarjetas para recortar",
     about: "Bloques de verdad, con espacio para escribir los valores a lápiz.",
@@ -97,7 +104,7 @@ export const plan: typeof first = {
       level1: "Nivel 1",
       level2: "Nivel 2",
       level3: "Nivel 3: todos",
-      letters: "Señas A, B, E, L, S, T",
+      letters: "Letras del alfabeto manual: A, B, E, L, S, T",
     },
     copies: "De cada una",
     ink: "Color",

@@ -110,9 +110,9 @@ export const teacher: typeof first = {
     newPin: "Nuevo PIN",
     newPinAgain: "El nuevo PIN otra vez",
     pinKept: "El nuevo PIN vale desde ahora.",
-    turns: "Cambiar quién conduce y quién guía",
+    turns: "Cambio de papeles",
     turnsHint:
-      "Una línea discreta le recuerda al grupo pasar el mouse. Nunca en medio de un recorrido.",
+      "Una línea discreta le recuerda al grupo cambiar quién usa el mouse. Nunca en medio de un recorrido.",
     turnsEvery: {
       "0": "No recordar",
       "5": "Cada 5 minutos",
@@ -121,13 +121,13 @@ export const teacher: typeof first = {
     },
     loudness: "Volumen de los sonidos",
     loudnessHint:
-      "Vale para los pitidos de los programas y el sonido de una misión cumplida. Cada grupo todavía puede apagar el sonido.",
+      "Vale para los pitidos de los programas y el sonido de una actividad cumplida. Cada grupo todavía puede apagar el sonido.",
     loudnessOf: { quiet: "Bajo", normal: "Medio", loud: "Alto" },
   },
   camera: {
     title: "Probar la cámara",
     hint: "Antes de la clase, en la computadora y en el lugar donde va a trabajar el grupo. No se guarda ninguna imagen, y la cámara se apaga sola medio minuto después de que usted sale de aquí.",
-    ready: "Lista: la cámara sirve para la clase.",
+    ready: "Listo: la cámara está bien para la clase.",
     notReady: "Todavía no: siga la lista.",
     points: {
       picture: {
@@ -137,7 +137,7 @@ export const teacher: typeof first = {
         frozen: "La imagen está quieta.",
       },
       light: {
-        good: "La luz alcanza.",
+        good: "La luz está bien.",
         open: "Luz: falta la imagen.",
         dark: "Está demasiado oscuro: encienda la luz, y vea si hay una tapa en el lente.",
       },
@@ -147,12 +147,12 @@ export const teacher: typeof first = {
         far: "La mano está lejos: acérquela.",
         near: "La mano está demasiado cerca: aléjela un poco.",
       },
-      sign: { open: "Haga la letra B y deje la mano quieta." },
+      sign: { open: "Haga la letra B y mantenga la mano quieta." },
     },
-    seen: (sign: string) => `Seña vista: ${sign}`,
+    seen: (sign: string) => `Letra o seña vista: ${sign}`,
     before: "Antes de la clase",
     advice: [
-      "La cámara queda a la altura del pecho de quien hace la seña, a uno o dos pasos.",
+      "La cámara queda a la altura del pecho del señante, a uno o dos pasos.",
       "La luz viene de frente. Una ventana detrás de la mano la deja oscura.",
       "Una mano a la vez, entera en la imagen.",
       "Cierre otros programas que usan la cámara, como los de videollamada.",
@@ -168,7 +168,7 @@ const written = (value: number) => value.toLocaleString("es", { maximumFractionD
 export const making: typeof firstMaking = {
   title: "Actividades",
   intro:
-    "Arme una actividad a partir de un programa que la resuelve. Aparece entre las actividades de los grupos y cuando usted abre una clase.",
+    "Arme una actividad a partir de un programa que la resuelve. Aparece entre las misiones de los grupos y cuando usted abre una clase.",
   make: "Nueva actividad",
   empty: "Usted todavía no hizo ninguna actividad.",
   edit: "Editar",
@@ -195,12 +195,12 @@ export const making: typeof firstMaking = {
       "La solución no llegó al final, así que ningún grupo va a cumplir. Arréglela en el estudio y elíjala de nuevo.",
     world: "Mundo",
     ownWorld: "El mundo de la solución",
-    gestures: "Señas que el robot ve",
+    gestures: "Letras y señas que el robot ve",
     answers: "Respuestas al robot",
     none: "separe con coma",
   },
   checks: {
-    title: "2. Lo que vale",
+    title: "2. Lo que tiene que pasar",
     hint: "Marque solo lo que importa. Los números son los de la solución; cámbielos si quiere. El programa siempre debe llegar al final.",
     first: "Elija la solución: sus números aparecen aquí.",
   },
@@ -247,7 +247,7 @@ export const making: typeof firstMaking = {
     name: "Título",
     namePlaceholder: "Por ejemplo: Hasta la puerta",
     story: "Lo que el robot debe hacer",
-    criteria: "Lo que vale, para que el grupo lo lea",
+    criteria: "Lo que tiene que pasar, para que el grupo lo lea",
     hint: (n) => `Pista ${n}`,
     question: "Pregunta para después",
     level: "Bloques",
@@ -276,7 +276,7 @@ export const making: typeof firstMaking = {
     level: "Bloques",
     world: "Mundo de programas nuevos",
     activity: "Actividad propuesta",
-    swap: "Cambiar de papel",
+    swap: "Cambio de papeles",
     free: "Libre",
     worldOf: (title) => `El de “${title}”`,
     ofComputer: "Como en esta computadora",
@@ -295,29 +295,29 @@ export const making: typeof firstMaking = {
 
 export const robotSetup = {
   title: "Robot de verdad",
-  hint: "Diga cómo llega esta computadora al robot, qué tan rápido puede andar y dónde. Después los grupos lo eligen sobre el piso, en lugar del simulador.",
+  hint: "Diga cómo llega esta computadora al robot, a qué velocidad puede andar y dónde. Después los grupos lo eligen sobre el piso, en lugar del simulador.",
   none: "Esta versión no maneja ningún robot de verdad.",
   kind: "Tipo de robot",
   isSetUp: "Configurado: los grupos pueden elegirlo.",
   notSetUp: "Todavía sin configurar: los grupos no lo ven.",
   parts: {
-    speed: "Qué tan rápido",
+    speed: "Velocidad",
     room: "Dónde: área libre y partida",
     address: "Cómo llegar al robot",
     tolerance: "Más: tolerancias",
   },
   picture: "El área libre con el robot en la partida",
-  keep: "Guardar el robot",
+  keep: "Guardar los ajustes del robot",
   kept: "Guardado.",
-  forget: "Olvidar este robot",
+  forget: "Quitar este robot",
   now: {
     title: "El robot ahora",
     rate: (times: string) => `${times} mensajes por segundo`,
     place: (x: string, y: string, heading: string) => `En la sala: x ${x} m, y ${y} m, ${heading}°`,
     honest:
-      "En el dibujo, lleno es la partida y a rayas es el robot. El lugar es una estimación: cuenta las vueltas de las ruedas desde la última vez que alguien dijo dónde está el robot, y falla un poco en cada metro.",
+      "En el dibujo, la línea llena es la partida; la de rayas, el robot. El lugar es una estimación: cuenta las vueltas de las ruedas desde la última vez que alguien dijo dónde está el robot, y falla un poco en cada metro.",
     use: "El robot está aquí: usar como partida",
-    used: "La partida quedó escrita. Ahora guarde el robot.",
+    used: "La partida quedó escrita. Ahora guarde los ajustes del robot.",
     atStart: "El robot está en la partida",
   },
   jog: {
@@ -337,7 +337,7 @@ export const robotSetup = {
     none: (domain: number) =>
       `Ningún robot en el dominio ${domain}. ¿Está encendido y en la misma red?`,
     use: "Usar este",
-    used: "La dirección quedó escrita. Ahora guarde el robot.",
+    used: "La dirección quedó escrita. Ahora guarde los ajustes del robot.",
     nameless: "sin nombre",
     topics: (command: string, odometry: string) => `${command} y ${odometry}`,
     free: "nadie lo maneja",

@@ -3,7 +3,7 @@ export const blocks = {
   CATEGORY_SENSING: "Sensores",
   CATEGORY_FLOW: "Controle",
   CATEGORY_LOGIC: "Lógica",
-  CATEGORY_GESTURES: "Gestos",
+  CATEGORY_GESTURES: "Sinais",
   CATEGORY_SHOW: "Mostrar",
   CATEGORY_VARIABLES: "Variáveis",
   CATEGORY_MATHS: "Contas",
@@ -31,7 +31,7 @@ export const blocks = {
     "O robô vira e anda até esse ponto. x aponta para a frente do robô na partida; y, para a esquerda dele.",
   GO_TO_PLACE: "%1 ir até o lugar %2, %3",
   GO_TO_PLACE_TIP:
-    "O robô vira e anda até o meio do lugar com esse nome: um texto, o gesto lido ou uma variável.",
+    "O robô vira e anda até o meio do lugar com esse nome: um texto, o sinal lido ou uma variável.",
   PLACE_NAME: "A",
   STRAIGHT: "em linha reta",
   AROUND: "desviando",
@@ -41,9 +41,9 @@ export const blocks = {
   SET_SPEED_ANGULAR: "%1 girar no máximo a %2 °/s",
   SET_SPEED_ANGULAR_TIP:
     "Daqui em diante o robô gira no máximo a essa velocidade. No começo é 90 graus por segundo.",
-  SET_SPEED: "%1 andar no máximo a %2 m/s e girar a %3 °/s",
+  SET_SPEED: "%1 andar no máximo a %2 m/s e girar no máximo a %3 °/s",
   SET_SPEED_TIP: "Daqui em diante o robô não passa dessas velocidades, nem andando nem girando.",
-  DRIVE: "%1 acelerar a %2 m/s, girando %3 °/s",
+  DRIVE: "%1 andar a %2 m/s, girando a %3 °/s (sem parar)",
   DRIVE_TIP:
     "O robô começa a andar assim e o programa continua. Vale até o próximo bloco de movimento ou até o fim.",
 
@@ -85,7 +85,7 @@ export const blocks = {
   CELL: "nome do lugar",
   CELL_TIP: "O nome da parte do mundo em que o robô está. Fica vazio se ela não tem nome.",
   PLACE_NEVER: "Este mundo não tem um lugar com o nome “%1”.",
-  PLACE_NAMES: "Os lugares dele são: %1. Maiúsculas e minúsculas contam.",
+  PLACE_NAMES: "Os lugares dele são: %1. Maiúsculas e minúsculas fazem diferença.",
   PLACES_ARE: "Os lugares dele são: %1.",
   PLACE_NONE: "Ele não tem lugares com nome. Escolham outro mundo ou ponham lugares nele.",
   SONAR: "sonar %1 (m)",
@@ -135,31 +135,32 @@ export const blocks = {
   TRUE: "verdadeiro",
   FALSE: "falso",
 
-  CLASSIFY_GESTURES: "%1 ler gesto em até %2 s",
+  CLASSIFY_GESTURES: "%1 ler sinal em até %2 s",
   CLASSIFY_GESTURES_TIP:
-    "Espera alguém fazer uma letra em LIBRAS para a câmera e guarda o gesto. Até 600 segundos.",
-  GESTURE_RESULT: "gesto lido",
+    "Espera até alguém fazer uma letra ou um sinal de Libras para a câmera, e guarda o que leu. Espera no máximo 600 segundos.",
+  GESTURE_RESULT: "sinal lido",
   GESTURE_RESULT_TIP:
-    "O último sinal: uma letra ou um sinal da turma. Fica vazio se nenhum foi reconhecido.",
+    "O último sinal lido: uma letra ou um sinal da turma. Fica vazio se nenhum foi reconhecido.",
   TEXT_LETTER: "%1",
   TEXT_LETTER_TIP:
-    "Um sinal para comparar com o gesto: uma letra ou um sinal da turma. Cliquem para trocar.",
+    "Um sinal para comparar com o sinal lido: uma letra ou um sinal da turma. Cliquem para trocar.",
   NO_SIGN: "nenhum sinal",
   OTHER_SIGN: "Outro sinal…",
   ASK_SIGN: "Como se chama o sinal?",
   SIGN_UNKNOWN: "A câmera ainda não conhece o sinal “%1”.",
   SIGN_TO_TEACH:
-    "Ensinem em “Praticar sinais”, ou respondam com o botão quando o programa perguntar.",
+    "Ensinem o sinal em “Praticar letras e sinais”, ou respondam com o botão quando o programa perguntar.",
   SIGN_BY_HAND:
     "Respondam com o botão quando o programa perguntar: só uma turma ensina sinais novos.",
-  SET_GESTURE_RESULT: "%1 fazer de conta que o gesto é %2",
-  SET_GESTURE_RESULT_TIP: "Guarda esse sinal como se fosse um gesto. Bom para testar sem câmera.",
+  SET_GESTURE_RESULT: "%1 fazer de conta que o sinal é %2",
+  SET_GESTURE_RESULT_TIP:
+    "Guarda esse sinal como se alguém o tivesse feito. Bom para testar sem câmera.",
 
   SAY: "%1 dizer %2",
   SAY_TIP: "Mostra um texto ou um número na tela, para o grupo ler.",
   HELLO: "Olá!",
   BEEP: "%1 apitar",
-  BEEP_TIP: "O robô faz um bipe, que também se vê no chão ao lado dele.",
+  BEEP_TIP: "O robô apita, e o apito também se vê no chão ao lado dele.",
   PEN_DOWN: "%1 abaixar a caneta: %2",
   PEN_DOWN_TIP: "Daqui em diante o robô risca o chão com essa cor.",
   PEN_UP: "%1 levantar a caneta %2",
@@ -183,8 +184,8 @@ export const blocks = {
   LIST_NAME: "lista",
   NEW_NAME: "Nova variável…",
   RENAME: "Trocar o nome de “%1”…",
-  ASK_NEW_NAME: "Que nome tem a nova variável?",
-  ASK_RENAME: "Que nome passa a ter “%1”?",
+  ASK_NEW_NAME: "Qual é o nome da nova variável?",
+  ASK_RENAME: "Qual será o novo nome de “%1”?",
   NAME_REFUSED: "Um nome tem letras, números, espaços e _, até 64. Ficou “%1”.",
   NAME_TAKEN: "Já existe “%1” aqui. Escolham outro nome.",
 
@@ -213,7 +214,7 @@ export const blocks = {
   TEXT: "%1",
   TEXT_TIP: "Um texto. Cliquem para escrever.",
   JOIN: "juntar",
-  JOIN_TIP: "Junta textos e números num texto só, na ordem em que estão.",
+  JOIN_TIP: "Junta textos e números em um texto só, na ordem em que estão.",
   WORD: "palavra",
 
   LIST_OF: "lista",
@@ -228,7 +229,7 @@ export const blocks = {
   ITEM: "item %1 de %2",
   ITEM_TIP: "O valor que está nesse lugar da lista. O primeiro é o item 1.",
   CONTAINS: "%1 contém %2",
-  CONTAINS_TIP: "Verdadeiro se o valor está na lista. Maiúsculas e minúsculas não contam.",
+  CONTAINS_TIP: "Verdadeiro se o valor está na lista. Maiúsculas e minúsculas não fazem diferença.",
   POSITION_OF: "posição de %1 em %2",
   POSITION_OF_TIP: "O número do item da lista em que o valor está. Dá 0 se ele não está nela.",
   LENGTH: "tamanho de %1",

@@ -2,19 +2,19 @@ import { namedSign } from "./named_sign";
 
 /** The camera that sees signs, and practising them. */
 export const camera = {
-  picture: "Imagem da câmera, como num espelho",
+  picture: "Imagem da câmera, como em um espelho",
   opening: "Abrindo a câmera…",
   choose: "Qual câmera usar",
   number: (n: number) => `Câmera ${n}`,
   other: "Outra fonte",
   showHand: "Mostrem a mão",
-  noLetter: "Isto ainda não é uma letra",
-  twoSigns: "Dois sinais: mostrem uma mão só",
-  unsure: "Não sei bem:",
+  noLetter: "A letra ainda não foi reconhecida",
+  twoSigns: "Há duas mãos: mostrem uma só",
+  unsure: "Ainda não é certo:",
   either: (one: string, other: string) => `${one} ou ${other}?`,
   orElse: (letter: string) => `ou ${letter}`,
-  hold: "Fiquem com a mão parada",
-  sure: (sign: string, share: string) => `${namedSign(sign)}, ${share} de certeza`,
+  hold: "Mantenham a mão parada",
+  sure: (sign: string, share: string) => `${namedSign(sign)}, com ${share} de certeza`,
   steady: "Quanto falta para o sinal valer",
   expected: "O programa espera:",
   sign: (sign: string) => `Desenho: ${namedSign(sign)}`,
@@ -26,44 +26,45 @@ export const camera = {
 };
 
 export const practice = {
-  hint: "Façam uma letra em LIBRAS e segurem a mão parada.",
-  seen: "Vejo a letra",
+  hint: "Façam uma letra do alfabeto manual da Libras e mantenham a mão parada.",
+  seen: "O que a câmera vê",
   spelled: "Pronto! Façam a próxima letra.",
-  imitate: "Imitem esta letra",
-  choose: "Letra para imitar",
+  imitate: "Façam esta letra",
+  choose: "Letra para fazer",
   hand: "Mão",
   right: "Direita",
   left: "Esquerda",
   matched: (sign: string) => `É isso! ${namedSign(sign)}.`,
-  text: "O que vocês escreveram",
+  text: "O que vocês soletraram",
   placeholder: "As letras aparecem aqui",
   space: "Espaço",
   back: "Apagar letra",
   clear: "Limpar",
   bringBack: "Trazer de volta",
-  moving: "H, J, X, Y e Z: pelo teclado, ou ensinadas pela turma (experimental).",
+  moving:
+    "A câmera ainda não conhece H, J, X, Z e Ç, que se mexem, nem Y: usem o teclado, ou ensinem essas letras (experimental). De K ela lê só a mão parada, sem o movimento.",
   credits:
     "Letras aprendidas de “Alfabeto em libras” (elainesilva, CC BY 4.0); mãos: MediaPipe (Apache 2.0).",
 };
 
 /** Signs that a class teaches the camera. */
 export const teaching = {
-  title: "Ensinar um sinal",
+  title: "Ensinar uma letra ou um sinal",
   name: "Letra, ou nome do sinal",
   record: "Gravar",
   samples: (n: number) => `${n} imagens`,
   forget: (sign: string) => `Apagar o que foi gravado de ${sign}`,
   counted: (sign: string, n: number, of: number) =>
-    `${sign}: ${n} de ${of}. Fiquem com a mão parada.`,
+    `${sign}: ${n} de ${of}. Mantenham a mão parada.`,
   kind: "Como é o sinal",
   still: "Fica parado",
   moves: "Se mexe",
   experimental: "experimental",
   suggested: "Letras que faltam",
-  howStill: "Mostrem a mão parada até gravar dez imagens.",
-  howMoving: "Cinco vezes: mão parada, façam o movimento, mão parada de novo.",
+  howStill: "Mantenham a mão parada até que dez imagens sejam gravadas.",
+  howMoving: "Façam isto cinco vezes: parem a mão, façam o movimento e parem a mão de novo.",
   movements: (n: number) => (n === 1 ? "1 movimento" : `${n} movimentos`),
   countedMoving: (sign: string, n: number, of: number) =>
-    `${sign}: ${n} de ${of}. Parem a mão, façam o movimento, parem de novo.`,
+    `${sign}: ${n} de ${of}. Parem a mão, façam o movimento e parem a mão de novo.`,
   learnt: (sign: string) => `Pronto: a câmera conhece o sinal ${sign}.`,
 };

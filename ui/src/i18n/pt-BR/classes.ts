@@ -32,7 +32,7 @@ export const classes = {
   },
   choose: "Turma",
   noClass: "Sem turma",
-  emptyTitle: "Que grupo são vocês?",
+  emptyTitle: "Qual é o grupo de vocês?",
   emptyHint: "Esta turma ainda não tem grupos neste computador. Escolham um nome e um desenho.",
   change: "Mudar nome, cor e desenho",
   color: "Cor do grupo",
@@ -50,6 +50,6 @@ export const classes = {
     `A aula “${title}” de ${classroom} está aberta.`,
   lessonFileKnown: "Tudo já estava aqui.",
   turnsTitle: "Hora de trocar!",
-  turns: "Troquem de papel: piloto, leitor, fiscal do chão, sinalizador.",
+  turns: "Troquem de papel: piloto, leitor, fiscal do percurso, sinalizante.",
   turnsDone: "Trocamos",
 };

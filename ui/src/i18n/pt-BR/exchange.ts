@@ -35,8 +35,8 @@ export const exchange = {
   results: "O que veio",
   brought: (computer: string, parts: string) => `${computer}: ${parts}.`,
   lessonCame: "Este é um arquivo de aula. Para abrir a aula aqui, vá a “Aulas”.",
-  nothingNew: (computer: string) => `${computer}: nada novo, já estava tudo aqui.`,
-  nothingComes: (computer: string) => `${computer}: nada novo.`,
+  nothingNew: (computer: string) => `${computer}: nada de novo, já estava tudo aqui.`,
+  nothingComes: (computer: string) => `${computer}: nada de novo.`,
   heldBack: (parts: string) => `Não volta, porque foi apagado para sempre: ${parts}.`,
   heldBackRest: "Uma parte deste arquivo não volta, porque foi apagada para sempre.",
   deleted: (parts: string) => `Apagado: ${parts}.`,
@@ -46,8 +46,8 @@ export const exchange = {
   programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
   versions: (n: number) => (n === 1 ? "1 versão" : `${n} versões`),
   runs: (n: number) => (n === 1 ? "1 rodada" : `${n} rodadas`),
-  heard: "De quem já há trabalhos aqui",
-  heardNobody: "Ainda de nenhum outro computador.",
+  heard: "Computadores com trabalhos já reunidos aqui",
+  heardNobody: "Ainda não há trabalhos de outro computador.",
   computer: "Computador",
   exported: "Arquivo feito em",
   merged: "Juntado em",
@@ -82,28 +82,28 @@ export const exchange = {
   isNow: (classroom: string) => `Está agora na turma ${classroom}.`,
   isNowWithout: "Está agora sem turma.",
   isNew: (parts: string) => `Mais novo aqui: ${parts}.`,
-  edits: (n: number) => (n === 1 ? "1 edição" : `${n} edições`),
+  edits: (n: number) => (n === 1 ? "1 mudança" : `${n} mudanças`),
   kept: (names: string) => `Mantido em todos os computadores: ${names}.`,
   keepHere: "Não apagar nada",
   unconfirmed: {
-    came: "O trabalho está aqui; as missões contam depois que o PINEL as conferir, o que ele faz sozinho.",
+    came: "O trabalho está aqui; as atividades contam depois que o PINEL as conferir, o que ele faz sozinho.",
     waiting: (n: number) =>
       n === 1
         ? "1 rodada espera a conferência. O PINEL confere sozinho enquanto ninguém roda programas aqui."
         : `${n} rodadas esperam a conferência. O PINEL confere sozinho enquanto ninguém roda programas aqui.`,
     wrong: (n: number) =>
       n === 1
-        ? "1 rodada não confere: repetida aqui, o resultado foi outro. A missão dela não conta."
-        : `${n} rodadas não conferem: repetidas aqui, o resultado foi outro. As missões delas não contam.`,
+        ? "1 rodada não confere: repetida aqui, o resultado foi outro. A atividade dela não conta."
+        : `${n} rodadas não conferem: repetidas aqui, o resultado foi outro. As atividades delas não contam.`,
     wrongWhere: "A página da aula mostra de que grupo.",
     notRepeatable: (n: number) =>
       n === 1
-        ? "1 rodada não pode ser repetida aqui, por exemplo de um robô real. Ela conta se você a aceitar na página da aula."
-        : `${n} rodadas não podem ser repetidas aqui, por exemplo de um robô real. Elas contam se você as aceitar na página da aula.`,
+        ? "1 rodada não pode ser repetida aqui, por exemplo porque é de um robô de verdade. Ela conta se você a aceitar na página da aula."
+        : `${n} rodadas não podem ser repetidas aqui, por exemplo porque são de um robô de verdade. Elas contam se você as aceitar na página da aula.`,
   },
   deletion: {
     title: "Apagar para sempre",
-    hint: "Para quando uma turma se despede ou alguém pede que os seus dados sejam apagados. Some deste computador e das cópias de segurança, e nenhum pendrive traz de volta.",
+    hint: "Para quando uma turma se despede ou alguém pede que os seus dados sejam apagados. Tudo some deste computador e das cópias de segurança, e nenhum pendrive traz de volta.",
     what: "O que apagar",
     nothing: "Escolha um grupo ou a turma…",
     group: (name: string) => `O grupo ${name}`,

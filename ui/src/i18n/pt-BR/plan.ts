@@ -2,7 +2,7 @@
 export const plan = {
   title: "Aula de duas horas",
   about:
-    "Duas vezes 50 minutos, cinco grupos. Cada grupo programa a sua letra; no fim, um sinal a chama.",
+    "Dois períodos de 50 minutos, cinco grupos. Cada grupo programa a sua letra; no fim, um sinal faz o robô desenhá-la.",
   print: "Imprimir",
   save: "Salvar como arquivo",
   saveHelp: "Salva uma página que abre e imprime em qualquer navegador",
@@ -17,12 +17,13 @@ export const plan = {
     human: {
       minutes: "0–15",
       teacher: "“O robô aspirador obedece a quê?” Robô humano: só “andar 1”, “girar 90”.",
-      groups: "Dão exemplos; ditam até a porta: girar não anda.",
+      groups: "Dão exemplos; ditam o caminho até a porta: ao girar, o robô não anda.",
       screen: "Exemplo Aspirador",
     },
     alphabet: {
       minutes: "15–25",
-      teacher: "Alfabeto: A, B, E, L, S, T, de frente.",
+      teacher:
+        "Alfabeto manual: A, B, E, L, S, T, de frente. Datilologia é soletrar com ele; não é o sinal da palavra.",
       groups: "Copiam em duplas.",
       screen: "Letras grandes",
     },
@@ -35,8 +36,8 @@ export const plan = {
     paper: {
       minutes: "35–50",
       teacher:
-        "Dá papel e cartões recortados (andar, girar, repetir, caneta, ler gesto, se; o número é a lápis).",
-      groups: "Planejam a letra (2.6); um anda o plano.",
+        "Dá papel e cartões recortados (andar, girar, repetir, caneta, ler sinal, se; o número se escreve a lápis).",
+      groups: "Planejam a letra (2.6); um integrante faz o papel do robô e segue o plano.",
       screen: "Desligada",
     },
     blocks: {
@@ -48,7 +49,7 @@ export const plan = {
     decide: {
       minutes: "70–75",
       teacher: "“Primeiro ler, depois decidir.”",
-      groups: "Põem ler gesto e se.",
+      groups: "Acrescentam “ler sinal” e “se”.",
       screen: "Atividade 3.1",
     },
     show: {
@@ -65,15 +66,17 @@ export const plan = {
     },
   },
   robots:
-    "Um robô real: 3 min por grupo, fita de 1 m no chão, mão em Parar. Nenhum: o projetor é o chão.",
+    "Um robô de verdade: 3 min por grupo, fita de 1 m no chão, mão em Parar. Sem robô: o chão aparece no projetor.",
   deaf: {
-    title: "Com aluno surdo",
+    title: "Com alunos surdos",
     points: [
-      "Intérprete e tela lado a lado; fala uma pessoa por vez.",
-      "Sinais combinados antes: robô, girar, repetir, conserto.",
-      "Cartões com a mão desenhada.",
+      "Tradutor-intérprete de Libras (TILS) e tela lado a lado; cada aluno vê o rosto de quem fala e o TILS; fala uma pessoa por vez.",
+      "O roteiro da aula chega ao TILS dois dias antes. Sinais combinados antes: robô, girar, repetir, conserto.",
+      "A luz fica acesa durante a projeção.",
+      "Há tempo para olhar: ninguém olha para a tela e para o TILS ao mesmo tempo.",
+      "O português escrito é segunda língua: frases inteiras e curtas, cartões com a mão desenhada.",
       "O que o robô diz fica escrito; apitar também pisca, e nenhuma pista é só sonora.",
-      "Ensina o alfabeto se quiser, sem virar tradutor.",
+      "O aluno surdo pode ensinar o alfabeto manual à turma, se quiser; não é tarefa dele interpretar para os colegas.",
     ],
   },
   projector: {
@@ -85,13 +88,13 @@ export const plan = {
     ],
   },
   roles:
-    "Em cada grupo todos agem: piloto, leitor, fiscal do chão, sinalizador. Trocam a cada dez minutos.",
+    "Em cada grupo todos agem: piloto, leitor, fiscal do percurso, sinalizante. Trocam a cada dez minutos.",
   open: (activity: string) => `Abrir ${activity} para a turma`,
   isOpen: (activity: string) => `${activity} está aberta para a turma`,
   noClass: "Para abrir uma atividade daqui, crie antes uma turma.",
   links: {
     cards: "Cartões para recortar",
-    letters: "Praticar sinais",
+    letters: "Praticar letras e sinais",
     lessons: "Aulas",
   },
   cards: {
@@ -104,7 +107,7 @@ export const plan = {
       level1: "Nível 1",
       level2: "Nível 2",
       level3: "Nível 3: todos",
-      letters: "Sinais A, B, E, L, S, T",
+      letters: "Letras do alfabeto manual: A, B, E, L, S, T",
     },
     copies: "De cada um",
     ink: "Cor",

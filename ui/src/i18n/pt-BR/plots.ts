@@ -21,7 +21,7 @@ export const plots = {
     path: "Caminho do robô no chão",
     position: "Posição do robô: x e y ao longo do tempo",
     heading: "Direção do robô ao longo do tempo",
-    speed: "Velocidade para a frente: comandada e medida",
+    speed: "Velocidade para frente: comandada e medida",
     turning: "Velocidade de giro: comandada e medida",
   },
   quantities: { position: "x e y", heading: "direção", speed: "velocidade", turning: "giro" },

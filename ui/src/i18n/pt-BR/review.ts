@@ -17,7 +17,8 @@ export const review = {
     /** Joined lessons had several activities. */
     differing: (activities: string) =>
       `As aulas juntadas têm atividades diferentes (${activities}), por isso não se conta quantos grupos resolveram. Cada rodada diz a sua.`,
-    commonFault: (n: number, what: string) => `Erro mais comum (${n} grupos): ${what}`,
+    commonFault: (n: number, what: string) =>
+      `O que mais fez rodadas pararem (${n} grupos): ${what}`,
     freeWork: "Trabalho livre",
     computers: (names: string) => `Computadores: ${names}`,
     noClass: "Sem turma",
@@ -56,7 +57,7 @@ export const review = {
     finished: "chegou ao fim",
     notyet: "chegou ao fim sem cumprir a atividade",
     stopped: "parada pelo grupo",
-    failed: "um erro interrompeu",
+    failed: "parou antes do fim",
     running: "rodando agora",
     repair: "conserto: da rodada que não deu certo à seguinte que deu",
     fold: "pausa longa",
@@ -74,7 +75,7 @@ export const review = {
     repairs: (n: number) => `Deu certo o que não deu na rodada ${n}.`,
     repairedBy: (n: number) => `Deu certo na rodada ${n}.`,
     between: "Entre uma e outra:",
-    tapAgain: "Toque de novo para abrir",
+    tapAgain: "Clique de novo para abrir",
     added: (n: number) => (n === 1 ? "1 bloco a mais" : `${n} blocos a mais`),
     removed: (n: number) => (n === 1 ? "1 bloco a menos" : `${n} blocos a menos`),
     changed: (n: number) => (n === 1 ? "1 bloco com outro valor" : `${n} blocos com outro valor`),
@@ -86,14 +87,14 @@ export const review = {
     finished: "chegou ao fim",
     notyet: "chegou ao fim sem cumprir a atividade",
     stopped: "parada pelo grupo",
-    failed: "um erro interrompeu",
+    failed: "parou antes do fim",
     running: "rodando agora",
   },
   figures: {
     label: (group: string) => `Números de ${group}`,
     n_edits: (n: number): string => (n === 1 ? "mudança" : "mudanças"),
     n_runs: (n: number): string => (n === 1 ? "rodada" : "rodadas"),
-    n_failed: (_n: number): string => "com erro",
+    n_failed: (n: number): string => (n === 1 ? "parou antes do fim" : "pararam antes do fim"),
     time_to_first_run_s: (_n: number): string => "até a 1ª rodada",
     attempts_until_passed: (n: number): string =>
       n === 1 ? "tentativa até cumprir" : "tentativas até cumprir",
@@ -104,14 +105,14 @@ export const review = {
   },
   detail: {
     unconfirmed: {
-      waiting: "Veio em um arquivo: a missão conta depois de conferida.",
-      differs: "Não confere: repetida aqui, esta rodada foi outra. A missão não conta.",
-      not_passed: "Não confere: repetida aqui, esta rodada não cumpre a missão.",
+      waiting: "Veio em um arquivo: a atividade conta depois de conferida.",
+      differs: "Não confere: repetida aqui, esta rodada foi outra. A atividade não conta.",
+      not_passed: "Não confere: repetida aqui, esta rodada não cumpre a atividade.",
       not_repeatable:
-        "Veio em um arquivo e não pode ser repetida aqui, por exemplo de um robô real: a missão só conta se você aceitar.",
+        "Veio em um arquivo e não pode ser repetida aqui, por exemplo porque é de um robô de verdade: a atividade só conta se você aceitar.",
     },
     accept: "Aceitar",
-    acceptOf: (run: string) => `Aceitar a missão: ${run}`,
+    acceptOf: (run: string) => `Aceitar a atividade: ${run}`,
     open: (group: string) => `Mostrar as rodadas de ${group}`,
     close: (group: string) => `Esconder as rodadas de ${group}`,
     runs: "Rodadas",
@@ -188,7 +189,7 @@ export const review = {
       not_passed: "Não cumpriu",
       finished: "Chegou ao fim",
       stopped: "Parada pelo grupo",
-      failed: "Um erro interrompeu",
+      failed: "Parou antes do fim",
     },
     clear: "Limpar filtros",
     emptyTitle: "Nenhuma rodada assim",

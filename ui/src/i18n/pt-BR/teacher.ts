@@ -108,8 +108,9 @@ export const teacher = {
     newPin: "Novo PIN",
     newPinAgain: "O novo PIN, outra vez",
     pinKept: "O novo PIN vale a partir de agora.",
-    turns: "Trocar quem dirige e quem navega",
-    turnsHint: "Uma linha discreta lembra o grupo de passar o mouse. Nunca no meio de uma rodada.",
+    turns: "Troca de papéis",
+    turnsHint:
+      "Uma linha discreta lembra o grupo de trocar quem usa o mouse. Nunca no meio de uma rodada.",
     turnsEvery: {
       "0": "Não lembrar",
       "5": "A cada 5 minutos",
@@ -118,13 +119,13 @@ export const teacher = {
     },
     loudness: "Volume dos sons",
     loudnessHint:
-      "Vale para os bipes dos programas e para o som de uma missão cumprida. Cada grupo ainda pode desligar o som.",
+      "Vale para o apito dos programas e para o som de uma atividade cumprida. Cada grupo ainda pode desligar o som.",
     loudnessOf: { quiet: "Baixo", normal: "Médio", loud: "Alto" },
   },
   camera: {
     title: "Experimentar a câmera",
     hint: "Antes da aula, no computador e no lugar em que o grupo vai trabalhar. Nenhuma imagem é guardada, e a câmera se desliga meio minuto depois que você sai daqui.",
-    ready: "Pronto: a câmera serve para a aula.",
+    ready: "Pronto: a câmera está boa para a aula.",
     notReady: "Ainda não: siga a lista.",
     points: {
       picture: {
@@ -134,7 +135,7 @@ export const teacher = {
         frozen: "A imagem está parada.",
       },
       light: {
-        good: "A luz basta.",
+        good: "A luz está boa.",
         open: "Luz: falta a imagem.",
         dark: "Está escuro demais: acenda a luz, e veja se há uma tampa na lente.",
       },
@@ -144,12 +145,12 @@ export const teacher = {
         far: "A mão está longe: chegue mais perto.",
         near: "A mão está perto demais: afaste-a um pouco.",
       },
-      sign: { open: "Faça a letra B e deixe a mão parada." },
+      sign: { open: "Faça a letra B e mantenha a mão parada." },
     },
-    seen: (sign: string) => `Sinal visto: ${sign}`,
+    seen: (sign: string) => `Letra ou sinal visto: ${sign}`,
     before: "Antes da aula",
     advice: [
-      "A câmera fica na altura do peito de quem faz o sinal, a um ou dois passos.",
+      "A câmera fica na altura do peito do sinalizante, a um ou dois passos.",
       "A luz vem da frente. Uma janela atrás da mão a deixa escura.",
       "Uma mão de cada vez, inteira na imagem.",
       "Feche outros programas que usam a câmera, como os de videochamada.",
@@ -166,7 +167,7 @@ const written = (value: number) => value.toLocaleString("pt-BR", { maximumFracti
 export const making = {
   title: "Atividades",
   intro:
-    "Monte uma atividade a partir de um programa que a resolve. Ela aparece entre as Atividades dos grupos e quando você abre uma aula.",
+    "Monte uma atividade a partir de um programa que a resolve. Ela aparece entre as missões dos grupos e quando você abre uma aula.",
   make: "Nova atividade",
   empty: "Você ainda não fez nenhuma atividade.",
   edit: "Editar",
@@ -193,12 +194,12 @@ export const making = {
       "A solução não chegou ao fim, então nenhum grupo vai passar. Conserte-a no estúdio e escolha-a de novo.",
     world: "Mundo",
     ownWorld: "O mundo da solução",
-    gestures: "Sinais que o robô vê",
+    gestures: "Letras e sinais que o robô vê",
     answers: "Respostas ao robô",
     none: "separe com vírgula",
   },
   checks: {
-    title: "2. O que vale",
+    title: "2. O que precisa acontecer",
     hint: "Marque só o que importa. Os números são os da solução; mude-os se quiser. O programa sempre precisa chegar ao fim.",
     first: "Escolha a solução: os números dela aparecem aqui.",
   },
@@ -246,7 +247,7 @@ export const making = {
     name: "Título",
     namePlaceholder: "Por exemplo: Até a porta",
     story: "O que o robô deve fazer",
-    criteria: "O que vale, para o grupo ler",
+    criteria: "O que precisa acontecer, para o grupo ler",
     hint: (n: number) => `Dica ${n}`,
     question: "Pergunta para depois",
     level: "Blocos",
@@ -275,7 +276,7 @@ export const making = {
     level: "Blocos",
     world: "Mundo de programas novos",
     activity: "Atividade proposta",
-    swap: "Trocar de papel",
+    swap: "Troca de papéis",
     free: "Livre",
     worldOf: (title: string) => `O de “${title}”`,
     ofComputer: "Como neste computador",
@@ -294,29 +295,29 @@ export const making = {
 
 export const robotSetup = {
   title: "Robô de verdade",
-  hint: "Diga como este computador chega ao robô, quão rápido ele pode andar e onde. Depois os grupos o escolhem em cima do chão, no lugar do simulador.",
+  hint: "Diga como este computador chega ao robô, a que velocidade ele pode andar e onde. Depois os grupos o escolhem em cima do chão, no lugar do simulador.",
   none: "Esta versão não dirige nenhum robô de verdade.",
   kind: "Tipo de robô",
   isSetUp: "Configurado: os grupos podem escolhê-lo.",
   notSetUp: "Ainda não configurado: os grupos não o veem.",
   parts: {
-    speed: "Quão rápido",
+    speed: "Velocidade",
     room: "Onde: área livre e partida",
     address: "Como chegar ao robô",
     tolerance: "Mais: tolerâncias",
   },
   picture: "Área livre com o robô na partida",
-  keep: "Salvar o robô",
+  keep: "Salvar as configurações do robô",
   kept: "Salvo.",
-  forget: "Esquecer este robô",
+  forget: "Remover este robô",
   now: {
     title: "O robô agora",
     rate: (times: string) => `${times} mensagens por segundo`,
     place: (x: string, y: string, heading: string) => `Na sala: x ${x} m, y ${y} m, ${heading}°`,
     honest:
-      "No desenho, cheio é a partida e tracejado é o robô. O lugar é uma estimativa: conta as voltas das rodas desde a última vez que alguém disse onde o robô está, e erra um pouco a cada metro.",
+      "No desenho, a linha cheia é a partida; a tracejada, o robô. O lugar é uma estimativa: conta as voltas das rodas desde a última vez que alguém disse onde o robô está, e erra um pouco a cada metro.",
     use: "O robô está aqui: usar como partida",
-    used: "A partida foi preenchida. Agora salve o robô.",
+    used: "A partida foi preenchida. Agora salve as configurações do robô.",
     atStart: "O robô está na partida",
   },
   jog: {
@@ -324,8 +325,8 @@ export const robotSetup = {
     hint: "Segure um botão, ou clique em um deles e segure uma seta do teclado. Ao soltar, o robô para.",
     ahead: "Para frente",
     back: "Para trás",
-    left: "Girar para a esquerda",
-    right: "Girar para a direita",
+    left: "Girar à esquerda",
+    right: "Girar à direita",
     connecting: "Conectando… continue segurando.",
     moving: "O robô está andando.",
   },
@@ -335,7 +336,7 @@ export const robotSetup = {
     hint: (domain: string) => `Procura só no domínio ${domain} do ROS, o que está no formulário.`,
     none: (domain: number) => `Nenhum robô no domínio ${domain}. Ele está ligado e na mesma rede?`,
     use: "Usar este",
-    used: "O endereço foi preenchido. Agora salve o robô.",
+    used: "O endereço foi preenchido. Agora salve as configurações do robô.",
     nameless: "sem nome",
     topics: (command: string, odometry: string) => `${command} e ${odometry}`,
     free: "ninguém dirige",
@@ -347,6 +348,6 @@ export const robotSetup = {
     asking: "Procurando o robô…",
     found: (x: string, y: string, rate: string) =>
       `O robô responde: está em x ${x} m, y ${y} m, e diz isso ${rate} vezes por segundo.`,
-    battery: (percent: string) => `Bateria: ${percent} %.`,
+    battery: (percent: string) => `Bateria: ${percent}%.`,
   },
 };

@@ -38,7 +38,7 @@ export const world = {
   x: "x (m)",
   y: "y (m)",
   width: "Largura (m)",
-  depth: "Altura (m)",
+  depth: "Comprimento (m)",
   radius: "Raio (m)",
   heading: "Direção (°)",
   mass: "Massa (kg)",
@@ -48,7 +48,7 @@ export const world = {
   rectangle: "Retângulo",
   disc: "Círculo",
   zoneName: "Nome do lugar",
-  fromStart: "Contado da partida, como nos blocos: x para a frente, y para a esquerda.",
+  fromStart: "Contado da partida, como nos blocos: x para frente, y para a esquerda.",
   startHint: "Só a partida conta do meio do chão: 0° olha para a direita; 90°, para cima.",
   onTop: "Pôr por cima",
   double: "Copiar",
@@ -62,10 +62,10 @@ export const world = {
   forget: "Apagar nosso mundo",
   forgotten: "O mundo do grupo foi apagado.",
   bringBack: "Trazer de volta",
-  replaces: "Vocês já têm um mundo. Se mudarem este, ele toma o lugar do de vocês.",
+  replaces: "Vocês já têm um mundo. Se mudarem este mundo, ele substitui o de vocês.",
   ownInstead: "Mudar o nosso",
   faulty: "Antes de rodar, consertem o mundo: apertem Mudar.",
-  keptBefore: "Enquanto isso fica guardado o mundo de antes.",
+  keptBefore: "Por enquanto, continua valendo o mundo anterior.",
   fileRefused: "O arquivo não foi aberto.",
   tooLarge: "Ele é grande demais: um mundo tem até 256 kB.",
   between: (least: string, most: string) => `Escrevam um número de ${least} a ${most}.`,
@@ -73,7 +73,7 @@ export const world = {
 
 /** Real robots: choice, check list, emergency stop. */
 export const robot = {
-  choice: "Que robô vai andar",
+  choice: "Qual robô vai andar",
   simulator: "Simulador",
   real: "Robô de verdade",
   room: "Sala de verdade",
@@ -81,10 +81,10 @@ export const robot = {
   emergencyWhat: "O ROBÔ",
   emergencyHelp: "Para o robô de verdade na hora, em qualquer tela",
   willBeJudged: "Rodada com robô de verdade: vale o que o robô medir.",
-  judgedByRobot: "Julgada pelo que o robô mediu.",
+  judgedByRobot: "Avaliada pelo que o robô mediu.",
   inReview: {
-    judged: "julgada pelo que o robô mediu",
-    notJudged: "não julgada no robô de verdade",
+    judged: "avaliada pelo que o robô mediu",
+    notJudged: "não avaliada com o robô de verdade",
   },
   searching: "Procurando o robô…",
   searchingHow: "Ele está ligado e na mesma rede? Parar cancela a procura.",
@@ -96,7 +96,7 @@ export const robot = {
     connected: "Conectado",
     silent: (seconds: string) => `Sem notícias há ${seconds} s`,
     lost: "Sem notícias do robô",
-    battery: (percent: string) => `bateria ${percent} %`,
+    battery: (percent: string) => `bateria ${percent}%`,
     held: (name: string) => `${name} está dirigindo`,
     tips: {
       searching:

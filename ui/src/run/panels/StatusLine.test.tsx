@@ -6,7 +6,7 @@ afterEach(cleanup);
 
 test.each([
   ["Em pausa.", "Apertem Continuar.", "Em pausa. Apertem Continuar."],
-  ["Programa terminou", "volta 2", "Programa terminou. volta 2"],
+  ["O programa terminou", "volta 2", "O programa terminou. volta 2"],
   ["Tudo pronto. Apertem Rodar.", "", "Tudo pronto. Apertem Rodar."],
 ])("%s and %s are read aloud as sentences", async (text, more, announcement) => {
   const { getByRole } = render(<StatusLine sentence={{ text, more, tone: "calm" }} />);

@@ -81,7 +81,7 @@ describe("a program that waits for a sign", () => {
     await findByTestId("reading");
     act(() => receive(changed("failed", "camera_missing")));
     expect((await findByTestId("camera-trouble")).dataset.code).toBe("camera_missing");
-    expect(container.querySelector("h2")?.textContent).toBe("Que sinal vocês fizeram?");
+    expect(container.querySelector("h2")?.textContent).toBe("Qual letra ou sinal vocês fizeram?");
     await passesAxe(container);
   });
 
