@@ -73,7 +73,7 @@ def test_every_code_has_words_in_every_language_with_the_same_values(code: str) 
     assert all(values == used[0] for values in used)
 
 
-def not_words() -> list[tuple[str, str]]:
+def refused_terms() -> list[tuple[str, str]]:
     """The words of the column "Not" of docs/terms.md, each with its language."""
     found, is_read = [], False
     for line in TERMS.read_text("utf-8").splitlines():
@@ -82,26 +82,26 @@ def not_words() -> list[tuple[str, str]]:
             is_read = cell == "Not"
         elif is_read and cell and not cell.startswith("---"):
             for part in cell.split("; "):
-                short, _, words = part.partition(": ")
-                found += [(SHORT[short], word) for word in words.split(", ")]
+                short, _, texts = part.partition(": ")
+                found += [(SHORT[short], term) for term in texts.split(", ")]
     return found
 
 
-def refusal(word: str) -> re.Pattern[str]:
+def refusal(term: str) -> re.Pattern[str]:
     """What a word of the column "Not" matches; the head of docs/terms.md says how."""
-    whole = re.fullmatch(r"\[(.+)\]", word)
-    stem = re.escape(whole[1] if whole else word).replace(r"\*", r"\w*")
+    whole = re.fullmatch(r"\[(.+)\]", term)
+    stem = re.escape(whole[1] if whole else term).replace(r"\*", r"\w*")
     pattern = f"^{stem}$" if whole else rf"(?<!\w){stem}(?!\w)"
-    return re.compile(pattern, 0 if word.isupper() else re.IGNORECASE)
+    return re.compile(pattern, 0 if term.isupper() else re.IGNORECASE)
 
 
-def wrong_words(texts: dict[str, str], language: str) -> dict[str, str]:
+def refused_texts(texts: dict[str, str], language: str) -> dict[str, str]:
     """Those of the texts that have a word which docs/terms.md refuses in their language."""
-    refused = [refusal(word) for of, word in not_words() if of == language]
-    said = {place: CODE.sub(" ", text) for place, text in texts.items()}
+    refused = [refusal(term) for of, term in refused_terms() if of == language]
+    messages = {place: CODE.sub(" ", text) for place, text in texts.items()}
     return {
         place: texts[place]
-        for place, text in said.items()
+        for place, text in messages.items()
         if any(one.search(text) for one in refused)
     }
 
@@ -130,9 +130,51 @@ DOCUMENTS = [
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_thing_is_called_by_its_one_word(language: str) -> None:
-    messages = {code: " ".join(texts.values()) for code, texts in catalogue(language).items()}
-    forbidden = FORBIDDEN.get(language, NOTHING)
-    assert {code: text for code, text in messages.items() if forbidden.search(text)} == {}
+    messages = {
+        f"{code}/{part}": text
+        for code, texts in catalogue(language).items()
+        for part, text in texts.items()
+    }
+    assert refused_texts(messages, language) == {}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_missions_examples_and_worlds_call_it_so_too(language: str) -> None:
+    read = {file: json.loads(file.read_text("utf-8")) for file in DOCUMENTS}
+    messages = {
+        f"{file.parent.name}/{file.name}{place}": text
+        for file, document in read.items()
+        for place, text in texts_in(document, language).items()
+    }
+    titled = {place.partition("/title")[0] for place in messages if place.endswith("/title")}
+    assert len(titled) == sum("title" in document for document in read.values()) > 40
+    assert refused_texts(messages, language) == {}
+
+
+@pytest.mark.parametrize(
+    "page", [ROOT / "README.pt-BR.md", *sorted((ROOT / "docs").glob("*.pt-BR.md"))], ids=str
+)
+def test_pages_in_portuguese_call_it_so_too(page: Path) -> None:
+    prose = re.sub(r"```.*?```|`[^`]*`|\]\([^)]*\)", " ", page.read_text("utf-8"), flags=re.DOTALL)
+    lines = {str(number): line for number, line in enumerate(prose.splitlines(), 1)}
+    assert refused_texts(lines, "pt-BR") == {}
+
+
+@pytest.mark.parametrize(("language", "term"), refused_terms())
+def test_each_word_that_the_page_of_terms_refuses_is_found_in_a_text(
+    language: str, term: str
+) -> None:
+    bare = term.strip("[]").replace("*", "")
+    messages = bare if term.startswith("[") else f"– {bare}, –"
+    assert refused_texts({"here": messages}, language) == {"here": messages}
+    assert refused_texts({"here": f"x{bare}"}, language) == {}
+
+
+def test_names_of_code_are_no_words() -> None:
+    messages = "Use robot.gesture_result, --gestures or “pinel gestures train”: {gesture}."
+    assert refused_texts({"here": messages}, "en") == {}
+    assert refused_texts({"here": "A gesture."}, "en") == {"here": "A gesture."}
+    assert refused_texts({"here": "Um sinal de Libras."}, "pt-BR") == {}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -179,9 +221,9 @@ def test_every_range_in_the_language_has_words() -> None:
 
 def test_values_are_put_in_literally_whatever_they_hold() -> None:
     nasty = "{value} {0.__class__} %s {allowed}"
-    text = describe("unknown_action", {"value": nasty, "allowed": ["a", "b"]}, "en")
-    assert nasty in text.message
-    assert "a, b" in text.remedy
+    texts = describe("unknown_action", {"value": nasty, "allowed": ["a", "b"]}, "en")
+    assert nasty in texts.message
+    assert "a, b" in texts.remedy
 
 
 def test_numbers_have_the_decimal_sign_of_their_language_and_long_texts_are_cut() -> None:

@@ -121,7 +121,7 @@ def test_every_reason_has_words_that_name_what_is_missing() -> None:
     for language in LANGUAGES:
         texts = {not_judged_text(reason, language) for reason in [*reasons, "inputs", "stopped"]}
         assert len(texts) == 9
-    assert "zonas do chão" in not_judged_text("zones", "pt-BR")
+    assert "lugares do mundo" in not_judged_text("zones", "pt-BR")
     assert not_judged_text("of a newer release", "en") == not_judged_text("failed", "en")
     assert "record" in str(Reason)
     assert not_judgeable_notice(shipped_activity("square"), "pt-BR") is None

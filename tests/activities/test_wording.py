@@ -55,7 +55,7 @@ def test_a_block_is_named_with_its_values_or_without_those_that_are_worked_out()
     assert block_label(red, "pt-BR") == "abaixar a caneta: vermelho"
     assert block_label(block(action="pen", down=False), "en") == "pen up"
     assert block_label(block(action="while", condition={}), "pt-BR") == "enquanto"
-    assert short_name("classify_gestures", "pt-BR") == "ler gesto"
+    assert short_name("classify_gestures", "pt-BR") == "ler sinal"
 
 
 RED = {"op": "==", "args": [{"sensor": "floor"}, "red"]}
@@ -68,7 +68,7 @@ NOT_B = {"op": "!=", "args": [{"gesture": "result"}, "B"]}
     [
         (RED, "repetir até que cor do chão = vermelho"),
         (NEAR, "repetir até que distância à frente (m) < 0,5"),
-        (NOT_B, "repetir até que gesto lido ≠ ‘B’"),
+        (NOT_B, "repetir até que sinal lido ≠ ‘B’"),
         (
             {"op": "and", "args": [RED, {"sensor": "bumper"}]},
             "repetir até que cor do chão = vermelho e bateu em algo",

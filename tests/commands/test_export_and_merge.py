@@ -127,7 +127,8 @@ def test_what_another_pc_has_deleted_goes_only_when_that_is_asked_for(
     path = answer("export", stick, "--db", lab)["path"]
     done = pinel("merge", path, "--db", teacher)
     assert done.exit_code == 0
-    assert "2 groups, 2 programs, 2 runs (5º B, Araras, Onças" in done.stdout
+    assert "what is here still (5º B, Araras, Onças" in done.stdout
+    assert "Groups: 2; programs: 2; runs: 2." in done.stdout
     assert "--delete" in done.stdout
     (file,) = answer("merge", path, "--db", teacher)["files"]
     assert (file["removed"], file["would_delete"]["groups"]) == ({}, 2)
@@ -181,7 +182,7 @@ def test_names_can_be_left_out(lab: Path, stick: Path, teacher: Path) -> None:
     octets = Path(exported["path"]).read_bytes()
     assert [name for name in ("Onças", "Araras", "Lab 7", "5º B") if name.encode() in octets] == []
     assert Path(exported["path"]).name.startswith("PINEL-no-names-")
-    assert "2 groups" in (output := pinel("merge", stick, "--db", teacher).stdout)
+    assert "Added: groups, 2;" in (output := pinel("merge", stick, "--db", teacher).stdout)
     assert "without names" in output
     assert "without names" not in pinel("merge", stick, "--db", teacher).stdout
 

@@ -86,7 +86,7 @@ def test_a_click_appends_in_the_loop_that_is_selected_else_at_the_end(beginners:
 def test_a_value_goes_where_it_fits_or_lies_loose(beginners: Studio) -> None:
     studio, blocks = beginners, beginners.blocks
     blocks.click_in_toolbox("logic", "se")
-    blocks.click_in_flyout("gesto lido")
+    blocks.click_in_flyout("sinal lido")
     expected = {"op": "==", "args": [{"gesture": "result"}, "B"]}
     studio.eventually(lambda: studio.values("condition"), [expected])
     blocks.select(blocks.start())

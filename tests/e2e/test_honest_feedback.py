@@ -51,7 +51,7 @@ def test_an_empty_loop_and_a_robot_at_rest_are_no_success(group: Studio) -> None
     group.hurry()
     group.run()
     group.wait_for_phase("finished")
-    expect_texts(group, "done", "Programa terminou")
+    expect_texts(group, "done", "O programa terminou")
 
 
 def test_loose_blocks_are_said_to_have_done_nothing(group: Studio) -> None:
@@ -61,7 +61,7 @@ def test_loose_blocks_are_said_to_have_done_nothing(group: Studio) -> None:
     expect(blocks.loose()).to_have_count(1)
     group.run()
     group.wait_for_phase("finished")
-    expect_texts(group, "notice", "Programa terminou", "Um bloco está solto e não rodou")
+    expect_texts(group, "notice", "O programa terminou", "Um bloco está solto e não rodou")
 
 
 def test_a_number_changed_during_a_run_counts_in_the_next_one(group: Studio) -> None:
@@ -156,7 +156,7 @@ def test_a_robot_that_only_believes_that_it_is_back_is_said_to_stand_elsewhere(
     studio.run_to_the_end()
     texts = ("parou a 0,07", "da partida", "O robô pensa que voltou à partida")
     expect_texts(studio, "done", *texts)
-    expect(studio["status-line"]).not_to_contain_text("voltou ao ponto de partida")
+    expect(studio["status-line"]).not_to_contain_text("o robô voltou à partida")
     off_m = math.hypot(studio.number("pose-x"), studio.number("pose-y"))
     assert off_m == pytest.approx(0.068, abs=0.002), (
         "what stands beside the floor is what the floor shows"

@@ -207,10 +207,10 @@ def test_a_program_that_was_saved_before_opens_and_is_the_same(empty: Studio) ->
     empty.page.reload()
     empty.wait_until_open()
     blocks = empty.blocks
-    expect(blocks.by_text("ler gesto")).to_be_visible()
+    expect(blocks.by_text("ler sinal")).to_be_visible()
     assert empty.document() is None  # opening a program is no edit
 
-    blocks.type_into(blocks.by_text("ler gesto"), "2,5")
+    blocks.type_into(blocks.by_text("ler sinal"), "2,5")
     expected = saved["document"]["commands"]
     assert expected[0]["action"] == "classify_gestures"
     expected[0]["timeout"] = 2.5

@@ -85,7 +85,7 @@ def test_cards_are_real_blocks_with_blanks_and_fit_on_paper(teacher: Teacher) ->
 
 
 @pytest.mark.parametrize(("place", "save", "shown_text"), [
-    ("teacher/plan", "plan-save", "Com aluno surdo"),
+    ("teacher/plan", "plan-save", "Com alunos surdos"),
     ("cards", "cards-save", "andar para frente"),
 ])  # fmt: skip
 def test_a_saved_page_opens_without_the_app(

@@ -146,9 +146,9 @@ def test_a_failed_run_says_why_and_leaves_the_workspace_alone(studio: Studio) ->
 def test_a_sign_answered_by_hand_decides_what_the_robot_does(studio: Studio) -> None:
     studio.enter_new_group()
     blocks = studio.blocks
-    blocks.drag_from_toolbox("gestures", "ler gesto", blocks.below(blocks.start()))
-    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.by_text("ler gesto")))
-    blocks.click_in_toolbox("logic", "gesto lido")
+    blocks.drag_from_toolbox("gestures", "ler sinal", blocks.below(blocks.start()))
+    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.by_text("ler sinal")))
+    blocks.click_in_toolbox("logic", "sinal lido")
     blocks.drag_from_toolbox(
         "motion", "andar para frente", blocks.inside(blocks.by_text("então"), row_px=56)
     )

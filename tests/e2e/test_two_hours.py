@@ -226,9 +226,9 @@ def corner_at_once(pc: Studio, pictures: Pictures) -> None:
 def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
     append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
     pc.blocks.choose(pc.blocks.by_text(TURN), "direita")
-    expect_not_passed(pc, "a escola ficou de que lado?")
+    expect_not_passed(pc, "de que lado ficou a escola?")
     expect(pc.blocks.fault_text()).to_have_count(1)
-    expect(pc.blocks.fault_text()).to_contain_text("que lado?")
+    expect(pc.blocks.fault_text()).to_contain_text("de que lado ficou")
     pictures.photograph(pc, "not-yet", "status-line")
     pc["mission-hint"].click()
     pc.blocks.choose(pc.blocks.by_text(TURN), "esquerda")
@@ -238,14 +238,14 @@ def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
 
 def corner_turns_first(pc: Studio, pictures: Pictures) -> None:
     append(pc, (TURN, "90"), (MOVE, "3"))
-    expect_not_passed(pc, "O que vem antes?")
+    expect_not_passed(pc, "O que ele faz antes?")
     write_program(pc, "robot.move_forward(3.0)\nrobot.turn(90)\nrobot.move_forward(3.0)\n")
     passed(pc)
 
 
 def corner_without_the_last_move(pc: Studio, pictures: Pictures) -> None:
     append(pc, (MOVE, "3"), (TURN, "90"))
-    expect_not_passed(pc, "falta “andar”")
+    expect_not_passed(pc, "falta “andar para frente”")
 
 
 AROUND_THE_CORNER: dict[str, Work] = {

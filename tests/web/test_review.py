@@ -249,7 +249,7 @@ def test_the_review_says_who_needs_what_and_which_hints_were_read(
     assert (mine["need"], review["summary"]["not_begun"]) == ("help", [other["name"]])
     (hints,) = mine["hints"]
     assert (hints["title"], hints["n"]) == ("Um quadrado de 1 m", 2)
-    assert hints["texts"][0] == "Quantos cantos há?"
+    assert hints["texts"][0] == "Quantos cantos o quadrado tem?"
     messages = [mark["message"] for mark in mine["marks"] if mark["kind"] == "run"]
     assert messages[0] == "Vejam o giro."
     assert messages[1] != messages[0]

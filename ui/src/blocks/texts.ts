@@ -9,9 +9,9 @@ let termsByType: Readonly<Record<string, string>> = {};
 
 /** Puts our words where Blockly looks for them; blocks made from now on speak this language. */
 export function setBlockLanguage(language: Language): void {
-  const { blocks, searchWords } = textsOf(language);
+  const { blocks, searchTerms: terms } = textsOf(language);
   for (const [key, text] of Object.entries(blocks)) Blockly.Msg[PREFIX + key] = text;
-  termsByType = searchWords;
+  termsByType = terms;
 }
 
 /** What pupils call a block besides the words on it. */

@@ -30,17 +30,17 @@ describe("what the camera sees, in words", () => {
   test("is doubt between two letters", async () => {
     const unsureHand = hand({ best: "F", second: "T", confidence: 0.5, sure: false });
     const { container } = shown(sightOf(unsureHand));
-    expect(container.textContent).toBe("Não sei bem:F ou T?");
+    expect(container.textContent).toBe("Ainda não é certo:F ou T?");
     await passesAxe(container);
   });
 
   test.each([
     ["no hand", sightOf(), "Mostrem a mão"],
-    ["no letter", sightOf(hand({ best: "", sure: false })), "Isto ainda não é uma letra"],
+    ["no letter", sightOf(hand({ best: "", sure: false })), "A letra ainda não foi reconhecida"],
     [
       "two signs",
       sightOf(hand({ best: "A" }), hand({ best: "B" })),
-      "Dois sinais: mostrem uma mão só",
+      "Há duas mãos: mostrem uma só",
     ],
   ])("says what to do about: %s", (kind, sight, text) => {
     const { container, getByTestId } = shown(sight);

@@ -25,7 +25,7 @@ function leaves(node: object, path = ""): [string, string][] {
 
 /** The texts that are the page's own: no words of the server, none of Blockly, none that pupils bring to the search. */
 function own(language: Language): Partial<Texts> {
-  const { blockly, reasons, figures, cameraProblems, searchWords, ...texts } = textsOf(language);
+  const { blockly, reasons, figures, cameraProblems, searchTerms, ...texts } = textsOf(language);
   return texts;
 }
 

@@ -24,7 +24,7 @@ function parts(key: string): string[] {
   return [key, whole.toLowerCase(), whole.replace(/^[A-Z]+_/, "").toLowerCase()];
 }
 
-const { blocks, blockly, searchWords, reasons, figures, cameraProblems, ...page } =
+const { blocks, blockly, searchTerms, reasons, figures, cameraProblems, ...page } =
   textsOf("pt-BR");
 
 test("every text of the page is used somewhere", () => {
@@ -37,7 +37,7 @@ test("every text of the page is used somewhere", () => {
 });
 
 test("every word that the search knows belongs to a block", () => {
-  expect(Object.keys(searchWords).filter((type) => !(type.toUpperCase() in blocks))).toEqual([]);
+  expect(Object.keys(searchTerms).filter((type) => !(type.toUpperCase() in blocks))).toEqual([]);
 });
 
 test("every text of the blocks belongs to something in the sources", () => {

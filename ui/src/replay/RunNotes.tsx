@@ -9,7 +9,7 @@ import { useLoaded } from "../kit/requests/useLoaded";
 export function RunNotes({ runId }: { runId: string }) {
   const notes = useLoaded(runId, () => versionsApi.notesOfRun(runId));
   if (notes.status !== "ready" || notes.value.length === 0) return null;
-  const { keeping: labels } = texts.value;
+  const { archive: labels } = texts.value;
   const acknowledge = async (note: Note) => {
     const updated = await versionsApi.acknowledgeNote(note.id);
     notes.set(notes.value.map((one) => (one.id === updated.id ? updated : one)));

@@ -136,8 +136,8 @@ describe("what the robot does, in words", () => {
     const view = { ...moving("wait", 3, 1), tick: 40 };
     const more = (output: object) =>
       sentenceOf({ ...view, output: { ...IDLE.output, ...output } }, context)?.more;
-    expect(more({ beeps })).toBe("Bipe × 2");
-    expect(more({ beeps, talk })).toBe("Diz: “Olá!” · Bipe × 2");
+    expect(more({ beeps })).toBe("Apito × 2");
+    expect(more({ beeps, talk })).toBe("Diz: “Olá!” · Apito × 2");
     expect(more({ beeps: { ...beeps, tick: -60 } })).toBe("");
   });
 
@@ -175,13 +175,11 @@ describe("what the robot does, in words", () => {
   });
 
   test("an end tells how far from the start", () => {
-    expect(sentenceText(over("finished", {}))).toBe(
-      "Programa terminou: voltou ao ponto de partida",
-    );
+    expect(sentenceText(over("finished", {}))).toBe("O programa terminou: o robô voltou à partida");
     expect(sentenceText(over("finished", { closingErrorM: 1.234 }))).toBe(
-      "Programa terminou: parou a 1,23 m da partida",
+      "O programa terminou: o robô parou a 1,23 m da partida",
     );
-    expect(sentenceText(over("finished", { pathLengthM: 0 }))).toBe("Programa terminou");
+    expect(sentenceText(over("finished", { pathLengthM: 0 }))).toBe("O programa terminou");
   });
 
   const more = (view: RunView) => sentenceOf(view, context)?.more.replaceAll("\u00a0", " ");
@@ -207,7 +205,7 @@ describe("what the robot does, in words", () => {
     [0.25, "Pelas medidas do robô, ele parou a 0,25 m da partida."],
   ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, expected) => {
     const view = over("finished", { closingErrorM: null, estimatedClosingErrorM });
-    expect([sentenceText(view), more(view)]).toEqual(["Programa terminou", expected]);
+    expect([sentenceText(view), more(view)]).toEqual(["O programa terminou", expected]);
   });
 
   test("a failure has the server's words and remedy", () => {
@@ -288,7 +286,7 @@ describe("what a program did not do is said at its end, and not as a success", (
   });
 
   test("a robot that stood still, unless the program only speaks", () => {
-    const expected = "Programa terminou, mas o robô não saiu do lugar";
+    const expected = "O programa terminou, mas o robô não saiu do lugar";
     const wait = { action: "wait", seconds: 1 };
     const speech = { action: "say", text: "Olá!" };
     expect(end(stored([wait]), still as Partial<RunView>)).toMatchObject({

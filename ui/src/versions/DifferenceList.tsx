@@ -18,7 +18,7 @@ interface DifferenceListProps {
 
 /** The differences, block by block, and the buttons that step through them. */
 export function DifferenceList({ sides, programId }: DifferenceListProps) {
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   const list = sides.list.value;
   const { before, after } = sides.compared;
   const changes = setupChanges(setupOf(before), setupOf(after), texts.value, language.value);
@@ -73,14 +73,14 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
 
 /** What differs in where and how the two versions run. */
 function SetupDifferences({ changes }: { changes: readonly SetupChange[] }) {
-  const { keeping } = texts.value;
+  const { archive } = texts.value;
   if (changes.length === 0) return null;
   return (
-    <dl class="differences__setup" aria-label={keeping.setup} data-testid="setup-differences">
+    <dl class="differences__setup" aria-label={archive.setup} data-testid="setup-differences">
       {changes.map((one) => (
         <div key={one.what}>
           <dt>{one.what}</dt>
-          <dd>{keeping.became(one.before, one.after)}</dd>
+          <dd>{archive.became(one.before, one.after)}</dd>
         </div>
       ))}
     </dl>
@@ -95,7 +95,7 @@ interface DifferenceRowProps {
 }
 
 function DifferenceRow({ one, text, current, onChoose }: DifferenceRowProps) {
-  const { kinds } = texts.value.keeping;
+  const { kinds } = texts.value.archive;
   const line = useRef<HTMLButtonElement>(null);
   useEffect(() => {
     if (current) line.current?.scrollIntoView({ block: "nearest" });

@@ -16,7 +16,7 @@ interface DifferencesProps {
 /** Two versions side by side, and the list of their differences. */
 export function Differences({ compared, programId }: DifferencesProps) {
   const sides = useInstance(() => new ComparedBlocks(compared));
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   useLayoutEffect(() => byKeys((by) => sides.step(by)), [sides]); // before painting, so that no key press is missed
   return (
     <main class="screen differences">

@@ -14,7 +14,7 @@ export function DifferencesScreen({ program, before, after }: ParametersOf<"diff
     onFailed: couldNotOpen,
   });
   return (
-    <Loaded of={compared} as="screen" loading={texts.value.keeping.loading}>
+    <Loaded of={compared} as="screen" loading={texts.value.archive.loading}>
       {(loaded) => <Differences compared={loaded} programId={program} />}
     </Loaded>
   );

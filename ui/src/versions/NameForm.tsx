@@ -13,7 +13,7 @@ interface NameFormProps {
 /** Form that names a version. */
 export function NameForm({ now, onSave, onLeave }: NameFormProps) {
   const field = useRef<HTMLInputElement>(null);
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   useEffect(() => field.current?.select(), []);
   return (
     <form

@@ -15,7 +15,7 @@ interface SideChoiceProps {
 
 /** Selects the version of one side: the last version of each step, and the selected one. */
 export function SideChoice({ side, compared, programId }: SideChoiceProps) {
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   const shown = compared[side];
   const sections = useComputed(() =>
     sectionsOf(compared.line).map((section) => ({

@@ -30,7 +30,7 @@ export function VersionList({ history }: { history: VersionHistory }) {
     list.current?.querySelector('[aria-current="true"]')?.scrollIntoView({ block: "nearest" });
   }, [id]);
   return (
-    <nav class="line-list" aria-label={texts.value.keeping.line} ref={list} data-scrolls>
+    <nav class="line-list" aria-label={texts.value.archive.line} ref={list} data-scrolls>
       {history.sections.value.map((section) => (
         <SectionOf key={section.from} section={section} history={history} />
       ))}
@@ -62,7 +62,7 @@ function SectionOf({ section, history }: { section: Section; history: VersionHis
 }
 
 function ForkOf({ fork, history }: { fork: Fork; history: VersionHistory }) {
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   return (
     <li class="line-list__fork" data-testid="version-fork">
       <p class="line-list__fork-words row gap-2">
@@ -108,13 +108,13 @@ function CompareBranches({ fork }: { fork: Fork }) {
       })}
       testId="version-compare-fork"
     >
-      {texts.value.keeping.compareBranches}
+      {texts.value.archive.compareBranches}
     </LinkButton>
   );
 }
 
 function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   const face = faceOf(step);
   const { versions } = step;
   const open = history.isUnfolded(step);
@@ -192,7 +192,7 @@ function VersionButton({
     >
       <span class="line-list__words shrinks">
         <strong>{label}</strong>
-        <span>{[texts.value.keeping.version(version.number), times, ...facts].join(" · ")}</span>
+        <span>{[texts.value.archive.version(version.number), times, ...facts].join(" · ")}</span>
       </span>
     </Button>
   );

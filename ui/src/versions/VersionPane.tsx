@@ -26,7 +26,7 @@ export function VersionPane({ history }: { history: VersionHistory }) {
   const reader = useSignal<BlocksViewer | null>(null);
   const drawn = useRef<VersionOfProgram | null>(null);
   const renaming = useRef<HTMLButtonElement>(null);
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
 
   const leaveNaming = () => {
     naming.value = false;
@@ -88,7 +88,7 @@ interface VersionActsProps {
 
 /** Buttons to name the version, compare it, and continue from it. */
 function VersionActs({ history, reader, renaming, onName }: VersionActsProps) {
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   return (
     <div class="versions__acts">
       <Button icon={Flag} elementRef={renaming} testId="version-rename" onPress={onName}>
@@ -141,7 +141,7 @@ function compare(history: VersionHistory): void {
 }
 
 function ChosenVersion({ history }: { history: VersionHistory }) {
-  const { keeping: labels, header } = texts.value;
+  const { archive: labels, header } = texts.value;
   const { value: version } = history.chosen;
   if (!version) return null;
   const madeOf = history.madeOf.value;
@@ -184,7 +184,7 @@ async function draw(
     blocks.load(version.workspace);
   } catch {
     blocks.load({});
-    problem.value = { message: texts.peek().keeping.unreadable, remedy: "" };
+    problem.value = { message: texts.peek().archive.unreadable, remedy: "" };
     return;
   }
   const before = history.madeFrom(version);

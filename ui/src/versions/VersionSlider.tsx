@@ -12,7 +12,7 @@ const ROOM = 0.1;
 
 /** Overview of all versions: lessons as sections, with marks at versions that ran, passed or have a name. */
 export function VersionSlider({ history }: { history: VersionHistory }) {
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   const { value: line } = history.line;
   const { value: place } = history.position;
   const last = line.length - 1;

@@ -25,7 +25,7 @@ export function VersionsScreen({
     release: (made) => made.dispose(),
   });
   return (
-    <Loaded of={history} as="screen" loading={texts.value.keeping.loading}>
+    <Loaded of={history} as="screen" loading={texts.value.archive.loading}>
       {(loaded) =>
         loaded.line.value.length === 0 ? (
           <Empty programId={programId} />
@@ -43,7 +43,7 @@ async function load(programId: string, versionId: string | null): Promise<Versio
 }
 
 function Empty({ programId }: { programId: string }) {
-  const { keeping: labels, header } = texts.value;
+  const { archive: labels, header } = texts.value;
   return (
     <main class="screen waiting">
       <div class="versions__empty">
@@ -69,7 +69,7 @@ function Versions({ history }: { history: VersionHistory }) {
   }, [id]);
   return (
     <main class="screen versions">
-      <h1 class="visually-hidden">{texts.value.keeping.historyOf(program.value?.name ?? "")}</h1>
+      <h1 class="visually-hidden">{texts.value.archive.historyOf(program.value?.name ?? "")}</h1>
       <VersionPane history={history} />
       <VersionList history={history} />
       <VersionSlider history={history} />

@@ -94,6 +94,6 @@ function fill(blocks: BlocksViewer, workspace: object): void {
     blocks.load(workspace);
   } catch {
     blocks.load({});
-    problem.value = { message: texts.peek().keeping.unreadable, remedy: "" };
+    problem.value = { message: texts.peek().archive.unreadable, remedy: "" };
   }
 }

@@ -9,16 +9,16 @@ export function differenceText(
   after: BlocksViewer,
   texts: Texts,
 ): string {
-  const { keeping } = texts;
-  const was = before.textOf(one.block) || keeping.blockAlone;
-  const is = after.textOf(one.block) || keeping.blockAlone;
+  const { archive } = texts;
+  const was = before.textOf(one.block) || archive.blockAlone;
+  const is = after.textOf(one.block) || archive.blockAlone;
   if (one.kinds.includes("removed")) return was;
   if (!one.kinds.includes("changed")) return is;
-  if (was !== is) return keeping.became(was, is);
+  if (was !== is) return archive.became(was, is);
   const comment = hiddenChange(one.what);
   if (!comment) return is;
   const [first, then] = [comment.before, comment.after].map(
-    (stored) => commentText(stored) || keeping.nothing,
+    (stored) => commentText(stored) || archive.nothing,
   );
-  return `${is} (${keeping.comment}: ${keeping.became(first ?? "", then ?? "")})`;
+  return `${is} (${archive.comment}: ${archive.became(first ?? "", then ?? "")})`;
 }

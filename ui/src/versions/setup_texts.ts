@@ -34,27 +34,27 @@ export function setupFacts(
   texts: Texts,
   language: Language,
 ): string[] {
-  const { keeping } = texts;
+  const { archive } = texts;
   const changes = setupChanges(before.setup, after.setup, texts, language);
-  const facts = changes.map((one) => keeping.setupFact(one.what, one.after));
+  const facts = changes.map((one) => archive.setupFact(one.what, one.after));
   const [had, has] = [before.setup?.n_hints ?? 0, after.setup?.n_hints ?? 0];
-  if (has > had) facts.push(keeping.hintsOpened(had + 1, has));
+  if (has > had) facts.push(archive.hintsOpened(had + 1, has));
   return facts.length === 0 && after.setup_only ? [unnamed(after, texts)] : facts;
 }
 
 /** Of a version with other setup and equal blocks, where no named part differs. */
-function unnamed({ setup }: VersionMark, { keeping, run, world }: Texts): string {
-  return setup?.world === OWN_WORLD ? keeping.setupFact(run.world, world.own) : keeping.setup;
+function unnamed({ setup }: VersionMark, { archive, run, world }: Texts): string {
+  return setup?.world === OWN_WORLD ? archive.setupFact(run.world, world.own) : archive.setup;
 }
 
 /** Each part of a setup with its name. */
 function partsOf(setup: Setup, texts: Texts, language: Language): [string, string][] {
-  const { debug, keeping, run } = texts;
+  const { debug, archive, run } = texts;
   return [
     [run.world, worldLabel(setup.world, texts, language)],
-    [keeping.start, startText(setup, texts, language)],
+    [archive.start, startText(setup, texts, language)],
     [debug.model, robotOf(setup.model)?.title ?? setup.model],
-    [keeping.robot, debug[lifelikeOf(setup)]],
+    [archive.robot, debug[lifelikeOf(setup)]],
     [debug.speed, debug.times(decimal(setup.speed, setup.speed < 1 ? 2 : 0, language))],
   ];
 }
@@ -67,8 +67,8 @@ export function worldLabel(name: string, texts: Texts, language: Language): stri
   return world ? worldTitle(world, language) : name;
 }
 
-function startText({ start }: Setup, { keeping }: Texts, language: Language): string {
-  if (!start) return keeping.worldStart;
+function startText({ start }: Setup, { archive }: Texts, language: Language): string {
+  if (!start) return archive.worldStart;
   const [x, y] = [decimal(start.x_m, 2, language), decimal(start.y_m, 2, language)];
-  return keeping.ownStart(x, y, decimal(start.heading_deg, 0, language));
+  return archive.ownStart(x, y, decimal(start.heading_deg, 0, language));
 }

@@ -69,7 +69,7 @@ describe("a step of the history", () => {
       facts: ["Mundo: Labirinto"],
     });
     expect(stepTextOf([version({ n_hints: 1 }, { n_passed: 1, n_runs: 1 })])).toEqual({
-      label: "cumpriu a atividade",
+      label: "cumpriu a missão",
       facts: ["Dica 1 aberta"],
     });
   });

@@ -5,11 +5,11 @@ import { faceOf, type Section, type Step } from "./line";
 
 /** Facts about a version besides its time, the most important first. */
 export function factsOf(version: VersionMark, texts: Texts): string[] {
-  const { keeping, work } = texts;
+  const { archive, work } = texts;
   const facts: string[] = [];
-  if (version.n_passed > 0) facts.push(keeping.passed);
+  if (version.n_passed > 0) facts.push(archive.passed);
   if (version.n_runs > 0) facts.push(work.runCount(version.n_runs));
-  else if (!version.can_run) facts.push(keeping.incomplete);
+  else if (!version.can_run) facts.push(archive.incomplete);
   return facts;
 }
 
@@ -25,7 +25,7 @@ export function stepText(step: Step, setup: readonly string[], texts: Texts) {
   const n = changesIn(step);
   if (!known && n === 0 && setup.length > 0) return { label: setup.join(" · "), facts: [] };
   const facts = [...(face.label ? factsOf(face, texts) : []), ...setup];
-  return { label: known || texts.keeping.changes(n), facts };
+  return { label: known || texts.archive.changes(n), facts };
 }
 
 /** How many versions of a step changed blocks. */
@@ -64,8 +64,8 @@ export function sectionText(section: Section, now: Date, language: Language, tex
 export function dayText({ from }: Section, now: Date, language: Language, texts: Texts): string {
   const then = new Date(from);
   const days = midnight(now) - midnight(then);
-  if (days === 0) return texts.keeping.today;
-  if (days === 1) return texts.keeping.yesterday;
+  if (days === 0) return texts.archive.today;
+  if (days === 1) return texts.archive.yesterday;
   return then.toLocaleDateString(language, { day: "numeric", month: "short" });
 }
 
@@ -85,5 +85,5 @@ export function createdText({ created_at }: VersionMark, language: Language, tex
 export function versionLine(version: VersionMark, language: Language, texts: Texts): string {
   const about = version.label || factsOf(version, texts)[0];
   const made = createdText(version, language, texts);
-  return [texts.keeping.version(version.number), about, made].filter(Boolean).join(" · ");
+  return [texts.archive.version(version.number), about, made].filter(Boolean).join(" · ");
 }

@@ -9,7 +9,7 @@ import type { ProgramCollection } from "./program_collection";
 /** The programs in the bin; renders nothing while it is empty. */
 export function Bin({ collection }: { collection: ProgramCollection }) {
   const open = useSignal(false);
-  const { keeping } = texts.value;
+  const { archive } = texts.value;
   const { value: bin } = collection.bin;
   if (bin.length === 0) return null;
   return (
@@ -23,11 +23,11 @@ export function Bin({ collection }: { collection: ProgramCollection }) {
           open.value = !open.value;
         }}
       >
-        {keeping.bin(bin.length)}
+        {archive.bin(bin.length)}
       </Button>
       {open.value && (
         <>
-          <p class="bin__hint">{keeping.binHint}</p>
+          <p class="bin__hint">{archive.binHint}</p>
           <ul class="bin__programs">
             {bin.map((program) => (
               <Thrown key={program.id} program={program} collection={collection} />
@@ -40,7 +40,7 @@ export function Bin({ collection }: { collection: ProgramCollection }) {
 }
 
 function Thrown({ program, collection }: { program: Program; collection: ProgramCollection }) {
-  const { keeping, work } = texts.value;
+  const { archive, work } = texts.value;
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
   return (
     <li class="bin__program card row middle gap-3" data-testid="bin-program">
@@ -52,11 +52,11 @@ function Thrown({ program, collection }: { program: Program; collection: Program
       </span>
       <Button
         icon={RotateCcw}
-        label={`${keeping.takeBack}: ${program.name}`}
+        label={`${archive.takeBack}: ${program.name}`}
         testId="take-back"
         onPress={() => collection.restore(program)}
       >
-        {keeping.takeBack}
+        {archive.takeBack}
       </Button>
     </li>
   );

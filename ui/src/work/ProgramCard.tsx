@@ -16,7 +16,7 @@ interface ProgramCardProps {
 }
 
 export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
-  const { work, keeping } = texts.value;
+  const { work, archive } = texts.value;
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
   const about = (label: string) => `${label}: ${program.name}`;
   return (
@@ -44,20 +44,20 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
           kind="plain"
           icon={History}
           href={hashOf({ screen: "versions", program: program.id, version: null })}
-          label={about(keeping.history)}
+          label={about(archive.history)}
           testId="open-history"
         >
-          {keeping.history}
+          {archive.history}
         </LinkButton>
         <ExportProgram program={program} />
         <Button
           kind="plain"
           icon={Trash2}
-          label={about(keeping.throwAway)}
+          label={about(archive.throwAway)}
           testId="throw-away"
           onPress={onThrowAway}
         >
-          {keeping.throwAway}
+          {archive.throwAway}
         </Button>
       </div>
     </div>

@@ -9,12 +9,12 @@ const ICONS = { finished: CircleCheck, stopped: CircleStop, failed: CircleX } as
 
 /** Filters runs by outcome and program. */
 export function RunFilters({ list, programs }: { list: RunList; programs: readonly Program[] }) {
-  const { keeping } = texts.value;
+  const { archive } = texts.value;
   const { value: outcome } = list.outcome;
   const { value: program } = list.program;
   return (
     <fieldset class="run-filters row wrap middle gap-2">
-      <legend class="visually-hidden">{keeping.filters}</legend>
+      <legend class="visually-hidden">{archive.filters}</legend>
       {([null, ...OUTCOMES] as const).map((one) => (
         <Button
           key={one}
@@ -24,17 +24,17 @@ export function RunFilters({ list, programs }: { list: RunList; programs: readon
           data-outcome={one ?? "all"}
           onPress={() => list.choose(one, program)}
         >
-          {one ? keeping.outcomes[one] : keeping.allRuns}
+          {one ? archive.outcomes[one] : archive.allRuns}
         </Button>
       ))}
       {programs.length > 1 && (
         <Select
           class="run-filters__program"
-          label={keeping.ofProgram}
+          label={archive.ofProgram}
           testId="run-program"
           value={program}
           options={[
-            [null, keeping.allPrograms],
+            [null, archive.allPrograms],
             ...programs.map(({ id, name }) => [id, name] as const),
           ]}
           onChange={(chosen) => list.choose(outcome, chosen)}

@@ -98,7 +98,7 @@ function Programs({ work }: { work: GroupWork }) {
 }
 
 function Runs({ work }: { work: GroupWork }) {
-  const { work: labels, keeping } = texts.value;
+  const { work: labels, archive } = texts.value;
   const { runs: list } = work;
   const { value: shown } = list.shown;
   const isEmpty = list.runs.value.length === 0;
@@ -114,7 +114,7 @@ function Runs({ work }: { work: GroupWork }) {
         <RunFilters list={list} programs={work.programs} />
       )}
       {!isEmpty && shown.length === 0 && (
-        <p class="work__empty">{list.next.value ? keeping.noneLikeYet : keeping.noneLike}</p>
+        <p class="work__empty">{list.next.value ? archive.noneLikeYet : archive.noneLike}</p>
       )}
       <ul class="work__cards">
         {shown.map((run) => (
@@ -135,12 +135,12 @@ function Runs({ work }: { work: GroupWork }) {
 function DiscardUndo({ collection }: { collection: ProgramCollection }) {
   const { value: thrown } = collection.thrown;
   if (!thrown) return null;
-  const { keeping } = texts.value;
+  const { archive } = texts.value;
   return (
     <div class="work__thrown">
       <UndoBanner
-        text={keeping.thrown(thrown.name)}
-        action={keeping.undo}
+        text={archive.thrown(thrown.name)}
+        action={archive.undo}
         testId="throw-back"
         onBack={() => collection.restore(thrown)}
         onClose={() => {

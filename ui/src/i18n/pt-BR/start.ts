@@ -4,14 +4,14 @@ import robots from "../../../../pinel_desktop/messages/catalogue/pt-BR/robots.js
 import run from "../../../../pinel_desktop/messages/catalogue/pt-BR/run.json";
 import type { BlocklyMessages, Catalogue } from "../message";
 import { activity } from "./activity";
+import { archive } from "./archive";
 import { blocks } from "./blocks";
 import { classes } from "./classes";
 import { editor } from "./editor";
-import { keeping } from "./keeping";
 import { page } from "./page";
 import { plots } from "./plots";
 import { programFile } from "./program_file";
-import { searchWords } from "./search_words";
+import { searchTerms } from "./search_terms";
 import { robot, world } from "./world";
 
 export const start = {
@@ -19,11 +19,11 @@ export const start = {
   activity,
   blocks,
   classes,
-  keeping,
+  archive,
   plots,
   programFile,
   robot,
-  searchWords,
+  searchTerms,
   world,
   blockly: { ...(blockly as object), ...editor } as BlocklyMessages,
   /** Why a run ended. */

@@ -12,27 +12,27 @@ interface PairDifferencesProps {
 
 /** The difference of the blocks that is in view, in words, and the buttons to the others. */
 export function PairDifferences({ blocks, isOneProgram }: PairDifferencesProps) {
-  const { keeping, review } = texts.value;
+  const { archive, review } = texts.value;
   useSignalEffect(() => {
     if (blocks.list.value.length > 0 && blocks.chosen.peek() === null) blocks.step(1);
   });
   const count = blocks.list.value.length;
   if (!isOneProgram) return <p class="compare__same">{review.compare.otherProgram}</p>;
   if (blocks.drawn.value === 0) return null;
-  if (count === 0) return <p class="compare__same">{keeping.nothingDiffers}</p>;
+  if (count === 0) return <p class="compare__same">{archive.nothingDiffers}</p>;
   return (
-    <section class="compare__differences" aria-label={keeping.differences(count)}>
+    <section class="compare__differences" aria-label={archive.differences(count)}>
       <Difference blocks={blocks} />
       <Button
         icon={ChevronUp}
-        label={keeping.previous}
+        label={archive.previous}
         disabled={count < 2}
         testId="difference-previous"
         onPress={() => blocks.step(-1)}
       />
       <Button
         icon={ChevronDown}
-        label={keeping.next}
+        label={archive.next}
         disabled={count < 2}
         testId="difference-next"
         onPress={() => blocks.step(1)}
@@ -42,7 +42,7 @@ export function PairDifferences({ blocks, isOneProgram }: PairDifferencesProps) 
 }
 
 function Difference({ blocks }: { blocks: PairBlocks }) {
-  const { keeping, review } = texts.value;
+  const { archive, review } = texts.value;
   const place = blocks.chosen.value ?? 0;
   const { kinds = [] } = blocks.list.value[place] ?? {};
   const text = blocks.lines.value[place] ?? "";
@@ -58,7 +58,7 @@ function Difference({ blocks }: { blocks: PairBlocks }) {
         <DifferenceIcon key={kind} kind={kind} />
       ))}
       <span class="compare__words" data-shortened>
-        <strong>{kinds.map((kind) => keeping.kinds[kind]).join(", ")}</strong> {text}
+        <strong>{kinds.map((kind) => archive.kinds[kind]).join(", ")}</strong> {text}
       </span>
       <span class="compare__place">
         {review.compare.place(place + 1, blocks.list.value.length)}

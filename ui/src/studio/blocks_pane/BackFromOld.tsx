@@ -12,7 +12,7 @@ export function BackFromOld({ control }: { control: StudioControl }) {
   useEffect(() => forget, []);
   const { value: step } = restoredFrom;
   if (step?.program !== control.open.id) return null;
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   const { from, instead } = step;
   const back = async () => {
     forget();

@@ -83,7 +83,7 @@ function Tools({ control }: { control: StudioControl }) {
 }
 
 function HistoryButton({ control: { open } }: { control: StudioControl }) {
-  const { history } = texts.value.keeping;
+  const { history } = texts.value.archive;
   const show = async () => {
     // so that the history includes the content on the screen; autosave reports its own failure
     await open.autosave.flush().catch(() => {});

@@ -8,7 +8,7 @@ import type { OpenProgram } from "../program/open_program";
 export function InBin({ open }: { open: OpenProgram }) {
   const closed = useSignal(false);
   if (closed.value || !open.inBin.value || open.deleted.value) return null;
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   const restore = async () => {
     await versionsApi.restore(open.id);
     open.inBin.value = false;

@@ -11,7 +11,7 @@ export function OtherWindow({ open }: { open: OpenProgram }) {
   const { other, isOvertaken } = open.windows;
   const { value: version } = other;
   if (closed.value || version === null || open.deleted.value) return null;
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   const toNewest = isOvertaken.value;
   return (
     <UndoBanner

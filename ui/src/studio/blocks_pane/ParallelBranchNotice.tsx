@@ -16,7 +16,7 @@ export function ParallelBranchNotice({ program }: { program: ProgramWithVersion 
   const { elsewhere, version } = program;
   const isHidden = useSignal(elsewhere === null || acknowledgedIds().includes(elsewhere.id));
   if (isHidden.value || !elsewhere || !version) return null;
-  const labels = texts.value.keeping;
+  const labels = texts.value.archive;
   const acknowledge = () => {
     void choose(
       "pinel_elsewhere",

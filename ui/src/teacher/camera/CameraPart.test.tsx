@@ -30,7 +30,7 @@ test("the camera is ready when a sign was read, and stays so when the hand is pu
   expect(isReady()).toBe("false");
   act(() => receive(sightOf(tall(0.5))));
   expect(isReady()).toBe("true");
-  expect(screen.getByText("Sinal visto: B")).toBeTruthy();
+  expect(screen.getByText("Letra ou sinal visto: B")).toBeTruthy();
   act(() => receive(sightOf()));
   expect(isReady()).toBe("true");
   await passesAxe(container);

@@ -21,17 +21,17 @@ test("what came is counted", () => {
   expect(outcomeText({ added: work, nothing_new: false })).toBe(
     "PC 7: 1 grupo, 2 programas, 5 versões, 1 rodada.",
   );
-  expect(outcomeText({})).toBe("PC 7: nada novo, já estava tudo aqui.");
+  expect(outcomeText({})).toBe("PC 7: nada de novo, já estava tudo aqui.");
   expect(outcomeText({ nothing_new: false })).toBe("PC 7: nomes e ajustes atualizados.");
 });
 
 test("what was deleted for good does not come back, and is not said to be here", () => {
   expect(outcomeText({ held_back: { ...none, groups: 6, runs: 3 } })).toBe(
-    "PC 7: nada novo. Não volta, porque foi apagado para sempre: 6 grupos, 3 rodadas.",
+    "PC 7: nada de novo. Não volta, porque foi apagado para sempre: 6 grupos, 3 rodadas.",
   );
   const partly = outcomeText({ added: work, nothing_new: false, held_back: { ...none, runs: 1 } });
   expect(partly).toMatch(/^PC 7: 1 grupo.* Não volta, porque foi apagado para sempre: 1 rodada\.$/);
-  expect(outcomeText({ held_back: none })).toMatch(/^PC 7: nada novo\. Uma parte/);
+  expect(outcomeText({ held_back: none })).toMatch(/^PC 7: nada de novo\. Uma parte/);
 });
 
 test("what is deleted now is counted, without its versions", () => {

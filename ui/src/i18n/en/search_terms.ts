@@ -1,4 +1,4 @@
-export const searchWords = {
+export const searchTerms = {
   move_forward: "forward go walk ahead straight run drive square",
   move_backward: "reverse back backwards",
   turn: "turn rotate spin angle left right corner square",

@@ -1,4 +1,4 @@
-export const searchWords = {
+export const searchTerms = {
   move_forward: "avanzar adelante caminar andar ir correr recto mover cuadrado",
   move_backward: "retroceder atrás reversa marcha volver",
   turn: "girar doblar ángulo rotar vuelta izquierda derecha esquina cuadrado",

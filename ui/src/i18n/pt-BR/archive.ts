@@ -1,5 +1,5 @@
 /** What is never lost: the line of versions, comparing, the bin, notes of the teacher. */
-export const keeping = {
+export const archive = {
   history: "Histórico",
   historyOf: (program: string) => `Histórico de ${program}`,
   loading: "Buscando as versões…",

@@ -2,7 +2,7 @@
  * What pupils type when they look for a block, beside the words on it and in its help. By the block's type; accents and
  * capitals do not matter, and the beginning of a word is enough.
  */
-export const searchWords = {
+export const searchTerms = {
   move_forward: "andar ir frente avançar reto mover caminhar correr adiante linha quadrado",
   move_backward: "ré trás voltar recuar marcha",
   turn: "girar virar rodar ângulo meia volta esquerda direita canto quadrado",

@@ -1,6 +1,6 @@
-import type { keeping as first } from "../pt-BR/keeping";
+import type { archive as first } from "../pt-BR/archive";
 
-export const keeping: typeof first = {
+export const archive: typeof first = {
   history: "Historial",
   historyOf: (program: string) => `Historial de ${program}`,
   loading: "Buscando las versiones…",
