@@ -92,7 +92,7 @@ describe("teaching a sign", () => {
     await waitFor(() => expect(taught()).toEqual(["J"]));
     expect(screen.getByText("5 movimentos")).toBeTruthy();
     fireEvent.click(screen.getByRole("button", { name: "J" }));
-    expect(container.textContent).toContain("Cinco vezes");
+    expect(container.textContent).toContain("isto cinco vezes");
     fireEvent.click(screen.getByTestId("teach-record"));
     await waitFor(() => expect(signsApi.recordMoving).toHaveBeenCalledWith("c", "J"));
     act(() => receive(recordingEvent({ sign: "J", is_moving: true, n_samples: 2, n_wanted: 5 })));
