@@ -33,7 +33,7 @@ ifneq ($(shell $(PYTHON) -c 'import pip' 2>/dev/null && cat $(VENV_RUN) 2>/dev/n
 $(shell rm -f $(VENV_RUN) $(VENV_DEV))
 endif
 
-.PHONY: help setup run test nightly lint format figures bench package smoke wheel lock clean system-run system-test
+.PHONY: help setup run test nightly lint format figures api bench package smoke wheel lock clean system-run system-test
 
 help:  ## this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "  make %-9s %s\n", $$1, $$2 }'
@@ -59,6 +59,9 @@ format: $(VENV_DEV) $(NODE_MODULES)  ## bring the code into its form
 
 figures: $(VENV_DEV) $(NODE_MODULES)  ## what the structure of the code is judged by, counted
 	@$(PYTHON) scripts/figures.py
+
+api: $(VENV_DEV)  ## the HTTP interface as a page (docs/http-api.md)
+	@$(PYTHON) scripts/http_api.py
 
 bench: setup $(PEERS) $(DETECTOR)  ## benchmarks: absolute figures printed, ratios asserted
 	@$(PYTHON) -m pytest -o python_files='bench_*.py' --timeout=900 -s -q tests/benchmarks

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from pinel_desktop.web.description import description_text
 from scripts.reference import database, events_page, http_page, language_tables, schemas
 from scripts.reference.block_films import films
 from scripts.reference.check_kinds import check_fields, checks_of_activities
@@ -11,6 +12,10 @@ from scripts.reference.sensor_rows import sensor_rows
 
 _TABLES = {
     "docs/activities.md": {"checks": checks_of_activities},
+    "docs/http-api.md": {
+        "errors of any route": http_page.errors_of_any_route,
+        "errors of writing": http_page.errors_of_writing,
+    },
     "docs/program-document.md": {
         "commands": language_tables.commands_of_the_document,
         "sensors": language_tables.sensors_of_the_document,
@@ -39,7 +44,7 @@ def files(root: Path) -> dict[str, str]:
         "ui/src/blocks/table/sensor_rows.ts": sensor_rows(),
         "ui/src/teacher/making/check_fields.ts": check_fields(),
         "ui/src/studio/help/films.json": films(),
-        "docs/http-api.md": http_page.text(),
+        "docs/openapi.json": description_text(),
         "docs/events.md": events_page.text(),
         **goals(),
         **pages,
