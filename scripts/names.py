@@ -21,7 +21,7 @@ from pinel_desktop.web.description import description
 from scripts.reference import schemas
 
 ROOT = Path(__file__).resolve().parents[1]
-# each with the term to write instead: CONTRIBUTING.md, "Names"
+# docs/glossary.md has the terms to write instead
 BANNED = frozenset(
     re.findall(
         r"\w+",
@@ -148,4 +148,4 @@ if __name__ == "__main__":
     found = violations([*python_declarations(), *page_declarations()])
     print("\n".join(found))
     if found:
-        sys.exit(f"{len(found)} names use a private word: CONTRIBUTING.md, Names, has the terms")
+        sys.exit(f"{len(found)} names use a private word: docs/glossary.md has the terms")

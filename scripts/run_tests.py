@@ -123,6 +123,7 @@ STEPS = (
     Step("mypy", "lint", (sys.executable, "-m", "mypy")),
     Step("import-rules", "lint", (str(Path(sys.executable).with_name("lint-imports")),)),
     Step("folders", "lint", (sys.executable, "scripts/figures.py", "--check")),
+    Step("names", "lint", (sys.executable, "-m", "scripts.names")),
     Step("page-lint", "lint", npm("run", "--silent", "check")),
     Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
     Step("unit", "test", (*PYTEST, *WORKING, "-m", UNIT), counts=True),
