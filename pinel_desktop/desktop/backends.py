@@ -1,4 +1,4 @@
-"""Backends for showing the page on this PC, best first, and what is missing for each.
+"""Backends for showing the page on this PC, best first, and the missing part of each unusable backend.
 
 Nothing here opens a window or imports pywebview, because `pinel doctor` uses it too.
 """
@@ -32,7 +32,7 @@ BROWSERS = (
     "brave-browser",
 )
 _WEBKIT_LIBRARIES = {"4.1": "libwebkit2gtk-4.1.so.0", "4.0": "libwebkit2gtk-4.0.so.37"}
-# messages are short: a library is told by its name; folders may hold spaces
+# matches folders, to shorten a library's path to its name in messages; folders may contain spaces
 _FOLDERS = re.compile(r"(?:/[^/:]*)+/")
 _WINDOWS_BROWSERS = (
     r"Microsoft\Edge\Application\msedge.exe",
@@ -50,12 +50,12 @@ def gtk_problem() -> str | None:
             gi.require_version("WebKit2", "4.1")
         except ValueError:
             gi.require_version("WebKit2", "4.0")
-        # without the library itself its bindings load all the same, and fail later
+        # the bindings load even without the library, and fail later
         ctypes.CDLL(_WEBKIT_LIBRARIES[gi.get_required_version("WebKit2")])
         importlib.import_module("gi.repository.WebKit2")
     except (ImportError, ValueError) as error:
         return str(error)
-    except OSError as error:  # the package's own loader wraps the system's words
+    except OSError as error:  # the package's own loader wraps the system's message
         return _FOLDERS.sub("", str(error.__cause__ or error))
     return None
 

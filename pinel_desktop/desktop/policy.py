@@ -32,7 +32,7 @@ def may_open(address: str, own: str) -> bool:
 
 
 def decide_navigation(address: str, own: str) -> NavigationDecision:
-    """What to do with a navigation to `address`: show the page, save files created by it, refuse all else."""
+    """Decides about a navigation to `address`: show the page, save files created by the page, refuse all else."""
     if address == "about:blank" or may_open(address, own):
         return "show"
     scheme, _, made_by = address.partition(":")

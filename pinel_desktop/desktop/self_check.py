@@ -1,8 +1,8 @@
 """`--self-check`: an end-to-end test, from the window to a run read back from the disk.
 
-It uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time, and the judge finds that
-it passes the activity about the square. Then it draws
-a small square and a triangle when recorded signs, B and A, tell it to.
+The check uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time. The judge must
+find that this run passes the activity `square`. Then a second program waits for two recorded signs: it draws a small
+square after B, and a triangle after A.
 """
 
 import contextlib
@@ -210,7 +210,7 @@ def _signed_polygons() -> Json:
 
 
 def _sign(client: Client, program: str) -> list[str]:
-    """Runs a program that recorded signs decide; returns the signs that the camera saw, each once."""
+    """Runs a program that depends on recorded signs; returns the signs that the camera recognised, each once."""
     run = _drive(client, _saved(client, program, _signed_polygons()), speed=10.0)
     events = client.get(f"/api/runs/{run['id']}/events")["events"]
     signs = [event["result"] for event in events if event.get("by") == "camera"]
@@ -218,7 +218,7 @@ def _sign(client: Client, program: str) -> list[str]:
 
 
 def _judged(client: Client, run: str) -> bool:
-    """Whether the judge's process found that a run passes its activity."""
+    """Returns whether a run passes its activity, by the verdict of the judge process."""
     _wait_for(lambda: client.get(f"/api/runs/{run}")["passed"] is not None, _RUN_S)
     return bool(client.get(f"/api/runs/{run}")["passed"])
 
