@@ -122,7 +122,7 @@ class Projection:
 
     @classmethod
     def of(cls, features: Features, blocks: Sequence[slice]) -> "Projection":
-        """Computes the principal axes of standardised features. Within a block all features weigh equally; so do blocks."""
+        """Computes the principal axes of standardised features; features of a block weigh equally, and so do blocks."""
         mean = features.mean(0, dtype=np.float64)
         scale = 1 / (features.std(0, dtype=np.float64) + 1e-4)
         for block in blocks:

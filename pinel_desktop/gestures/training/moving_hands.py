@@ -192,7 +192,7 @@ def aimless(random: Random) -> tuple[Path, float]:
 
 
 def changed(first: Model, second: Model, random: Random) -> list[HandObservation]:
-    """Returns a video of two letters, one after the other; between them the hand drifts by up to a third of its size."""
+    """Returns a video of two letters in sequence; between them the hand drifts by up to a third of its size."""
     lasts = random.uniform(0.2, 0.6)
     size, place = random.uniform(*_SIZES_PX), random.uniform((240, 260), (400, 340))
     goal = random.normal(0, 0.15, 2)

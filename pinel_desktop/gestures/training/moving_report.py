@@ -118,7 +118,11 @@ def moving_report(
 
 
 def speed_ms(random: Random, n_signs: int = 60) -> dict[str, float]:
-    """Returns the time for a frame of a moving hand and for the end of a movement, in ms, with `n_signs` taught signs."""
+    """Measures the time for a frame of a moving hand, and for the end of a movement, in ms.
+
+    Args:
+        n_signs: number of taught moving signs.
+    """
     examples = {str(i): random.normal(0, 1, (N_EXAMPLES, 38, 46)) for i in range(n_signs)}
     known = MovingSignClassifier(
         {sign: shown.astype(np.float32) for sign, shown in examples.items()}
