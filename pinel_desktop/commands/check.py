@@ -73,7 +73,7 @@ def _print_error(error: PinelError, language: str) -> None:
 def _checked(
     activity: Activity, files: tuple[str, ...], processes: int | None
 ) -> tuple[list[Report], bool]:
-    """Returns the reports in the order of the files, and whether they are complete; prints progress on standard error."""
+    """Returns the reports in the order of the files, and whether they are complete. Prints the progress to stderr."""
     reports: dict[int, Report] = {}
     with click.progressbar(length=len(files), file=sys.stderr) as progress:
         try:

@@ -82,7 +82,7 @@ def _scope(store: Store, *, classroom: str | None, group: str | None, program: s
 
 
 def _computer(store: Store) -> tuple[str, str]:
-    """Key and name of this PC; placeholders if the database cannot store them."""
+    """Returns key and name of this PC; placeholders if the database cannot store them."""
     try:
         return store.computers.this()
     except StoreError:

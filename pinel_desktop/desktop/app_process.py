@@ -74,7 +74,7 @@ class AppProcess:
         return self._failure
 
     def language(self) -> str:
-        """The chosen language. Waits until the app has started; raises PinelError if it does not."""
+        """Waits until the app has started; returns the chosen language. Raises PinelError if the app does not start."""
         if not self._ready.wait(_START_S):
             raise PinelError("app_lost")
         if self._failure is not None:
@@ -82,7 +82,7 @@ class AppProcess:
         return self._language
 
     def address(self) -> str:
-        """A new address that opens the page once. Raises PinelError if the app does not start."""
+        """Returns a new address that opens the page once. Raises PinelError if the app does not start."""
         with self._asking:
             # the app sends the first address without a request, before it is ready
             if self._has_asked:

@@ -42,7 +42,7 @@ _WINDOWS_BROWSERS = (
 
 
 def gtk_problem() -> str | None:
-    """The library's error if GTK's web view does not load; None if it does."""
+    """Returns the library's error if GTK's web view does not load; None if it does."""
     try:
         gi = importlib.import_module("gi")
         gi.require_version("Gtk", "3.0")
@@ -61,7 +61,7 @@ def gtk_problem() -> str | None:
 
 
 def qt_problem() -> str | None:
-    """The missing module if Qt's web view is not installed; None if it is."""
+    """Returns the missing module if Qt's web view is not installed; None if it is."""
     if importlib.util.find_spec("qtpy") is None:
         return "qtpy"
     for package in ("PyQt6", "PySide6"):
@@ -103,7 +103,7 @@ class Backend:
 
 
 def find_browser(pc: Pc) -> str | None:
-    """Path of a browser that supports app mode; None without one."""
+    """Returns the path of a browser that supports app mode; None if there is none."""
     for name in BROWSERS:
         if path := pc.which(name):
             return path
@@ -115,7 +115,7 @@ def find_browser(pc: Pc) -> str | None:
 
 
 def backends(pc: Pc) -> list[Backend]:
-    """The backends for this PC, best first, including those with a problem."""
+    """Returns the backends for this PC, best first, including backends with a problem."""
     if not pc.has_screen:
         return []
     browser = Backend("browser", None if find_browser(pc) else "window_browser_missing")
@@ -137,8 +137,8 @@ def _qt(pc: Pc) -> Backend:
 
 
 def renderer_problem(renderer: str) -> str | None:
-    """Error code if pywebview's renderer cannot run the page, else None.
+    """Returns the error code if pywebview's renderer cannot run the page, else None.
 
-    Without WebView2, pywebview silently falls back to Internet Explorer (MSHTML).
+    Without WebView2, pywebview falls back to Internet Explorer (MSHTML) without an error.
     """
     return "window_webview2_missing" if renderer == "mshtml" else None

@@ -23,7 +23,7 @@ class Size:
 
 
 def may_open(address: str, own: str) -> bool:
-    """True if `address` has the scheme, host and port of `own`."""
+    """Returns whether `address` has the scheme, host and port of `own`."""
     try:
         there, here = urlsplit(address), urlsplit(own)
         return (there.scheme, there.hostname, there.port) == (here.scheme, here.hostname, here.port)
@@ -40,7 +40,7 @@ def decide_navigation(address: str, own: str) -> NavigationDecision:
 
 
 def fitted_size(screen_width: int, screen_height: int) -> Size:
-    """The window's size on a screen given in pixels: all of a small screen, most of a large one."""
+    """Returns the window's size for a screen in pixels: all of a small screen, 85 % of a large one up to `MAX_SIZE`."""
     min_size = (min(MIN_SIZE[0], screen_width), min(MIN_SIZE[1], screen_height))
     maximized = screen_width <= _MAXIMIZE_UP_TO[0] or screen_height <= _MAXIMIZE_UP_TO[1]
     if maximized:

@@ -90,7 +90,7 @@ def _is_well(result: Json) -> bool:
 
 @contextlib.contextmanager
 def _app(database: Path) -> Iterator[AppProcess]:
-    """The app in a process of its own, as for the window."""
+    """Runs the app in a process of its own, as for the window."""
     instance = InstanceLock(database)
     instance.acquire()
     app = AppProcess(
@@ -139,7 +139,7 @@ def _in_window(app: AppProcess, result: Json) -> None:
 
 
 def _toolkit() -> Toolkit:
-    """The first toolkit that loads. Raises PinelError with the problem of the best one."""
+    """Returns the first toolkit without a problem. If there is none, raises PinelError with the first one's problem."""
     tried = backends(Pc())
     for backend in tried:
         if backend.problem is None and backend.name != "browser":
@@ -194,7 +194,7 @@ def _saved(client: Client, program: str, document: Json, setup: Json | None = No
 
 
 def _signed_polygons() -> Json:
-    """A program that waits for B and draws a square, then waits for A and draws a triangle."""
+    """Returns a program that waits for B and draws a square, then waits for A and draws a triangle."""
     commands: list[Json] = []
     for sign, n_sides in zip(EXPECTED_SIGNS, (4, 3), strict=True):
         wait = {"action": "classify_gestures", "timeout": 5}

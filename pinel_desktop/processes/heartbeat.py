@@ -1,7 +1,7 @@
 """Heartbeat of a supervised process: detects a hung process within seconds, and tolerates a busy process for longer.
 
 Response timeouts are counted in beats of the app's own thread, not by the clock. A late beat means that the PC slept,
-the app was stopped, or the cores are overloaded. The process is not to blame, so the count restarts.
+the app was stopped, or the cores are overloaded. It is no evidence about the process, so the count restarts.
 """
 
 import threading

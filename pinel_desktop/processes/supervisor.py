@@ -18,13 +18,13 @@ ProcessState = Literal["starting", "ready", "lost"]
 
 _log = logging.getLogger(__name__)
 _CLOSE_TIMEOUT_S = 4.0
-# The supervisor gives up after _MAX_FAST_FAILURES deaths in a row within _MIN_UPTIME_S of the start.
+# The supervisor gives up after _MAX_FAST_FAILURES deaths in a row, each within _MIN_UPTIME_S.
 _MIN_UPTIME_S = 3.0
 _MAX_FAST_FAILURES = 3
 
 
 def _ignore(*_: object) -> None:
-    """The default of each callback."""
+    """Does nothing; default of each callback."""
 
 
 class Supervisor:

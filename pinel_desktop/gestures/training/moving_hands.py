@@ -114,7 +114,7 @@ def letter_path(letter: str) -> tuple[Path, float]:
 
 
 def _hook(share: float) -> Pose:
-    """Path of J: down, then in an arc to the side, while the hand rotates."""
+    """Returns a pose on the path of J: down, then in an arc to the side, while the hand rotates."""
     s = smooth(share)
     if s < 0.55:
         return Pose(0.0, 0.55 * s / 0.55)
