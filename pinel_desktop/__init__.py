@@ -4,5 +4,5 @@ import os
 
 __version__ = "0.2.0"
 
-# pydantic would look through all installed packages for plugins, at every start; we have none
+# pydantic would search all installed packages for plugins at every start; PINEL has none
 os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")

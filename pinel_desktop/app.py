@@ -1,6 +1,6 @@
 """Composition root: the only place where store, engine, hub and web are wired together.
 
-What the page can be drawn without is imported a moment later, by `_warm_up`.
+`_warm_up` later imports the modules that the first drawing of the page does not need.
 """
 
 import contextlib
@@ -50,22 +50,23 @@ _INTERRUPTED = {"state": "failed", "reason": "interrupted"}
 
 
 class App:
-    """Everything that runs behind the page: `start`, give `address` to a window or a person, `close`.
+    """The backend of the page. Call `start`, pass `address` to a window or a person, then `close`.
 
     Args:
-        database: the file; made where there is none. When it cannot be used the app starts all the same, and
-            the page says why nothing can be kept.
-        port: 0 for any that is free.
-        early_server: gives out the page already; the app closes it.
-        instance: a lock on the database that was taken before; the app gives it back.
-        engine_after_s: lets the page draw first on a PC of two cores, which the engine's start, and loading what
-            the first edit and the first run need, would keep busy.
+        database: the database file, created if it does not exist. If the file cannot be used, the app starts
+            nevertheless, and the page shows why nothing can be stored.
+        port: port of the page; 0 for any free port.
+        early_server: server that already serves the page; the app closes it.
+        instance: lock on the database that the caller has acquired; the app releases it.
+        engine_after_s: delay before the engine and the modules for the first edit and run are loaded, in s. On a PC
+            with two cores, loading them at once would delay the first drawing of the page.
         on_show: brings the window forward when the app is started a second time.
-        camera: in place of the one that was chosen: as `camera.frames.open_reader` takes it.
-        bridge: where the HTTP interface of the original is served, and which robot its calls drive; None for none.
+        camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
+        bridge: where the HTTP interface of the original PINEL is served, and which robot its calls drive; None
+            serves no such interface.
     """
 
-    def __init__(  # noqa: PLR0913 - everything that may be another, for the window and for tests
+    def __init__(  # noqa: PLR0913 - parts that the window and tests replace
         self,
         database: Path,
         *,
@@ -95,7 +96,7 @@ class App:
         self._closing = contextlib.ExitStack()
 
     def start(self) -> None:
-        """Starts everything; nothing is left behind when it cannot.
+        """Starts all parts; if one cannot start, closes the others.
 
         Raises:
             AlreadyRunningError: another process serves this database.
@@ -112,25 +113,29 @@ class App:
 
     @property
     def address(self) -> str:
-        """A fresh address that opens the page once."""
+        """A new address that opens the page once."""
         return self._guard.fresh_link()
 
     @property
     def language(self) -> str:
-        """The language that was chosen."""
+        """The chosen language of page and messages."""
         return self._settings.language
 
     @property
     def notice(self) -> Problem | None:
-        """What a person should know about the database, None when all is well."""
+        """The notice about the database for people; None if there is no problem."""
         return self._database_state().notice
 
     def wait_for_bridge(self) -> str | None:
-        """The address of the bridge once it stands; None for none. Raises PinelError that says why it does not."""
+        """Waits until the bridge listens; returns its address, None without a bridge.
+
+        Raises:
+            PinelError: the bridge cannot listen.
+        """
         return self._legacy.wait_until_listening() if self._legacy else None
 
     def close(self) -> None:
-        """Stops the robot, writes what is pending, ends every stream. Safe to call twice."""
+        """Stops the robot, writes pending data, ends all event streams. Safe to call twice."""
         self._closing.close()
 
     def __enter__(self) -> "App":
@@ -141,11 +146,11 @@ class App:
         self.close()
 
     def _assemble(self, undo: contextlib.ExitStack) -> None:
-        """Makes the parts so that they end in this order: engine, hub, server, recorder, last backup, store."""
+        """Creates the parts, which end in reverse order: engine, hub, server, recorder, last backup, store."""
         self._store = open_database(self._database)
         undo.callback(self._store.close)
         self._maintenance = Maintenance(self._store, self._publish_storage_notice)
-        undo.callback(self._maintenance.back_up_at_the_end)  # after all is written
+        undo.callback(self._maintenance.back_up_at_the_end)  # runs after all other writes
         early = self._early_server
         self._settings = early.settings if early else Settings.beside(self._database)
         with contextlib.suppress(StoreError):
@@ -174,7 +179,7 @@ class App:
         self._content_check = self._store.scrubber(self._publish_storage_notice)
         undo.callback(self._content_check.close)
         if self._store.unfinished:
-            self._recorder.flush()  # goes on trying until the disk has room
+            self._recorder.flush()  # retries until the disk has free space
         server = self._early_server or EarlyServer(self._port, self._settings)
         undo.callback(server.close)
         undo.callback(self._hub.close)
@@ -206,7 +211,7 @@ class App:
     def _serve_bridge(self, services: Services, undo: contextlib.ExitStack) -> None:
         if self._bridge is None:
             return
-        from pinel_desktop.web.legacy.api import LegacyApi  # noqa: PLC0415 - for who wants one
+        from pinel_desktop.web.legacy.api import LegacyApi  # noqa: PLC0415 - only with a bridge
 
         self._legacy = LegacyApi(services, self._engine, self._bridge)
         undo.callback(self._legacy.close)
@@ -232,7 +237,7 @@ class App:
         undo.callback(timer.cancel)
 
     def _start_judging(self) -> None:
-        """Of runs that the last start left unjudged, and of those that came with files."""
+        """Judges runs that the last start left unjudged, and re-verifies runs from merged files."""
         self._grader.catch_up()
         self._confirmer.start()
 
@@ -262,7 +267,10 @@ class App:
         )
 
     def _on_engine_event(self, event: Event) -> None:
-        """An event of the engine: first to the store, so that the page finds ended what it hears has ended."""
+        """Handles an event of the engine.
+
+        Records it before publishing, so that the store already has a run's end when the page receives it.
+        """
         self._recorder(event)
         if self._legacy is not None:
             self._legacy.observe(event)
@@ -281,12 +289,12 @@ class App:
             self._recorder.flush().result(_FLUSH_TIMEOUT_S)
 
     def _begin_empty(self) -> None:
-        """The next start makes a new file where there is none now; what is away is not looked for any more."""
+        """Removes the record of the missing database folder, so that the next start creates an empty database."""
         forget_location(self._database)
         self._store.notice = StoreNotice("database_begins_empty", {"path": str(self._database)})
 
     def _unsaved_end(self, run_id: str) -> Mapping[str, Any] | None:
-        """How a run ended that the file has as running: its end could not be written."""
+        """Returns the end of a run if it could not be written and the run is still open in the file; else None."""
         if run_id == self._engine.live_run:
             return None
         return self._recorder.unsaved_end(run_id) or (
@@ -294,7 +302,7 @@ class App:
         )
 
     def _end_recording(self) -> None:
-        """Writes what is pending, and closes a run that the engine left open."""
+        """Writes pending data, and closes a run that the engine left open."""
         with contextlib.suppress(StoreError):
             self._recorder.flush().result()
             self._store.runs.close_interrupted()
@@ -307,11 +315,11 @@ class App:
         return DatabaseState(path=str(self._store.path), writable=writable, notice=notice)
 
     def _publish_recording(self, problem: StoreError | None) -> None:
-        """The run goes on; the page learns that it is not being kept, or that it is kept again."""
+        """Publishes that the live run cannot be recorded, or is recorded again. The run itself continues."""
         self._publish_notice(problem, "recording_resumed")
 
     def _publish_storage_notice(self, notice: Problem | None) -> None:
-        """Work goes on; the page learns what threatens it, or that nothing does any more."""
+        """Publishes a problem of the storage, or that it is solved. Work continues meanwhile."""
         self._publish_notice(notice, "keeping_well_again")
 
     def _answer_capture(self, run_id: str, capture: Capture) -> None:
@@ -354,7 +362,7 @@ def _read_world(
 
 
 def _warm_up() -> None:
-    """Loads what the first edit and the first run would have to wait for."""
+    """Imports the modules for the first edit and the first run, so that these need not wait."""
     from pinel_desktop import worlds  # noqa: F401, PLC0415 - see above
     from pinel_desktop.program import reading  # noqa: F401, PLC0415
 

@@ -1,4 +1,4 @@
-"""The app's way to its database: whatever is wrong with it, there is a store, which says so."""
+"""Opens the app's database. If it is unusable, opens a store without a file, whose notice has the reason."""
 
 from pathlib import Path
 
@@ -7,7 +7,7 @@ from pinel_desktop.paths import is_in_default_folder
 from storage import Store, StoreError, open_store
 from storage.file.private import restrict_permissions
 
-# All is well again, or a remedy was applied: the file is written to.
+# Notices that do not prevent writing: the file is usable, or a remedy was applied.
 WRITABLE_NOTICES = (
     "database_set_aside",
     "database_restored",
@@ -30,7 +30,7 @@ WRITABLE_NOTICES = (
 
 
 def open_database(database: Path) -> Store:
-    """The store of the file; one without file where it cannot be used, or its folder is away."""
+    """Opens the store of the file; a store without a file if the file is unusable, or its folder is missing."""
     try:
         if is_location_missing(database):
             folder = str(database.parent)

@@ -1,4 +1,4 @@
-"""The command `pinel`. Each subcommand lives in `commands/` and is imported when it is called."""
+"""The command `pinel`. Each subcommand is a module in `commands/`, imported when it is called."""
 
 import importlib
 
@@ -27,7 +27,7 @@ _HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "wind
 
 
 class _LazyGroup(click.Group):
-    """Imports a command's module only when it is needed, so that `pinel engine` starts fast."""
+    """Imports a command's module on demand, so that `pinel engine` starts fast."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(_COMMANDS)
@@ -54,9 +54,9 @@ class _LazyGroup(click.Group):
 )
 @click.pass_context
 def main(ctx: click.Context, self_check: bool) -> None:
-    """PINEL Desktop. Without a command it opens the window.
+    """PINEL Desktop. Without a command, opens the window.
 
-    Data lives in the user's data folder; the variable PINEL_HOME or --db chooses another place.
+    Data is in the user's data folder; the variable PINEL_HOME or the option --db chooses another place.
     """
     db = chosen_file(ctx)
     if ctx.invoked_subcommand is None:

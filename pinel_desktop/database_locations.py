@@ -1,7 +1,7 @@
-"""Remembers where the work of this account lies, so that a stick that is away is not taken for a first start.
+"""Records the locations of this account's databases, to distinguish a missing USB stick from a first start.
 
-The list lies where PINEL keeps data by itself, not in the folder that may be away. A folder that the system empties
-is no place for work, and not listed; nor is PINEL's own.
+The list is in PINEL's default folder, which cannot be missing with the stick. It omits databases in PINEL's default
+folder, and in temporary folders, which the system empties.
 """
 
 import contextlib
@@ -16,8 +16,8 @@ _MAX_LOCATIONS = 20
 
 
 def record_location(database: Path) -> None:
-    """Notes that there is a database; of many places the oldest is forgotten."""
-    import tempfile  # noqa: PLC0415 - a second start, which only asks, is to be quick
+    """Records the location of a database as the newest; drops the oldest of more than `_MAX_LOCATIONS`."""
+    import tempfile  # noqa: PLC0415 - a second start, which only reads the list, must be fast
 
     known = _known()
     is_temporary = database.is_relative_to(os.path.realpath(tempfile.gettempdir()))
@@ -28,14 +28,14 @@ def record_location(database: Path) -> None:
 
 
 def forget_location(database: Path) -> None:
-    """Lets the next start begin with an empty database there."""
+    """Removes a location, so that the next start creates an empty database there."""
     known = _known()
     if str(database) in known:
         _write([place for place in known if place != str(database)])
 
 
 def is_location_missing(database: Path) -> bool:
-    """True where there was a database at an earlier start, and now is nothing of it: its folder is away or empty."""
+    """Returns whether an earlier start had a database here that is missing now: its folder is missing or empty."""
     beside = ("", "-wal", ".mark.json")
     parts = [database.with_name(f"{database.name}{suffix}") for suffix in beside]
     is_there = any(part.exists() for part in (*parts, database.parent / "backups"))
@@ -53,7 +53,7 @@ def _known() -> list[str]:
 def _write(places: Sequence[str]) -> None:
     file = _file()
     new = file.with_name(f"{file.name}.{os.getpid()}")
-    with contextlib.suppress(OSError):  # as on a full disk
+    with contextlib.suppress(OSError):  # such as a full disk
         file.parent.mkdir(0o700, parents=True, exist_ok=True)
         new.write_text(json.dumps(places), "utf-8")
         os.replace(new, file)

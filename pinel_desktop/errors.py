@@ -1,11 +1,11 @@
-"""The one error that a person is meant to read."""
+"""PinelError: the base class of errors with a message for people."""
 
 
 class PinelError(Exception):
-    """Something a person can act on: a code of `messages/` and what fills its placeholders.
+    """A problem that a person can act on: a code of `messages/`, and parameters for its placeholders.
 
-    The words (message and remedy) are looked up where they are shown, in the reader's language. `sim` and
-    `storage` are leaves and raise errors of their own with the same two attributes.
+    Message and remedy are looked up where they are displayed, in the reader's language. `sim` and `storage` import
+    nothing of `pinel_desktop`, so they raise errors of their own with the same two attributes.
     """
 
     def __init__(self, code: str, **params: object) -> None:

@@ -1,7 +1,8 @@
-"""One app for one database: a lock, and a file from which a second start learns how to reach the first.
+"""Single instance: one app for each database, ensured by a lock file. An instance file has the address of the app.
 
-The lock is the system's own, so it is gone when the process is, however it ended; the file may be stale and is
-believed only while the lock is held and the address answers. An app works without the file too, as on a full disk.
+The operating system releases the lock when the process ends, however it ends. The instance file may be stale, so it
+counts only while the lock is held and its address responds. An app also works without this file, such as on a full
+disk.
 """
 
 import contextlib
@@ -25,41 +26,39 @@ except ImportError:  # Windows, where a folder cannot be locked
 if TYPE_CHECKING:
     from filelock import FileLock
 
-_SECRET_HEADER = (
-    "X-Pinel-Secret"  # as in web/guard.py, which this must not load: a second start is to be quick
-)
+_SECRET_HEADER = "X-Pinel-Secret"  # as in web/guard.py, whose import would delay a second start
 _RESPONSE_TIMEOUT_S = 2.0
 _STARTING_S = 10.0
 _POLL_S = 0.1
-# the folder cannot be written, so neither can the database: two apps do each other no harm
+# The folder is not writable, and neither is the database, so a second app is harmless.
 _NOT_WRITABLE = (errno.EROFS, errno.EACCES, errno.EPERM)
 
 
 @dataclass(frozen=True, slots=True)
 class RunningInstance:
-    """The app that was started first."""
+    """The first app, which holds the lock."""
 
     url: str
     secret: str
     pid: int
 
     def show(self) -> None:
-        """Brings its window forward. Raises PinelError `instance_silent`."""
+        """Brings the first app's window forward. Raises PinelError `instance_silent` if the app does not respond."""
         self._ask("show")
 
     def fresh_link(self) -> str:
-        """An address that opens its page once. Raises PinelError `instance_silent`."""
+        """Returns an address that opens the first app's page once. Raises PinelError `instance_silent`."""
         return str(self._ask("link")["url"])
 
     def _ask(self, what: str) -> dict[str, Any]:
-        # only a second start asks, and every start would have to wait for it
+        # imported here, because only a second start sends a request
         import urllib.error  # noqa: PLC0415
         import urllib.request  # noqa: PLC0415
 
         request = urllib.request.Request(
             f"{self.url}/api/instance/{what}", method="POST", headers={_SECRET_HEADER: self.secret}
         )
-        # no proxy: the address is on this PC, whatever the school's network wants
+        # no proxy, even if the school's network requires one: the address is on this PC
         opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         try:
             with opener.open(request, timeout=_RESPONSE_TIMEOUT_S) as answer:
@@ -73,7 +72,7 @@ class RunningInstance:
 
 
 class AlreadyRunningError(PinelError):
-    """Another process has the database; `running` reaches it."""
+    """Another process serves this database; `running` has its address."""
 
     def __init__(self, running: RunningInstance) -> None:
         super().__init__("already_running", url=running.url, pid=running.pid)
@@ -81,7 +80,7 @@ class AlreadyRunningError(PinelError):
 
 
 class InstanceLock:
-    """The lock of this process on a database; `release` it at the end."""
+    """The lock of this process on a database; call `release` at the end."""
 
     def __init__(self, database: Path) -> None:
         self._database = database
@@ -92,18 +91,18 @@ class InstanceLock:
 
     @classmethod
     def of_parent(cls, database: Path) -> "InstanceLock":
-        """For a process whose parent has the lock and keeps it: it only writes the file."""
+        """Returns an instance for a child of the process that holds the lock: it only writes the instance file."""
         instance = cls(database)
         instance._lock_is_parents = True
         return instance
 
     def acquire(self, wait_s: float = _STARTING_S) -> None:
-        """Takes the lock. In a folder that cannot be written, or is away, there is none, and no harm in going without.
+        """Acquires the lock. If the folder is missing or read-only, continues without a lock, which is harmless.
 
         Raises:
-            AlreadyRunningError: another process has it and answers.
-            PinelError: `instance_silent` when it has not answered after `wait_s`, `instance_unreachable` when it has
-                no file either.
+            AlreadyRunningError: another process has the lock and responds.
+            PinelError: `instance_silent` if the other process has not responded after `wait_s`;
+                `instance_unreachable` if it has no instance file either.
         """
         deadline = time.monotonic() + wait_s
         while not self._acquired():
@@ -112,10 +111,10 @@ class InstanceLock:
                 raise AlreadyRunningError(running)
             if time.monotonic() >= deadline:
                 raise self._no_response()
-            time.sleep(_POLL_S)  # the other one may be starting, or be about to end
+            time.sleep(_POLL_S)  # the other process may be starting or ending
 
     def announce(self, url: str, secret: str) -> None:
-        """Writes how to reach this process, readable by this user alone; goes without where that cannot be written."""
+        """Writes the instance file, readable by this user alone; continues without it if it cannot be written."""
         if not self._is_ours():
             return
         text = json.dumps({"url": url, "secret": secret, "pid": os.getpid()})
@@ -125,12 +124,12 @@ class InstanceLock:
             with os.fdopen(handle, "w", encoding="utf-8") as file:
                 file.write(text)
         except OSError:
-            self._remove_file()  # an empty one would say that there is an app that does not answer
+            self._remove_file()  # an empty file would mean an app that does not respond
 
     def release(self) -> None:
-        """Takes the file away and gives the lock back."""
+        """Removes the instance file and releases the lock."""
         if self._is_ours():
-            # a successor's file stays, when the parent died first
+            # if the parent died first, the file may already belong to a later instance
             if self._announced().get("pid") == os.getpid():
                 self._remove_file()
             if self._lock is not None:
@@ -146,10 +145,10 @@ class InstanceLock:
     def _acquired(self) -> bool:
         if is_location_missing(self._database):  # nothing is made where a stick is to be mounted
             return True
-        # the app behind a window, whose start the page waits for, takes no lock
+        # imported here, because the app behind a window needs no lock and must start fast
         from filelock import FileLock, Timeout  # noqa: PLC0415
 
-        # the thread that takes the lock need not be the one that announces the address
+        # not thread-local, because another thread may announce the address, which checks the lock
         lock = FileLock(str(self._lock_file), thread_local=False)
         try:
             self._file.parent.mkdir(0o700, parents=True, exist_ok=True)
@@ -162,14 +161,14 @@ class InstanceLock:
         return True
 
     def _try_folder_lock(self) -> bool:
-        """Locks the folder itself, where something that is no file has the name of the lock file."""
+        """Locks the folder itself, if the path of the lock file is no file, such as a folder."""
         if fcntl is None:
             return True
         self._lock = _FolderLock(self._file.parent)
         return self._lock.acquire()
 
     def _running(self) -> RunningInstance | None:
-        """The process that holds the lock, if its file can be read and its address answers."""
+        """Returns the process that holds the lock, if its file can be read and its address responds; else None."""
         announced = self._announced()
         try:
             running = RunningInstance(
@@ -194,7 +193,7 @@ class InstanceLock:
 
 
 class _FolderLock:
-    """A lock on a folder, with what `Instance` needs of a `FileLock`."""
+    """A lock on a folder, with the methods of `FileLock` that `InstanceLock` uses."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -205,7 +204,7 @@ class _FolderLock:
         return self._handle is not None
 
     def acquire(self) -> bool:
-        """False where another process has it. A folder that cannot be locked counts as locked."""
+        """Returns False if another process has the lock. If the folder cannot be locked at all, returns True."""
         try:
             self._handle = os.open(self._folder, os.O_RDONLY)
             fcntl.flock(self._handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -217,7 +216,7 @@ class _FolderLock:
         return True
 
     def release(self) -> None:
-        """Gives it back."""
+        """Releases the lock."""
         if self._handle is not None:
             os.close(self._handle)
             self._handle = None

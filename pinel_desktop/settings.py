@@ -1,8 +1,7 @@
-"""What a person chose for this PC: `SETTINGS` declares all of it, nothing else lists settings.
+"""Settings of this PC. `SETTINGS` declares all of them; no other module lists settings.
 
-They are in a file beside the database, because the page is served before the database is open, and cookies end with the
-window. The page comes with those that it reads (`web/page.py`), and sends them when somebody chooses
-(`PUT /api/settings/page`).
+The settings are in a file beside the database: the page is served before the database is open, and cookies end with
+the window. `web/page.py` sends the page its settings; the page sends changes (`PUT /api/settings/page`).
 """
 
 import contextlib
@@ -27,11 +26,11 @@ class Setting:
     """A setting, whose value is a text of letters, digits, "_" and "-".
 
     Attributes:
-        about: what it decides, for the page about the interface.
-        values: those that it may have besides the default; None for any text.
-        default: its value while nothing was chosen; "" leaves the choice to who reads it.
-        of_page: whether the page reads and chooses it.
-        in_database: where releases before 0.3 had it, as a setting of the database.
+        about: description of the setting, for the page about the interface.
+        values: allowed values besides the default; None for any text.
+        default: value as long as nobody has chosen one; "" leaves the choice to the reader of the setting.
+        of_page: whether the page reads and changes the setting.
+        in_database: name of the database setting in which releases before 0.3 stored it.
     """
 
     about: str
@@ -41,7 +40,7 @@ class Setting:
     in_database: str | None = None
 
     def allows(self, value: object) -> bool:
-        """Whether it may have a value."""
+        """Returns whether the setting may have this value."""
         if not isinstance(value, str) or len(value) > MAX_TEXT:
             return False
         if self.values is not None and value != self.default:
@@ -70,13 +69,13 @@ _MAX_BYTES = 2 * len(SETTINGS) * MAX_TEXT
 
 
 class Settings:
-    """Values by the names of `SETTINGS`, read when they are first needed.
+    """Values by the names of `SETTINGS`, read from the file on first use.
 
-    They hold until the app ends where the file cannot be written; of a file that anybody may have edited, what is no
-    setting is passed over.
+    If the file cannot be written, changes hold until the app ends. Anybody may have edited the file, so invalid entries
+    are skipped.
 
     Args:
-        file: None keeps them in memory only.
+        file: None stores the settings in memory only.
     """
 
     def __init__(self, file: Path | None = None) -> None:
@@ -86,7 +85,7 @@ class Settings:
 
     @classmethod
     def beside(cls, database: Path) -> "Settings":
-        """Those of the file beside a database."""
+        """Returns the settings in the file beside a database."""
         return cls(database.with_name(f"{database.name}.page.json"))
 
     def __getitem__(self, name: str) -> str:
@@ -94,21 +93,21 @@ class Settings:
 
     @property
     def chosen(self) -> Mapping[str, str]:
-        """Those that somebody chose."""
+        """The values that somebody has chosen."""
         with self._lock:
             return MappingProxyType(self._read())
 
     @property
     def language(self) -> str:
-        """Of page and messages."""
+        """Language of page and messages."""
         return self[LANGUAGE] or language_of_system()
 
     def of_page(self) -> dict[str, str]:
-        """Those that the page reads, all of them."""
+        """Returns all settings that the page reads, chosen or default."""
         return {name: self[name] for name, setting in SETTINGS.items() if setting.of_page}
 
     def choose(self, name: str, value: str) -> None:
-        """Keeps a value that the setting may have; "" forgets what was chosen."""
+        """Stores an allowed value of a setting; "" restores the default."""
         with self._lock:
             chosen = {key: old for key, old in self._read().items() if key != name}
             if value:
@@ -117,7 +116,7 @@ class Settings:
             self._write(chosen)
 
     def import_from_database(self, get: Callable[[str], object]) -> None:
-        """Takes over what releases before 0.3 had in the database, where nothing was chosen since."""
+        """Imports settings that releases before 0.3 stored in the database, unless they were chosen since."""
         for name, setting in SETTINGS.items():
             if setting.in_database is None or name in self.chosen:
                 continue

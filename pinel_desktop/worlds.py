@@ -1,4 +1,4 @@
-"""Worlds as the application meets them: a document that a group made is read, and its faults have words."""
+"""Reads and checks world documents that groups made; returns their faults with message codes."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -17,10 +17,11 @@ _MAX_RADIUS_M = max(robot.radius_m for robot in ROBOTS.values())
 def read_own_world(
     source: Any, *, robot: str | None = None
 ) -> tuple[dict[str, Any] | None, Sequence[Fault]]:
-    """A world document, as JSON text or as parsed data, in its normal form; or None, and its faults.
+    """Returns a world document in its normal form, or None and its faults.
 
     Args:
-        robot: which one must have room at the start; the largest by default, so that any has.
+        source: JSON text, or parsed data.
+        robot: the robot model that must fit at the start pose; by default the largest, so that every model fits.
 
     Raises:
         PinelError: `unknown_robot`.

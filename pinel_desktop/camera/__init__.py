@@ -1,1 +1,1 @@
-"""The camera: a process that sees signs, and the app's side of it."""
+"""The camera: a process that recognises signs, and the app's side of it."""

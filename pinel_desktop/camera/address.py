@@ -1,4 +1,4 @@
-"""What names a source of frames: the number of a webcam, or a path. Checked here without OpenCV."""
+"""The address of a frame source: the number of a webcam, or a path. Checks it without importing OpenCV."""
 
 from pathlib import Path
 
@@ -9,7 +9,7 @@ _MAX_DIGITS = 3
 
 
 def number_of(source: str) -> int | None:
-    """The number of a webcam, 0 is the first; None for a path. Raises PinelError `camera_missing` beyond 999."""
+    """Returns the number of a webcam, 0 is the first; None for a path. Raises PinelError `camera_missing` above 999."""
     if not source.isdecimal():
         return None
     if len(source) > _MAX_DIGITS:
@@ -18,11 +18,11 @@ def number_of(source: str) -> int | None:
 
 
 def path_of(source: str) -> Path:
-    """The file or folder of that path. Raises PinelError `camera_source_missing`."""
+    """Returns the file or folder with this path. Raises PinelError `camera_source_missing`."""
     path = Path(source)
     try:
         is_there = bool(source) and (path.is_file() or path.is_dir())
-    except OSError:  # a name that no file can have, or a folder that may not be entered
+    except OSError:  # an invalid file name, or a folder without permission to enter
         is_there = False
     if not is_there:
         raise PinelError("camera_source_missing", path=source)
@@ -30,7 +30,10 @@ def path_of(source: str) -> Path:
 
 
 def pictures_of(folder: Path) -> list[Path]:
-    """The pictures of a folder by their names. Raises PinelError `camera_folder_empty`, `camera_source_unreadable`."""
+    """Returns a folder's pictures, sorted by name.
+
+    Raises PinelError `camera_folder_empty`, `camera_source_unreadable`.
+    """
     try:
         files = sorted(file for file in folder.iterdir() if file.suffix.lower() in PICTURE_ENDINGS)
     except OSError as error:
@@ -43,7 +46,7 @@ def pictures_of(folder: Path) -> list[Path]:
 
 
 def check_address(source: str) -> None:
-    """Checks all that can be known without opening it. Raises PinelError as the functions above."""
+    """Checks an address as far as possible without opening the source. Raises PinelError as the functions above."""
     if number_of(source) is None:
         path = path_of(source)
         if path.is_dir():

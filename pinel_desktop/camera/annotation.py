@@ -1,4 +1,4 @@
-"""Draws what the camera recognises into its picture: a box around each hand, with its sign, as the original did."""
+"""Annotates a camera frame: a box around each hand, labelled with its sign, as in the original PINEL."""
 
 import unicodedata
 from collections.abc import Mapping, Sequence
@@ -11,14 +11,17 @@ from pinel_desktop.gestures.pictures import Picture
 
 _SURE, _UNSURE = (0, 160, 60), (230, 140, 0)  # RGB
 _WHITE, _INK = (255, 255, 255), (32, 32, 32)
-_MARGIN = 0.03  # of the picture's height, around the landmarks
+_MARGIN = 0.03  # around the landmarks, as a fraction of the picture's height
 _FONT, _SCALE, _THICKNESS = cv2.FONT_HERSHEY_SIMPLEX, 0.6, 2
 
 
 def annotated(picture: Picture, hands: Sequence[Mapping[str, Any]], caption: str = "") -> Picture:
-    """A copy with the hands drawn into it, as `camera_sight` tells of them: landmarks as fractions of the picture.
+    """Returns a copy of the picture with hands and caption drawn into it.
 
-    A sign that is sure has a green box, a doubtful one an orange box and a question mark.
+    A recognised sign has a green box; a rejected prediction has an orange box and a question mark.
+
+    Args:
+        hands: as in the event `camera_sight`: landmarks as fractions of the picture's width and height.
     """
     drawn = np.ascontiguousarray(picture)
     if drawn is picture:
@@ -31,7 +34,7 @@ def annotated(picture: Picture, hands: Sequence[Mapping[str, Any]], caption: str
 
 
 def _write(picture: Picture, caption: str) -> None:
-    """A line at the foot of the picture, as wide as that at most."""
+    """Writes one line at the bottom of the picture, shrunk to the picture's width if it is too long."""
     height, width = picture.shape[:2]
     text = _ascii(caption)
     (text_width, text_height), _ = cv2.getTextSize(text, _FONT, _SCALE, _THICKNESS)
@@ -56,5 +59,5 @@ def _draw(picture: Picture, hand: Mapping[str, Any]) -> None:
 
 
 def _ascii(text: str) -> str:
-    """OpenCV's letters have no accents."""
+    """Strips accents, which OpenCV's fonts cannot draw."""
     return unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode("ascii")

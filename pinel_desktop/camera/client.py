@@ -1,4 +1,4 @@
-"""The app's side of the camera: starts its process, knows its state, lets it answer the captures of a live run."""
+"""The app's client of the camera process: supervises it, tracks its state, answers captures of a live run."""
 
 import base64
 import contextlib
@@ -27,8 +27,10 @@ CameraMode = Literal["off", "opening", "on", "failed"]
 WireEvent = dict[str, Any]
 Taught = tuple[tuple[str, bytes, bytes], ...]
 
-IDLE_OFF_S = 20.0  # the camera stays on so long after its last use: the next capture finds it open
-# It answers probes between two frames; drivers and libraries may use the processor while it hangs.
+IDLE_OFF_S = 20.0  # idle timeout after the last use, so that the next capture finds the camera open
+
+# The process answers probes between two frames. Drivers and libraries may use the processor
+# while it hangs, so a busy process gets no longer timeout.
 _TIMEOUTS = HangTimeouts(hang_timeout_s=5.0, busy_timeout_s=5.0)
 _WATCHDOG_PERIOD_S = 0.5
 _PREVIEW_TIMEOUT_S = 5.0
@@ -36,24 +38,24 @@ _PREVIEW_TIMEOUT_S = 5.0
 
 @dataclass(frozen=True, slots=True)
 class CameraState:
-    """What the camera does; with `problem`, why it is of no use."""
+    """The mode of the camera and, if the camera is unusable, the reason as `problem`."""
 
     mode: CameraMode
     problem: PinelError | None = None
 
 
 class CameraClient:
-    """The camera as the app sees it; thread-safe. Its process starts with `start`, the camera itself with `switch_on`.
+    """Client of the camera process; thread-safe. `start` starts the process, `switch_on` the camera itself.
 
     Args:
-        source: as `camera.frames.open_reader` takes it.
-        publish: takes what the camera sees, as events.
+        source: address of the camera, as for `camera.frames.open_reader`.
+        publish: receives each detection result as an event.
         on_change: called with each new state.
-        answer: takes the id of a live run and what the camera saw for its capture; may raise PinelError when the run
-            has ended.
-        command: starts the process.
-        idle_off_s: how long the camera stays on after its last use.
-        timeouts: of a process that hangs, which is replaced.
+        answer: receives the id of a live run and the result of its capture. May raise PinelError if the run has
+            ended.
+        command: command line that starts the process.
+        idle_off_s: idle timeout after the last use of the camera, in s.
+        timeouts: after these timeouts a hung process is replaced.
     """
 
     def __init__(
@@ -104,7 +106,7 @@ class CameraClient:
         return self._process.pid
 
     def start(self) -> None:
-        """Starts the process, so that it is warm at the first capture; the camera stays off."""
+        """Starts the process, so that its networks are loaded before the first capture; the camera stays off."""
         with self._lock:
             if self._closing.is_set():
                 return
@@ -116,11 +118,11 @@ class CameraClient:
             self._process.start()
 
     def wait_until_ready(self, timeout_s: float) -> bool:
-        """Waits for the process, which `wake` starts; False when it is not ready after `timeout_s`."""
+        """Waits for the process, which `start` starts; False if it is not ready after `timeout_s`."""
         return self._process.wait_until_ready(timeout_s)
 
     def switch_on(self) -> None:
-        """Switches the camera on, or keeps it on for a while."""
+        """Switches the camera on, or restarts its idle timeout."""
         self.start()
         with self._lock:
             self._used_s = time.monotonic()
@@ -128,17 +130,17 @@ class CameraClient:
                 self._update_desired(source=self._source)
 
     def set_source(self, source: str) -> None:
-        """Looks through another camera from now on."""
+        """Replaces the camera by another one; a camera that is on is switched over at once."""
         with self._lock:
             self._source = source
             if self._desired.source is not None:
                 self._update_desired(source=source)
 
     def set_taught_signs(self, taught: Taught) -> None:
-        """Knows these signs besides the letters that ship, from now on.
+        """Replaces the taught signs; the shipped letters remain.
 
         Args:
-            taught: of each its name, hands at rest and movements, as the store keeps them.
+            taught: for each sign its name, hands at rest and movements, encoded as in the store.
         """
         with self._lock:
             if taught != self._taught:
@@ -153,11 +155,11 @@ class CameraClient:
         *,
         is_moving: bool = False,
     ) -> None:
-        """Records hands at rest, one for each frame, or movements; a recording that goes on is stopped.
+        """Records samples: hands at rest, one for each frame, or movements. Stops a recording in progress first.
 
         Args:
-            on_samples: called with all samples so far after each one, at last with `n_samples`.
-            on_stop: called when nothing was recorded for so long that it is given up.
+            on_samples: called after each sample with all samples so far; the last call has `n_samples`.
+            on_stop: called if the recording is stopped, or times out without a sample.
         """
         self.stop_recording()
         with self._lock:
@@ -166,7 +168,7 @@ class CameraClient:
         self.switch_on()
 
     def stop_recording(self) -> None:
-        """Gives up the recording that goes on, if there is one."""
+        """Stops the recording in progress, if there is one."""
         with self._lock:
             recording, self._recording = self._recording, None
             self._update_desired(record=None)
@@ -174,7 +176,7 @@ class CameraClient:
             recording.on_stop()
 
     def observe(self, event: WireEvent) -> None:
-        """To be called with every event of a live run: captures switch the camera on and are answered."""
+        """Handles every event of a live run: a capture switches the camera on and is answered."""
         kind, run = event["type"], event["run"]
         if kind == "capture_started":
             self.switch_on()
@@ -185,16 +187,18 @@ class CameraClient:
             self._end_capture()
 
     def previews(self, *, annotated: bool = False) -> Generator[bytes]:
-        """Mirrored JPEG pictures as they come, for one who watches; ends when none comes for a while.
+        """Yields mirrored JPEG pictures to one viewer; ends if none arrives for `_PREVIEW_TIMEOUT_S`.
 
         Args:
-            annotated: with the hands and their signs drawn into them; the page draws them itself.
+            annotated: yields pictures with hands and signs drawn into them. The page draws them itself and uses
+                False.
         """
         preview = self._annotated if annotated else self._preview
         flag = "annotated" if annotated else "preview"
         self.switch_on()
         try:
-            with self._lock:  # held while counting: one who leaves takes the picture from nobody
+            # count under the lock: another viewer's `leave` must not switch this preview off
+            with self._lock:
                 self._update_desired(**{flag: preview.enter()})
             for picture in preview.pictures(_PREVIEW_TIMEOUT_S):
                 self.switch_on()
@@ -204,7 +208,7 @@ class CameraClient:
                 self._update_desired(**{flag: preview.leave()})
 
     def caption(self, text: str) -> None:
-        """What stands in annotated pictures from now on; "" for nothing."""
+        """Sets the caption of annotated pictures; "" for none."""
         with self._lock:
             self._update_desired(caption=text)
 
@@ -223,7 +227,7 @@ class CameraClient:
             self._update_desired(capture=str(next(self._numbers)))
 
     def _hold(self, *, is_paused: bool) -> None:
-        """A paused run takes no answer of the camera."""
+        """Suspends the capture while the run is paused, and starts it again afterwards."""
         with self._lock:
             self._update_desired(capture=None if is_paused else str(next(self._numbers)))
 
@@ -233,14 +237,14 @@ class CameraClient:
             self._update_desired(capture=None)
 
     def _update_desired(self, **changes: Any) -> None:
-        """Tells the process what changed; called with the lock held."""
+        """Sends the desired state if it changed; the caller holds the lock."""
         desired = replace(self._desired, **changes)
         if desired != self._desired:
             self._desired = desired
             self._send_desired()
 
     def _send_all(self) -> None:
-        """A process that has just started knows nothing."""
+        """Sends the complete state to a process that has just started."""
         with self._lock:
             if self._taught:
                 self._send_taught()
@@ -288,7 +292,7 @@ class CameraClient:
         with self._lock:
             run = self._run
             if run is None or message["id"] != self._desired.capture:
-                return  # a person answered, or the run was paused, while the message was on its way
+                return  # a person answered, or the run was paused, while the message was in transit
             self._end_capture()
         capture = Capture(message["label"], message["by"], message["confidence"], message["second"])
         with contextlib.suppress(PinelError):  # the run has ended meanwhile
@@ -298,7 +302,7 @@ class CameraClient:
         with self._lock:
             recording = self._recording
             if recording is None or message["id"] != self._desired.record:
-                return  # it was stopped while the message was on its way
+                return  # the recording was stopped while the message was in transit
             samples = recording.add(base64.b64decode(message["hand"]))
             if recording.is_complete:
                 self._recording = None
@@ -311,14 +315,15 @@ class CameraClient:
 
     def _died(self) -> None:
         known = self._state.problem
-        if not (known and known.code == "camera_process_lost"):  # which holds until it works again
+        # `camera_process_lost` stays until the process works again
+        if not (known and known.code == "camera_process_lost"):
             self._change(CameraState("failed", PinelError("camera_process_died")))
 
     def _lost(self) -> None:
         self._change(CameraState("failed", PinelError("camera_process_lost")))
 
     def _watchdog_loop(self) -> None:
-        """Switches the camera off after its last use; gives up a recording without a hand."""
+        """Switches an idle camera off, and stops a recording that has timed out."""
         while not self._closing.wait(_WATCHDOG_PERIOD_S):
             with self._lock:
                 is_used = self._run is not None or self._recording is not None

@@ -1,4 +1,4 @@
-"""What the app wants of the camera process: each message says everything, so that none depends on another."""
+"""The desired state of the camera process. Each message has all of it, so no message depends on an earlier one."""
 
 from dataclasses import asdict, dataclass, fields
 from typing import Any
@@ -8,17 +8,17 @@ from pinel_desktop.processes.messages import Message
 
 @dataclass(frozen=True, slots=True)
 class DesiredState:
-    """What the process is to do from now on.
+    """Desired state of the camera process.
 
     Attributes:
-        source: the camera to look through, as `frames.open_reader` takes it; None switches it off.
-        mirror: whether pupils are to see themselves as in a mirror; signs are recognised alike.
-        capture: id of the run whose capture waits for a sign; None while none does.
-        preview: whether somebody watches the picture.
-        annotated: whether somebody watches it with the hands and their signs drawn into it.
-        caption: a line that stands in that picture.
-        record: id of the recording that waits for hands; None while none does.
-        record_moving: whether it waits for movements, not for hands at rest.
+        source: address of the camera, as for `frames.open_reader`; None switches the camera off.
+        mirror: whether the preview is mirrored; recognition does not depend on it.
+        capture: id of the capture that waits for a sign; None if no capture waits.
+        preview: whether the preview has a viewer.
+        annotated: whether the preview with hands and signs drawn into it has a viewer.
+        caption: a line of text in the annotated preview.
+        record: id of the sample recording in progress; None if there is none.
+        record_moving: whether this recording waits for movements, not for hands at rest.
     """
 
     source: str | None = None

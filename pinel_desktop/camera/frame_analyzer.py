@@ -1,4 +1,4 @@
-"""The signs in the frames of a camera, in their order."""
+"""Detects hands and signs in the frames of a camera, frame by frame."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -14,14 +14,14 @@ from pinel_desktop.gestures.recognition import RecognisedHand, Recogniser
 
 @dataclass(frozen=True, slots=True)
 class DetectedSign:
-    """A hand in a frame and what it shows.
+    """A detected hand and its predicted sign.
 
     Attributes:
         points: 21 landmarks (x, y) in px of the frame.
         handedness: which hand of the person it is.
-        features: the hand as numbers, (1748,).
-        prediction: the sign that it shows.
-        is_taught: whether the likeliest sign is one that the class taught.
+        features: feature vector of the hand, (1748,).
+        prediction: prediction of the classifier.
+        is_taught: whether the class taught the likeliest sign.
     """
 
     points: NDArray[np.float32]
@@ -32,7 +32,7 @@ class DetectedSign:
 
 
 class FrameAnalyzer:
-    """Looks at the frames of one camera."""
+    """Analyses the frames of one camera."""
 
     def __init__(self, recogniser: Recogniser) -> None:
         self._recogniser = recogniser
@@ -40,21 +40,25 @@ class FrameAnalyzer:
 
     @property
     def classifier(self) -> SignClassifier:
-        """Which signs it knows."""
+        """The classifier in use."""
         return self._recogniser.classifier
 
     def set_classifier(self, classifier: SignClassifier, taught: frozenset[str]) -> None:
-        """Knows other signs from now on, some of which a class taught."""
+        """Replaces the classifier.
+
+        Args:
+            taught: names of the signs in it that a class taught.
+        """
         self._recogniser.classifier, self._taught = classifier, taught
 
     def analyze(self, frame: RawFrame) -> list[DetectedSign]:
-        """The hands of the next frame, at most two."""
+        """Returns the hands of the next frame, at most two."""
         if frame.hands is not None:
             return [self._recorded(hand) for hand in frame.hands]
         return [self._found(hand) for hand in self._recogniser.track(frame.picture)]
 
     def reset(self) -> None:
-        """Forgets the hands that it follows: the next frame comes from elsewhere."""
+        """Resets hand tracking, because the next frame comes from another source."""
         self._recogniser.reset_tracking()
 
     def _recorded(self, hand: RecordedHand) -> DetectedSign:

@@ -1,4 +1,4 @@
-"""Where frames come from: a webcam, a video file, a folder of pictures, a recording of hands."""
+"""Frame readers: a webcam, a video file, a folder of pictures, a landmark sequence."""
 
 import time
 from collections.abc import Iterator
@@ -20,43 +20,43 @@ from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import MIN_SIDE, Picture, read_picture
 
 WIDTH, HEIGHT = 640, 480
-_PICTURE_S = 1.5  # how long a folder shows each picture
+_PICTURE_S = 1.5  # time for which a folder shows each picture
 _FRAMES_HZ = 15.0
-_MAX_SIDE = 1280  # px; larger frames cost time and show no more of a hand
+_MAX_SIDE = 1280  # px; larger frames cost time and improve no landmark
 _TO_RGB = {1: cv2.COLOR_GRAY2RGB, 3: cv2.COLOR_BGR2RGB, 4: cv2.COLOR_BGRA2RGB}
 
 
 @dataclass(frozen=True, slots=True)
 class RawFrame:
-    """What a camera gives at once: a picture (height, width, 3), RGB; of a recording also the hands in it."""
+    """A frame without time stamp: an RGB picture (height, width, 3); from a landmark sequence also its hands."""
 
     picture: Picture
     hands: tuple[RecordedHand, ...] | None = None
 
 
 class FrameReader(Protocol):
-    """Gives frames one after the other.
+    """Reads frames one after the other.
 
     Attributes:
-        is_live: whether it is a real camera, no two of whose frames are the same.
+        is_live: whether the frames come from a real camera. Noise makes all frames of a real camera different.
     """
 
     is_live: bool
 
     def read(self) -> RawFrame | None:
-        """The next frame; None when there is none just now. May block."""
+        """Returns the next frame, or None if none is available yet. May block."""
         ...
 
     def close(self) -> None:
-        """Gives the camera back."""
+        """Releases the camera."""
 
 
 def open_reader(source: str) -> FrameReader:
-    """Opens a source of frames.
+    """Opens a frame source.
 
     Args:
-        source: the number of a webcam ("0" is the first), or the path of a video file, of a folder of pictures, or of a
-            recording of hands (.npz).
+        source: the number of a webcam ("0" is the first), or a path. The path is a video file, a folder of pictures, or
+            a landmark sequence (.npz).
 
     Raises PinelError: `camera_missing`, `camera_busy`, `camera_source_missing`, `camera_source_unreadable`,
     `camera_folder_empty`.
@@ -82,7 +82,7 @@ class Webcam:
             raise PinelError(code, number=number + 1)
         self._device.set(cv2.CAP_PROP_FRAME_WIDTH, WIDTH)
         self._device.set(cv2.CAP_PROP_FRAME_HEIGHT, HEIGHT)
-        self._device.set(cv2.CAP_PROP_BUFFERSIZE, 1)  # a frame that waited shows the past
+        self._device.set(cv2.CAP_PROP_BUFFERSIZE, 1)  # buffered frames would be out of date
 
     def read(self) -> RawFrame | None:
         is_there, frame = self._device.read()
@@ -93,7 +93,7 @@ class Webcam:
 
 
 class VideoFile:
-    """A video at its own speed, again and again."""
+    """A video at its own frame rate, in a loop."""
 
     is_live = False
 
@@ -119,7 +119,7 @@ class VideoFile:
 
 
 class PictureFolder:
-    """The pictures of a folder by their names, each for a moment, again and again."""
+    """The pictures of a folder, sorted by name, each for `_PICTURE_S`, in a loop."""
 
     is_live = False
 
@@ -143,7 +143,7 @@ class PictureFolder:
 
 
 class LandmarkSequence:
-    """Hands that were recorded before, at 15 frames a second, again and again; the pictures are plain grey."""
+    """A recorded landmark sequence at 15 frames a second, in a loop; its pictures are plain grey."""
 
     is_live = False
 
@@ -165,7 +165,7 @@ def _raw_frame(picture: Picture | None) -> RawFrame | None:
 
 
 def _picture_or_none(file: Path) -> Picture | None:
-    """None for a file that is no picture, damaged, too large, or too narrow for a hand."""
+    """Reads a picture; None for a file that is no picture, damaged, too large, or too narrow for a hand."""
     try:
         return _reduced(read_picture(file))
     except PinelError:
@@ -173,10 +173,10 @@ def _picture_or_none(file: Path) -> Picture | None:
 
 
 def as_rgb(frame: object) -> Picture | None:
-    """A driver's frame as RGB, reduced to at most 1280 px a side; None for what is no picture.
+    """Converts a driver's frame to RGB, reduced to at most 1280 px a side; None for an invalid frame.
 
     Args:
-        frame: grey, BGR or BGRA, as OpenCV gives it.
+        frame: grey, BGR or BGRA, as OpenCV delivers it.
     """
     if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8 or frame.ndim not in (2, 3):
         return None
@@ -188,7 +188,7 @@ def as_rgb(frame: object) -> Picture | None:
 
 
 def _reduced(picture: Picture) -> Picture | None:
-    """The picture with at most 1280 px a side; None where the shorter side would be too short."""
+    """Reduces a picture to at most 1280 px a side; None if the shorter side becomes shorter than `MIN_SIDE`."""
     scale = min(1.0, _MAX_SIDE / max(picture.shape[:2]))
     if scale * min(picture.shape[:2]) < MIN_SIDE:
         return None
@@ -197,7 +197,10 @@ def _reduced(picture: Picture) -> Picture | None:
 
 
 def _wait_until(due_s: float) -> float:
-    """Waits for a moment of the monotonic clock; a reader that is late begins anew instead of catching up."""
+    """Waits until `due_s` of the monotonic clock; returns the later of `due_s` and now.
+
+    So a late reader continues at the normal rate, and does not read faster to catch up.
+    """
     now_s = time.monotonic()
     if due_s <= now_s:
         return now_s

@@ -1,4 +1,4 @@
-"""Inputs of a run without the app: a camera answers its captures, a list its questions."""
+"""Inputs of `pinel run --camera`, without the app: a camera answers the captures, a list the questions."""
 
 import threading
 from collections.abc import Callable, Iterable
@@ -12,8 +12,8 @@ from pinel_desktop.events.model import CaptureStarted, Event, GestureResult, Run
 from pinel_desktop.execution.inputs import Capture, PersonInput, ScriptedInputs
 
 _READY_S = 20.0
-_OPEN_S = 5.0  # a camera may take so long to open before the run begins without it
-# the camera that was named cannot be meant; one that is busy or dark may be of use later in the run
+_OPEN_S = 5.0  # timeout for opening the camera; then the run starts without it
+# These problems mean a wrong address. A busy or dark camera may still become usable during the run.
 WRONG_SOURCE = (
     "camera_missing",
     "camera_source_missing",
@@ -24,10 +24,10 @@ _OF_INTEREST = (CaptureStarted, GestureResult, RunState, RunEnded)
 
 
 class CameraInputs:
-    """Owns a camera process for one run. Use as a context manager.
+    """Supervises a camera process for one run. Use as a context manager.
 
     Args:
-        source: as `frames.open_reader` takes it.
+        source: address of the camera, as for `frames.open_reader`.
         answers: answers to questions, in order.
         on_change: called with each new state of the camera.
     """
@@ -44,7 +44,7 @@ class CameraInputs:
         self._is_tried = threading.Event()
 
     def attach(self, control: object) -> Callable[[int, Event], None]:
-        """Gives what must observe the run."""
+        """Returns the observer to which the run must report each event."""
         stamp = EventSequencer("run")
 
         def observe(tick: int, event: Event) -> None:
@@ -54,7 +54,11 @@ class CameraInputs:
         return observe
 
     def __enter__(self) -> "CameraInputs":
-        """Waits until signs can be recognised. Raises PinelError, one of `WRONG_SOURCE`, before anything moves."""
+        """Waits until signs can be recognised.
+
+        Raises:
+            PinelError: one of `WRONG_SOURCE`, before the robot moves.
+        """
         check_address(self._source)
         try:
             self._open()
@@ -80,10 +84,10 @@ class CameraInputs:
         if state.mode in ("on", "failed"):
             self._is_tried.set()
         if was_tried or not (state.problem and state.problem.code in WRONG_SOURCE):
-            self._on_change(self._as_typed(state))  # else it is raised
+            self._on_change(self._as_typed(state))  # else `_open` raises the problem
 
     def _as_typed(self, state: CameraState) -> CameraState:
-        """The state with the number as it was typed: the page counts cameras from 1, the option from 0."""
+        """Returns the state with the camera number as typed: the page counts from 1, the option from 0."""
         if state.problem and "number" in state.problem.params:
             return replace(state, problem=PinelError(state.problem.code, number=self._source))
         return state

@@ -1,6 +1,6 @@
-"""Recordings of hands: what the landmark network saw of a hand in each frame, without any picture.
+"""Landmark sequences: recorded output of the landmark network for each frame, without any picture.
 
-They stand in for a camera where there is none: in tests, and in the package's check of itself.
+They replace a camera in tests and in the package's self-check.
 """
 
 import io
@@ -21,11 +21,11 @@ _MAX_FRAMES = 10_000
 
 @dataclass(frozen=True, slots=True)
 class RecordedHand:
-    """A hand in a frame.
+    """A hand of one recorded frame.
 
     Attributes:
         points: 21 landmarks (x, y) in px of a frame of 640 x 480.
-        features: as `gestures.features` computes them, (1748,).
+        features: feature vector of `gestures.features`, (1748,).
         is_left: whether it is the person's left hand.
     """
 
@@ -35,7 +35,7 @@ class RecordedHand:
 
 
 def read_landmark_sequence(path: Path) -> list[tuple[RecordedHand, ...]]:
-    """The hands of each frame, one or none. Raises PinelError `camera_source_unreadable`."""
+    """Returns the hands of each frame, one or none. Raises PinelError `camera_source_unreadable`."""
     try:
         with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as archive:
             is_there, is_left = archive["is_there"], archive["is_left"]
@@ -58,7 +58,7 @@ def read_landmark_sequence(path: Path) -> list[tuple[RecordedHand, ...]]:
 
 
 def write_landmark_sequence(path: Path, frames: Sequence[RecordedHand | None]) -> None:
-    """Writes frames of one hand or none, in half precision."""
+    """Writes frames with one hand or none, in half precision."""
     nobody = RecordedHand(np.zeros((21, 2), np.float32), np.zeros(N_FEATURES, np.float32), False)
     hands = [hand or nobody for hand in frames]
     np.savez_compressed(

@@ -1,11 +1,11 @@
-"""The pictures that the camera process sends, for all who watch."""
+"""Distributes the preview pictures of the camera process to all viewers."""
 
 import threading
 from collections.abc import Iterator
 
 
 class Preview:
-    """The newest picture and who waits for the next one."""
+    """The newest picture, and the number of viewers that wait for the next one."""
 
     def __init__(self, closing: threading.Event) -> None:
         self._closing = closing
@@ -13,13 +13,13 @@ class Preview:
         self._picture, self._number, self._n_watching = b"", 0, 0
 
     def enter(self) -> bool:
-        """Somebody begins to watch; returns whether anybody does."""
+        """Adds a viewer; returns whether there is any viewer, always True."""
         with self._changed:
             self._n_watching += 1
             return True
 
     def leave(self) -> bool:
-        """Somebody has watched enough; returns whether anybody still watches."""
+        """Removes a viewer; returns whether any viewer remains."""
         with self._changed:
             self._n_watching -= 1
             return self._n_watching > 0
@@ -30,19 +30,22 @@ class Preview:
             self._changed.notify_all()
 
     def notify_closing(self) -> None:
-        """Lets all who wait see that the app ends."""
+        """Wakes all waiting viewers, so that they end with the app."""
         with self._changed:
             self._changed.notify_all()
 
     def pictures(self, timeout_s: float) -> Iterator[bytes]:
-        """Each new picture, until none comes for `timeout_s` or the app ends."""
+        """Yields each new picture until none arrives for `timeout_s` or the app ends."""
         number, picture = self._next(self._number, timeout_s)
         while picture is not None:
             yield picture
             number, picture = self._next(number, timeout_s)
 
     def _next(self, last_number: int, timeout_s: float) -> tuple[int, bytes | None]:
-        """The picture after the one of that number, and its own number; None where there is none."""
+        """Waits for a newer picture than `last_number`; returns its number and the picture.
+
+        On a timeout, and when the app ends, the picture is None.
+        """
         with self._changed:
             self._changed.wait_for(
                 lambda: self._number != last_number or self._closing.is_set(), timeout_s

@@ -1,4 +1,4 @@
-"""The recording of hands from which a sign is to be learnt, on the app's side."""
+"""Recording of the samples that train a taught sign, on the app's side."""
 
 import time
 from collections.abc import Callable
@@ -10,9 +10,9 @@ class SampleRecording:
     """Collects samples until there are enough.
 
     Args:
-        n_samples: how many are wanted.
-        on_samples: as in `Camera.record`.
-        on_stop: as in `Camera.record`.
+        n_samples: number of samples to record.
+        on_samples: as in `CameraClient.record`.
+        on_stop: as in `CameraClient.record`.
     """
 
     def __init__(
@@ -32,11 +32,11 @@ class SampleRecording:
 
     @property
     def is_given_up(self) -> bool:
-        """Nothing was recorded for too long."""
+        """True if no sample was added for `_TIMEOUT_S`."""
         return time.monotonic() - self._added_s > _TIMEOUT_S
 
     def add(self, sample: bytes) -> tuple[bytes, ...]:
-        """Adds one; returns all."""
+        """Adds a sample; returns all samples."""
         self._samples = (*self._samples, sample)
         self._added_s = time.monotonic()
         return self._samples

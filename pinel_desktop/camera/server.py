@@ -1,4 +1,4 @@
-"""The camera process: reads messages, looks at frames while the camera is on, writes what it saw."""
+"""The camera process: reads messages, analyses frames while the camera is on, writes the detection results."""
 
 import base64
 import logging
@@ -32,12 +32,12 @@ _PREVIEW_SIDE = 480  # px, of the longer side
 _JPEG_QUALITY = 70
 _IDLE_S = 0.1
 _MOVING_SIGN_REPEAT_S = (
-    1.2  # so long a sign that moved is told: an event may be lost, and people look up late
+    1.2  # repeats the last moving sign: events are lossy, and readers of the screen are slow
 )
 
 
 class CameraServer:
-    """Does what the messages of one pipe want and writes what the camera sees to another, until the first one ends."""
+    """Reads messages from one pipe and writes detection results to another, until the first pipe ends."""
 
     def __init__(
         self,
@@ -51,7 +51,7 @@ class CameraServer:
         self._orders: queue.SimpleQueue[Message] = queue.SimpleQueue()
 
     def serve(self) -> None:
-        """Works until the messages end."""
+        """Serves until the input pipe ends."""
         worker = threading.Thread(target=self._work_or_die, name="camera-worker")
         worker.start()
         for message in read_messages(self._messages):
@@ -60,7 +60,7 @@ class CameraServer:
         worker.join()
 
     def _work_or_die(self) -> None:
-        """A process whose worker failed must not live on in silence; the app starts another one."""
+        """Runs the worker. If it fails, exits the process, so that the app starts a new one."""
         try:
             self._work()
         except Exception:
@@ -69,7 +69,7 @@ class CameraServer:
 
     def _work(self) -> None:
         try:
-            analyzer = self._make_analyzer()  # loads the networks: warm before the first capture
+            analyzer = self._make_analyzer()  # loads the networks before the first capture
         except PinelError as error:
             self._refuse(error)
             return
@@ -85,14 +85,14 @@ class CameraServer:
         session.apply(DesiredState())
 
     def _refuse(self, error: PinelError) -> None:
-        """Answers every order with the reason why nothing can be recognised."""
+        """Answers every message with the error that prevents recognition."""
         self._send(_state("failed", error))
         self._send({"type": "camera_ready"})
         while (order := self._orders.get()) is not _END:
             self._send(PONG if order == PING else _state("failed", error))
 
     def _next_order(self, session: "_Session") -> Message | None:
-        """The next order; None where none has come while the camera is on."""
+        """Returns the next message. While the camera is on, does not wait and returns None if there is none."""
         try:
             return self._orders.get(block=not session.is_on)
         except queue.Empty:
@@ -106,7 +106,7 @@ class CameraServer:
 
 
 class _Session:
-    """The camera as the app wants it: on or off, looking for the answer of a capture or not."""
+    """Brings the camera into the desired state, and analyses its frames."""
 
     def __init__(
         self,
@@ -130,14 +130,14 @@ class _Session:
         return self._source is not None
 
     def handle(self, order: Message) -> None:
-        """Does what a message says."""
+        """Handles a message: new taught signs, or a new desired state."""
         if order["type"] == "signs":
             self._trainer.train(order["signs"])
         else:
             self.apply(DesiredState.of(order))
 
     def apply(self, desired: DesiredState) -> None:
-        """Does what is wanted from now on."""
+        """Applies a new desired state."""
         if desired.source != self._desired.source:
             self._change_source(desired.source)
         if desired.capture != self._desired.capture:
@@ -148,7 +148,7 @@ class _Session:
         self._desired = desired
 
     def poll_frame(self) -> None:
-        """Looks at the next frame, if there is one soon."""
+        """Analyses the next frame, if one arrives within `_IDLE_S`."""
         if self._source is None:
             return
         frame = self._source.next_frame(self._last_frame_s, _IDLE_S)
@@ -236,7 +236,7 @@ class _Session:
             self._send({"type": "annotated", "jpeg": _base64(shown)})
 
     def _shown(self, picture: Picture) -> Picture:
-        """The picture as people see it: small, and as in a mirror."""
+        """Returns the picture for the preview: at most `_PREVIEW_SIDE` px a side, mirrored if desired."""
         scale = min(1.0, _PREVIEW_SIDE / max(picture.shape[:2]))
         small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
         return np.asarray(small[:, ::-1] if self._desired.mirror else small, np.uint8)
@@ -257,7 +257,10 @@ def _handle(session: _Session, order: Message) -> None:
 def _frame_prediction(
     frame: StampedFrame, hands: list[DetectedSign]
 ) -> tuple[FramePrediction, bool]:
-    """What the frame says, nothing where two hands show different signs; and whether the hand is a left one."""
+    """Returns the frame's prediction, and whether the hand is a left hand.
+
+    If two hands show different signs, the prediction has no label.
+    """
     if not hands:
         return FramePrediction(frame.time_s, None), False
     sure = [hand for hand in hands if hand.prediction.sign is not None]
@@ -271,7 +274,11 @@ def _frame_prediction(
 
 
 def _as_message(hand: DetectedSign, width: int, height: int, *, mirror: bool) -> dict[str, Any]:
-    """Landmarks as fractions of the picture's width and height, mirrored as the preview is."""
+    """Returns the hand as a message, its landmarks as fractions of the picture's width and height.
+
+    Args:
+        mirror: mirrors the landmarks, as the preview.
+    """
     points = hand.points / np.array([width, height], np.float32)
     if mirror:
         points[:, 0] = 1.0 - points[:, 0]
@@ -286,7 +293,7 @@ def _as_message(hand: DetectedSign, width: int, height: int, *, mirror: bool) ->
 
 
 def _base64(shown: Picture) -> str:
-    """The picture as JPEG."""
+    """Returns the picture as JPEG in base64."""
     picture = cv2.cvtColor(shown, cv2.COLOR_RGB2BGR)
     _, jpeg = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, _JPEG_QUALITY])
     return base64.b64encode(jpeg.tobytes()).decode("ascii")

@@ -1,4 +1,4 @@
-"""What a class taught, learnt beside the frames, and the frames and movements from which it is to learn."""
+"""Trains the classifiers on the signs that a class taught, and collects the samples for this training."""
 
 import base64
 import logging
@@ -18,14 +18,14 @@ from pinel_desktop.gestures.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.stability import is_still
 
 _log = logging.getLogger(__name__)
-_SAMPLE_S = 0.12  # frames that follow each other at once show the same
+_SAMPLE_S = 0.12  # minimum interval, because consecutive frames are nearly the same
 _SAMPLE_DTYPE = np.dtype("<f2")
 _MAX_FLOAT16 = float(np.finfo(np.float16).max)
 
 
 @dataclass(frozen=True, slots=True)
 class TrainedSigns:
-    """A classifier, the names of the signs in it that a class taught, and the signs that move."""
+    """The trained classifiers of signs at rest and moving signs, and the names of the taught signs at rest."""
 
     classifier: SignClassifier
     taught: frozenset[str] = frozenset()
@@ -33,7 +33,7 @@ class TrainedSigns:
 
 
 class SignTrainer:
-    """Teaches a classifier on a thread of its own, so that frames go on meanwhile."""
+    """Trains the classifiers on a thread of its own, so that frame analysis continues meanwhile."""
 
     def __init__(self, classifier: SignClassifier) -> None:
         self._letters = classifier
@@ -44,14 +44,14 @@ class SignTrainer:
 
     @property
     def is_busy(self) -> bool:
-        """Whether something is to be taken soon: what is recognised until then is not what the class means."""
+        """Whether training is in progress; predictions of the old classifier must not answer captures meanwhile."""
         return self._is_busy
 
     def train(self, signs: Sequence[dict[str, Any]]) -> None:
-        """Begins with the letters that ship and these signs.
+        """Starts training on the shipped letters and these signs.
 
         Args:
-            signs: of each `sign`, and `samples` and `movements`, base64 of float16 (n, 1748).
+            signs: for each sign its name as `sign`; `samples` and `movements` as base64 of float16 (n, 1748).
         """
         with self._lock:
             self._n_started += 1
@@ -62,7 +62,7 @@ class SignTrainer:
         ).start()
 
     def pop_result(self) -> TrainedSigns | None:
-        """What was learnt since it was asked last; None for nothing."""
+        """Returns the result of a training that ended since the last call, else None."""
         with self._lock:
             trained, self._trained = self._trained, None
             self._is_busy = self._is_busy and trained is None
@@ -75,7 +75,7 @@ class SignTrainer:
             _log.exception("signs cannot be learnt")
             trained = TrainedSigns(self._letters)
         with self._lock:
-            if number == self._n_started:  # else it is another class's turn already
+            if number == self._n_started:  # else a newer training has started
                 self._trained = trained
 
     def _taught(self, signs: Sequence[dict[str, Any]]) -> TrainedSigns:
@@ -87,12 +87,12 @@ class SignTrainer:
         if not names:
             return TrainedSigns(self._letters, moving=known)
         classifier = self._letters.with_samples(Samples(np.concatenate(samples), tuple(names)))
-        classifier.predict(np.zeros(N_FEATURES, np.float32))  # derives what is derived once
+        classifier.predict(np.zeros(N_FEATURES, np.float32))  # fills caches on this thread
         return TrainedSigns(classifier, frozenset(names), known)
 
 
 class SampleCollector:
-    """Chooses frames from which a sign is to be learnt: one hand, at rest, each a moment after the one before."""
+    """Selects frames as training samples: exactly one hand, at rest, `_SAMPLE_S` or more after the last sample."""
 
     def __init__(self) -> None:
         self.reset()
@@ -103,7 +103,7 @@ class SampleCollector:
         self._last_frame_s = self._last_sample_s = float("-inf")
 
     def update(self, time_s: float, hands: Sequence[DetectedSign]) -> str | None:
-        """The hand of a good frame, packed as messages carry it; None for another frame."""
+        """Returns the hand of a suitable frame, packed for messages; None for an unsuitable frame."""
         before, elapsed_s = self._points, time_s - self._last_frame_s
         self._points, self._last_frame_s = (hands[0].points if len(hands) == 1 else None), time_s
         if self._points is None or before is None or not is_still(before, self._points, elapsed_s):
@@ -116,7 +116,7 @@ class SampleCollector:
 
 
 class MovementCollector:
-    """Cuts out the movements from which a sign is to be learnt: of one hand, from rest to rest."""
+    """Segments movements as training samples: exactly one hand, from rest to rest."""
 
     def __init__(self) -> None:
         self._segmenter = MovementSegmenter()
@@ -126,7 +126,7 @@ class MovementCollector:
         self._segmenter.reset()
 
     def update(self, time_s: float, hands: Sequence[DetectedSign]) -> str | None:
-        """The movement that ends with this frame, packed as messages carry it; None without one."""
+        """Returns the movement that ends with this frame, packed for messages; None if none ends."""
         if len(hands) != 1:
             self._segmenter.reset() if hands else None
             return None
@@ -138,7 +138,7 @@ class MovementCollector:
 
 
 def pack(numbers: NDArray[np.float32]) -> str | None:
-    """Numbers of a sample as messages carry them; None for what half precision cannot hold."""
+    """Packs the numbers of a sample for messages; None if a number exceeds half precision."""
     if not (np.abs(numbers) <= _MAX_FLOAT16).all():
         return None
     return base64.b64encode(numbers.astype(_SAMPLE_DTYPE).tobytes()).decode("ascii")

@@ -1,4 +1,4 @@
-"""An opened camera: its newest frame, and what is wrong with it. The reading blocks, so it has a thread of its own."""
+"""An open camera: its newest frame and its problem. Reading blocks, so it has a thread of its own."""
 
 import logging
 import threading
@@ -14,10 +14,10 @@ from pinel_desktop.gestures.pictures import Picture
 
 _log = logging.getLogger(__name__)
 
-NO_FRAME_S = 2.0  # without a frame for so long the camera is gone or hangs
-SAME_FRAME_S = 3.0  # a real camera's noise makes every frame another one
+NO_FRAME_S = 2.0  # timeout without a frame: the camera is disconnected or hangs
+SAME_FRAME_S = 3.0  # timeout with equal frames: noise makes the frames of a working camera differ
 _RETRY_S = 1.0
-_BLACK, _DARK = 8.0, 40.0  # mean brightness of 255
+_BLACK, _DARK = 8.0, 40.0  # mean brightness, 0 to 255
 _CHECK_S = 0.5
 
 OpenReader = Callable[[str], FrameReader]
@@ -25,17 +25,17 @@ OpenReader = Callable[[str], FrameReader]
 
 @dataclass(frozen=True, slots=True)
 class StampedFrame:
-    """What the camera gave, and when, by the monotonic clock."""
+    """A frame and its arrival time on the monotonic clock, in s."""
 
     raw: RawFrame
     time_s: float
 
 
 class CameraSource:
-    """Keeps a camera open: reads on a thread, opens it again when it was unplugged; thread-safe.
+    """Reads a camera on a thread, and opens it again after it was unplugged; thread-safe.
 
     Args:
-        address: as `open_reader` takes it.
+        address: as for `camera.frames.open_reader`.
         open_reader: opens the camera; may take seconds.
     """
 
@@ -52,14 +52,14 @@ class CameraSource:
         threading.Thread(target=self._read, name="camera-reader", daemon=True).start()
 
     def next_frame(self, after_s: float, timeout_s: float) -> StampedFrame | None:
-        """The newest frame if it is later than `after_s`; waits for one up to `timeout_s`, else None."""
+        """Waits up to `timeout_s` for a frame later than `after_s`; returns the newest frame, or None on timeout."""
         with self._changed:
             self._changed.wait_for(lambda: self._is_newer(after_s), timeout_s)
             return self._frame if self._is_newer(after_s) else None
 
     @property
     def problem(self) -> PinelError | None:
-        """What keeps the camera from being of use; None when all is well or it is being opened."""
+        """The reason why the camera is unusable; None if it works or is being opened."""
         with self._changed:
             last_s = self._frame.time_s if self._frame else self._opened_s
             if self._problem:
@@ -70,12 +70,12 @@ class CameraSource:
 
     @property
     def is_open(self) -> bool:
-        """Whether frames have come since it was last opened."""
+        """Whether the camera is open and at least one frame has arrived."""
         with self._changed:
             return self._is_open and self._frame is not None
 
     def close(self) -> None:
-        """Gives the camera back as soon as the driver lets go of the reading thread; does not wait for it."""
+        """Releases the camera once the driver returns from the current read; does not wait."""
         self._closing.set()
 
     def _is_newer(self, after_s: float) -> bool:
@@ -91,7 +91,7 @@ class CameraSource:
                     reader.close()
             except PinelError as error:
                 self._try_again_after(error)
-            except Exception:  # whatever a driver comes up with: the camera may be of use later
+            except Exception:  # drivers raise anything; the camera may become usable later
                 _log.exception("the camera %s cannot be read", self.address)
                 self._try_again_after(PinelError("camera_no_picture"))
 
@@ -114,7 +114,7 @@ class CameraSource:
                 self._set_problem(PinelError("camera_no_picture"))
                 return
             else:
-                self._closing.wait(0.02)  # a reader that has nothing must not keep the PC busy
+                self._closing.wait(0.02)  # without a frame, do not use the whole processor
 
     def _set_frame(self, frame: StampedFrame) -> None:
         problem = self._quality_monitor.problem(frame)
@@ -128,7 +128,7 @@ class CameraSource:
 
 
 class _ImageQualityMonitor:
-    """Says what is wrong with the pictures: black, too dark, always the same. Looks twice a second."""
+    """Detects black, dark and frozen pictures. Checks twice a second."""
 
     def __init__(self, *, is_live: bool) -> None:
         self._is_live = is_live

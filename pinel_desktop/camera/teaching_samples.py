@@ -1,4 +1,4 @@
-"""Samples of a sign to teach without the app: from pictures, or through a camera as the app takes them."""
+"""Training samples for `pinel gestures teach`, without the app: from pictures, or from a camera."""
 
 import base64
 import time
@@ -16,13 +16,13 @@ _FRAME_S = 0.5
 
 
 def sample_of_picture(recogniser: Recogniser, path: Path, aspect: float | None) -> bytes:
-    """The one hand of a picture, as the store keeps it.
+    """Returns the only hand of a picture, encoded as in the store.
 
     Args:
-        aspect: width by height of the picture before it was stretched; None if it was not.
+        aspect: width divided by height of the picture before it was stretched; None if it was not stretched.
 
     Raises:
-        PinelError: of a picture that cannot be read; `teach_hand_missing` where it shows no hand, or two.
+        PinelError: the picture cannot be read; `teach_hand_missing` if it shows no hand, or two.
     """
     hands = recogniser.read(read_picture(path, aspect))
     packed = pack(hands[0].features) if len(hands) == 1 else None
@@ -32,14 +32,14 @@ def sample_of_picture(recogniser: Recogniser, path: Path, aspect: float | None) 
 
 
 def samples_of_camera(source: str, n_samples: int, *, is_moving: bool) -> list[bytes]:
-    """Hands at rest, or movements, as the store keeps them; takes as long as a person needs to show them.
+    """Records hands at rest, or movements, encoded as in the store. Blocks until a person has shown all of them.
 
     Args:
-        source: as `camera.frames.open_reader` takes it.
+        source: address of the camera, as for `camera.frames.open_reader`.
 
     Raises:
-        PinelError: what is wrong with the camera; `sign_recording_stopped` or `movement_recording_stopped` where
-            nothing was seen for too long.
+        PinelError: the camera's problem; `sign_recording_stopped` or `movement_recording_stopped` after `_TIMEOUT_S`
+            without a sample.
     """
     analyzer = FrameAnalyzer(Recogniser())
     collector = MovementCollector() if is_moving else SampleCollector()

@@ -1,9 +1,14 @@
 """`pinel app`: the process with web server, store and engine client, started by the window's process.
 
-Both exchange JSON lines over pipes. The window sends `{"do": "start"}` once it holds the lock on the database, and
-`{"do": "address"}` for each further address. The app sends `{"type": "address", "address": ...}` (the first one
-without a request), `{"type": "ready", "language": ...}` when it has started, `{"type": "show"}` when a second start
-asks to bring the window forward, or `{"type": "failed", "code": ..., "params": ...}`. It exits at the end of its input.
+Both exchange JSON lines over pipes. The window sends `{"do": "start"}` once it has the lock on the database, and
+`{"do": "address"}` for each further address. The app sends:
+
+- `{"type": "address", "address": ...}`, the first one without a request;
+- `{"type": "ready", "language": ...}` when it has started;
+- `{"type": "show"}` when a second start requests to bring the window forward;
+- `{"type": "failed", "code": ..., "params": ...}` if it cannot start.
+
+The app exits at the end of its input.
 """
 
 import contextlib
@@ -39,11 +44,11 @@ _ENGINE_AFTER_S = 1.0
 @click.option("--camera")
 def command(db: str, camera: str | None) -> None:
     """Run the app for a window: messages on standard input and output."""
-    # Ctrl+C in a terminal reaches the whole process group; the window ends the app by closing its pipe.
+    # Ctrl+C in a terminal reaches the whole process group; the window ends the app by its pipe.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # The end of the desktop session sends SIGTERM to all processes: exit in order, as at the end of the pipe.
+    # The end of the desktop session sends SIGTERM to all processes: exit as at the end of the pipe.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit())
-    # Standard output goes to standard error, so that prints of libraries do not corrupt the messages.
+    # Standard output goes to standard error: prints of libraries must not corrupt the messages.
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     with answers:
@@ -55,7 +60,7 @@ def _serve(
 ) -> None:
     if next(messages, None) != {"do": "start"}:
         return
-    # the server first: the window loads the page while the rest is being imported
+    # server first, so that the window loads the page during the other imports
     with _loading():
         database = database_path(db)
         server = EarlyServer(settings=Settings.beside(database))
@@ -124,7 +129,7 @@ def _messages(lines: TextIO) -> Iterator[Message]:
 
 
 def _sender(answers: TextIO) -> Callable[..., None]:
-    lock = threading.Lock()  # `show` comes on a thread of the server
+    lock = threading.Lock()  # `show` is sent by a thread of the server
 
     def send(**message: Any) -> None:
         with lock:
@@ -132,6 +137,6 @@ def _sender(answers: TextIO) -> Callable[..., None]:
                 answers.write(json.dumps(message, ensure_ascii=False, default=str) + "\n")
                 answers.flush()
             except OSError:
-                pass  # the window's process has ended; so will the input
+                pass  # the window's process has ended, so the input ends too
 
     return send

@@ -73,7 +73,7 @@ def _print_error(error: PinelError, language: str) -> None:
 def _checked(
     activity: Activity, files: tuple[str, ...], processes: int | None
 ) -> tuple[list[Report], bool]:
-    """The reports in the order of the files, and whether they are complete. Prints progress on standard error."""
+    """Returns the reports in the order of the files, and whether they are complete. Prints the progress to stderr."""
     reports: dict[int, Report] = {}
     with click.progressbar(length=len(files), file=sys.stderr) as progress:
         try:
@@ -81,7 +81,7 @@ def _checked(
                 reports[i] = report
                 progress.update(1)
         except KeyboardInterrupt:
-            pass  # the reports that are ready are printed
+            pass  # the finished reports are still printed
     return [reports[i] for i in sorted(reports)], len(reports) == len(files)
 
 
@@ -104,7 +104,7 @@ def _in_language(advice: dict[str, Any], language: str) -> dict[str, Any]:
 
 
 def _lines(report: Report, language: str) -> list[str]:
-    """The report of one program as text: only the checks that fail."""
+    """Returns the report of one program as lines of text, with failed checks only."""
     lines = [f"{'+' if report.passed else '-'} {report.program}"]
     for fault in report.faults[:_MAX_FAULTS]:
         place = location_of(fault.pointer, fault.params, language)

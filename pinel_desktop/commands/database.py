@@ -13,7 +13,7 @@ from storage.text import name_key
 
 
 class Named(Protocol):
-    """A row that a person names."""
+    """A row with a name given by a person."""
 
     @property
     def id(self) -> str: ...
@@ -23,7 +23,7 @@ class Named(Protocol):
 
 @contextmanager
 def opened_for_reading(path: Path) -> Iterator[Store]:
-    """The store of an existing file, read-only."""
+    """Opens the store of an existing file, read-only."""
     with _failures():
         require_location(path)
         _require(path)
@@ -33,7 +33,7 @@ def opened_for_reading(path: Path) -> Iterator[Store]:
 
 @contextmanager
 def opened_store(path: Path, *, may_be_new: bool) -> Iterator[Store]:
-    """The store of a sound file. Refuses a damaged one, which only the app repairs.
+    """Opens the store of an intact file. Refuses a damaged file, because only the app repairs files.
 
     Args:
         may_be_new: create the file if it does not exist.
@@ -49,7 +49,7 @@ def opened_store(path: Path, *, may_be_new: bool) -> Iterator[Store]:
 
 
 def key_of(name_or_key: str, rows: Sequence[Named]) -> str:
-    """The key of the one row of that name or key. Raises PinelError `export_unknown`, `export_ambiguous`."""
+    """Returns the key of the only row with this name or key. Raises PinelError `export_unknown`, `export_ambiguous`."""
     ids = [
         row.id
         for row in rows
@@ -75,7 +75,10 @@ def _has_content(path: Path) -> bool:
 
 
 def require_location(path: Path) -> None:
-    """Raises PinelError `database_place_missing`: a stick that is away is no reason to begin another file there."""
+    """Raises PinelError `database_place_missing` if the folder of a known database is missing.
+
+    Otherwise a missing USB stick would lead to a new, empty file.
+    """
     if is_location_missing(path):
         raise PinelError("database_place_missing", path=str(path), folder=str(path.parent))
 

@@ -18,7 +18,7 @@ _COLOURS: dict[Level, str] = {"ok": "green", "warn": "yellow", "fail": "red"}
 @database_option
 @click.pass_context
 def command(ctx: click.Context, as_json: bool) -> None:
-    """Diagnose this PC: what PINEL needs, and what is missing.
+    """Diagnose this PC: report the requirements of PINEL, and which of them are missing.
 
     Exit status: 0 if PINEL can work here, 1 if something necessary is missing.
     """

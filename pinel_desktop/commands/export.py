@@ -82,7 +82,7 @@ def _scope(store: Store, *, classroom: str | None, group: str | None, program: s
 
 
 def _computer(store: Store) -> tuple[str, str]:
-    """Key and name of this PC; placeholders if the database cannot store them."""
+    """Returns key and name of this PC; placeholders if the database cannot store them."""
     try:
         return store.computers.this()
     except StoreError:
@@ -106,7 +106,7 @@ def _as_text(info: BundleInfo) -> str:
 
 
 def _print_left_out(info: BundleInfo) -> None:
-    """On standard error, as what the file lacks must not be lost among what it has."""
+    """Prints on standard error, apart from the result, which rows the file lacks."""
     if info.left_out:
         missing = describe("export_left_out", info.left_out_params, language_of_system())
         click.echo(missing.line, err=True)

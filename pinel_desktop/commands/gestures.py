@@ -1,4 +1,4 @@
-"""`pinel gestures`: letters of Libras in pictures; how well they are recognised; learning them."""
+"""`pinel gestures`: classifies letters of LIBRAS in pictures, evaluates and trains the classifier, teaches signs."""
 
 import json
 import re
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _UNUSABLE = 2
 _FOLDER = click.Path(path_type=Path, file_okay=False)
 _FILE = click.Path(path_type=Path, dir_okay=False)
-# whatever else is there is told when its turn comes, so that it does not keep the others from being read
+# Click must not check the files: an unreadable file is reported in its turn, the others are read.
 _IMAGE = click.Path(path_type=Path, readable=False)
 _recordings_option = click.option(
     "--recordings",
@@ -65,11 +65,11 @@ def command() -> None:
 )
 @click.pass_context
 def classify(ctx: click.Context, images: tuple[Path, ...], aspect: float | None) -> None:
-    """Say which letter a hand shows in each picture, one JSON object a line.
+    """Classify the letter that a hand shows in each picture; print one JSON object per line.
 
-    `letter` is null when it is not sure, `best` whatever the confidence, or null without a hand. `box` is left, top,
-    right, bottom in pixels of the picture as it is without stretch; `handedness` counts for a picture that is not
-    mirrored. Exit status: 0 all were read, 2 one could not be.
+    `letter` is null if the prediction is rejected. `best` is the likeliest letter at any confidence, null without a
+    hand. `box` is left, top, right, bottom in pixels of the unstretched picture. `handedness` is right for a picture
+    that is not mirrored. Exit status: 0 all pictures were read, 2 at least one could not be read.
     """
     with _exit_on_error():
         from pinel_desktop.gestures.recognition import Recogniser  # noqa: PLC0415 - slow to import
@@ -102,10 +102,10 @@ def classify(ctx: click.Context, images: tuple[Path, ...], aspect: float | None)
 def evaluate(
     folder: Path, table: Path | None, sequences: bool, as_json: bool, recordings: Path | None
 ) -> None:
-    """Measure how well letters are recognised in the labelled pictures of DIR.
+    """Measure the accuracy of letter recognition in the labelled pictures of DIR.
 
-    DIR holds sources.csv, or lies beside it. Without --leave-one-source-out the letters that ship are measured; they
-    learnt from these people, so the figures say nothing about others.
+    sources.csv is in DIR, or beside it. Without --leave-one-source-out, the shipped letters are measured. They were
+    trained on the same people, so the results do not apply to other people.
     """
     with _exit_on_error():
         from pinel_desktop.gestures import weights_file  # noqa: PLC0415 - slow to import
@@ -138,7 +138,7 @@ def evaluate(
 @click.option("--seed", type=int, help="Another seed than the one that the letters that ship have.")
 @_recordings_option
 def train(folder: Path, output: Path | None, seed: int | None, recordings: Path | None) -> None:
-    """Learn the letters from the labelled pictures of DIR (with sources.csv), and write them."""
+    """Train the letters on the labelled pictures of DIR (with sources.csv), and write them."""
     with _exit_on_error():
         from pinel_desktop.gestures import weights_file  # noqa: PLC0415 - slow to import
         from pinel_desktop.gestures.training import letter_training, photos  # noqa: PLC0415
@@ -178,12 +178,12 @@ def teach(
     moving: bool,
     aspect: float | None,
 ) -> None:
-    """Teach a class's camera the sign NAME, from pictures with one hand each or through a camera.
+    """Teach a class the sign NAME, from pictures with one hand each, or with a camera.
 
-    Through a camera ten hands at rest are recorded, or with --moving five movements, each from a hand at rest to a hand
-    at rest. Prints one JSON object: class, sign, is_moving, added, and samples and movements that count now. A running
-    app knows the sign when a program of the class or the practice screen is opened next. Exit status: 0, or 2 if a
-    picture was of no use; the others are learnt nevertheless.
+    A camera records ten hands at rest, or with --moving five movements, each from rest to rest. Prints one JSON object:
+    class, sign, is_moving, added, and the current numbers of samples and movements. A running app uses the sign when a
+    program of the class or the practice screen is opened next. Exit status: 0, or 2 if a picture was unusable; the
+    others are used nevertheless.
     """
     if bool(images) == bool(source) or (moving and not source):
         raise click.UsageError("give either pictures or --camera; --moving needs --camera")
@@ -211,7 +211,7 @@ def _samples_of_camera(source: str, *, is_moving: bool) -> list[bytes]:
 
 
 def _samples_of_pictures(images: tuple[Path, ...], aspect: float | None) -> list[bytes]:
-    """Of each picture that is of use; tells of the others."""
+    """Returns a sample of each usable picture; prints the problems of the others."""
     from pinel_desktop.camera.teaching_samples import sample_of_picture  # noqa: PLC0415 - slow
     from pinel_desktop.gestures.recognition import Recogniser  # noqa: PLC0415
 
@@ -240,7 +240,7 @@ def _taught(
 
 @contextmanager
 def _exit_on_error() -> Iterator[None]:
-    """A PinelError inside ends the command with its words."""
+    """Ends the command with the error's message if the body raises PinelError."""
     try:
         yield
     except PinelError as error:
@@ -255,7 +255,7 @@ def _recorded(found: "list[Photo]", recordings_file: Path | None) -> "PhotoFeatu
 
 
 def _classified(recogniser: "Recogniser", image: Path, aspect: float | None) -> dict[str, Any]:
-    """One line of `classify`; `ms` is the time from the picture to the letter. Raises PinelError."""
+    """Returns one line of `classify`; `ms` is the time for the recognition in ms. Raises PinelError."""
     from pinel_desktop.gestures.pictures import read_picture  # noqa: PLC0415 - slow to import
     from pinel_desktop.gestures.recognition import clearest  # noqa: PLC0415
 
@@ -280,7 +280,7 @@ def _classified(recogniser: "Recogniser", image: Path, aspect: float | None) -> 
 
 
 def _lines(report: dict[str, Any], name: str = "") -> Iterator[str]:
-    """A report for people: one line for each figure, shares with their 95 % intervals."""
+    """Yields a report as text: one line for each metric, proportions with their 95 % intervals."""
     if set(report) == {"share", "low", "high", "n", "of"}:
         share = "-" if report["share"] is None else f"{report['share']:.3f}"
         yield f"{name}: {share} [{report['low']:.3f}, {report['high']:.3f}] of {report['of']}"

@@ -85,7 +85,7 @@ def command(
 
 
 def _all(files: Iterable[Path]) -> Iterator[Path]:
-    """The files, and all bundles of folders; a folder without bundles yields itself and is later refused."""
+    """Yields the files, and all bundles of folders; also a folder without bundles, which `_merged` refuses."""
     for file in files:
         found = sorted(file.glob(f"*{SUFFIX}")) if file.is_dir() else []
         yield from found or [file]
@@ -106,7 +106,7 @@ def _merged(
 
 
 def _opened(store: Store, outcome: _Outcome) -> str | None:
-    """Opens the lesson of a lesson file; says so."""
+    """Opens the lesson of a lesson file; returns a message about it, None for another file."""
     if outcome.report is None or outcome.report.info.lesson_id is None:
         return None
     title = store.lessons.resume(outcome.report.info.lesson_id).title
@@ -190,7 +190,7 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
 
 
 def _pending(pending: PendingDeletion | None) -> dict[str, Any]:
-    """`would_delete` with numbers and names, `can_keep` with the groups and programs of it."""
+    """Returns `would_delete` with the numbers of rows to delete, and `can_keep` with their groups and programs."""
     if pending is None:
         return {"would_delete": None, "can_keep": []}
     counts = asdict(pending)

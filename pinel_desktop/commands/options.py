@@ -23,11 +23,11 @@ database_option = click.option(
 
 
 def chosen_file(ctx: click.Context) -> str | None:
-    """The value of `--db`; None for the user's own database."""
+    """Returns the value of `--db`; None for the user's own database."""
     file: str | None = ctx.ensure_object(dict).get("db")
     return file
 
 
 def chosen_database(ctx: click.Context) -> Path:
-    """Path of the database for the command."""
+    """Returns the path of the database for the command."""
     return database_path(chosen_file(ctx))

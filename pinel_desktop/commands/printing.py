@@ -1,4 +1,4 @@
-"""Prints problems and figures for people."""
+"""Prints problems and metrics for people."""
 
 import math
 from collections.abc import Mapping
@@ -28,7 +28,7 @@ def print_problem(problem: Problem, language: str | None = None, *, place: str =
 
 
 def metric_lines(summary: Mapping[str, Any]) -> list[str]:
-    """The figures of a run's summary (`execution.summary`) as lines; none of a run that never began."""
+    """Returns the metrics of a run's summary (`execution.summary`) as lines; no lines for a run that never started."""
     pose = summary["pose"]
     if pose is None:
         return []
@@ -46,7 +46,7 @@ def metric_lines(summary: Mapping[str, Any]) -> list[str]:
 
 
 def _closing_errors(true_m: float | None, estimated_m: float) -> list[str]:
-    """The true one, where somebody knows it, and beside it the robot's estimate, where that is another."""
+    """Returns the true closing error if it is known, and the robot's estimate if it is different."""
     if true_m is None:
         return [f"closing error   {estimated_m * 1000:.3f} mm{_ESTIMATED}"]
     lines = [f"closing error   {true_m * 1000:.3f} mm"]

@@ -23,7 +23,7 @@ def read_file(file: str) -> ParseResult:
 
 
 def location_of(pointer: str, params: Mapping[str, object], language: str) -> str:
-    """The place of a fault as text: line and column, or the pointer in a document."""
+    """Returns the location of a fault as text: line and column, or the pointer in a document."""
     if {"line", "column"} <= params.keys():
         return describe("python_at", params, language).message
     return pointer or "/"

@@ -1,4 +1,4 @@
-"""Real robots on the command line: the options that lead to one, its record, the end of its run by a signal."""
+"""Real robots on the command line: options, robot profile, and stopping the run at a signal."""
 
 import contextlib
 import json
@@ -19,7 +19,7 @@ _BRIDGE = BridgeProfile.link
 
 
 def robot_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Adds the options that say how a real robot is reached."""
+    """Adds the options for the connection to a real robot."""
     for add in (
         click.option(
             "--bridge-key",
@@ -46,15 +46,16 @@ def robot_options(command: Callable[..., Any]) -> Callable[..., Any]:
 def chosen_robot(
     robot: str, robot_settings: tuple[str, ...], bridge: str | None, bridge_key: str | None
 ) -> RobotProfile | None:
-    """The record of a real robot; None for the simulator.
+    """Returns the profile of a real robot; None for the simulator.
 
     Args:
         robot: name of the link.
-        robot_settings: `NAME=VALUE`, as typed; a part of the room has the name `room.width_m`.
+        robot_settings: `NAME=VALUE`, as typed; a dot separates nested names, as in `room.width_m`.
         bridge: `HOST:PORT` of the bridge, an IPv6 address in brackets.
 
     Raises:
-        PinelError: `robot_setting_unclear`, `bridge_option_unclear`, `bridge_option_alone`, what `record_from` raises.
+        PinelError: `robot_setting_unclear`, `bridge_option_unclear`, `bridge_option_alone`; any error of
+            `profile_from`.
     """
     fields: dict[str, Any] = {"link": robot}
     for typed in robot_settings:
@@ -88,7 +89,7 @@ def _address(typed: str | None) -> dict[str, Any]:
 
 
 def _value(typed: str) -> Any:
-    """A number or a list, where it is one; else the text."""
+    """Parses a value as JSON, such as a number or a list; returns the text if it is no JSON."""
     try:
         return json.loads(typed)
     except ValueError:
@@ -97,7 +98,7 @@ def _value(typed: str) -> Any:
 
 @contextlib.contextmanager
 def stopped_by_signals(robot: RobotProfile | None, control: RunControl) -> Iterator[None]:
-    """Ctrl+C and SIGTERM stop a real robot; without this they would end the process, and the robot would drive on."""
+    """Makes Ctrl+C and SIGTERM stop a real robot. By default they would end the process while the robot drives on."""
     if robot is None:
         yield
         return
@@ -113,7 +114,7 @@ def stopped_by_signals(robot: RobotProfile | None, control: RunControl) -> Itera
 
 
 def announce_waiting(robot: RobotProfile | None, language: str) -> None:
-    """Says on standard error where the client of the bridge is waited for."""
+    """Prints on standard error at which address the bridge waits for its client."""
     if isinstance(robot, BridgeProfile):
         values = {"host": robot.url_host, "port": robot.port, "seconds": robot.wait_s}
         click.echo(describe("bridge_waiting", values, language).line, err=True)

@@ -141,7 +141,7 @@ def command(
     """Run a program and print its result.
 
     FILE is a program document or a bare list of commands, as JSON, or Python text; - is standard input. Exit status:
-    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read, the camera is not there,
+    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read, the camera is missing,
     or no plot can be drawn.
     """
     language = language_of_system()
@@ -164,7 +164,7 @@ def command(
 
 
 def _wrong_plot(file: str | None) -> PinelError | None:
-    """Why `--plot` cannot work, checked before the run; None if it can."""
+    """Checks `--plot` before the run; returns its error, None if a plot can be drawn."""
     if file is not None:
         try:
             plot_format(file)
@@ -180,7 +180,7 @@ def _status(summary: dict[str, Any]) -> int:
 
 
 def _faults_on(link: str, model: str, reading: ParseResult) -> Sequence[Fault]:
-    """What a program asks of a robot that this one cannot tell."""
+    """Returns a fault for each sensor reading of the program that this robot cannot provide."""
     if link == "sim":
         return missing_on_model(reading.document, ROBOTS[model])
     return missing_on_real_robots(reading.document)
@@ -231,14 +231,14 @@ def _run(
 
 
 def _world(robot: RobotProfile | None, options: dict[str, Any]) -> ChosenWorld:
-    """The simulator's world, or the room of a real robot."""
+    """Returns the simulator's world, or the room of a real robot."""
     if robot is not None:
         return ChosenWorld(ROOM, robot.room.as_world())
     return choose_world(options["world"], robot=options["model"])
 
 
 def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContextManager[RunInputs]:
-    """Who answers captures and questions: a camera, which is closed again, or lists."""
+    """Returns the inputs for captures and questions: a camera, as a context manager, or scripted lists."""
     answers = _answers(options["answers"])
     if options["camera"] is None:
         return contextlib.nullcontext(ScriptedInputs(_results(options["gestures"]), answers))
@@ -301,7 +301,7 @@ def _results(text: str) -> list[str]:
 
 
 def _answers(texts: tuple[str, ...]) -> list[str]:
-    """The answers in order; each text is a CSV row, or one answer if it is not valid CSV."""
+    """Returns the answers in order; each text is a CSV row, or one answer if it is not valid CSV."""
     found: list[str] = []
     for text in texts:
         try:
@@ -321,7 +321,7 @@ class _Recording:
         self._start: RunStart | None = None
 
     def expect(self, start: RunStart) -> None:
-        """Records the run from its first event; a run that cannot begin leaves no record."""
+        """Records the run from its first event; a run that cannot start leaves no record."""
         self._start = start
 
     def observe(self, tick: int, event: Event) -> None:
@@ -361,7 +361,7 @@ def _open_recording(database: Path, language: str) -> _Recording | None:
 
 
 def _lines(summary: dict[str, Any], language: str) -> list[str]:
-    """The result as lines of text, for output without --json."""
+    """Returns the result as lines of text, for output without --json."""
     reason = f" ({summary['reason']})" if summary["reason"] else ""
     lines = [f"state           {summary['state']}{reason}"]
     if summary["message"]:

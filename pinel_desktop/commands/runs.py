@@ -143,7 +143,8 @@ def _line(row: RunRow) -> str:
 
 def _details(row: RunRow) -> list[str]:
     figures = {label: getattr(row, name) for name, label in _METRICS}
-    if row.estimated_closing_error_m is None:  # what an earlier release recorded is the estimate
+    # earlier releases recorded only the estimate, as `closing_error_m`
+    if row.estimated_closing_error_m is None:
         figures["estimated_closing_error_m"] = figures.pop("closing_error_m")
     lines = [f"  {label}: {value}" for label, value in figures.items() if value is not None]
     if row.reason:

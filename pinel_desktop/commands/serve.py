@@ -74,7 +74,7 @@ def command(
     """Serve the page without a window and print its address.
 
     The address works once and on this PC only; start the command again for a new one. Ctrl+C ends it.
-    Exit status: 0, or 1 if the page or the bridge cannot be served, or there is no video and no folder of that path.
+    Exit status: 0, or 1 if the page or the bridge cannot be served, or the video or folder of --camera is missing.
     """
     try:
         choice = _bridge(bridge, bridge_key, robot, file_pages=bridge_file_pages)
@@ -91,12 +91,12 @@ def command(
 def _bridge(
     bridge: str | None, key: str | None, robot: str, *, file_pages: bool
 ) -> "BridgeChoice | None":
-    """What stands beside the page. Raises PinelError for options that do not fit."""
+    """Returns the bridge to serve besides the page, if any. Raises PinelError for invalid combinations of options."""
     if bridge is None:
         if key is not None or robot != "sim" or file_pages:
             raise PinelError("bridge_option_missing")
         return None
-    from pinel_desktop.web.legacy.api import BridgeChoice  # noqa: PLC0415 - for who wants one
+    from pinel_desktop.web.legacy.api import BridgeChoice  # noqa: PLC0415 - only with --bridge
 
     record = chosen_robot("bridge", (), bridge, key)
     assert isinstance(record, BridgeProfile)
@@ -119,10 +119,10 @@ def _serve(app: App, choice: "BridgeChoice | None") -> None:
 
 @contextmanager
 def _signals() -> Iterator[socket.socket]:
-    """A socket that becomes readable at SIGINT or SIGTERM.
+    """Yields a socket that becomes readable at SIGINT or SIGTERM.
 
-    The wakeup descriptor works for whichever thread receives the signal; a main thread that waits for a lock would not
-    run Python signal handlers.
+    Python runs signal handlers on the main thread only, and not while it waits for a lock. The wakeup descriptor works
+    whichever thread receives the signal.
     """
     receiving, sending = socket.socketpair()
     with receiving, sending:

@@ -18,7 +18,7 @@ from pinel_desktop.paths import database_path
 if TYPE_CHECKING:
     from pinel_desktop.desktop.presenter import Presenter
 
-# The default threshold spends a tenth of the toolkit's import on garbage collection, which frees nothing.
+# With the default threshold, garbage collection is a tenth of the toolkit's import, and useless.
 _GC_THRESHOLD = 50_000
 
 

@@ -26,9 +26,9 @@ class WorldFileError(PinelError):
 
 
 def choose_world(name_or_file: str, *, robot: str) -> ChosenWorld:
-    """The shipped world of that name, or the world in that file. The robot must fit at the start pose.
+    """Returns the shipped world with this name, or the world in this file. The robot must fit at the start pose.
 
-    A name that ends in `.json`, or of an existing file that is not the name of a world, means a file.
+    A name means a file if it ends in `.json`, or if it is no world's name but an existing file.
 
     Raises:
         PinelError: `unknown_world`.
@@ -46,7 +46,7 @@ def choose_world(name_or_file: str, *, robot: str) -> ChosenWorld:
 
 
 def _read(file: str, robot: str) -> dict[str, Any]:
-    # imports numpy, which takes longer than most programs run
+    # imports numpy, which is slower than the run of most programs
     from pinel_desktop.worlds import MAX_BYTES, read_own_world  # noqa: PLC0415
 
     try:

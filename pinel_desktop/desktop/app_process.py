@@ -1,7 +1,6 @@
-"""The window's side of the app's process; commands/app.py describes the messages.
+"""The window's client of the app process; commands/app.py describes the messages.
 
-There are two processes because the toolkit's main loop and the web server would compete for one interpreter lock, most
-of all at the start.
+In one process, the toolkit's main loop and the web server would compete for the interpreter lock, mostly at the start.
 """
 
 import contextlib
@@ -22,7 +21,7 @@ _CLOSE_S = 8.0
 
 
 class AppProcess:
-    """Owns the app's process; thread-safe.
+    """Starts, serves and ends the app process; thread-safe.
 
     The constructor starts the process, which imports its modules at once but opens nothing before `start`.
     """
@@ -38,7 +37,7 @@ class AppProcess:
         Args:
             on_show: called when a second start asks to bring the window forward.
             on_lost: called when the app has died or could not start.
-            camera: what to look through instead of the chosen webcam, as `camera.frames.open_reader` takes it.
+            camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
         """
         self._on_show = on_show
         self._on_lost = on_lost
@@ -71,11 +70,11 @@ class AppProcess:
 
     @property
     def failure(self) -> PinelError | None:
-        """Why the app could not start; `app_lost` if it died; else None."""
+        """The error if the app could not start; `app_lost` if it died; else None."""
         return self._failure
 
     def language(self) -> str:
-        """The chosen language. Waits until the app has started; raises PinelError if it does not."""
+        """Waits until the app has started; returns the chosen language. Raises PinelError if the app does not start."""
         if not self._ready.wait(_START_S):
             raise PinelError("app_lost")
         if self._failure is not None:
@@ -83,7 +82,7 @@ class AppProcess:
         return self._language
 
     def address(self) -> str:
-        """A new address that opens the page once. Raises PinelError if the app does not start."""
+        """Returns a new address that opens the page once. Raises PinelError if the app does not start."""
         with self._asking:
             # the app sends the first address without a request, before it is ready
             if self._has_asked:

@@ -1,4 +1,4 @@
-"""Backends for showing the page on this PC, best first, and what is missing for each.
+"""Backends for showing the page on this PC, best first, and the missing part of each unusable backend.
 
 Nothing here opens a window or imports pywebview, because `pinel doctor` uses it too.
 """
@@ -32,7 +32,7 @@ BROWSERS = (
     "brave-browser",
 )
 _WEBKIT_LIBRARIES = {"4.1": "libwebkit2gtk-4.1.so.0", "4.0": "libwebkit2gtk-4.0.so.37"}
-# messages are short: a library is told by its name; folders may hold spaces
+# matches folders, to shorten a library's path to its name in messages; folders may contain spaces
 _FOLDERS = re.compile(r"(?:/[^/:]*)+/")
 _WINDOWS_BROWSERS = (
     r"Microsoft\Edge\Application\msedge.exe",
@@ -42,7 +42,7 @@ _WINDOWS_BROWSERS = (
 
 
 def gtk_problem() -> str | None:
-    """The library's error if GTK's web view does not load; None if it does."""
+    """Returns the library's error if GTK's web view does not load; None if it does."""
     try:
         gi = importlib.import_module("gi")
         gi.require_version("Gtk", "3.0")
@@ -50,18 +50,18 @@ def gtk_problem() -> str | None:
             gi.require_version("WebKit2", "4.1")
         except ValueError:
             gi.require_version("WebKit2", "4.0")
-        # without the library itself its bindings load all the same, and fail later
+        # the bindings load even without the library, and fail later
         ctypes.CDLL(_WEBKIT_LIBRARIES[gi.get_required_version("WebKit2")])
         importlib.import_module("gi.repository.WebKit2")
     except (ImportError, ValueError) as error:
         return str(error)
-    except OSError as error:  # the package's own loader wraps the system's words
+    except OSError as error:  # the package's own loader wraps the system's message
         return _FOLDERS.sub("", str(error.__cause__ or error))
     return None
 
 
 def qt_problem() -> str | None:
-    """The missing module if Qt's web view is not installed; None if it is."""
+    """Returns the missing module if Qt's web view is not installed; None if it is."""
     if importlib.util.find_spec("qtpy") is None:
         return "qtpy"
     for package in ("PyQt6", "PySide6"):
@@ -103,7 +103,7 @@ class Backend:
 
 
 def find_browser(pc: Pc) -> str | None:
-    """Path of a browser that supports app mode; None without one."""
+    """Returns the path of a browser that supports app mode; None if there is none."""
     for name in BROWSERS:
         if path := pc.which(name):
             return path
@@ -115,7 +115,7 @@ def find_browser(pc: Pc) -> str | None:
 
 
 def backends(pc: Pc) -> list[Backend]:
-    """The backends for this PC, best first, including those with a problem."""
+    """Returns the backends for this PC, best first, including backends with a problem."""
     if not pc.has_screen:
         return []
     browser = Backend("browser", None if find_browser(pc) else "window_browser_missing")
@@ -137,8 +137,8 @@ def _qt(pc: Pc) -> Backend:
 
 
 def renderer_problem(renderer: str) -> str | None:
-    """Error code if pywebview's renderer cannot run the page, else None.
+    """Returns the error code if pywebview's renderer cannot run the page, else None.
 
-    Without WebView2, pywebview silently falls back to Internet Explorer (MSHTML).
+    Without WebView2, pywebview falls back to Internet Explorer (MSHTML) without an error.
     """
     return "window_webview2_missing" if renderer == "mshtml" else None

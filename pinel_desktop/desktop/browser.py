@@ -14,7 +14,7 @@ _SHORT_LIFE_S = 5.0
 
 
 def app_command(program: str, address: str, profile: str, *, as_root: bool) -> list[str]:
-    """The command line that shows `address` in app mode, without network use of the browser itself."""
+    """Returns the command line that shows `address` in app mode, without network use of the browser itself."""
     command = [
         program,
         f"--app={address}",

@@ -23,7 +23,7 @@ class Size:
 
 
 def may_open(address: str, own: str) -> bool:
-    """True if `address` has the scheme, host and port of `own`."""
+    """Returns whether `address` has the scheme, host and port of `own`."""
     try:
         there, here = urlsplit(address), urlsplit(own)
         return (there.scheme, there.hostname, there.port) == (here.scheme, here.hostname, here.port)
@@ -32,7 +32,7 @@ def may_open(address: str, own: str) -> bool:
 
 
 def decide_navigation(address: str, own: str) -> NavigationDecision:
-    """What to do with a navigation to `address`: show the page, save files created by it, refuse all else."""
+    """Decides about a navigation to `address`: show the page, save files created by the page, refuse all else."""
     if address == "about:blank" or may_open(address, own):
         return "show"
     scheme, _, made_by = address.partition(":")
@@ -40,7 +40,7 @@ def decide_navigation(address: str, own: str) -> NavigationDecision:
 
 
 def fitted_size(screen_width: int, screen_height: int) -> Size:
-    """The window's size on a screen given in pixels: all of a small screen, most of a large one."""
+    """Returns the window's size for a screen in pixels: all of a small screen, 85 % of a large one up to `MAX_SIZE`."""
     min_size = (min(MIN_SIZE[0], screen_width), min(MIN_SIZE[1], screen_height))
     maximized = screen_width <= _MAXIMIZE_UP_TO[0] or screen_height <= _MAXIMIZE_UP_TO[1]
     if maximized:

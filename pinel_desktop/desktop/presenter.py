@@ -121,7 +121,7 @@ class Presenter:
         window.run()
 
     def _give_address(self) -> None:
-        """The last resort: prints the address for the person to open; returns only after `close`."""
+        """Prints the address for the person to open, as the last fallback; returns only after `close`."""
         self.backend = "address"
         address = self._fresh_address()
         text = describe("window_address", {}, self._language())

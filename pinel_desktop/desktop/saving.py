@@ -27,7 +27,7 @@ def install_save_dialog(context: Any, parent: Any, texts: Callable[[], Mapping[s
 
 
 def ask_for_path(parent: Any, suggested: str, texts: Mapping[str, str]) -> str | None:
-    """The path that the person chooses for a file; None if cancelled."""
+    """Shows the dialog; returns the path that the person chooses for a file, None if cancelled."""
     from gi.repository import GLib, Gtk  # noqa: PLC0415 - optional, see backends.gtk_problem
 
     dialog = Gtk.FileChooserDialog(

@@ -1,8 +1,8 @@
 """`--self-check`: an end-to-end test, from the window to a run read back from the disk.
 
-It uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time, and the judge finds that
-it passes the activity about the square. Then it draws
-a small square and a triangle when recorded signs, B and A, tell it to.
+The check uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time. The judge must
+find that this run passes the activity `square`. Then a second program waits for two recorded signs: it draws a small
+square after B, and a triangle after A.
 """
 
 import contextlib
@@ -90,7 +90,7 @@ def _is_well(result: Json) -> bool:
 
 @contextlib.contextmanager
 def _app(database: Path) -> Iterator[AppProcess]:
-    """The app in a process of its own, as for the window."""
+    """Runs the app in a process of its own, as for the window."""
     instance = InstanceLock(database)
     instance.acquire()
     app = AppProcess(
@@ -139,7 +139,7 @@ def _in_window(app: AppProcess, result: Json) -> None:
 
 
 def _toolkit() -> Toolkit:
-    """The first toolkit that loads. Raises PinelError with the problem of the best one."""
+    """Returns the first toolkit without a problem. If there is none, raises PinelError with the first one's problem."""
     tried = backends(Pc())
     for backend in tried:
         if backend.problem is None and backend.name != "browser":
@@ -194,7 +194,7 @@ def _saved(client: Client, program: str, document: Json, setup: Json | None = No
 
 
 def _signed_polygons() -> Json:
-    """A program that waits for B and draws a square, then waits for A and draws a triangle."""
+    """Returns a program that waits for B and draws a square, then waits for A and draws a triangle."""
     commands: list[Json] = []
     for sign, n_sides in zip(EXPECTED_SIGNS, (4, 3), strict=True):
         wait = {"action": "classify_gestures", "timeout": 5}
@@ -210,7 +210,7 @@ def _signed_polygons() -> Json:
 
 
 def _sign(client: Client, program: str) -> list[str]:
-    """Runs a program that recorded signs decide; returns the signs that the camera saw, each once."""
+    """Runs a program that depends on recorded signs; returns the signs that the camera recognised, each once."""
     run = _drive(client, _saved(client, program, _signed_polygons()), speed=10.0)
     events = client.get(f"/api/runs/{run['id']}/events")["events"]
     signs = [event["result"] for event in events if event.get("by") == "camera"]
@@ -218,7 +218,7 @@ def _sign(client: Client, program: str) -> list[str]:
 
 
 def _judged(client: Client, run: str) -> bool:
-    """Whether the judge's process found that a run passes its activity."""
+    """Returns whether a run passes its activity, by the verdict of the judge process."""
     _wait_for(lambda: client.get(f"/api/runs/{run}")["passed"] is not None, _RUN_S)
     return bool(client.get(f"/api/runs/{run}")["passed"])
 

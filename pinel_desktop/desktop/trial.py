@@ -1,6 +1,7 @@
-"""Tries the window, for `pinel doctor`: a toolkit that loads may still show nothing.
+"""Trial of the window for `pinel doctor`, because a toolkit that loads may still show nothing.
 
-The window opens for a moment on a small page, in a process of its own: a fault of the toolkit may end it or hang it.
+The window opens briefly on a small page. It has a process of its own, because a fault of the toolkit may crash or hang
+the process.
 """
 
 import json
@@ -16,7 +17,7 @@ from pinel_desktop.messages import language_of_system
 from pinel_desktop.processes import own_command
 
 TIMEOUT_S = 30.0
-# what a process takes to start and to end
+# time for the start and the end of the process
 _SPARE_S = 15.0
 # the page runs a script, which asks for this address
 _SHOWN = "/shown.js"
@@ -25,7 +26,7 @@ _PAGE = f"<!doctype html><title>{TITLE}</title><p>{TITLE}</p><script src='{_SHOW
 
 def window_problem(toolkit: Toolkit, timeout_s: float = TIMEOUT_S) -> NoWindowError | None:
     """Opens the window in another process; returns why it shows no page, or None if it does."""
-    # files, not pipes: helpers of the toolkit that outlive the process would keep a pipe open
+    # files, not pipes: the toolkit's helper processes may outlive the process and leave a pipe open
     with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
         try:
             done = subprocess.run(
@@ -43,7 +44,7 @@ def window_problem(toolkit: Toolkit, timeout_s: float = TIMEOUT_S) -> NoWindowEr
 
 
 def _problem_in(answer: str, toolkit: Toolkit, last_line: str) -> NoWindowError:
-    """The problem that the process printed, or what it said last if the toolkit ended it."""
+    """Returns the problem that the process printed, or its last line of output if the toolkit ended it."""
     try:
         problem = json.loads(answer)
     except ValueError:
@@ -83,7 +84,7 @@ def show_page(toolkit: Toolkit, timeout_s: float) -> None:
 
 
 def _server(shown: threading.Event) -> ThreadingHTTPServer:
-    """A server on this PC's own address for the page; sets `shown` when the page's script is asked for."""
+    """Returns a server for the page on the loopback address; a request for the page's script sets `shown`."""
 
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
@@ -98,6 +99,6 @@ def _server(shown: threading.Event) -> ThreadingHTTPServer:
                 shown.set()
 
         def log_message(self, *_args: object) -> None:
-            """Says nothing: standard error is for the toolkit's faults."""
+            """Logs nothing, because standard error is for the toolkit's faults."""
 
     return ThreadingHTTPServer(("127.0.0.1", 0), Handler)

@@ -186,7 +186,7 @@ def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision
         {"show": decision.use, "save": decision.download, "refuse": decision.ignore}[verdict]()
         return True
 
-    # pywebview's own handler opens foreign links in the default browser and saves what it cannot show
+    # pywebview's own handler opens foreign links in the default browser, saves unsupported files
     view.webview.disconnect_by_func(view.on_navigation)
     view.webview.connect("decide-policy", decide)
     saving.install_save_dialog(view.webview.get_context(), view.window, lambda: window.localization)

@@ -1,6 +1,6 @@
-"""Diagnosis of this PC as findings with codes, which the command `doctor` prints as messages.
+"""Health checks of this PC, with codes that the command `doctor` prints as messages.
 
-Nothing here writes to the database or uses the network. The window and the first camera are opened for a moment.
+Nothing here writes to the database or uses the network. The window and the first camera are opened briefly.
 """
 
 import contextlib
@@ -65,7 +65,7 @@ class HealthCheckResult:
 
 
 def examine(database: Path, pc: Pc | None = None) -> Iterator[HealthCheckResult]:
-    """Yields the findings one by one, the most important subjects first."""
+    """Yields the results one by one, the most important subjects first."""
     yield _version()
     yield from _page()
     yield from _window(pc or Pc())
@@ -81,7 +81,7 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[HealthCheckResult]
 
 
 def size_text(n_bytes: int) -> str:
-    """A size such as 1500 MB or 83 GB; without decimals, whose sign depends on the language."""
+    """Returns a size as text, such as 1500 MB or 83 GB; without decimals, whose sign depends on the language."""
     for unit, factor in (("GB", 10**9), ("MB", 10**6), ("kB", 10**3)):
         if n_bytes >= 10 * factor:
             return f"{n_bytes // factor} {unit}"
@@ -101,7 +101,7 @@ def _system_name() -> str:
 
 
 def _page() -> Iterator[HealthCheckResult]:
-    """Missing only in a fresh clone; wheels and packages contain the page."""
+    """Checks the page, which is missing only in a fresh clone; wheels and packages contain it."""
     if (resources.files("pinel_desktop.web") / "static" / "index.html").is_file():
         yield HealthCheckResult("page", "ok", "doctor_page_ok")
     else:
@@ -111,7 +111,7 @@ def _page() -> Iterator[HealthCheckResult]:
 def _window(
     pc: Pc, window_problem: Callable[[Toolkit], NoWindowError | None] = window_problem
 ) -> Iterator[HealthCheckResult]:
-    """The backend that the window will use, which is tried, and what is wrong with better ones."""
+    """Tries the backends for the window; yields the first that works, and the problems of the better ones."""
     if not pc.has_screen:
         yield HealthCheckResult("window", "warn", "doctor_window_none")
         return
@@ -134,7 +134,7 @@ def _window(
 def _problem_of(
     backend: Backend, window_problem: Callable[[Toolkit], NoWindowError | None]
 ) -> NoWindowError | None:
-    """What keeps a backend from showing the page. A browser is not opened: it would be the person's own."""
+    """Returns the problem of a backend; None if it can show the page. Opens no browser, as it is the person's own."""
     if backend.problem is not None:
         return NoWindowError(backend.problem, **backend.params)
     return None if backend.name == "browser" else window_problem(backend.name)
@@ -158,7 +158,7 @@ def _engine() -> HealthCheckResult:
 
 
 def _disk(folder: Path) -> Iterator[HealthCheckResult]:
-    """Free space and write permission of the folder, or of its nearest existing parent."""
+    """Checks free space and write permission of the folder, or of its nearest existing parent."""
     while not folder.exists():
         folder = folder.parent
     free = shutil.disk_usage(folder).free
@@ -174,7 +174,7 @@ def _disk(folder: Path) -> Iterator[HealthCheckResult]:
 
 
 def _sqlite(version: str = sqlite3.sqlite_version) -> HealthCheckResult:
-    """The SQLite that the store uses: the system's may have a fault by which a write can be lost."""
+    """Checks the SQLite library that the store uses: the system's library may have a fault that can lose a write."""
     if has_wal_fault(version):
         return HealthCheckResult("sqlite", "warn", "doctor_sqlite_old", {"version": version})
     return HealthCheckResult("sqlite", "ok", "doctor_sqlite_ok", {"version": version})
@@ -208,13 +208,13 @@ def _database(path: Path) -> HealthCheckResult:
 
 
 def _absent(path: Path) -> HealthCheckResult | None:
-    """What stands for the file where none is there."""
+    """Returns the result if there is no database file to examine; None if there is one."""
     params = {"path": str(path)}
     if is_location_missing(path):
         about = params | {"folder": str(path.parent)}
         return HealthCheckResult("database", "fail", "database_place_missing", about)
     is_there = path.exists()
-    if is_there and not path.is_file():  # a folder, a pipe: reading it would have no end
+    if is_there and not path.is_file():  # a folder, or a pipe, which would block the reader
         return HealthCheckResult("database", "fail", "database_foreign", params)
     if (not is_there or not path.stat().st_size) and is_lost_file(path, by_log=True):
         return HealthCheckResult("database", "fail", "doctor_database_gone", params)
@@ -222,7 +222,7 @@ def _absent(path: Path) -> HealthCheckResult | None:
 
 
 def _refusal(path: Path) -> str | None:
-    """Why PINEL would not open a sound file: it is of another program, of a newer release, or a bundle."""
+    """Returns the code if PINEL refuses an intact file: it is of another program, of a newer release, or a bundle."""
     try:
         prepare_reading(path)
     except StoreError as error:
@@ -231,14 +231,14 @@ def _refusal(path: Path) -> str | None:
 
 
 def _damaged_values(path: Path) -> object:
-    """How many versions and runs the app found damaged; 0 in a file of an earlier release."""
+    """Returns the number of versions and runs that the app found damaged; 0 for a file of an earlier release."""
     with contextlib.suppress(sqlite3.OperationalError):
         return _query(path, "SELECT count(*) FROM content_sums WHERE damaged_at IS NOT NULL")
     return 0
 
 
 def _incomplete(path: Path, known: CommitRecord | None) -> HealthCheckResult | None:
-    """Work that was saved and is not in the file; None where all of it is there, as far as can be told."""
+    """Returns a result if saved work is missing from the file; None if none is missing, as far as can be determined."""
     n_missing = known.n_saves - int(str(_query(path, "PRAGMA user_version"))) if known else 0
     if known is not None and n_missing <= 0:
         return None
@@ -252,7 +252,7 @@ def _incomplete(path: Path, known: CommitRecord | None) -> HealthCheckResult | N
 
 
 def _damaged_copies(path: Path) -> Iterator[HealthCheckResult]:
-    """Damaged files that lie beside the database since an earlier start."""
+    """Reports damaged files that an earlier start left beside the database."""
     found = sorted(path.parent.glob(f"{path.stem}.damaged-*{path.suffix}"))
     if found:
         params = {"folder": str(path.parent), "files": ", ".join(one.name for one in found)}
@@ -260,7 +260,7 @@ def _damaged_copies(path: Path) -> Iterator[HealthCheckResult]:
 
 
 def _damage(path: Path) -> str | None:
-    """Result of SQLite's integrity check, read-only; None if the file is sound."""
+    """Runs SQLite's integrity check, read-only; returns its error, None if the file is intact."""
     try:
         verdict = str(_query(path, "PRAGMA integrity_check(1)"))
     except sqlite3.Error as error:
@@ -278,7 +278,7 @@ def _query(path: Path, sql: str) -> object:
 
 
 def _backups(path: Path) -> HealthCheckResult:
-    """The number of backups, whether the newest is sound, and whether it is recent."""
+    """Reports the number of backups, whether the newest is intact, and whether it is recent."""
     found = list_backups(path)
     params: dict[str, object] = {"n_backups": len(found), "folder": str(folder_of(path))}
     if not found:
@@ -289,7 +289,7 @@ def _backups(path: Path) -> HealthCheckResult:
     params |= {"time": local_time(newest.made_at), "name": newest.path.name}
     if damage_of(newest.path) is not None:
         return HealthCheckResult("backups", "warn", "doctor_backups_bad", params)
-    # compared with the last change, not with today: holidays are no cause for a warning
+    # compare with the last change, not with today: holidays must not cause a warning
     behind_s = path.stat().st_mtime - newest.made_at.timestamp() if path.exists() else 0.0
     if behind_s > _BACKUPS_BEHIND_S:
         return HealthCheckResult("backups", "warn", "doctor_backups_old", params)
@@ -297,7 +297,10 @@ def _backups(path: Path) -> HealthCheckResult:
 
 
 def _copies(path: Path) -> Iterator[HealthCheckResult]:
-    """Whether copies of the backups go to the school's folder, and of when the newest is; without a look at it."""
+    """Reports whether backups are copied to the school's folder, and the time of the newest copy.
+
+    Reads the manifest only, and does not access the school's folder.
+    """
     if not path.exists():
         return
     shared = _setting(path, COPIES_BACKUPS) and _setting(path, SHARED_FOLDER)
@@ -314,14 +317,14 @@ def _copies(path: Path) -> Iterator[HealthCheckResult]:
 
 
 def _setting(path: Path, key: str) -> object:
-    """None where nothing was chosen, or where the file cannot be read."""
+    """Returns a setting of the database; None if it was never set, or the file cannot be read."""
     with contextlib.suppress(sqlite3.Error, TypeError, ValueError):
         return from_json(str(_query(path, f"SELECT value FROM settings WHERE key = '{key}'")))
     return None
 
 
 def _signs(folder: Path, source: str = "0") -> Iterator[HealthCheckResult]:
-    """Whether signs can be recognised, and whether the camera, by default the first one, gives pictures."""
+    """Checks whether signs can be recognised, and whether the camera delivers pictures; by default the first camera."""
     states: queue.SimpleQueue[CameraState] = queue.SimpleQueue()
     camera = CameraClient(source, lambda event: None, states.put, lambda run, capture: None)
     started = time.monotonic()
@@ -348,7 +351,7 @@ def _recognition(camera: CameraClient, started: float) -> HealthCheckResult:
 
 
 def _no_camera(folder: Path) -> HealthCheckResult | None:
-    """What is wrong where no camera can be opened; None where one may be."""
+    """Returns the problem if no camera can be opened; None if one may work."""
     devices = sorted(folder.glob("video*"))
     if not devices:
         return HealthCheckResult("camera", "warn", "doctor_camera_none")
@@ -359,7 +362,7 @@ def _no_camera(folder: Path) -> HealthCheckResult | None:
 
 
 def _camera(folder: Path, states: "queue.SimpleQueue[CameraState]") -> HealthCheckResult:
-    """What the camera does within a few seconds of being opened."""
+    """Waits for the opened camera's first picture, or its problem."""
     deadline, problem = time.monotonic() + _CAMERA_TIMEOUT_S, PinelError("camera_no_picture")
     while (left_s := deadline - time.monotonic()) > 0.0:
         with contextlib.suppress(queue.Empty):
@@ -387,7 +390,7 @@ def _ros(
     folder: Path,
     find: Callable[[str], object | None] = importlib.util.find_spec,
 ) -> HealthCheckResult:
-    """ROS of this terminal, a ROS installation on the disk, or the DDS library, which needs no ROS."""
+    """Checks for ROS in this terminal, a ROS installation on the disk, and the DDS library, which needs no ROS."""
     found = []
     if find("rclpy") is not None:
         found.append(f"ROS 2 {environ.get('ROS_DISTRO', '')}".strip())

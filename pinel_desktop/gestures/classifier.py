@@ -1,10 +1,11 @@
-"""Which sign a hand makes: kernel ridge regression on its features, with an honest measure of doubt.
+"""Sign classifier: kernel ridge regression on hand features, with a reject option.
 
-Every sample that was learnt from is kept, as a point along the 200 axes on which samples differ most. A hand's
-score for a sign is a sum over these points, weighted by how near they are; the weights solve one linear system, so that
-samples of a class can be added in less than a second (Rasmussen and Williams, Gaussian Processes for Machine Learning,
-2006, 2.2). A hand that shows none of the signs may score high all the same: it is told by how much farther it is from
-the mean of its best sign than from that of all hands (Ren et al., A Simple Fix to Mahalanobis Distance, 2021).
+The classifier stores each training sample as a point on the 200 principal axes. A hand's score for a sign is a
+weighted sum of kernel values over these points (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006,
+2.2). The weights solve one linear system, so samples of a class are added in less than a second.
+
+A hand without a sign may still score high. Its novelty reveals it: the Mahalanobis distance to its best sign, relative
+to the distance to all hands (Ren et al., A Simple Fix to Mahalanobis Distance, 2021).
 """
 
 from collections.abc import Sequence
@@ -20,17 +21,17 @@ Array = NDArray[np.float64]
 
 NO_SIGN = ""
 N_AXES = 200
-_KERNEL_GAMMA = 0.6  # kernel exp(-0.6 d²), where d² is 2 between two random samples
+_KERNEL_GAMMA = 0.6  # kernel exp(-0.6 d²); the mean of d² over random pairs of samples is 2
 _RIDGE = 0.01
-# hands that show no sign lie between those that do: they must not be kept at a distance too exactly
+# Samples without a sign lie between the signs, so the classifier must fit them less exactly.
 _RIDGE_OF_NO_SIGN = 0.1
-# of the covariance within signs, how much is replaced by that of a ball: 200 axes are many for 1,500 samples
+# Share of the covariance that a multiple of the identity replaces: 200 axes, only 1,500 samples.
 _SHRINKAGE = 0.05
 
 
 @dataclass(frozen=True)
 class Samples:
-    """Hands with what they show: features (n, d), and n names of signs; NO_SIGN is a hand that shows none."""
+    """Labelled hands: features (n, d), and n names of signs. A hand without a sign has the label NO_SIGN."""
 
     features: Features
     signs: tuple[str, ...]
@@ -39,14 +40,14 @@ class Samples:
         return Samples(np.concatenate([self.features, other.features]), self.signs + other.signs)
 
     def where(self, chosen: NDArray[np.bool_]) -> "Samples":
-        """Those for which `chosen` (n,) holds."""
+        """Returns the samples for which `chosen` (n,) is True."""
         signs = tuple(sign for sign, is_chosen in zip(self.signs, chosen, strict=True) if is_chosen)
         return Samples(self.features[chosen], signs)
 
 
 @dataclass(frozen=True)
 class RejectThresholds:
-    """What an answer needs: score and distance to the second sign's score at least, strangeness at most."""
+    """Reject thresholds: minimum score, minimum margin to the second sign's score, maximum novelty."""
 
     min_score: float = 0.5
     min_margin: float = 0.2
@@ -58,10 +59,10 @@ DEFAULT_THRESHOLDS = RejectThresholds()
 
 @dataclass(frozen=True)
 class ClassScores:
-    """What is thought of n hands.
+    """Scores of n hands for k signs.
 
-    scores (n, k): about 1 for the sign that is shown, about 0 for the others. strangeness (n,): how much farther away
-    its best sign is than the mean hand; below 0 for a hand like those that were learnt from.
+    scores (n, k): about 1 for the sign that the hand shows, about 0 for the others.
+    novelty (n,): relative Mahalanobis distance to the best sign; below 0 for a hand like the training samples.
     """
 
     scores: Array
@@ -69,12 +70,12 @@ class ClassScores:
 
     @property
     def best(self) -> NDArray[np.int64]:
-        """The number of each hand's best sign, (n,)."""
+        """The index of each hand's best sign, (n,)."""
         numbers: NDArray[np.int64] = self.scores.argmax(1)
         return numbers
 
     def is_clear(self, thresholds: RejectThresholds = DEFAULT_THRESHOLDS) -> NDArray[np.bool_]:
-        """Whether it is enough for an answer, (n,)."""
+        """Returns whether each hand passes the reject thresholds, (n,)."""
         second, best = np.sort(self.scores, axis=1)[:, -2:].T
         is_sure = (best >= thresholds.min_score) & (best - second >= thresholds.min_margin)
         clear: NDArray[np.bool_] = is_sure & (self.novelty <= thresholds.max_novelty)
@@ -83,13 +84,13 @@ class ClassScores:
 
 @dataclass(frozen=True)
 class Calibration:
-    """How scores become probabilities: softmax(sharpness * scores), with a constant share for "no sign"."""
+    """Converts scores to probabilities: softmax(sharpness * scores), with a constant logit `no_sign` for "no sign"."""
 
     sharpness: float = 10.0
     no_sign: float = 0.0
 
     def probabilities(self, scores: Array) -> Array:
-        """Of each sign, and last of no sign: (n, k) -> (n, k + 1)."""
+        """Returns the probability of each sign; the last column is "no sign": (n, k) -> (n, k + 1)."""
         share = np.full((len(scores), 1), self.no_sign)
         logits = np.hstack([self.sharpness * scores, share])
         raised = np.exp(logits - logits.max(1, keepdims=True))
@@ -99,7 +100,10 @@ class Calibration:
 
 @dataclass(frozen=True)
 class SignPrediction:
-    """What a hand shows: `sign` is None in doubt; `best` and `second` are the likeliest, with their probabilities."""
+    """Prediction for one hand: `sign` is None if rejected; `best` and `second` are the likeliest signs.
+
+    confidence, second_confidence: probabilities of `best` and `second`.
+    """
 
     sign: str | None
     best: str
@@ -110,7 +114,7 @@ class SignPrediction:
 
 @dataclass(frozen=True)
 class Projection:
-    """Features to points: mean and scale of each feature (d,), and the axes (d, m) along which samples differ most."""
+    """Projects features to points: mean and scale of each feature (d,), and the principal axes (d, m)."""
 
     mean: Array
     scale: Array
@@ -118,7 +122,7 @@ class Projection:
 
     @classmethod
     def of(cls, features: Features, blocks: Sequence[slice]) -> "Projection":
-        """Features are standardised; each counts equally within its block, and each block equally."""
+        """Computes the principal axes of standardised features; features of a block weigh equally, and so do blocks."""
         mean = features.mean(0, dtype=np.float64)
         scale = 1 / (features.std(0, dtype=np.float64) + 1e-4)
         for block in blocks:
@@ -128,14 +132,18 @@ class Projection:
         return cls(*(stored(part) for part in (mean, scale, _signed(axes[:, ::-1][:, :N_AXES]))))
 
     def __call__(self, features: Features) -> Array:
-        """Points (n, m) of features (n, d)."""
+        """Returns the points (n, m) of features (n, d)."""
         points: Array = ((features - self.mean) * self.scale) @ self.axes
         return points
 
 
 @dataclass(frozen=True)
 class SignClassifier:
-    """Knows k signs by n points (n, m): `members` (n,) is the number of a point's sign, -1 for none; weights (n, k)."""
+    """Classifier of k signs, trained on n points (n, m).
+
+    members (n,): index of each point's sign, -1 for NO_SIGN.
+    weights (n, k): weight of each point in the score of each sign.
+    """
 
     signs: tuple[str, ...]
     projection: Projection
@@ -148,7 +156,7 @@ class SignClassifier:
     def fit(
         cls, samples: Samples, blocks: Sequence[slice], projection: Projection | None = None
     ) -> "SignClassifier":
-        """A classifier of the signs among the samples, with the axes of `projection` or with its own."""
+        """Trains a classifier on the samples, with the axes of `projection`, or by default with axes of the samples."""
         if projection is None:
             known = np.array([sign != NO_SIGN for sign in samples.signs])
             projection = Projection.of(samples.features[known], blocks)
@@ -158,7 +166,7 @@ class SignClassifier:
         return cls(signs, projection, points, members, _ridge_weights(points, members, len(signs)))
 
     def with_samples(self, samples: Samples) -> "SignClassifier":
-        """The same with samples more, of signs that it knows and of new ones; about 0.3 s."""
+        """Returns a classifier with additional samples, of existing or new signs; takes about 0.3 s."""
         new = sorted({*samples.signs} - {*self.signs, NO_SIGN})
         signs = (*self.signs, *new)
         points = np.concatenate([self.points, stored(self.projection(samples.features))])
@@ -167,7 +175,7 @@ class SignClassifier:
         return replace(self, signs=signs, points=points, members=members, weights=weights)
 
     def without_sign(self, sign: str) -> "SignClassifier":
-        """The same without one sign and all its samples."""
+        """Returns a classifier without one sign and all its samples."""
         i = self.signs.index(sign)
         retained = self.members != i
         signs, members = self.signs[:i] + self.signs[i + 1 :], self.members[retained]
@@ -177,7 +185,7 @@ class SignClassifier:
         return replace(self, signs=signs, points=points, members=members, weights=weights)
 
     def score(self, features: Features) -> ClassScores:
-        """What is thought of n hands (n, d)."""
+        """Returns the scores of n hands with features (n, d)."""
         points = self.projection(features)
         scores: Array = _kernel(points, self.points) @ self.weights
         return ClassScores(scores, self._novelty(points, scores.argmax(1)))
@@ -185,7 +193,7 @@ class SignClassifier:
     def predict(
         self, features: Features, thresholds: RejectThresholds = DEFAULT_THRESHOLDS
     ) -> SignPrediction:
-        """What one hand (d,) shows."""
+        """Returns the prediction for one hand with features (d,)."""
         class_scores = self.score(features[None])
         shares = self.calibration.probabilities(class_scores.scores)[0]
         second, best = np.argsort(class_scores.scores[0], kind="stable")[-2:]
@@ -198,7 +206,7 @@ class SignClassifier:
         )
 
     def _novelty(self, points: Array, best: NDArray[np.int64]) -> Array:
-        """Squared distance to the mean of the best sign less that to the mean of all, both relative to their spread."""
+        """Returns the squared Mahalanobis distance to the best sign minus the distance to all signs, per axis, (n,)."""
         from_sign = (points - self._means[best]) @ self._within
         from_all = (points - self._shown.mean(0)) @ self._overall
         farther: Array = ((from_sign**2).sum(1) - (from_all**2).sum(1)) / points.shape[1]
@@ -206,12 +214,12 @@ class SignClassifier:
 
     @cached_property
     def _shown(self) -> Array:
-        """The points that show a sign."""
+        """The points with a sign."""
         return self.points[self.members >= 0]
 
     @cached_property
     def _means(self) -> Array:
-        """Of each sign, (k, m)."""
+        """Mean point of each sign, (k, m)."""
         members = self.members[self.members >= 0]
         totals = np.zeros((len(self.signs), self.points.shape[1]))
         np.add.at(totals, members, self._shown)
@@ -220,17 +228,17 @@ class SignClassifier:
 
     @cached_property
     def _within(self) -> Array:
-        """Evens out how hands that show the same sign differ, (m, m)."""
+        """Whitening matrix of the deviations from the mean of the own sign, (m, m)."""
         return _whitening(self._shown - self._means[self.members[self.members >= 0]])
 
     @cached_property
     def _overall(self) -> Array:
-        """Evens out how hands differ, (m, m)."""
+        """Whitening matrix of the deviations from the mean of all hands with a sign, (m, m)."""
         return _whitening(self._shown - self._shown.mean(0))
 
 
 def _whitening(deviations: Array) -> Array:
-    """The matrix (m, m) after which deviations (n, m) have a spread of 1 along each axis."""
+    """Returns the matrix (m, m) that scales deviations (n, m) to unit covariance."""
     covariance = deviations.T @ deviations / len(deviations)
     ball = np.eye(len(covariance)) * np.trace(covariance) / len(covariance)
     mixed = (1 - _SHRINKAGE) * covariance + _SHRINKAGE * ball
@@ -239,7 +247,11 @@ def _whitening(deviations: Array) -> Array:
 
 
 def calibrated(scores: Array, numbers: NDArray[np.int64]) -> Calibration:
-    """The calibration under which the truth is likeliest: its sign's number for each row of scores, k for no sign."""
+    """Returns the calibration with the greatest likelihood of the labels.
+
+    Args:
+        numbers: the label of each row of scores, (n,): the index of the sign, k for no sign.
+    """
     rows = np.arange(len(numbers))
 
     def surprise(calibration: Calibration) -> float:
@@ -251,7 +263,7 @@ def calibrated(scores: Array, numbers: NDArray[np.int64]) -> Calibration:
 
 
 def stored(values: Any) -> Array:
-    """Values as a file keeps them, in half precision: computing with them before and after is the same."""
+    """Rounds values to half precision, as in the file: so predictions are equal before saving and after loading."""
     return np.asarray(values, np.float16).astype(np.float64)
 
 
@@ -260,7 +272,7 @@ def _numbers(names: Sequence[str], signs: tuple[str, ...]) -> NDArray[np.int64]:
 
 
 def _ridge_weights(points: Array, members: NDArray[np.int64], n_signs: int) -> Array:
-    """Weights that give each point 1 for its sign and 0 for the others, smoothed by the ridge."""
+    """Returns weights that fit the score 1 for each point's sign and 0 for the others, regularised by the ridge."""
     targets = (members[:, None] == np.arange(n_signs)).astype(np.float64)
     system = _kernel(points, points)
     system[np.diag_indices_from(system)] += np.where(members < 0, _RIDGE_OF_NO_SIGN, _RIDGE)
@@ -269,7 +281,7 @@ def _ridge_weights(points: Array, members: NDArray[np.int64], n_signs: int) -> A
 
 
 def _kernel(a: Array, b: Array) -> Array:
-    """exp(-0.6 d²) for all pairs of points: (n, m), (p, m) -> (n, p)."""
+    """Returns the kernel exp(-0.6 d²) for all pairs of points: (n, m), (p, m) -> (n, p)."""
     near: Array = np.exp(-_KERNEL_GAMMA * _squared_distances(a, b))
     return near
 
@@ -281,7 +293,7 @@ def _squared_distances(a: Array, b: Array) -> Array:
 
 
 def _signed(axes: Array) -> Array:
-    """Axes (d, m) with the largest part of each positive: the sign of an eigenvector is arbitrary."""
+    """Makes the largest component of each axis (d, m) positive, because the sign of an eigenvector is arbitrary."""
     max_rows = np.abs(axes).argmax(0)
     turned: Array = axes * np.sign(axes[max_rows, np.arange(axes.shape[1])])
     return turned

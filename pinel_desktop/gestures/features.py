@@ -1,7 +1,8 @@
-"""A hand as numbers: 852 about its shape, and 896 that the landmark network saw at the fingers.
+"""Feature vector of a hand: 852 shape features, and 896 activations of the landmark network at the fingers.
 
-Whatever size, place and chirality a hand has, its numbers are the same; its direction in the picture is kept, because
-letters such as M and W differ by it. The second block tells apart what landmarks do not (which finger lies in front).
+The features do not depend on the hand's size, position and chirality. They do depend on its direction in the picture,
+because letters such as M and W differ by it. The activations distinguish hands with the same landmarks, such as which
+finger is in front.
 """
 
 import math
@@ -16,13 +17,13 @@ Array = NDArray[np.float64]
 
 N_SHAPE, N_ACTIVATIONS = 852, 896
 N_FEATURES = N_SHAPE + N_ACTIVATIONS
-# a block's features count equally, and so do both blocks
+# all features of a block, and both blocks, weigh equally in the classifier
 BLOCKS = (slice(0, N_SHAPE), slice(N_SHAPE, N_SHAPE + N_ACTIVATIONS))
 
-# each landmark but the wrist is the end of a bone that begins at its parent
+# each landmark but the wrist is the end of a bone that starts at its parent
 _ENDS = np.arange(1, 21)
 _STARTS = np.array([0, 1, 2, 3, 0, 5, 6, 7, 0, 9, 10, 11, 0, 13, 14, 15, 0, 17, 18, 19])
-_BENT = np.flatnonzero(_STARTS)  # bones that continue another
+_BENT = np.flatnonzero(_STARTS)  # bones that continue another bone
 _THUMB_BASE, _INDEX_BASE, _MIDDLE_BASE, _RING_BASE, _LITTLE_BASE = 1, 5, 9, 13, 17
 _NEIGHBOURS = (
     (_INDEX_BASE, _MIDDLE_BASE),
@@ -33,18 +34,18 @@ _NEIGHBOURS = (
 _THUMB_TIP, _FINGERS = 4, slice(5, 21)
 _INDEX_JOINTS, _MIDDLE_JOINTS = [8, 7, 6], [12, 11, 10]
 _PAIRS = np.triu_indices(21, 1)
-# thumb, index and middle finger, which make most of the letters' differences
+# thumb, index and middle finger, by which most letters differ
 _ACTIVATION_LANDMARKS = [2, 3, 4, 6, 7, 8, 11, 12]
 
 
 def features(hand: Hand) -> NDArray[np.float32]:
-    """All numbers of a hand, (1748,)."""
+    """Returns the feature vector of a hand, (1748,)."""
     shape = [np.ravel(part) for part in _shape(hand)]
     return np.concatenate([*shape, _sampled_activations(hand)]).astype(np.float32)
 
 
 def _shape(hand: Hand) -> Iterator[Array | list[float]]:
-    """Positions, directions, angles and distances of landmarks in three frames: picture, crop, and the palm itself."""
+    """Yields positions, directions, angles and distances of landmarks, in the frames of the picture, crop and palm."""
     upright = _unmirrored(hand)
     world = _from_wrist(hand.world)
     in_crop = _from_wrist(hand.in_crop)
@@ -64,7 +65,10 @@ def _shape(hand: Hand) -> Iterator[Array | list[float]]:
 
 
 def _unmirrored(hand: Hand) -> Array:
-    """Landmarks (21, 3) as they stand in the picture, from the wrist, in units of the hand's size, in one chirality."""
+    """Returns the landmarks (21, 3) in the picture's axes, as a right hand.
+
+    The origin is the wrist; the unit is the hand's size.
+    """
     points = hand.points - hand.points[0]
     if hand.mirrored:
         points[:, 0] *= -1
@@ -73,38 +77,38 @@ def _unmirrored(hand: Hand) -> Array:
 
 
 def _from_wrist(points: Array) -> Array:
-    """Landmarks (21, 3) from the wrist, in units of three mean bones."""
+    """Returns the landmarks (21, 3) relative to the wrist, in units of three mean bone lengths."""
     lengths = np.linalg.norm(points[_ENDS] - points[_STARTS], axis=1)
     scaled: Array = (points - points[0]) / (3 * float(lengths.mean()) + 1e-9)
     return scaled
 
 
 def _palm_axes(world: Array) -> Array:
-    """Rows: across the palm, along it towards the middle finger, and away from it."""
+    """Returns the axes of the palm as rows: across it, along it towards the middle finger, perpendicular to it."""
     along = _unit(world[_MIDDLE_BASE])
     away = _unit(np.cross(world[_INDEX_BASE] - world[_LITTLE_BASE], along))
     return np.stack([np.cross(along, away), along, away])
 
 
 def _bends(bones: Array) -> Array:
-    """Cosine of the angle of each bone with the one before it, (15,)."""
+    """Returns the cosine of the angle between each bone and the bone before it, (15,)."""
     cosines: Array = np.einsum("ij,ij->i", bones[_BENT], bones[_STARTS[_BENT] - 1])
     return cosines
 
 
 def _spreads(bones: Array) -> list[float]:
-    """Cosines between the three bones of neighbouring fingers, (12,)."""
+    """Returns the cosines of the angles between the three bones of neighbouring fingers, (12,)."""
     return [float(bones[a + i] @ bones[b + i]) for a, b in _NEIGHBOURS for i in range(3)]
 
 
 def _distances(points: Array) -> Array:
-    """Between all pairs of landmarks, (210,)."""
+    """Returns the distances between all pairs of landmarks, (210,)."""
     distances: Array = np.linalg.norm(points[_PAIRS[0]] - points[_PAIRS[1]], axis=1)
     return distances
 
 
 def _sampled_activations(hand: Hand) -> Array:
-    """The network's inner map read between its cells (bilinearly) at 8 landmarks, (896,)."""
+    """Returns the network's activations, interpolated bilinearly at 8 landmarks, (896,)."""
     grid = hand.activations
     cells = grid.shape[0]
     at = np.clip(hand.in_crop[_ACTIVATION_LANDMARKS, :2] * cells / SIZE - 0.5, 0, cells - 1.001)

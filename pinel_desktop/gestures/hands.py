@@ -1,4 +1,4 @@
-"""Finding hands in a picture, and following them from frame to frame."""
+"""Hand detection in a picture, and hand tracking from frame to frame."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -16,19 +16,19 @@ Picture = NDArray[np.uint8]
 
 MAX_HANDS = 2
 MIN_PRESENCE = 0.5
-_LOST_PRESENCE = 0.3  # a hand that is being followed may be seen worse for a while
+_LOST_PRESENCE = 0.3  # lower than MIN_PRESENCE: the presence of a tracked hand may drop for a while
 _PADDINGS = (1, 1.5, 2, 3)
 _PALM_SCORES = (0.5, 0.3)
 _CERTAINLY_OTHER = 0.3
-_SAME_HAND = 0.5  # of the smaller hand's size
+_SAME_HAND = 0.5  # as a fraction of the smaller hand's size
 
 
 class HandDetector:
-    """Finds the hands of single pictures."""
+    """Detects the hands in single pictures."""
 
     def __init__(self, folder: Path = FOLDER) -> None:
-        """Raises PinelError where a network's file is missing or damaged."""
-        cv2.setNumThreads(1)  # a camera's frames are read beside a robot's control loop
+        """Raises PinelError if a network's file is missing or damaged."""
+        cv2.setNumThreads(1)  # leave the other cores to a robot's control loop
         self._palms = PalmDetector(Network(PALM, folder))
         self.landmarks = LandmarkNetwork(Network(HAND, folder))
 
@@ -39,11 +39,14 @@ class HandDetector:
         accepts: Callable[[Palm], bool] = lambda palm: True,
         exhaustive: bool = True,
     ) -> list[Hand]:
-        """The hands of an RGB picture, at most two, the best first.
+        """Returns the hands of an RGB picture, at most two, the best first.
 
-        Close hands need a smaller picture, faint ones a lower score: these are tried until one hand is found. If none
-        is certain, the best guess is given with its presence. `accepts` passes over palms; `exhaustive=False`
-        tries once.
+        Close hands need a smaller picture, faint hands a lower score threshold. Tries both until it finds a hand. If
+        no hand reaches `MIN_PRESENCE`, returns the best guess.
+
+        Args:
+            accepts: returns False for palms to ignore.
+            exhaustive: False tries once only.
         """
         guess: Hand | None = None
         for min_score in _PALM_SCORES[: None if exhaustive else 1]:
@@ -59,14 +62,14 @@ class HandDetector:
         return [self._refined(picture, guess)] if guess else []
 
     def _refined(self, picture: Picture, hand: Hand) -> Hand:
-        """Seen twice more: in a crop that fits the landmarks, then mirrored if it is a left hand."""
+        """Runs the landmark network twice more: on a crop fitted to the landmarks, then mirrored for a left hand."""
         fitted = self.landmarks(picture, around_hand(hand.points))
         mirrored = fitted.chirality < 0.5
         return self.landmarks(picture, around_hand(fitted.points), mirrored=mirrored)
 
 
 class HandTracker:
-    """Follows the hands of a video: one pass of the landmark network for each hand and frame."""
+    """Tracks the hands in a video: one pass of the landmark network for each hand and frame."""
 
     def __init__(self, detector: HandDetector) -> None:
         self._detector = detector
@@ -74,7 +77,7 @@ class HandTracker:
         self._n_empty = 0
 
     def update(self, picture: Picture) -> list[Hand]:
-        """The hands of the next frame. Where all are lost, palms are looked for again."""
+        """Returns the hands of the next frame. If all hands are lost, detects palms again."""
         followed = without_duplicates([self._follow(picture, hand) for hand in self._hands])
         self._hands = [hand for hand in followed if hand.presence > _LOST_PRESENCE]
         if not self._hands:
@@ -83,7 +86,7 @@ class HandTracker:
         return self._hands
 
     def _follow(self, picture: Picture, hand: Hand) -> Hand:
-        """A hand that looks like the other one, as when it turned or another came, is mirrored from here on."""
+        """Tracks one hand. If its chirality changed (it turned, or it is another hand), mirrors it from now on."""
         region = around_hand(hand.points)
         tracked = self._detector.landmarks(picture, region, mirrored=hand.mirrored)
         if tracked.chirality < _CERTAINLY_OTHER:
@@ -92,7 +95,7 @@ class HandTracker:
 
 
 def without_duplicates(hands: list[Hand]) -> list[Hand]:
-    """The best of these, without those that are the same hand twice; at most two."""
+    """Returns the best hands, at most two, without detections of the same hand."""
     unique: list[Hand] = []
     for hand in sorted(hands, key=_presence, reverse=True):
         if not any(_is_same(hand, other) for other in unique):
@@ -105,7 +108,7 @@ def _presence(hand: Hand) -> float:
 
 
 def _is_same(a: Hand, b: Hand) -> bool:
-    """Whether the landmarks of two hands lie on each other: on average nearer than half of the smaller one."""
+    """Returns whether the mean distance of two hands' landmarks is less than half the smaller hand's size."""
     distance = np.linalg.norm(a.points[:, :2] - b.points[:, :2], axis=1).mean()
     size = min(np.ptp(hand.points[:, :2], axis=0).max() for hand in (a, b))
     return bool(distance < _SAME_HAND * size)

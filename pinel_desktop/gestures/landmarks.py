@@ -1,4 +1,4 @@
-"""The landmarks of one hand in a crop: MediaPipe's landmark network, with one of its inner maps as an output."""
+"""Landmarks of one hand in a crop: MediaPipe's landmark network, with the activations of an inner layer as output."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -16,13 +16,13 @@ SIZE = 224
 
 @dataclass(frozen=True)
 class Hand:
-    """One hand as the network saw it. Landmarks are numbered as MediaPipe does: 0 wrist, 4 tip of the thumb, ... 20.
+    """One hand, as the output of the landmark network. Landmark numbers as in MediaPipe: 0 wrist, 4 thumb tip, ... 20.
 
     points: (21, 3), pixels of the picture; z in the same unit, towards the camera negative, 0 at the wrist.
     in_crop: (21, 3), pixels of the crop, which is 224 wide. world: (21, 3), metres, in the frame of the crop.
-    activations: (14, 14, 112), the network's inner map over the crop.
-    presence, chirality: 0..1, whether this is a hand, and whether it is a right one as the crop shows it.
-    mirrored: whether the crop was mirrored, so that every hand is seen as a right one.
+    activations: (14, 14, 112), activations of the network's inner layer over the crop.
+    presence: 0..1, whether the crop shows a hand. chirality: 0..1, whether the hand in the crop is a right hand.
+    mirrored: whether the crop was mirrored to make a left hand a right hand.
     """
 
     points: Array
@@ -40,13 +40,13 @@ class Hand:
 
     @property
     def box(self) -> tuple[float, float, float, float]:
-        """Left, top, right and bottom of the landmarks, pixels of the picture."""
+        """Bounding box of the landmarks: left, top, right, bottom, in pixels of the picture."""
         low, high = self.points[:, :2].min(0), self.points[:, :2].max(0)
         return (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
 
 
 class LandmarkNetwork:
-    """Computes the landmarks of the hand in a region of a picture, whether there is one or not."""
+    """Computes landmarks in a region of a picture. `presence` shows whether the region has a hand at all."""
 
     def __init__(self, network: Network) -> None:
         self._network = network

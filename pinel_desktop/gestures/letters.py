@@ -1,4 +1,4 @@
-"""The letters that ship: their one list. A test holds that the classifier that ships knows these and no others."""
+"""The only list of the shipped letters. A test checks that the shipped classifier has exactly these."""
 
 LETTERS = tuple("ABCDEFGIKLMNOPQRSTUVW")
 """The static letters of the Libras alphabet; both ways to sign D are one letter."""

@@ -1,8 +1,10 @@
-"""Movements of a hand: cut out of a video from rest to rest, and brought to one form.
+"""Movements of a hand: segments of a video from rest to rest, resampled to a fixed form.
 
-A movement is 38 frames of 46 numbers: the 21 landmarks from the middle of the palm, the way of the palm from where it
-began, how much larger the hand is than on average, and the time. Lengths are in sizes of the hand, whose chirality is
-always that of a right hand. Speed stays in the time alone: the frames divide the movement evenly.
+A movement has 38 frames of 46 numbers: 21 landmarks (x, y) relative to the middle of the palm, the path of the palm
+relative to its start, the logarithm of the hand's relative size, and the time in s.
+
+Lengths are in hand sizes; left hands are mirrored. The frames divide the duration evenly, so that only the time depends
+on the speed of the movement.
 """
 
 from collections import deque
@@ -17,20 +19,20 @@ Movement = NDArray[np.float32]
 N_FRAMES, N_NUMBERS = 38, 46
 SHAPE, PATH, GROWTH, TIME = slice(0, 42), slice(42, 44), 44, 45
 
-BEGINS_HZ = 0.9  # hand sizes a second from which a hand moves
-RESTS_HZ = 0.7  # and below which it rests
-REST_S = 0.25  # so long it must rest; the corners of a Z are shorter
+BEGINS_HZ = 0.9  # minimum speed of a moving hand, hand sizes/s
+RESTS_HZ = 0.7  # upper bound of the speed of a resting hand, hand sizes/s
+REST_S = 0.25  # minimum rest that ends a movement; the stops at the corners of a Z are shorter
 MIN_DURATION_S, MAX_DURATION_S = 0.25, 4.0  # of a movement
-MIN_DISPLACEMENT = 0.2  # hand sizes, of the landmarks from where they were
-_SPAN_S = 0.18  # speed is measured over it: from frame to frame the landmarks tremble
+MIN_DISPLACEMENT = 0.2  # of the landmarks from their start, hand sizes
+_SPAN_S = 0.18  # time span of the speed measurement; over single frames landmark noise is too large
 _MIN_FRAMES = 4
-_GAP_S = 0.3  # a hand that was not seen for so long is another one
+_GAP_S = 0.3  # after a longer gap a hand counts as another hand
 _PALM = [0, 1, 5, 9, 13, 17]
 
 
 @dataclass(frozen=True, slots=True)
 class HandObservation:
-    """A hand in one frame: when, its landmarks (21, 2) in px, whether it is a left one."""
+    """A hand in one frame: time in s, landmarks (21, 2) in px, whether it is a left hand."""
 
     time_s: float
     points: Points
@@ -38,7 +40,7 @@ class HandObservation:
 
 
 def movement(observations: list[HandObservation]) -> Movement:
-    """At least two frames, the earliest first, as a movement (38, 46)."""
+    """Resamples at least two frames, the earliest first, to a movement (38, 46)."""
     times = np.array([one.time_s for one in observations]) - observations[0].time_s
     points = np.array([one.points for one in observations], np.float64)
     if 2 * sum(one.is_left for one in observations) > len(observations):
@@ -58,7 +60,7 @@ def movement(observations: list[HandObservation]) -> Movement:
 
 
 def shape(points: Points, *, is_left: bool) -> NDArray[np.float64]:
-    """The landmarks (21, 2) of one frame as the frames of a movement have them, (42,)."""
+    """Returns the landmarks (21, 2) of one frame in the form of the frames of a movement, (42,)."""
     upright = points.astype(np.float64)
     if is_left:
         upright[:, 0] *= -1
@@ -68,13 +70,13 @@ def shape(points: Points, *, is_left: bool) -> NDArray[np.float64]:
 
 
 class MovementSegmenter:
-    """Cuts movements out of a video, frame by frame: from a hand at rest to the same hand at rest again."""
+    """Segments movements in a video, frame by frame: from a hand at rest to the same hand at rest again."""
 
     def __init__(self) -> None:
         self.reset()
 
     def reset(self) -> None:
-        """Forgets the frames so far."""
+        """Discards all frames."""
         self._observations: deque[HandObservation] = deque()
         self._is_moving = False
         self._has_rested = False
@@ -85,7 +87,7 @@ class MovementSegmenter:
         return self._is_moving
 
     def update(self, observation: HandObservation) -> Movement | None:
-        """Takes the next frame with a hand; gives the movement that has just come to rest."""
+        """Adds the next frame with a hand; returns the movement that ends with it, or None."""
         if self._observations and observation.time_s - self._observations[-1].time_s > _GAP_S:
             self.reset()
         self._observations.append(observation)
@@ -98,7 +100,7 @@ class MovementSegmenter:
         if speed >= RESTS_HZ:
             self._rests_since_s = None
             if observation.time_s - self._observations[0].time_s > MAX_DURATION_S:
-                self._has_rested = False  # too long ago
+                self._has_rested = False  # the rest before the movement is too long ago
                 self._observations.popleft()
             return None
         if self._rests_since_s is None:
@@ -106,7 +108,7 @@ class MovementSegmenter:
         return self._ended() if observation.time_s - self._rests_since_s >= REST_S else None
 
     def _wait(self, speed: float) -> None:
-        """Until the hand moves, no more is kept than what its speed is measured by."""
+        """Checks whether a resting hand starts to move. Until then, discards frames that its speed does not need."""
         self._has_rested = self._has_rested or speed < RESTS_HZ
         self._is_moving = speed >= BEGINS_HZ
         oldest_s = self._observations[-1].time_s - 2 * _SPAN_S
@@ -114,7 +116,7 @@ class MovementSegmenter:
             self._observations.popleft()
 
     def _ended(self) -> Movement | None:
-        """The frames until the hand came to rest, if they are a movement at all."""
+        """Returns the movement up to the rest; None if it has too few frames or a wrong duration, or is too small."""
         rests_since_s = self._rests_since_s or 0.0
         frames = [one for one in self._observations if one.time_s <= rests_since_s]
         remaining = [one for one in self._observations if one.time_s > rests_since_s]
@@ -132,7 +134,7 @@ class MovementSegmenter:
         return movement(frames) if farthest >= MIN_DISPLACEMENT else None
 
     def _speed(self) -> float | None:
-        """Hand sizes a second over the last moment; None when the hand has just come."""
+        """Returns the speed over the last `_SPAN_S`, in hand sizes/s; None if the hand has just appeared."""
         now = self._observations[-1]
         for before in reversed(self._observations):
             elapsed_s = now.time_s - before.time_s
@@ -142,20 +144,20 @@ class MovementSegmenter:
 
 
 def _displacement(before: Points, now: Points) -> float:
-    """How far the landmarks moved, root mean square, in sizes of the hand."""
+    """Returns the root mean square displacement of the landmarks, in hand sizes."""
     size = float(np.ptp(now, axis=0).max()) + 1e-6
     return float(np.sqrt(((now - before) ** 2).sum(axis=1).mean())) / size
 
 
 def _sizes(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Root mean square distance of the landmarks (n, 21, 2) from their middle, (n,)."""
+    """Returns the root mean square distance of the landmarks (n, 21, 2) from their centroid, (n,)."""
     spread = points - points.mean(1, keepdims=True)
     sizes: NDArray[np.float64] = np.sqrt((spread**2).sum(2).mean(1))
     return sizes
 
 
 def _smoothed(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Each frame as the mean of itself and its neighbours."""
+    """Returns each frame as the mean of itself and its neighbours."""
     padded = np.concatenate([points[:1], points, points[-1:]])
     mean: NDArray[np.float64] = (padded[:-2] + padded[1:-1] + padded[2:]) / 3
     return mean

@@ -1,9 +1,11 @@
-"""Signs that move, recognised by the movements that a class has shown of them; null when in doubt.
+"""Nearest-neighbour classifier of moving signs, with a reject option.
 
-A movement is compared with each example by dynamic time warping (warping.py) of the hand's shape, its way, the
-direction in which it goes and its size. It is the sign whose two nearest examples are nearest, if they are near enough
-and clearly nearer than those of any other sign. How near is enough follows from the examples: how far they lie apart,
-and how near another sign comes to them. The constants were chosen on synthetic movements (training/moving_hands.py).
+Dynamic time warping (warping.py) compares a movement with each example that a class has shown. It compares the hand's
+shape, path, direction and growth. The best sign is the sign with the smallest mean distance to its two nearest
+examples. The movement is rejected if this distance exceeds a threshold, or is not clearly less than the second sign's.
+
+Each sign's threshold follows from the distances among its examples, and from their distances to other signs. The
+constants were chosen on synthetic movements (training/moving_hands.py).
 """
 
 from collections.abc import Mapping
@@ -18,26 +20,25 @@ from pinel_desktop.gestures.movements import GROWTH, N_FRAMES, PATH, SHAPE, TIME
 Array = NDArray[np.float64]
 
 N_NEAREST = 2
-# distances: always near enough; never; and the median among a sign's examples counts so many times between
+# A sign's threshold: _SPREAD times the median distance among its examples, clipped to [NEAR, FAR]
 NEAR, FAR, _SPREAD = 0.55, 0.6, 1.4
-_CLEAR = 0.85  # of the distance to the second sign
-# the way alone must be near too: people's hands differ more than their movements, and one's own hand hides a wrong way
+_CLEAR = 0.85  # greatest ratio of the distances to the best and to the second sign
+# The path has a limit of its own. Hands differ between people more than paths do. If the person
+# taught the sign, the matching hand shape would otherwise compensate for a wrong path.
 _MAX_PATH_DISTANCE = 0.27
-_MIN_PATH_EXTENT = (
-    1.5  # sizes of the hand: shorter ways are not stretched to the length of the others
-)
-_DIRECTION = 0.2  # weight, for the way of a whole movement in a unit of its time
-_PACES = (0.35, 2.8)  # how long a movement takes, relative to the median of the examples
+_MIN_PATH_EXTENT = 1.5  # hand sizes; paths are divided by their extent, but not by less than this
+_DIRECTION = 0.2  # weight of the path's derivative; unit of time: the movement's duration
+_PACES = (0.35, 2.8)  # allowed duration relative to the median of the examples
 _N_SHAPE = 42
-_BEGINS_AS = 0.48  # distance of shapes up to which a hand may be about to begin a sign
+_BEGINS_AS = 0.48  # greatest distance of a hand's shape to the start of a sign
 _SHARPNESS = 12.0
 
 
 @dataclass(frozen=True, slots=True)
 class MovingSignPrediction:
-    """What a movement shows: `sign` is None in doubt; `best` and `second` are the likeliest signs, "" for none.
+    """Prediction for a movement: `sign` is None if rejected; `best` and `second` are the likeliest signs, "" for none.
 
-    confidence: from 0 to 1, higher for a nearer movement; not calibrated.
+    confidence: 0 to 1, higher for a nearer movement; not calibrated.
     """
 
     sign: str | None
@@ -47,7 +48,7 @@ class MovingSignPrediction:
 
 
 class MovingSignClassifier:
-    """Knows signs by n movements of each, (n, 38, 46); without any, no movement is a sign."""
+    """Classifier with n example movements for each sign, (n, 38, 46). Without examples it rejects every movement."""
 
     def __init__(self, examples: Mapping[str, NDArray[np.float32]]) -> None:
         self.signs = tuple(examples)
@@ -59,7 +60,7 @@ class MovingSignClassifier:
         self._thresholds = self._calibrated()
 
     def predict(self, movement: Movement) -> MovingSignPrediction:
-        """What a movement (38, 46) shows."""
+        """Returns the prediction for a movement (38, 46)."""
         if self._sequences is None:
             return MovingSignPrediction(None, "", 0.0, "")
         sequence = _sequences(movement[None].astype(np.float64))[0]
@@ -81,14 +82,14 @@ class MovingSignClassifier:
         )
 
     def may_begin(self, points: NDArray[np.float32], *, is_left: bool) -> bool:
-        """Whether a hand at rest, landmarks (21, 2) in px, looks like the beginning of one of the signs."""
+        """Returns whether a hand at rest, landmarks (21, 2) in px, has the shape with which a sign starts."""
         if not len(self._beginnings):
             return False
         offsets = self._beginnings - movements.shape(points, is_left=is_left)
         return bool((np.sqrt((offsets**2).sum(1) / 21) <= _BEGINS_AS).any())
 
     def _distances(self, sequence: Array, but: int | None = None) -> Array:
-        """Of each sign the mean distance of its nearest examples, (k,); without example `but`."""
+        """Returns the mean distance to each sign's nearest examples, (k,), without the example number `but`."""
         assert self._sequences is not None
         distances = warping.dtw_distances(sequence, self._sequences)
         if but is not None:
@@ -98,14 +99,14 @@ class MovingSignClassifier:
         )
 
     def _path_distance(self, sequence: Array, k: int) -> float:
-        """The same of one sign, without the hand's shape."""
+        """Returns the mean distance to the nearest examples of sign number `k`, without the hand's shape."""
         assert self._sequences is not None
         examples = self._sequences[self._owners == k]
         distances = warping.dtw_distances(sequence[:, _N_SHAPE:], examples[..., _N_SHAPE:])
         return _mean_of_nearest(distances)
 
     def _calibrated(self) -> Array:
-        """Of each sign, from which distance on a movement is none of it any more, (k,)."""
+        """Returns each sign's threshold, (k,): the greatest distance of a movement that is this sign."""
         thresholds = np.full(len(self.signs), NEAR)
         if self._sequences is None:
             return thresholds
@@ -113,7 +114,7 @@ class MovingSignClassifier:
         for k in range(len(self.signs)):
             own = distances[self._owners == k]
             spread = np.median(own[:, k])
-            if np.isfinite(spread):  # there are two examples at least
+            if np.isfinite(spread):  # the sign has at least two examples
                 thresholds[k] = np.clip(_SPREAD * spread, NEAR, FAR)
             others = np.delete(own, k, axis=1)
             if others.size:
@@ -121,7 +122,7 @@ class MovingSignClassifier:
         return thresholds
 
     def _confidence(self, distances: Array, best: int) -> float:
-        """The share of the best sign, beside the others and "none" at the threshold."""
+        """Returns the softmax share of the best sign among all signs and "none", which lies 0.1 above the threshold."""
         none = self._thresholds[best] + 0.1
         shares = np.exp(-_SHARPNESS * (np.append(distances, none) - distances[best]))
         return float(1.0 / shares.sum())
@@ -133,7 +134,7 @@ def _mean_of_nearest(distances: Array) -> float:
 
 
 def _sequences(shown: Array) -> Array:
-    """Movements (n, 38, 46) as what is compared, (n, 38, d): shape, way, direction and growth, weighted."""
+    """Converts movements (n, 38, 46) to weighted sequences (n, 38, d) for warping: shape, path, direction, growth."""
     path = shown[..., PATH] - shown[:, :1, PATH]
     reach = np.maximum(np.linalg.norm(path, axis=2).max(1), _MIN_PATH_EXTENT)[:, None, None]
     direction = np.gradient(path, axis=1) * N_FRAMES * _DIRECTION
@@ -143,6 +144,6 @@ def _sequences(shown: Array) -> Array:
 
 
 def _beginnings(shown: Array) -> Array:
-    """The shapes of the hand with which movements begin, (n, 42)."""
+    """Returns the hand's shape at the start of each movement, (n, 42)."""
     shapes: Array = shown[:, :3, SHAPE].mean(1)
     return shapes

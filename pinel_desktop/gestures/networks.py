@@ -1,6 +1,6 @@
-"""MediaPipe's two hand networks as ONNX files: where they lie, and how they are opened.
+"""MediaPipe's two hand networks as ONNX files, run with ONNX Runtime.
 
-Set-up writes them (scripts/hand_models). A file is opened only if its checksum is the one that was tried.
+Set-up writes the files (scripts/hand_models). A file is opened only if it has the checksum of the tested file.
 """
 
 import hashlib
@@ -31,7 +31,7 @@ HAND = NetworkFile("hand.onnx", "1216d7ec34812031e2b8c7ef11a9c1a7927e409284dd09f
 
 
 class Network:
-    """One network, computed on the calling thread alone: threads that spin would slow the rest of the program."""
+    """One network, computed on the calling thread alone: spinning worker threads would slow the rest of the program."""
 
     def __init__(self, file: NetworkFile, folder: Path = FOLDER) -> None:
         """Raises PinelError: `gesture_model_missing`, `gesture_model_damaged`."""
@@ -45,14 +45,14 @@ class Network:
         self._input: str = self._session.get_inputs()[0].name
 
     def __call__(self, picture: NDArray[np.uint8]) -> Sequence[Array]:
-        """The outputs for one RGB picture (height, width, 3) of the size that the network takes."""
+        """Returns the outputs for one RGB picture (height, width, 3) with the network's input size."""
         batch = picture[None].astype(np.float32) / 255
         outputs: Sequence[Array] = self._session.run(None, {self._input: batch})
         return [output[0] for output in outputs]
 
 
 def checked(file: NetworkFile, folder: Path = FOLDER) -> bytes:
-    """The content of a network's file. Raises PinelError where it is missing or another than the one that was tried."""
+    """Returns the content of a network's file. Raises PinelError if the file is missing or has another checksum."""
     path = folder / file.name
     try:
         content = path.read_bytes()

@@ -1,4 +1,4 @@
-"""Where in a picture there are palms: MediaPipe's palm detector."""
+"""Palm detection in a picture: MediaPipe's palm detector."""
 
 from dataclasses import dataclass
 
@@ -19,7 +19,7 @@ _MAX_OVERLAP = 0.3
 
 @dataclass(frozen=True)
 class Palm:
-    """One palm: score 0..1, box (x and y of its centre, width, height) and 7 key points (7, 2), in pixels."""
+    """A detected palm: score 0..1, box (centre x, centre y, width, height) and 7 key points (7, 2), in pixels."""
 
     score: float
     box: Array
@@ -27,7 +27,7 @@ class Palm:
 
     @property
     def centre(self) -> Array:
-        """Between the wrist and the base of the middle finger."""
+        """Midpoint between the wrist and the base of the middle finger."""
         middle: Array = (self.points[_WRIST] + self.points[_MIDDLE_BASE]) / 2
         return middle
 
@@ -37,7 +37,7 @@ class Palm:
 
 
 class PalmDetector:
-    """Finds the palms of a picture."""
+    """Detects the palms in a picture."""
 
     def __init__(self, network: Network) -> None:
         self._network = network
@@ -46,10 +46,12 @@ class PalmDetector:
     def __call__(
         self, picture: NDArray[np.uint8], *, padding: float, min_score: float
     ) -> list[Palm]:
-        """At most 4 palms of an RGB picture, the best first.
+        """Returns at most 4 palms of an RGB picture, the best first.
 
-        `padding` 1 scales the longer side to the 192 pixels of the network; 2 to half of them, which finds hands that
-        fill the picture.
+        Args:
+            padding: 1 scales the longer side to the network's 192 pixels. 2 scales it to half of them, which detects
+                hands that fill the picture.
+            min_score: score threshold, 0..1.
         """
         height, width = picture.shape[:2]
         scale = _SIZE / (max(height, width) * padding)
@@ -68,7 +70,7 @@ class PalmDetector:
 
 
 def _anchors() -> Array:
-    """What the outputs count from: 2 at each cell of a grid of 24 x 24, then 6 at each of 12 x 12; pixels (2016, 2)."""
+    """Returns the anchors of the outputs in pixels, (2016, 2): 2 per cell of a 24 x 24 grid, 6 per cell of 12 x 12."""
     grids = []
     for cells, n_each in ((24, 2), (12, 6)):
         along = (np.arange(cells) + 0.5) * _SIZE / cells
@@ -78,11 +80,11 @@ def _anchors() -> Array:
 
 
 def _letterboxed(picture: NDArray[np.uint8], scale: float) -> NDArray[np.uint8]:
-    """The picture in the middle of a black square of 192 pixels."""
+    """Returns the scaled picture in the middle of a black square of 192 pixels."""
     height, width = picture.shape[:2]
     if (
         scale < 0.5
-    ):  # whole pixels are averaged first: sampling between few of them would skip fine structure
+    ):  # average whole pixels first, because bilinear sampling alone would skip fine structure
         factor = int(1 / scale)
         size = (max(width // factor, 1), max(height // factor, 1))
         picture = np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), np.uint8)
@@ -95,7 +97,10 @@ def _letterboxed(picture: NDArray[np.uint8], scale: float) -> NDArray[np.uint8]:
 def _palm(
     score: float, raw: NDArray[np.float32], anchor: Array, scale: float, size: tuple[int, int]
 ) -> Palm:
-    """One row of the network's output: centre and key points from the anchor, extent, in its pixels."""
+    """Converts one row of the network's output to a palm in pixels of the picture.
+
+    The row has centre, width and height, and key points in pixels of the network; points are relative to the anchor.
+    """
     pairs = raw.reshape(9, 2).astype(np.float64)
     places = np.concatenate([pairs[:1], pairs[2:]]) + anchor
     in_picture = (places - _SIZE / 2) / scale + np.array(size) / 2
@@ -103,7 +108,7 @@ def _palm(
 
 
 def _overlap(a: Array, b: Array) -> float:
-    """Intersection over union of two boxes."""
+    """Returns the intersection over union of two boxes."""
     low = np.maximum(a[:2] - a[2:] / 2, b[:2] - b[2:] / 2)
     high = np.minimum(a[:2] + a[2:] / 2, b[:2] + b[2:] / 2)
     both = float(np.prod(np.maximum(high - low, 0)))

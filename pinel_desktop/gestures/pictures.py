@@ -1,4 +1,4 @@
-"""Pictures from files, brought to one form: RGB, 8 bits, unstretched."""
+"""Reads pictures from files, as RGB with 8 bits, and undoes a stretch."""
 
 import os
 import stat
@@ -13,15 +13,18 @@ from pinel_desktop.gestures.opencv import cv2
 Picture = NDArray[np.uint8]
 
 MIN_SIDE = 16
-_MAX_SIDE = 16384  # cv2 cuts no crops out of pictures twice as large
+_MAX_SIDE = 16384  # px; cv2 makes no crops of pictures twice as large
 _MAX_FILE_BYTES = 100_000_000
 
 
 def read_picture(path: Path, aspect: float | None = None) -> Picture:
-    """The picture in a file, RGB (height, width, 3), turned as its EXIF data say.
+    """Reads a picture, RGB (height, width, 3), in the orientation of its EXIF data.
 
-    `aspect` is the width over the height that it had before it was stretched: the stretch is undone. Raises
-    PinelError: `picture_unreadable`, `picture_too_small`, `picture_too_large`.
+    Args:
+        aspect: width divided by height before the picture was stretched; undoes the stretch. None if not stretched.
+
+    Raises:
+        PinelError: `picture_unreadable`, `picture_too_small`, `picture_too_large`.
     """
     try:
         content = np.frombuffer(_content(path), np.uint8)
@@ -36,16 +39,16 @@ def read_picture(path: Path, aspect: float | None = None) -> Picture:
 
 
 def _content(path: Path) -> bytes:
-    """The bytes of a file; b"" for a device or a pipe, which may have no end, and for what is too large."""
+    """Returns the bytes of a file; b"" for a file that is too large, and for a device or a pipe, maybe endless."""
     with open(path, "rb", opener=_open_without_waiting) as file:
         status = os.fstat(file.fileno())
         if not stat.S_ISREG(status.st_mode) or status.st_size > _MAX_FILE_BYTES:
             return b""
-        return file.read(_MAX_FILE_BYTES) or b""  # it may grow meanwhile
+        return file.read(_MAX_FILE_BYTES) or b""  # the file may grow meanwhile
 
 
 def _open_without_waiting(path: str, flags: int) -> int:
-    """A pipe would be opened only when somebody writes to it."""
+    """Opens without blocking: opening a pipe would wait for a writer."""
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -60,7 +63,7 @@ def _check_sides(path: Path, picture: Picture) -> None:
 
 
 def unstretched(picture: Picture, aspect: float) -> Picture:
-    """The picture with `aspect` as its width over its height; one side grows, none shrinks."""
+    """Resizes the picture to `aspect`, width divided by height; enlarges one side and shrinks none."""
     height, width = picture.shape[:2]
     size = (max(width, round(height * aspect)), max(height, round(width / aspect)))
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_LINEAR), np.uint8)

@@ -1,4 +1,4 @@
-"""From a picture to a letter: hands, features and classifier together."""
+"""Recognises signs in pictures: combines hand detection, features and classifier."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,7 +22,7 @@ from pinel_desktop.gestures.regions import Region
 
 @dataclass(frozen=True)
 class RecognisedHand:
-    """A hand in a picture, its features (1748,), and what it shows."""
+    """A detected hand, its features (1748,), and its predicted sign."""
 
     hand: Hand
     features: NDArray[np.float32]
@@ -30,7 +30,7 @@ class RecognisedHand:
 
 
 class Recogniser:
-    """Reads the signs of single pictures, or of a video frame by frame. It belongs to one thread."""
+    """Recognises signs in single pictures, or in a video frame by frame. Not thread-safe."""
 
     def __init__(
         self,
@@ -38,7 +38,11 @@ class Recogniser:
         thresholds: RejectThresholds = DEFAULT_THRESHOLDS,
         folder: Path = FOLDER,
     ) -> None:
-        """The letters that ship, or another classifier. Raises PinelError where a file is missing or damaged."""
+        """Loads the networks and, by default, the shipped letters.
+
+        Raises:
+            PinelError: a file is missing or damaged.
+        """
         self.classifier = classifier or weights_file.load(folder / weights_file.LETTERS.name)
         self.thresholds = thresholds
         self._detector = HandDetector(folder)
@@ -46,7 +50,7 @@ class Recogniser:
         self._warm_up()
 
     def read(self, picture: Picture) -> list[RecognisedHand]:
-        """The hands of one RGB picture (height, width, 3), unstretched, the best first; at most two."""
+        """Returns the hands of one unstretched RGB picture (height, width, 3), at most two, the best first."""
         return [
             self._recognised(hand)
             for hand in self._detector.detect(picture)
@@ -54,15 +58,15 @@ class Recogniser:
         ]
 
     def track(self, picture: Picture) -> list[RecognisedHand]:
-        """The hands of the next frame of a video; a hand that was seen in the last frame is not looked for."""
+        """Returns the hands of the next frame of a video; detects new hands only if none is tracked."""
         return [self._recognised(hand) for hand in self._tracker.update(picture)]
 
     def reset_tracking(self) -> None:
-        """Looks for hands anew in the next frame, which comes from elsewhere."""
+        """Detects hands again in the next frame, because it comes from another source."""
         self._tracker = HandTracker(self._detector)
 
     def _warm_up(self) -> None:
-        """The first picture takes no longer than the others: memory is laid out, what is derived once is derived."""
+        """Allocates memory and fills caches, so that the first picture takes no longer than the others."""
         self._detector.detect(np.zeros((SIZE, SIZE, 3), np.uint8), exhaustive=False)
         self._detector.landmarks(np.zeros((SIZE, SIZE, 3), np.uint8), Region(0, 0, SIZE, 0))
         self.classifier.predict(np.zeros(N_FEATURES, np.float32))
@@ -73,7 +77,7 @@ class Recogniser:
 
 
 def clearest(hands: list[RecognisedHand]) -> RecognisedHand | None:
-    """Of two hands the one that signs: one that is answered rather than not, then the surer one."""
+    """Returns the hand that most probably signs: prefers accepted predictions, then the higher confidence."""
     return max(
         hands,
         key=lambda one: (one.prediction.sign is not None, one.prediction.confidence),

@@ -1,49 +1,56 @@
-"""Signs in a video, at rest and in motion: which of them a hand shows, frame by frame.
+"""Sign spotting in a video: decides frame by frame which sign, at rest or moving, a hand shows.
 
-A sign that moves begins and ends with a hand at rest, which looks like a letter: I begins J, D begins Z. So while
-a class knows signs that move, a hand that looks like the beginning of one must rest for longer before it is a letter;
-while it moves it is none; and what remains of a sign that moved is no letter until the hand moves again or goes away.
+A moving sign starts and ends with a hand at rest, which has the shape of a letter: J starts as I, Z as D. So if a class
+has taught moving signs, three rules hold:
+
+- A hand with the shape of a moving sign's start must rest for longer before it counts as a letter.
+- A hand in motion is no letter.
+- After a moving sign, the hand is no letter until it moves again or leaves the frame.
 """
 
 from pinel_desktop.gestures.movements import HandObservation, MovementSegmenter
 from pinel_desktop.gestures.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.stability import MIN_HOLD_S, Decision, FramePrediction, StabilityFilter
 
-HOLD_BEFORE_MOVING_SIGN_S = 1.2  # so long a hand rests that might have begun a sign that moves
+HOLD_BEFORE_MOVING_SIGN_S = 1.2  # hold time required while a taught movement may still start
 _NO_SIGNS = MovingSignClassifier({})
 
 
 class SignSpotter:
-    """Decides when a sign counts as shown. Without signs that move it is the vote alone."""
+    """Decides when a sign counts as shown. Without moving signs, only the stability filter decides."""
 
     def __init__(self) -> None:
         self._stability_filter, self._segmenter = StabilityFilter(), MovementSegmenter()
         self._signs = _NO_SIGNS
-        self._is_spent = False  # what the hand shows is what remains of a sign that moved
+        self._is_spent = False  # the hand rests after a moving sign, and is no letter
 
     @property
     def progress(self) -> float:
-        """How near the sign that is being counted is to a decision, 0 to 1."""
+        """Progress of the candidate sign towards a decision, 0 to 1."""
         return self._stability_filter.progress
 
     @property
     def label(self) -> str:
-        """The sign that is being counted; "" while there is none."""
+        """The candidate sign; "" if there is none."""
         return self._stability_filter.label
 
     def set_moving_signs(self, signs: MovingSignClassifier) -> None:
-        """Knows these signs that move from now on."""
+        """Replaces the classifier of moving signs."""
         self._signs = signs
         self.reset()
 
     def reset(self) -> None:
-        """Forgets the frames so far."""
+        """Discards all frames."""
         self._stability_filter.reset()
         self._segmenter.reset()
         self._is_spent = False
 
     def update(self, frame: FramePrediction, is_left: bool) -> Decision | None:
-        """Takes the next frame, in which a hand is the person's left one or not; gives the sign that was shown."""
+        """Adds the next frame; returns the decision that falls with it, or None.
+
+        Args:
+            is_left: whether the frame shows the person's left hand.
+        """
         if not self._signs.signs:
             return self._stability_filter.update(frame)
         if frame.points is None:

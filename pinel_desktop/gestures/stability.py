@@ -1,4 +1,4 @@
-"""When a sign counts as shown: the same letter over several frames, of a hand that rests."""
+"""Stability filter: a sign counts as shown if a hand at rest has the same letter over several frames."""
 
 from collections import deque
 from dataclasses import dataclass
@@ -7,21 +7,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 N_FRAMES = 5
-MIN_HOLD_S = 0.3  # a fast camera must not decide on the way between two letters
+MIN_HOLD_S = 0.3  # with a fast camera, N_FRAMES alone could end within a transition between letters
 MIN_CONFIDENCE = 0.97  # mean of the frames; below it false signs are three times as frequent
 _MAX_FRAMES = 60
-STILL_HZ = 1.5  # hand sizes a second, root mean square over the landmarks; a hand on its way to a letter is faster
+STILL_HZ = 1.5  # hand sizes/s, RMS over the landmarks; a transition between letters is faster
 
 
 @dataclass(frozen=True, slots=True)
 class FramePrediction:
-    """What one frame says.
+    """Prediction for one frame.
 
     Attributes:
-        time_s: when it was taken, on any clock.
-        label: the letter, None where the classifier is not sure or there is no hand.
+        time_s: time of the frame, on any clock.
+        label: the letter; None if the classifier rejects the hand, or there is no hand.
         confidence: of the label, 0 to 1.
-        second: the second best letter; "" when there is none.
+        second: the second best letter; "" if there is none.
         points: landmarks (21, 2) in px; None without a hand.
     """
 
@@ -34,9 +34,9 @@ class FramePrediction:
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """The steady sign, the mean confidence of its frames, and the second best of the last one.
+    """The steady sign, the mean confidence of its frames, and the second best sign of the last frame.
 
-    is_moving: it is a movement that a class taught.
+    is_moving: whether the sign is a movement that a class taught.
     """
 
     label: str
@@ -46,14 +46,14 @@ class Decision:
 
 
 def is_still(before: NDArray[np.float32], now: NDArray[np.float32], elapsed_s: float) -> bool:
-    """Whether a hand hardly moved from one frame to the next: landmarks (21, 2) in px."""
+    """Returns whether a hand was at rest from one frame to the next: landmarks (21, 2) in px."""
     size = float(np.ptp(now, axis=0).max()) + 1e-6
     motion = float(np.sqrt(((now - before) ** 2).sum(axis=1).mean()))
     return motion / size <= STILL_HZ * elapsed_s
 
 
 class StabilityFilter:
-    """Counts frames until a sign is steady. A frame that says something else, or a hand that moves, begins anew."""
+    """Counts frames until a sign is steady. A frame with another label, or a moving hand, restarts the count."""
 
     def __init__(self) -> None:
         self._frames: deque[FramePrediction] = deque(maxlen=_MAX_FRAMES)
@@ -62,7 +62,7 @@ class StabilityFilter:
 
     @property
     def progress(self) -> float:
-        """How near a decision is, 0 to 1."""
+        """Progress towards a decision, 0 to 1."""
         if not self._frames:
             return 0.0
         lasted_s = self._frames[-1].time_s - self._frames[0].time_s
@@ -70,11 +70,11 @@ class StabilityFilter:
 
     @property
     def label(self) -> str:
-        """The sign that is being counted; "" while there is none."""
+        """The candidate sign; "" if there is none."""
         return self._frames[-1].label or "" if self._frames else ""
 
     def update(self, frame: FramePrediction, min_hold_s: float = MIN_HOLD_S) -> Decision | None:
-        """Takes the next frame; gives the decision once it is steady for `min_hold_s`, and then begins anew."""
+        """Adds the next frame; once a sign is steady for `min_hold_s`, returns the decision and restarts the count."""
         moved = self._moved(frame)
         self._min_hold_s = min_hold_s
         self._last = frame
@@ -88,7 +88,7 @@ class StabilityFilter:
         return self._decision() if self.progress >= 1.0 and is_certain else None
 
     def reset(self) -> None:
-        """Forgets the frames so far."""
+        """Discards all frames."""
         self._frames.clear()
         self._last = None
 

@@ -1,7 +1,8 @@
-"""Dynamic time warping: how far two sequences are apart when the pace within them does not count.
+"""Dynamic time warping: a distance between two sequences that does not depend on changes of pace within them.
 
-Sakoe and Chiba, Dynamic programming algorithm optimization for spoken word recognition, 1978: symmetric steps, of which
-a diagonal one counts twice, within a band about the diagonal; the sum divided by the length of both.
+Symmetric steps within a band about the diagonal. A diagonal step has double weight, and the sum is divided by the
+length of both sequences. Source: Sakoe and Chiba, Dynamic programming algorithm optimization for spoken word
+recognition, 1978.
 """
 
 import numpy as np
@@ -13,7 +14,7 @@ BAND = 6  # frames
 
 
 def dtw_distances(sequence: Array, others: Array, band: int = BAND) -> Array:
-    """Of a sequence (n, d) from m others of the same length (m, n, d), (m,)."""
+    """Returns the distances (m,) of a sequence (n, d) to m other sequences of the same length, (m, n, d)."""
     n = len(sequence)
     before = np.full((n + 1, len(others)), np.inf)
     before[0] = 0.0

@@ -1,4 +1,4 @@
-"""A classifier as a file: `weights/letters.npz`, arrays and nothing that could be executed."""
+"""Saves and loads a classifier as `weights/letters.npz`: arrays only, no pickle that could execute code."""
 
 import io
 import zipfile
@@ -14,7 +14,7 @@ from pinel_desktop.gestures.features import N_FEATURES
 from pinel_desktop.gestures.networks import FOLDER
 
 LETTERS = FOLDER / "letters.npz"
-# name -> kind of its numbers and how many dimensions it has
+# name -> kind of the array's dtype, number of dimensions
 _ARRAYS = {
     "signs": ("U", 1),
     "mean": ("f", 1),
@@ -25,13 +25,13 @@ _ARRAYS = {
     "weights": ("f", 2),
     "calibration": ("f", 1),
 }
-_DATE = (1980, 1, 1, 0, 0, 0)  # so that the same classifier is the same file
+_DATE = (1980, 1, 1, 0, 0, 0)  # constant, so that equal classifiers give equal files
 
 Arrays = dict[str, NDArray[Any]]
 
 
 def save(classifier: SignClassifier, path: Path) -> None:
-    """Writes a classifier; points and axes in half precision, as `classifier.stored` rounds them."""
+    """Writes a classifier; points and projection in half precision, already rounded by `classifier.stored`."""
     projection, calibration = classifier.projection, classifier.calibration
     arrays: Arrays = {
         "signs": np.array(classifier.signs),
@@ -51,7 +51,7 @@ def save(classifier: SignClassifier, path: Path) -> None:
 
 
 def load(path: Path = LETTERS) -> SignClassifier:
-    """The classifier in a file. Raises PinelError: `gesture_model_missing`, `gesture_model_damaged`."""
+    """Loads a classifier from a file. Raises PinelError: `gesture_model_missing`, `gesture_model_damaged`."""
     try:
         content = path.read_bytes()
         with np.load(io.BytesIO(content), allow_pickle=False) as archive:
@@ -76,7 +76,7 @@ def load(path: Path = LETTERS) -> SignClassifier:
 
 
 def _fit_together(arrays: Arrays) -> bool:
-    """Whether kinds, shapes and values are those of a classifier of our features."""
+    """Returns whether dtypes, shapes and values form a valid classifier of `N_FEATURES` features."""
     for name, (kind, n_dimensions) in _ARRAYS.items():
         values = arrays[name]
         if values.dtype.kind != kind or values.ndim != n_dimensions:

@@ -1,1 +1,1 @@
-"""The process that judges runs of activities, so that neither a long check nor a crash of one disturbs the app."""
+"""The process that judges runs of activities, so that neither a long check nor its crash disturbs the app."""

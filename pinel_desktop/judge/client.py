@@ -1,4 +1,4 @@
-"""The app's side of the judge: starts its process when there is something to judge, asks, waits for the verdict."""
+"""The app's client of the judge process: starts it on demand, sends requests, waits for verdicts."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,19 +11,21 @@ from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.processes.supervisor import Supervisor
 
-_START_S = 60.0  # a PC that is busy with the start of the app
-# It answers probes between two requests; the step limit of `activities.checking` ends any program long before.
+_START_S = 60.0  # long, because the start of the app may keep the PC busy
+# The judge answers probes between two requests only. The step limit of `activities.checking` ends
+# every program long before these timeouts.
 _TIMEOUTS = HangTimeouts(hang_timeout_s=30.0, busy_timeout_s=30.0, start_timeout_s=2 * _START_S)
-# Grading, the check list and runs of other PCs may ask at once: the last one waits for two that hang.
+# Grading, the check list and runs of other PCs may send a request each at the same time. The last
+# request then waits for two requests that hang.
 _RESPONSE_TIMEOUT_S = 90.0
 
 
 class JudgeClient:
-    """Keeps the judge's process; thread-safe. `start` starts it, before the first question is there.
+    """Client of the judge process; thread-safe. `start` starts the process before the first request.
 
     Args:
-        command: starts the process.
-        timeouts: of a process that hangs, which is replaced.
+        command: command line that starts the process.
+        timeouts: after these timeouts a hung process is replaced.
     """
 
     def __init__(
@@ -38,19 +40,19 @@ class JudgeClient:
         return self._process.pid
 
     def start(self) -> None:
-        """Starts the process, and once more one that is lost; returns at once."""
+        """Starts the process, or restarts a lost process; returns at once."""
         self._process.start()
 
     def judge(self, request: JudgeRequest) -> Verdict:
-        """Waits for the verdict.
+        """Sends a request and waits for the verdict.
 
         Raises:
-            PinelError: `judge_lost` if the process dies, hangs or does not start, and what judging raises.
+            PinelError: `judge_lost` if the process dies, hangs or does not start; any error of the judging itself.
         """
         return Verdict(**self._ask(request.as_message()))
 
     def evaluate_live(self, run_update: RunUpdate) -> list[CheckProgress] | None:
-        """How a run that goes on stands with the checks of its activity; None where they are not about it.
+        """Returns the check list of a live run; None if the checks of its activity do not apply to it.
 
         Raises:
             PinelError: as `judge`.
@@ -68,5 +70,5 @@ class JudgeClient:
             raise PinelError("judge_lost") from error
 
     def close(self) -> None:
-        """Ends the process; whoever waits for a verdict gets `judge_lost`."""
+        """Ends the process; pending requests raise `judge_lost`."""
         self._process.close()

@@ -1,4 +1,4 @@
-"""What the app asks of the judge and what the judge answers, as plain data for JSON lines."""
+"""Requests of the app to the judge, and verdicts, as plain data for JSON lines."""
 
 import base64
 from collections.abc import Mapping, Sequence
@@ -14,13 +14,13 @@ from pinel_desktop.events.app_events import JudgedCase
 
 @dataclass(frozen=True, slots=True)
 class ObservedRun:
-    """A run that a group saw.
+    """A run that a group observed.
 
     Attributes:
-        world: its document.
-        parameters: those of the record: the robot's setting.
+        world: the world's document.
+        parameters: parameters of the run's record: the robot's setting.
         columns: telemetry by column, each of shape (n,), NaN for null.
-        events: all others, as they are on the wire.
+        events: all events except telemetry, in their wire form.
     """
 
     world: Mapping[str, Any]
@@ -29,14 +29,14 @@ class ObservedRun:
     events: tuple[Mapping[str, Any], ...]
 
     def as_message(self) -> dict[str, Any]:
-        """The run as plain data."""
+        """Returns the run as plain data."""
         columns = {name: _packed(self.columns[name]) for name in COLUMNS}
         plain = {"world": dict(self.world), "parameters": dict(self.parameters)}
         return {**plain, "columns": columns, "events": [dict(event) for event in self.events]}
 
     @classmethod
     def from_message(cls, message: Mapping[str, Any]) -> "ObservedRun":
-        """The run in plain data."""
+        """Reads the run from plain data."""
         columns = {name: _unpacked(text) for name, text in message["columns"].items()}
         return cls(message["world"], message["parameters"], columns, tuple(message["events"]))
 
@@ -48,9 +48,9 @@ class JudgeRequest:
     Attributes:
         activity: the activity as JSON.
         document: the program's document.
-        world: name of the world in which the group ran it.
-        observed: that run; None where it is no evidence, as one that was stopped.
-        language: of the words for the group.
+        world: name of the world in which the group ran the program.
+        observed: the group's run; None if it is no evidence, such as a run that was stopped.
+        language: language of the texts for the group.
     """
 
     activity: str
@@ -60,7 +60,7 @@ class JudgeRequest:
     language: str
 
     def as_message(self) -> dict[str, Any]:
-        """The question as plain data."""
+        """Returns the request as plain data."""
         return {
             "activity": self.activity,
             "document": dict(self.document),
@@ -71,7 +71,7 @@ class JudgeRequest:
 
     @classmethod
     def from_message(cls, message: Mapping[str, Any]) -> "JudgeRequest":
-        """The question in plain data."""
+        """Reads the request from plain data."""
         observed = ObservedRun.from_message(message["seen"]) if message["seen"] else None
         activity, document = message["activity"], message["document"]
         return cls(activity, document, message["world"], observed, message["language"])
@@ -79,15 +79,15 @@ class JudgeRequest:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """What was found.
+    """The judge's verdict on a program.
 
     Attributes:
         passed: whether every case passes; None if a run on a real robot cannot be judged.
-        missing: in words what does not hold yet; None if the program passes.
-        cases: the report of each case, as the store keeps it.
+        missing: text for the group about why the program does not pass yet; None if it passes.
+        cases: the report of each case, in the form of the store.
         block: id of the block that `missing` is about.
-        tried: every case of an activity that has several, as event `judged` has them.
-        not_judged: why a run on a real robot was not judged, as a reason of `activities.recorded`.
+        tried: every case of an activity with several cases, in the form of the event `judged`.
+        not_judged: the reason why a run on a real robot was not judged, from `activities.recorded`.
     """
 
     passed: bool | None
@@ -100,13 +100,13 @@ class Verdict:
 
 @dataclass(frozen=True, slots=True)
 class RunStartInfo:
-    """A run to follow, and to judge in the end.
+    """The start of a run for live evaluation, and for a verdict at its end.
 
     Attributes:
         activity: the activity as JSON.
         document: the program's document.
         world: the world's document.
-        parameters: those of the run's record: the robot's setting.
+        parameters: parameters of the run's record: the robot's setting.
     """
 
     activity: str
@@ -117,13 +117,13 @@ class RunStartInfo:
 
 @dataclass(frozen=True, slots=True)
 class RunUpdate:
-    """What a run has told since the last question about it.
+    """The events of a live run since the last update.
 
     Attributes:
-        run: its id.
-        start_info: the run itself, in the first question about it.
-        events: all of them, as they are on the wire.
-        language: of the words for the group.
+        run: id of the run.
+        start_info: the start of the run, in its first update only.
+        events: the new events, in their wire form.
+        language: language of the texts for the group.
     """
 
     run: str
@@ -132,7 +132,7 @@ class RunUpdate:
     language: str
 
     def as_message(self) -> dict[str, Any]:
-        """The question as plain data."""
+        """Returns the update as plain data."""
         start_info = None
         if self.start_info is not None:
             start_info = {
@@ -151,7 +151,7 @@ class RunUpdate:
 
     @classmethod
     def from_message(cls, message: Mapping[str, Any]) -> "RunUpdate":
-        """The question in plain data."""
+        """Reads the update from plain data."""
         start_info = RunStartInfo(**message["begun"]) if message["begun"] else None
         return cls(message["follow"], start_info, message["events"], message["language"])
 

@@ -1,4 +1,4 @@
-"""The judge's process: reads questions, judges one program after the other, writes verdicts."""
+"""The judge process: reads requests, judges one program after the other, writes verdicts."""
 
 import logging
 from dataclasses import asdict
@@ -41,14 +41,14 @@ _log = logging.getLogger(__name__)
 
 
 class Judge:
-    """Answers the questions of one pipe with verdicts on another, until the first one ends."""
+    """Reads requests from one pipe and writes verdicts to another, until the first pipe ends."""
 
     def __init__(self, requests: BinaryIO, verdicts: BinaryIO) -> None:
         self._requests, self._verdicts = requests, verdicts
         self._evaluator = LiveRunEvaluator()
 
     def serve(self) -> None:
-        """Works until the questions end."""
+        """Serves until the input pipe ends."""
         write_message(self._verdicts, {"type": "judge_ready"})
         for message in read_messages(self._requests):
             answer = PONG if message == PING else _respond(message, self._evaluator)
@@ -56,7 +56,7 @@ class Judge:
 
 
 class LiveRunEvaluator:
-    """The run that goes on, with all that it has told; there is never more than one."""
+    """Collects the events of the live run, of which there is never more than one, and evaluates its checks."""
 
     def __init__(self) -> None:
         self._run = ""
@@ -64,10 +64,12 @@ class LiveRunEvaluator:
         self._writer = RunLogBuilder()
 
     def update(self, run_update: RunUpdate) -> list[CheckStatus] | None:
-        """Status of each check of its activity; None where they are not about it, or its beginning is unknown.
+        """Adds new events; returns the status of each check.
+
+        Returns None if the checks do not apply to the run, or its start is unknown.
 
         Raises:
-            PinelError: what `LiveEvaluation` raises.
+            PinelError: any error of `LiveEvaluation`.
         """
         if run_update.start_info is not None:
             self._begin(run_update.run, run_update.start_info)
@@ -99,7 +101,7 @@ def _respond(message: Message, evaluator: LiveRunEvaluator) -> Message:
     except PinelError as error:
         return response(number, error=error)
     except Exception as error:
-        # a file of another PC may hold anything; the next program must still be judged
+        # a file of another PC may have any content; the judge must continue with the next program
         _log.exception("question %s has no answer", number)
         detail = f"{type(error).__name__}: {error}"
         return response(number, error=PinelError("internal_error", detail=detail))
@@ -107,17 +109,18 @@ def _respond(message: Message, evaluator: LiveRunEvaluator) -> Message:
 
 @lru_cache(maxsize=4)
 def _read(activity: str) -> Activity:
-    """An activity, which is read once for the check list of a run and its verdict."""
+    """Parses an activity; cached, because the check list of a run and its verdict both need it."""
     return Activity.model_validate_json(activity)
 
 
 def verdict_on(request: JudgeRequest) -> Verdict:
-    """Judges a program: the run that was seen where it was a case of the activity, the other cases in the simulator.
+    """Judges a program case by case.
 
-    A run on a real robot is judged by its own telemetry, or not at all.
+    If the observed run is a case of the activity, judges this case by the run. Executes the other cases in the
+    simulator. Judges a run on a real robot by its own telemetry, or not at all.
 
     Raises:
-        PinelError: what `check_program`, `case_of_run` and `judging_blockers` raise.
+        PinelError: any error of `check_program`, `case_of_run` and `judging_blockers`.
     """
     activity = _read(request.activity)
     recorded_run = _recorded(activity, request.observed) if request.observed else None
@@ -134,7 +137,7 @@ def verdict_on(request: JudgeRequest) -> Verdict:
 
 
 def _tried(activity: Activity, report: Report, language: str) -> list[JudgedCase]:
-    """What was tried, where an activity has several cases."""
+    """Returns each tried case with its result; an empty list if the activity has one case only."""
     if len(activity.cases) == 1:
         return []
     given = [input_text(case, language) for case in activity.cases]
@@ -159,9 +162,9 @@ def _recorded(activity: Activity, observed: ObservedRun) -> RecordedRun | None:
 def _missing(
     activity: Activity, request: JudgeRequest, report: Report
 ) -> tuple[str | None, str | None]:
-    """What to tell the group, and the block to look at.
+    """Returns the text for the group, and the id of the block that the text is about.
 
-    A run in another world comes first: the group has not seen what the checks are about.
+    A run in the wrong world has priority, because the checks are about a world that the group did not use.
     """
     language, title = request.language, world_title(activity, request.language)
     is_other_world = request.world not in (activity.world, ROOM)

@@ -1,10 +1,10 @@
-"""Supervised processes of this program: how they are started, talked to, probed, replaced and ended."""
+"""Supervised processes of this program: start, messages, probes, restart and end."""
 
 import sys
 
 
 def own_command(*arguments: str) -> list[str]:
-    """The packaged program itself, or this Python with the package."""
+    """Returns a command line of this program: the packaged program itself, or this Python with the package."""
     if getattr(sys, "frozen", False):
         return [sys.executable, *arguments]
     return [sys.executable, "-m", "pinel_desktop", *arguments]

@@ -1,7 +1,7 @@
-"""Probes a supervised process: a frozen one is found within seconds, a busy one is left alone.
+"""Heartbeat of a supervised process: detects a hung process within seconds, and tolerates a busy process for longer.
 
-Silence is counted in beats of the app's own thread, never by the clock. A beat that comes late (a PC that slept, an app
-that was stopped, more work than the PC has cores for) says nothing about the process, and the count begins again.
+Response timeouts are counted in beats of the app's own thread, not by the clock. A late beat means that the PC slept,
+the app was stopped, or the cores are overloaded. It is no evidence about the process, so the count restarts.
 """
 
 import threading
@@ -15,12 +15,13 @@ BEAT_S = 0.5
 
 @dataclass(frozen=True, slots=True)
 class HangTimeouts:
-    """After how much silence a process hangs, in s.
+    """Response timeouts after which a process counts as hung, in s.
 
     Attributes:
-        hang_timeout_s: one that does nothing at all, such as one that was stopped.
-        busy_timeout_s: one that computes or waits for a disk: a long program is read, a library is loaded.
-        start_timeout_s: one that has not said yet that it is ready.
+        hang_timeout_s: for a process that does nothing at all, such as a stopped process.
+        busy_timeout_s: for a process that computes or waits for a disk: it reads a long program, or loads a library.
+        start_timeout_s: for a process that has not sent its ready message yet.
+        beat_s: period of the probes.
     """
 
     hang_timeout_s: float = 2.0
@@ -33,7 +34,7 @@ TIMEOUTS = HangTimeouts()
 
 
 class ResponseTimer:
-    """Counts how long a process has been silent while the app ran on time."""
+    """Measures the time without a message from a process, while the app ran on time."""
 
     def __init__(self, beat_s: float, now_s: float) -> None:
         self._beat_s, self._last_s = beat_s, now_s
@@ -41,11 +42,11 @@ class ResponseTimer:
         self._n_beats = 0
 
     def beat(self, now_s: float, n_received: int, *, is_app_busy: bool) -> float:
-        """To be called at each beat; gives the silence in s.
+        """Counts a beat; returns the time without a response, in s. Call it at each beat.
 
         Args:
-            n_received: messages of the process so far.
-            is_app_busy: more of them may be waiting to be read.
+            n_received: number of messages received from the process so far.
+            is_app_busy: whether the app handles a message, so that further messages may be unread.
         """
         is_late = now_s - self._last_s > 2 * self._beat_s
         is_counted = n_received == self._n_received and not is_late and not is_app_busy
@@ -58,18 +59,18 @@ SampleResult = Literal["nothing", "something", "traced"]
 
 
 class ProcessSampler:
-    """What a process does while it is silent, as the system tells it."""
+    """Samples from the operating system whether an unresponsive process works."""
 
     def __init__(self) -> None:
         self._used_s: float | None = None
 
     def reset(self) -> None:
-        """Another silence begins."""
+        """Discards the samples, so that the next sample is the first again."""
         self._used_s = None
 
     def sample(self, pid: int) -> SampleResult:
-        """What it has done since the first sample of this silence; nothing where it has exited."""
-        import psutil  # noqa: PLC0415 - for a process that is silent only
+        """Returns the activity of the process since the first sample after `reset`; "nothing" if it has exited."""
+        import psutil  # noqa: PLC0415 - needed for an unresponsive process only
 
         try:
             process = psutil.Process(pid)
@@ -89,7 +90,7 @@ class ProcessSampler:
 def is_hung(
     unresponsive_s: float, timeouts: HangTimeouts, *, is_ready: bool, doing: SampleResult
 ) -> bool:
-    """Whether a process is to be replaced; one that a debugger holds never is."""
+    """Returns whether a process must be replaced; never true for a process stopped by a debugger."""
     if doing == "traced":
         return False
     if not is_ready:
@@ -100,7 +101,7 @@ def is_hung(
 
 @dataclass(frozen=True, slots=True)
 class ProcessSnapshot:
-    """What the app knows of its process at a beat."""
+    """State of the process at a beat."""
 
     pid: int | None
     n_received: int
@@ -109,12 +110,12 @@ class ProcessSnapshot:
 
 
 class Heartbeat:
-    """A thread that probes the process at each beat, and ends one that hangs.
+    """A thread that probes the process at each beat, and kills a hung process.
 
     Args:
-        snapshot: tells how the process stands.
-        probe: sends it the request that it answers as soon as it does its work.
-        kill: kills the process with that id, if it is still the one.
+        snapshot: returns the state of the process.
+        probe: sends the probe, which the process answers between two pieces of work.
+        kill: kills the process with this id, if it is still the current process.
     """
 
     def __init__(
@@ -132,7 +133,7 @@ class Heartbeat:
         threading.Thread(target=self._beat, name=name, daemon=True).start()
 
     def close(self) -> None:
-        """Ends no process any more; returns at once."""
+        """Stops probing, so that no process is killed from now on; returns at once."""
         self._closing.set()
 
     def _beat(self) -> None:
@@ -140,7 +141,7 @@ class Heartbeat:
         response_timer = ResponseTimer(beat_s, time.monotonic())
         while not self._closing.wait(beat_s):
             now = self._snapshot()
-            if now.pid != pid:  # the next one has its time too
+            if now.pid != pid:  # a new process gets the full timeout
                 pid, response_timer = now.pid, ResponseTimer(beat_s, time.monotonic())
             unresponsive_s = response_timer.beat(
                 time.monotonic(), now.n_received, is_app_busy=now.is_app_busy

@@ -1,4 +1,4 @@
-"""JSON lines over pipes: how the app talks to its supervised processes (ARCHITECTURE.md, Processes)."""
+"""JSON lines over pipes: the message format between app and supervised processes (ARCHITECTURE.md, Processes)."""
 
 import json
 from collections.abc import Iterator
@@ -7,31 +7,31 @@ from typing import Any, BinaryIO
 from pinel_desktop.errors import PinelError
 
 Message = dict[str, Any]
-# The probe: a process answers the one with the other as soon as it comes to it in its work.
+# The probe: a process answers PING with PONG between two pieces of work.
 PING, PONG = {"type": "ping"}, {"type": "pong"}
 RESPONSE = "response"
 _MAX_LINE_BYTES = 64_000_000
 
 
 def response(request: int, value: Any = None, error: PinelError | None = None) -> Message:
-    """What a process answers to the request of that number: a value, or why there is none."""
+    """Returns the response to the request with this number: a value, or an error."""
     found = {"value": value} if error is None else {"code": error.code, "params": error.params}
     return {"type": RESPONSE, "request": request, **found}
 
 
 def encoded(message: Message) -> bytes:
-    """A message as one line."""
+    """Encodes a message as one line of JSON."""
     return json.dumps(message, separators=(",", ":")).encode("ascii") + b"\n"
 
 
 def write_message(pipe: BinaryIO, message: Message) -> None:
-    """Writes one message as one line. Raises OSError when the pipe is closed."""
+    """Writes one message as one line. Raises OSError if the pipe is closed."""
     pipe.write(encoded(message))
     pipe.flush()
 
 
 def read_messages(pipe: BinaryIO) -> Iterator[Message]:
-    """The messages of a pipe until it ends; lines that are too long or no JSON object are passed over."""
+    """Yields the messages of a pipe until it ends; skips lines that are too long or no JSON object."""
     while line := pipe.readline(_MAX_LINE_BYTES):
         if len(line) == _MAX_LINE_BYTES:
             _skip_line(pipe, line)

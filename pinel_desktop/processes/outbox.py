@@ -1,16 +1,16 @@
-"""What waits to be written to a process: a pipe that is full holds up nobody, and the memory for it has a bound."""
+"""Queue of the messages to a process: a full pipe blocks no caller, and the queue has a size limit."""
 
 import contextlib
 import queue
 import threading
 from typing import BinaryIO
 
-# far more than a process that reads ever leaves waiting; a line that waits alone may be longer
-MAX_WAITING = 16_000_000  # octets
+# Far more than a responsive process ever leaves in the queue; a single line may be longer.
+MAX_WAITING = 16_000_000  # bytes
 
 
 class Outbox:
-    """Lines for one process, written in order by a thread of its own; thread-safe."""
+    """Queue of lines for one process, written in order by a thread of its own; thread-safe."""
 
     def __init__(self) -> None:
         self._lines: queue.SimpleQueue[bytes | None] = queue.SimpleQueue()
@@ -18,7 +18,7 @@ class Outbox:
         self._n_waiting = 0
 
     def put(self, line: bytes) -> bool:
-        """Takes a line without waiting; False when the process does not read, and too much waits already."""
+        """Adds a line without waiting; if the queue is full, because the process does not read, returns False."""
         with self._lock:
             if self._n_waiting and self._n_waiting + len(line) > MAX_WAITING:
                 return False
@@ -27,11 +27,11 @@ class Outbox:
             return True
 
     def end(self) -> None:
-        """Lets the pipe end after all that was put."""
+        """Closes the pipe after all lines in the queue are written."""
         self._lines.put(None)
 
     def start_writing(self, pipe: BinaryIO, name: str) -> None:
-        """Writes to a pipe from now on, until the end or until nobody reads it any more."""
+        """Starts the thread that writes to a pipe, until `end` or until the pipe has no reader."""
         threading.Thread(target=self._write, args=(pipe,), name=name, daemon=True).start()
 
     def _write(self, pipe: BinaryIO) -> None:

@@ -1,4 +1,4 @@
-"""A supervised process: started, asked, probed, replaced when it dies or hangs, and ended with the app."""
+"""Supervisor of a child process: starts it, sends requests and probes, replaces it if it dies or hangs, ends it."""
 
 import logging
 import subprocess
@@ -18,30 +18,30 @@ ProcessState = Literal["starting", "ready", "lost"]
 
 _log = logging.getLogger(__name__)
 _CLOSE_TIMEOUT_S = 4.0
-# A process that dies sooner than this after its start, so often in a row, is not started again by itself.
+# The supervisor gives up after _MAX_FAST_FAILURES deaths in a row, each within _MIN_UPTIME_S.
 _MIN_UPTIME_S = 3.0
 _MAX_FAST_FAILURES = 3
 
 
 def _ignore(*_: object) -> None:
-    """The default of each callback."""
+    """Does nothing; default of each callback."""
 
 
 class Supervisor:
-    """Keeps one process running and exchanges JSON lines with it; thread-safe. No call waits for a process that hangs.
+    """Supervises one process and exchanges JSON lines with it; thread-safe. No call blocks on a hung process.
 
-    The process tells that it is ready with a message of the type `NAME_ready`, answers each `PING` with a `PONG` and
-    each request with `response`, and ends when its standard input ends.
+    The process reports that it is ready with a message of the type `NAME_ready`. It answers each `PING` with a `PONG`
+    and each request with a `response`. It exits when its standard input ends.
 
     Args:
-        name: of the process, for that message and the log.
-        command: starts it.
-        lost_code: of the PinelError for a request to a process that has died, or does not read.
-        on_message: called on the reader thread with every further message, in order.
-        on_death: called on the reader thread when the process has died by itself, before the next one starts.
-        on_ready: called on the reader thread when it, or the next one after its death, is ready.
-        on_lost: called when the process is not started again by itself; must not wait.
-        timeouts: of a process that hangs, which is killed and so replaced.
+        name: name of the process, for the ready message and the log.
+        command: command line that starts the process.
+        lost_code: code of the PinelError for a request to a process that has died, or does not read.
+        on_message: called on the reader thread with every other message, in order.
+        on_death: called on the reader thread if the process died without `close`, before its replacement starts.
+        on_ready: called on the reader thread when the process, or a replacement, is ready.
+        on_lost: called when the supervisor gives up; must not block.
+        timeouts: after these timeouts a hung process is killed, and so replaced.
     """
 
     def __init__(
@@ -76,7 +76,7 @@ class Supervisor:
 
     @property
     def state(self) -> ProcessState:
-        """`starting` until the process has said it is ready; `lost` when it is not started again by itself."""
+        """`starting` until the process is ready; `lost` after the supervisor has given up."""
         return self._state
 
     @property
@@ -85,7 +85,7 @@ class Supervisor:
         return self._process.pid if self._process else None
 
     def start(self) -> None:
-        """Starts the process, and once more one that is lost; does nothing while it runs. Returns at once."""
+        """Starts the process, or restarts a lost process; does nothing while it runs. Returns at once."""
         with self._lock:
             if self._process is None and self._state != "lost":
                 self._heartbeat.start(f"{self._name}-heartbeat")
@@ -94,28 +94,28 @@ class Supervisor:
             self._launch()
 
     def wait_until_ready(self, timeout_s: float) -> bool:
-        """Waits for the process; False when it is not ready after `timeout_s`, or closed before."""
+        """Waits for the process; False if it is not ready after `timeout_s`, or was closed or lost before."""
         self._ready.wait(timeout_s)
         return self._state == "ready"
 
     def send(self, message: Message) -> bool:
-        """Sends a message, in order, without waiting; one to a process that has ended is lost.
+        """Sends a message, in order, without waiting. A message to a process that has ended is lost.
 
-        False when the process does not read, and so much waits for it that this message was not taken.
+        Returns False if the process does not read and its queue overflows, so that the message was dropped.
         """
         line = encoded(message)
         with self._lock:
             return self._closing or self._outbox.put(line)
 
     def request(self, message: Message, timeout_s: float) -> Any:
-        """Sends a request and gives the value of its response.
+        """Sends a request and returns the value of its response.
 
         Raises:
-            TimeoutError: there is none after `timeout_s`.
-            PinelError: `lost_code` if the process is not ready, dies or does not read; what it answers instead.
+            TimeoutError: no response after `timeout_s`.
+            PinelError: `lost_code` if the process is not ready, dies or does not read; the error in the response.
         """
         number, answer = next(self._numbers), Future[Any]()
-        with self._lock:  # from a process that dies now it is taken back
+        with self._lock:  # if the process dies from here on, `_fail_requests` finds the request
             if self._closing or self._state != "ready":
                 raise PinelError(self._lost_code)
             self._requests[number] = answer
@@ -127,16 +127,16 @@ class Supervisor:
             self._requests.pop(number, None)
 
     def close(self) -> None:
-        """Ends open requests, then the pipe after all that was sent, whereupon the process exits, and waits for it."""
+        """Fails pending requests, closes the pipe after all sent messages, and waits until the process exits."""
         with self._lock:
             self._closing = True
             self._fail_requests()
             self._heartbeat.close()
-            self._ready.set()  # who waits for a process that is starting would wait in vain
+            self._ready.set()  # releases callers of `wait_until_ready`
             process, reader, outbox = self._process, self._reader, self._outbox
         if process is None or reader is None:
             return
-        if self._state == "starting":  # it does nothing yet, and its imports would keep us waiting
+        if self._state == "starting":  # nothing to finish yet, and its imports would delay the exit
             process.kill()
         outbox.end()
         try:
@@ -149,7 +149,7 @@ class Supervisor:
 
     def _launch(self) -> None:
         with self._lock:
-            if self._closing:  # a process that died while the app was ending needs no successor
+            if self._closing:  # a process that died while the app was ending needs no replacement
                 return
             self._state = "starting"
             self._ready.clear()
@@ -207,7 +207,7 @@ class Supervisor:
             self._on_message(message)
 
     def _settle(self, message: Message) -> None:
-        """Gives a response to who asked, if somebody still waits."""
+        """Passes a response to the caller of `request`, if it still waits."""
         with self._lock:
             answer = self._requests.pop(message["request"], None)
         if answer is None:
@@ -227,7 +227,7 @@ class Supervisor:
         with self._lock:
             self._state = "starting"
             if not self._closing:
-                self._ready.clear()  # who waits from now on waits for the next one
+                self._ready.clear()  # callers of `wait_until_ready` now wait for the replacement
             self._outbox.end()
         _log.error("the %s died", self._name)
         self._fail_requests()
@@ -240,9 +240,9 @@ class Supervisor:
 
     def _give_up(self) -> None:
         self._state = "lost"
-        self._on_lost()  # before anybody who waits finds that it is lost
+        self._on_lost()  # before callers of `wait_until_ready` return
         with self._lock:
-            if self._state == "lost":  # else it was started again meanwhile
+            if self._state == "lost":  # else `start` has restarted the process meanwhile
                 self._ready.set()
 
 

@@ -1,4 +1,4 @@
-"""`pinel camera`: the process that sees signs, started by the app."""
+"""`pinel camera`: the process that recognises signs, started by the app."""
 
 import click
 
@@ -10,6 +10,6 @@ from pinel_desktop.gestures.recognition import Recogniser
 
 @click.command(hidden=True)
 def command() -> None:
-    """Recognise signs for the app: messages on standard input, what is seen on standard output."""
+    """Recognise signs for the app: messages on standard input, detection results on standard output."""
     with pipes() as (messages, results):
         CameraServer(messages, results, lambda: FrameAnalyzer(Recogniser())).serve()

@@ -13,6 +13,6 @@ from pinel_desktop.engine.server import Engine
 def command() -> None:
     """Execute live runs for the app: messages on standard input, events on standard output."""
     with pipes() as (messages, events):
-        # as at a log-out; the run that drives a robot is stopped before the process ends
+        # a log-out sends SIGTERM; exit in order, so that the robot is stopped first
         signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(0))
         Engine(messages, events).serve()

@@ -8,6 +8,6 @@ from pinel_desktop.judge.server import Judge
 
 @click.command(hidden=True)
 def command() -> None:
-    """Judge programs for the app: questions on standard input, verdicts on standard output."""
+    """Judge programs for the app: requests on standard input, verdicts on standard output."""
     with pipes() as (questions, verdicts):
         Judge(questions, verdicts).serve()

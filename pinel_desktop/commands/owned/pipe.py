@@ -1,4 +1,4 @@
-"""The pipes of a process that the app owns."""
+"""The pipes between the app and a supervised process."""
 
 import contextlib
 import logging
@@ -11,10 +11,10 @@ from typing import BinaryIO
 
 @contextlib.contextmanager
 def pipes() -> Iterator[tuple[BinaryIO, BinaryIO]]:
-    """Messages of the app, and the pipe for answers. Must be called before anything prints.
+    """Yields the input pipe with the app's messages, and the output pipe for responses. Call it before anything prints.
 
     Ctrl+C in a terminal reaches the whole process group; the app ends this process by closing its pipe. Standard
-    output goes to standard error, so that prints of libraries do not corrupt the answers.
+    output goes to standard error, so that prints of libraries do not corrupt the responses.
     """
     logging.basicConfig(stream=sys.stderr, level=logging.INFO)
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,4 +1,4 @@
-"""`pinel window`: opens the window on a small page for a moment, started by `pinel doctor`."""
+"""`pinel window`: briefly opens the window on a small page, started by `pinel doctor`."""
 
 import json
 

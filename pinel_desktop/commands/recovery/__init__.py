@@ -1,1 +1,1 @@
-"""Commands for files that were damaged."""
+"""Commands for damaged files."""

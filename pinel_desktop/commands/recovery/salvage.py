@@ -1,4 +1,4 @@
-"""`pinel salvage`: brings in what is still readable of a damaged file."""
+"""`pinel salvage`: salvages the readable rows of a damaged file."""
 
 import json
 from dataclasses import asdict
@@ -20,9 +20,9 @@ from storage import StoreError
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def command(ctx: click.Context, file: Path, as_json: bool) -> None:
-    """Bring in what is still readable of a damaged file. FILE is one that PINEL set aside, or a backup.
+    """Salvage the readable rows of a damaged file. FILE is a file that PINEL set aside, or a backup.
 
-    FILE is only read. What is here already stays; of two states of the same work the later is kept. Close PINEL first.
+    FILE is only read. Existing work stays; of two states of the same work, the later one wins. Close PINEL first.
     """
     if not file.is_file():
         raise Failure(PinelError("salvage_missing", file=str(file)))
@@ -31,7 +31,7 @@ def command(ctx: click.Context, file: Path, as_json: bool) -> None:
             salvaged = store.salvage(file)
         except StoreError as error:
             raise Failure(error) from error
-        except Exception as error:  # a damaged file may hold anything
+        except Exception as error:  # a damaged file may have any content
             problem = str(error) or type(error).__name__
             raise Failure(PinelError("salvage_failed", file=str(file), problem=problem)) from error
     if as_json:

@@ -1,4 +1,4 @@
-"""Shares with their uncertainty, and how well a confidence keeps its promise."""
+"""Accuracy metrics: proportions with confidence intervals, and the calibration error."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-_Z = 1.959964  # 95 % of a normal distribution lie within
+_Z = 1.959964  # standard deviations about the mean with 95 % of a normal distribution
 
 
 @dataclass(frozen=True)
 class Proportion:
-    """So many of so many, with the 95 % interval of Wilson (1927): `low` and `high` bound the true share."""
+    """A proportion, `n` of `of` cases, with the 95 % confidence interval of Wilson (1927)."""
 
     n: int
     of: int
@@ -38,7 +38,7 @@ class Proportion:
         return (max(middle - half, 0.0), min(middle + half, 1.0))
 
     def as_object(self) -> dict[str, float | int | None]:
-        """For JSON: a share of nothing is null."""
+        """Returns the proportion for JSON; `share` is null if there are no cases."""
         low, high = (round(bound, 4) for bound in self.interval)
         value = round(self.value, 4) if self.of else None
         return {"share": value, "low": low, "high": high, "n": self.n, "of": self.of}
@@ -47,13 +47,13 @@ class Proportion:
 def proportions_by(
     groups: Sequence[str] | NDArray[np.str_], holds: NDArray[np.bool_]
 ) -> dict[str, Proportion]:
-    """The share of each group, in the order of their names."""
+    """Returns the proportion for each group, sorted by the group's name."""
     named = np.asarray(groups)
     return {str(group): Proportion.among(holds[named == group]) for group in np.unique(named)}
 
 
 def calibration_error(confidence: Array, right: NDArray[np.bool_], n_bins: int = 10) -> float:
-    """Expected calibration error: |confidence - share of right ones|, over equal bins, weighted by their sizes."""
+    """Returns the expected calibration error: mean |confidence - accuracy| over equal bins, weighted by their sizes."""
     bins = np.minimum((confidence * n_bins).astype(int), n_bins - 1)
     gaps = [abs(float(confidence[bins == i].sum() - right[bins == i].sum())) for i in range(n_bins)]
     return sum(gaps) / len(confidence) if len(confidence) else 0.0

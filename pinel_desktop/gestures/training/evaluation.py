@@ -1,4 +1,4 @@
-"""How well letters are recognised: of people who were never seen, by letter and by source, with 95 % intervals."""
+"""Evaluates letter recognition on people outside the training data, by letter and by source, with 95 % intervals."""
 
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -33,7 +33,7 @@ from pinel_desktop.gestures.training.photo_features import PhotoFeatures
 from pinel_desktop.gestures.training.photos import Photo
 
 N_TAUGHT = 4  # frames a letter
-# who has enough photographs of each letter to be taught and tested
+# people with enough photographs of each letter both to teach and to test it
 TAUGHT_PEOPLE = ("p1_webcam", "p2_webcam", "p3_webcam")
 
 Report = dict[str, Any]
@@ -47,9 +47,10 @@ def evaluate_unseen(
     *,
     unknown: bool = True,
 ) -> Report:
-    """The report of training without each source in turn, and strictly without each person at a webcam.
+    """Cross-validates twice: without each source in turn, and strictly without each person at a webcam.
 
-    `unknown=False` leaves out the letters that are left out of training, which take two minutes.
+    Args:
+        unknown: False skips the test of letters outside the training data, which takes two minutes.
     """
     report: Report = {
         "photos": len(dataset),
@@ -68,7 +69,7 @@ def evaluate_known(
     classifier: SignClassifier,
     thresholds: RejectThresholds = DEFAULT_THRESHOLDS,
 ) -> Report:
-    """The report of the classifier as it is. Where it learnt from the same people, this says nothing about others."""
+    """Evaluates a classifier as it is. If it was trained on the same people, the result does not apply to others."""
     judged = classifier.score(dataset.features)
     right = np.array(classifier.signs)[judged.best] == dataset.letters
     confidence = classifier.calibration.probabilities(judged.scores)[:, :-1].max(1)
@@ -84,7 +85,7 @@ def evaluate_known(
 
 
 def hands_found(dataset: PhotoFeatures) -> Report:
-    """In which share of the photographs the labelled hand is found; the crops count apart."""
+    """Returns the share of photographs in which the labelled hand is detected, with the crops separate."""
     crops = dataset.sources == CROPS
     return {
         "all_but_crops": Proportion.among(dataset.is_hand[~crops]).as_object(),
@@ -117,7 +118,10 @@ def _answers(
     right: NDArray[np.bool_],
     thresholds: RejectThresholds,
 ) -> Report:
-    """Accuracy of the best letter, and of the answers that the doubt leaves; a hand that is not found has neither."""
+    """Returns the accuracy of the best letter, and of the predictions that are not rejected.
+
+    A hand that was not detected counts as wrong and as not answered.
+    """
     right = right & tested.is_hand
     answered = judged.is_clear(thresholds) & tested.is_hand
     return {
@@ -133,12 +137,12 @@ def _answers(
 def _painted_answered(
     tested: PhotoFeatures, judged: ClassScores, thresholds: RejectThresholds
 ) -> Report:
-    """Of all photographs whose hand was painted over, those that got an answer all the same."""
+    """Returns the share of photographs that got an answer although their hand was painted over."""
     return Proportion(int(judged.is_clear(thresholds).sum()), len(tested)).as_object()
 
 
 def _confidence(validation: CrossValidation) -> NDArray[np.float64]:
-    """Of each photograph's best letter, (n,): calibrated on the other sources, so that none judges itself."""
+    """Returns the confidence in each photograph's best letter, (n,), calibrated on the other sources only."""
     confidence = np.zeros(len(validation.tested))
     for source in np.unique(validation.tested.sources):
         own = validation.tested.sources == source
@@ -150,7 +154,7 @@ def _confidence(validation: CrossValidation) -> NDArray[np.float64]:
 def unknown_refused(
     dataset: PhotoFeatures, seed: int = SEED, thresholds: RejectThresholds = DEFAULT_THRESHOLDS
 ) -> Report:
-    """How often a letter is refused that was left out of training, shown by people who were left out as well."""
+    """Returns the share of rejected hands among letters, and people, that were left out of training."""
     letters, refused = [], []
     for fold in strict(dataset.sources):
         known, tested = dataset.where(fold.train), dataset.where(fold.test)
@@ -167,7 +171,7 @@ def unknown_refused(
 
 
 def _taught(dataset: PhotoFeatures, seed: int) -> Report:
-    """Accuracy on a person's other photographs after four of each letter were taught, the first by name."""
+    """Returns the accuracy on a person's other photographs, after four photographs of each letter were taught."""
     sources, right = [], []
     for fold in strict(dataset.sources):
         if fold.source not in TAUGHT_PEOPLE:
@@ -188,7 +192,7 @@ def _taught(dataset: PhotoFeatures, seed: int) -> Report:
 
 
 def first_of_each_letter(dataset: PhotoFeatures) -> NDArray[np.bool_]:
-    """Which photographs are taught: four of each letter, the first by name, (n,)."""
+    """Returns which photographs are taught, (n,): the first four of each letter, sorted by name."""
     taught = np.zeros(len(dataset), bool)
     by_name = np.argsort(dataset.files, kind="stable")
     for letter in np.unique(dataset.letters):
@@ -198,7 +202,7 @@ def first_of_each_letter(dataset: PhotoFeatures) -> NDArray[np.bool_]:
 
 
 def _confusions(validation: CrossValidation) -> list[Report]:
-    """Which letters were taken for which others, the most frequent first."""
+    """Returns the confusions, true letter and predicted letter, the most frequent first."""
     wrong = np.flatnonzero(~validation.is_right)
     pairs = [
         (str(validation.tested.letters[i]), validation.signs[validation.hands.best[i]])
@@ -213,9 +217,9 @@ def _objects(shares: dict[str, Proportion]) -> Report:
 
 
 def speed_ms(photos: Sequence[Photo], n: int = 25) -> Report:
-    """Median time of a picture: `cold`, where the hand is looked for, and `tracking`, where the last frame had it.
+    """Returns the median time for a picture, in ms: `cold` with palm detection, `tracking` with the last frame's hand.
 
-    On one thread, of the first n photographs of people at a webcam, or of any.
+    Measures on one thread, with the first n photographs that are not crops.
     """
     recogniser = Recogniser()
     cold: list[float] = []

@@ -1,4 +1,4 @@
-"""From recordings to the classifier of letters that ships."""
+"""Trains the shipped classifier of letters on photographs, and cross-validates it."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -21,18 +21,19 @@ from pinel_desktop.gestures.training.photo_features import PhotoFeatures
 
 SEED = 20230815
 N_TRANSITIONS = 300
-# how far on the way from one letter to another a hand shows neither
+# range of the mixing ratio between two letters in which a hand shows neither
 _BETWEEN = (0.35, 0.65)
-# labelled C, shows D: not learnt from, but counted as it is labelled where letters are tested
+# Labelled C, shows D: excluded from training, but counted with its label in tests.
 WRONG_LABELS = ("WIN_20230812_12_38_22_Pro_jpg.rf.fc31fe7e06b57c421580f44693b92aa3.jpg",)
 
 
 @dataclass(frozen=True)
 class CrossValidation:
-    """What classifiers say about n photographs whose sources they never saw.
+    """Scores of n photographs, each from a classifier that was trained without its source.
 
-    signs: the k letters. tested: the photographs. hands: what is thought of them. between: of hands on the way between
-    two letters. painted: of what was taken for a hand where it was painted over.
+    signs: the k letters. tested: the photographs. hands: their scores.
+    between: scores of hands in transition between two letters.
+    painted: scores of false hands, detected after the hand was painted over.
     """
 
     signs: tuple[str, ...]
@@ -43,27 +44,27 @@ class CrossValidation:
 
     @property
     def is_right(self) -> NDArray[np.bool_]:
-        """Whether the best letter is the one that was shown, (n,)."""
+        """Whether the best letter is the true letter, (n,)."""
         right: NDArray[np.bool_] = np.array(self.signs)[self.hands.best] == self.tested.letters
         return right
 
     @property
     def numbers(self) -> NDArray[np.int64]:
-        """The number of the letter that was shown, (n,)."""
+        """Index of the true letter, (n,)."""
         return np.searchsorted(self.signs, self.tested.letters).astype(np.int64)
 
 
 def train(dataset: PhotoFeatures, seed: int = SEED) -> SignClassifier:
-    """The classifier of all letters in the recordings, its confidence calibrated on sources that it had not seen."""
+    """Trains the classifier of all letters in the photographs; calibrates its confidence on left-out sources."""
     validation = cross_validate(dataset, leave_one_source_out(dataset.sources), seed)
     calibration = calibrate(validation, np.ones(len(validation.tested), bool))
     return replace(fit_letters(dataset, seed), calibration=calibration)
 
 
 def calibrate(validation: CrossValidation, chosen: NDArray[np.bool_]) -> Calibration:
-    """The calibration that suits the chosen hands (n,), and what was taken for a hand and is none.
+    """Calibrates on the chosen hands (n,), and on false hands with the label "no sign".
 
-    Hands between two letters are left out: how often they come is not known, and a letter would get too little.
+    Leaves out hands in transition: their frequency is unknown, and the confidence in letters would become too low.
     """
     nothing = np.full(len(validation.painted.scores), len(validation.signs))
     scores = np.concatenate([validation.hands.scores[chosen], validation.painted.scores])
@@ -73,7 +74,7 @@ def calibrate(validation: CrossValidation, chosen: NDArray[np.bool_]) -> Calibra
 def fit_letters(
     dataset: PhotoFeatures, seed: int = SEED, projection: Projection | None = None
 ) -> SignClassifier:
-    """A classifier of the letters in the recordings, not calibrated."""
+    """Trains a classifier of the letters in the photographs, without calibration."""
     usable = dataset.is_hand & ~np.isin(dataset.files, WRONG_LABELS)
     hands = dataset.where(usable)
     between = transitions(hands, N_TRANSITIONS, np.random.default_rng(seed))
@@ -81,7 +82,7 @@ def fit_letters(
 
 
 def transitions(dataset: PhotoFeatures, n: int, random: np.random.Generator) -> Samples:
-    """About n hands on the way between two letters of one source: features mixed, which show no sign."""
+    """Returns about n synthetic hands without a sign: mixed features of two letters of one source."""
     mixed = []
     for source in np.unique(dataset.sources):
         own = dataset.where((dataset.sources == source) & dataset.is_hand)
@@ -97,7 +98,7 @@ def transitions(dataset: PhotoFeatures, n: int, random: np.random.Generator) -> 
 def cross_validate(
     dataset: PhotoFeatures, folds: Iterable[Fold], seed: int = SEED
 ) -> CrossValidation:
-    """Each fold's photographs, judged by a classifier that learnt from the rest."""
+    """Scores each fold's photographs with a classifier trained on the rest."""
     signs = tuple(map(str, np.unique(dataset.letters)))
     tested, judged = [], []
     for fold in folds:
@@ -114,7 +115,7 @@ def cross_validate(
 def _aligned(
     classifier: SignClassifier, features: NDArray[np.float32], signs: tuple[str, ...]
 ) -> ClassScores:
-    """The judgement with a score for each of `signs`; 0 for one that the classifier never met."""
+    """Returns scores with a column for each of `signs`; 0 for a sign outside the classifier's training data."""
     found = classifier.score(features)
     scores = np.zeros((len(features), len(signs)))
     scores[:, [signs.index(sign) for sign in classifier.signs]] = found.scores

@@ -1,7 +1,7 @@
-"""Hands that move, made of photographs: real hands of real people, movements that are computed.
+"""Synthetic moving signs: landmarks of photographed hands, moved along computed paths.
 
-Nobody has recorded moving letters of people who may be shown here, so the way of the hand, its turns and its speed are
-synthetic; the landmarks, their trembling and the differences between people are those of the networks on photographs.
+There are no recordings of moving letters of people who may be shown here. So path, rotation and speed of the hand are
+synthetic. The landmarks, their noise and the differences between people come from the networks on real photographs.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,18 +19,19 @@ MOVING = {"H": "K", "J": "I", "X": "D", "Z": "D"}
 Array = NDArray[np.float64]
 Random = np.random.Generator
 
-_BEFORE_S, _AFTER_S = (0.3, 0.8), (0.6, 1.2)  # how long the hand rests
+_BEFORE_S, _AFTER_S = (0.3, 0.8), (0.6, 1.2)  # rest before and after the movement
 _SPEEDS, _AMPLITUDES = (0.7, 1.5), (0.75, 1.3)
-_TILT_DEG, _WOBBLE = 10.0, 0.05  # of the way: how it is turned, and how far it strays, in hands
-_TREMOR = 0.012  # hands, of a hand that is held
+_TILT_DEG, _WOBBLE = 10.0, 0.05  # of the path: rotation in degrees, deviation in hand sizes
+_TREMOR = 0.012  # of a resting hand, hand sizes
 _SIZES_PX = (70.0, 170.0)  # of a hand in a frame of 640 x 480
 
 
 @dataclass(frozen=True)
 class Pose:
-    """A moment of a movement: where the hand is (x, y in hands), how it is turned, how large it is.
+    """The hand's pose at one time of a movement.
 
-    twist: radians about the forearm. roll: radians in the picture. growth: factor.
+    x, y: position in hand sizes. twist: radians about the forearm. roll: radians in the picture.
+    growth: scale factor of the hand.
     """
 
     x: float = 0.0
@@ -46,13 +47,13 @@ Path = Callable[[float], Pose]
 
 @dataclass(frozen=True)
 class Model:
-    """A hand to be moved: n frames (n, 21, 3) of its trembling landmarks, in hands, from the wrist, upright."""
+    """A hand to be moved: n frames (n, 21, 3) of landmarks with noise, upright, in hand sizes relative to the wrist."""
 
     frames: Array
 
     @classmethod
     def of(cls, features: NDArray[np.float32]) -> "Model":
-        """From what was computed of n frames of a steady hand (n, 1748)."""
+        """Creates a model from the features (n, 1748) of n frames of a hand at rest."""
         flat = features[:, :40].reshape(-1, 20, 2).astype(np.float64)
         deep = features[:, 40:60, None].astype(np.float64)
         frames = np.concatenate([flat, deep], axis=2)
@@ -60,7 +61,7 @@ class Model:
         return cls(frames / np.ptp(frames.mean(0)[:, :2], axis=0).max())
 
     def hooked(self) -> "Model":
-        """With its index finger bent, as for X."""
+        """Returns the model with its index finger bent, as for X."""
         frames = self.frames.copy()
         for frame in frames:
             across = frame[17] - frame[5]
@@ -69,7 +70,7 @@ class Model:
         return Model(frames)
 
     def moved(self, i: int, pose: Pose) -> Array:
-        """The landmarks (21, 2) of frame i, counted to and fro, in a pose; in hands."""
+        """Returns the landmarks (21, 2) of frame i in a pose, in hand sizes; i runs through the frames to and fro."""
         n = len(self.frames)
         k = i % (2 * n - 2) if n > 1 else 0
         points = self.frames[k if k < n else 2 * n - 2 - k]
@@ -80,13 +81,13 @@ class Model:
 
 
 def smooth(share: float) -> float:
-    """A hand's speed from rest to rest: minimum jerk (Flash and Hogan, 1985)."""
+    """Returns the covered share of the path at a share of the time: minimum jerk (Flash and Hogan, 1985)."""
     s = min(max(share, 0.0), 1.0)
     return s**3 * (10 - 15 * s + 6 * s * s)
 
 
 def strokes(*corners: tuple[float, float]) -> Path:
-    """Straight strokes from the origin over these corners, each from rest to rest."""
+    """Returns a path of straight strokes from the origin over these corners, each stroke from rest to rest."""
     places = [(0.0, 0.0), *corners]
 
     def path(share: float) -> Pose:
@@ -98,7 +99,7 @@ def strokes(*corners: tuple[float, float]) -> Path:
 
 
 def letter_path(letter: str) -> tuple[Path, float]:
-    """How a moving letter is signed, and how many seconds it usually takes."""
+    """Returns the path of a moving letter, and its usual duration in s."""
     if letter == "H":
         return (lambda share: Pose(0.08 * smooth(share), 0.0, np.radians(150) * smooth(share))), 0.8
     if letter == "X":
@@ -113,7 +114,7 @@ def letter_path(letter: str) -> tuple[Path, float]:
 
 
 def _hook(share: float) -> Pose:
-    """J: down, and round to the side, while the hand turns."""
+    """Returns a pose on the path of J: down, then in an arc to the side, while the hand rotates."""
     s = smooth(share)
     if s < 0.55:
         return Pose(0.0, 0.55 * s / 0.55)
@@ -123,12 +124,12 @@ def _hook(share: float) -> Pose:
 
 
 def still(lasts_s: float) -> tuple[Path, float]:
-    """No movement."""
+    """Returns a path without movement, and its duration in s."""
     return (lambda share: Pose()), lasts_s
 
 
 def signed(model: Model, path: Path, lasts_s: float, random: Random) -> list[HandObservation]:
-    """A video of a hand that rests, moves and rests, each time at another speed, size and place."""
+    """Returns a video of a hand that rests, moves and rests, with random speed, size and position."""
     before, after = random.uniform(*_BEFORE_S), random.uniform(*_AFTER_S)
     lasts = lasts_s / random.uniform(*_SPEEDS)
     total = before + lasts + after
@@ -161,7 +162,7 @@ def signed(model: Model, path: Path, lasts_s: float, random: Random) -> list[Han
 
 
 def aimless(random: Random) -> tuple[Path, float]:
-    """A movement that means nothing: to a side, to and fro, around, or wherever."""
+    """Returns a random path that is no sign, and its duration in s: to a side, to and fro, round, or irregular."""
     kind = int(random.integers(6))
     angle = random.uniform(0, 2 * np.pi)
     x, y = np.array([np.cos(angle), np.sin(angle)]) * random.uniform(0.3, 1.2)
@@ -191,7 +192,7 @@ def aimless(random: Random) -> tuple[Path, float]:
 
 
 def changed(first: Model, second: Model, random: Random) -> list[HandObservation]:
-    """One letter, then another one: the hand changes on a way of up to a third of its size."""
+    """Returns a video of two letters in sequence; between them the hand drifts by up to a third of its size."""
     lasts = random.uniform(0.2, 0.6)
     size, place = random.uniform(*_SIZES_PX), random.uniform((240, 260), (400, 340))
     goal = random.normal(0, 0.15, 2)
@@ -211,7 +212,7 @@ def _bend(frame: Array, joint: int, ends: Sequence[int], axis: Array, angle: flo
 
 
 def _turn(axis: Array, angle: float) -> Array:
-    """The matrix (3, 3) that turns about an axis (Rodrigues)."""
+    """Returns the matrix (3, 3) of a rotation about an axis (Rodrigues)."""
     x, y, z = axis / (np.linalg.norm(axis) + 1e-9)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     matrix: Array = np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross

@@ -1,9 +1,11 @@
-"""How well moving letters are recognised, and what they cost the letters at rest: synthetic movements of real hands.
+"""Evaluates moving letters, and their effect on letters at rest, with synthetic movements of real hands.
 
-Each person at a webcam shows five examples of each letter. Who is tested signs to what another one, the three others,
-or he or she taught. The classifier of letters at rest, which reads the same frames, has not learnt from who is tested.
-While a hand turns or bends in a computed way, its letter is read as if it did neither: that is the worst case for what
-keeps the two apart.
+Each person at a webcam teaches five examples of each moving letter. The tested person signs to three kinds of teacher:
+the same person, one other person, the three others together. The classifier of letters at rest gets the same frames;
+the tested person is not in its training data.
+
+While a computed movement rotates or bends a hand, the prediction of its letter stays as at rest. This is the worst case
+for the separation of letters at rest and moving letters.
 """
 
 import time
@@ -33,15 +35,15 @@ from pinel_desktop.gestures.training.photos import Photo
 from pinel_desktop.gestures.training.sequences import video_of
 
 N_EXAMPLES = 5
-_N_PHOTOS, _N_OTHER_PHOTOS = 6, 2  # of a moving letter's hand, and of each other letter
-_N_EACH = 4  # movements of a photograph
-_N_ROUNDS = 3  # of what is no moving letter
-_MIN_FRAMES = 12  # in which the hand of a photograph must be found
+_N_PHOTOS, _N_OTHER_PHOTOS = 6, 2  # for the hand of a moving letter, and for each other letter
+_N_EACH = 4  # movements for each photograph
+_N_ROUNDS = 3  # of videos without a moving letter
+_MIN_FRAMES = 12  # minimum number of frames in which the hand is detected
 
 
 @dataclass(frozen=True)
 class Actor:
-    """A photographed hand that can be moved, and what the classifier says of its frames."""
+    """A photographed hand that can be moved, and the predictions for its frames."""
 
     letter: str
     model: Model
@@ -50,7 +52,7 @@ class Actor:
     def frame_predictions(
         self, observations: Sequence[HandObservation]
     ) -> Iterator[tuple[FramePrediction, bool]]:
-        """The frames of a video of it, each with whether it shows a left hand."""
+        """Yields the predictions for a video of this hand, each with whether the frame shows a left hand."""
         for i, one in enumerate(observations):
             read = self.predictions[i % len(self.predictions)]
             yield replace(read, time_s=one.time_s, points=one.points), one.is_left
@@ -58,13 +60,13 @@ class Actor:
 
 @dataclass(frozen=True)
 class Person:
-    """Someone whose hands are moved: those that teach and those that are tested, by letter."""
+    """A person's photographed hands by letter: `teaches` for teaching, `signs` for tests."""
 
     teaches: dict[str, list[Actor]]
     signs: dict[str, list[Actor]]
 
     def models(self, sign: str, *, teaches: bool = False) -> list[Actor]:
-        """Hands that make a moving letter."""
+        """Returns the hands with the shape of a moving letter."""
         actors = (self.teaches if teaches else self.signs).get(MOVING[sign], [])
         hooked = [replace(one, model=one.model.hooked()) for one in actors]
         return hooked if sign == "X" else actors
@@ -72,7 +74,7 @@ class Person:
 
 @dataclass
 class _Counted:
-    """What captures said, by what was shown."""
+    """Outcomes of captures, by the kind of video."""
 
     answers: dict[str, dict[str, list[str]]]
     false: dict[str, list[bool]]
@@ -90,7 +92,11 @@ class _Counted:
 def moving_report(
     photos: Sequence[Photo], dataset: PhotoFeatures, seed: int = SEED
 ) -> dict[str, Any]:
-    """Shares with 95 % intervals; `photos` and `dataset` are the same photographs in the same order."""
+    """Returns the report: proportions with 95 % intervals, and times.
+
+    Args:
+        photos, dataset: the same photographs in the same order.
+    """
     random = np.random.default_rng(seed)
     detector = HandDetector()
     people = {
@@ -112,7 +118,11 @@ def moving_report(
 
 
 def speed_ms(random: Random, n_signs: int = 60) -> dict[str, float]:
-    """Milliseconds for a frame of a hand that moves, and for the end of a movement; a class with so many signs."""
+    """Measures the time for a frame of a moving hand, and for the end of a movement, in ms.
+
+    Args:
+        n_signs: number of taught moving signs.
+    """
     examples = {str(i): random.normal(0, 1, (N_EXAMPLES, 38, 46)) for i in range(n_signs)}
     known = MovingSignClassifier(
         {sign: shown.astype(np.float32) for sign, shown in examples.items()}
@@ -175,7 +185,7 @@ def _actors(
 
 
 def _examples(teacher: Person, random: Random) -> dict[str, NDArray[np.float32]]:
-    """Five movements of each letter of which there are photographs."""
+    """Returns five movements of each moving letter for which there are photographs."""
     examples = {}
     for sign in MOVING:
         actors = teacher.models(sign, teaches=True)
@@ -189,7 +199,7 @@ def _examples(teacher: Person, random: Random) -> dict[str, NDArray[np.float32]]
 
 
 def _joined(examples: Sequence[dict[str, NDArray[np.float32]]]) -> dict[str, NDArray[np.float32]]:
-    """What several people showed, as the examples of one class."""
+    """Joins the examples of several people to examples of one class."""
     signs = [sign for sign in MOVING if any(sign in shown for shown in examples)]
     return {
         sign: np.concatenate([shown[sign] for shown in examples if sign in shown]) for sign in signs
@@ -204,7 +214,7 @@ def _movements(observations: Iterable[HandObservation]) -> list[Movement]:
 def _count_signs(
     counted: _Counted, taught_by: str, known: MovingSignClassifier, pupil: Person, random: Random
 ) -> None:
-    """The first answer to each moving letter: the letter, a wrong one, or none."""
+    """Counts the first decision for each moving letter: the right letter, a wrong letter, or none."""
     for sign in known.signs:
         for actor, _ in product(pupil.models(sign), range(_N_EACH)):
             observations = hands.signed(actor.model, *hands.letter_path(sign), random)
@@ -220,7 +230,10 @@ def _count_signs(
 def _count_others(
     counted: _Counted, known: MovingSignClassifier, pupil: Person, random: Random
 ) -> None:
-    """What is no moving letter: hands held, that change or move for nothing; movements with another letter's hand."""
+    """Counts decisions for videos without a moving letter.
+
+    The videos show hands at rest, transitions, aimless movements, and movements of a letter with another letter's hand.
+    """
     every = [actor for actors in pupil.signs.values() for actor in actors]
     for actor in every:
         held = hands.signed(actor.model, *hands.still(2.0), random)
@@ -272,7 +285,7 @@ def _count_steady(
     actor: Actor,
     observations: Sequence[HandObservation],
 ) -> None:
-    """When a letter at rest is decided, while moving letters are known and while none is."""
+    """Records the decision time for a letter at rest, with and without taught moving letters."""
     for signs, times in (
         (known, counted.steady_s),
         (MovingSignClassifier({}), counted.steady_alone_s),
@@ -286,7 +299,7 @@ def _count_steady(
 def _decisions(
     known: MovingSignClassifier, frames: Iterable[tuple[FramePrediction, bool]]
 ) -> Iterator[tuple[float, Decision]]:
-    """All decisions, each with its time."""
+    """Yields all decisions, each with its time in s."""
     spotter = SignSpotter()
     spotter.set_moving_signs(known)
     for prediction, is_left in frames:

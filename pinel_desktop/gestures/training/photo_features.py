@@ -1,4 +1,4 @@
-"""The features of all hands of a set of photographs, computed once and kept in a file."""
+"""Features of all hands in a set of photographs, computed once and cached in a file."""
 
 import hashlib
 from collections.abc import Callable, Sequence
@@ -15,15 +15,16 @@ from pinel_desktop.gestures.hands import MIN_PRESENCE, HandDetector
 from pinel_desktop.gestures.landmarks import Hand
 from pinel_desktop.gestures.training.photos import Photo
 
-_FORMAT = "2"  # to be raised when hands are found, or features computed, in another way
+_FORMAT = "2"  # raise it if the detection of hands or the computation of features changes
 
 
 @dataclass(frozen=True)
 class PhotoFeatures:
-    """n photographs: the features (n, 1748) of the hand in each, and of what was found where it was painted over.
+    """Features of n photographs.
 
-    files, letters, sources: (n,) names.
-    presence: (n,) of the labelled hand, 0 where none was found. painted_presence: (n,) likewise, painted over.
+    files, letters, sources: names, (n,).
+    features: of the labelled hand, (n, 1748). presence: of this hand, (n,); 0 if none was detected.
+    painted_features, painted_presence: likewise for a false hand, detected after the hand was painted over.
     """
 
     files: NDArray[np.str_]
@@ -38,29 +39,29 @@ class PhotoFeatures:
         return len(self.letters)
 
     def where(self, chosen: NDArray[np.bool_]) -> "PhotoFeatures":
-        """Those for which `chosen` (n,) holds."""
+        """Returns the photographs for which `chosen` (n,) is True."""
         return PhotoFeatures(**{name: getattr(self, name)[chosen] for name in _FIELDS})
 
     def samples(self) -> Samples:
-        """The hands with their letters."""
+        """Returns the hands with their letters, as training samples."""
         return Samples(self.features, tuple(map(str, self.letters)))
 
     @classmethod
     def joined(cls, parts: Sequence["PhotoFeatures"]) -> "PhotoFeatures":
-        """All of these, one after the other."""
+        """Concatenates all parts."""
         return cls(
             **{name: np.concatenate([getattr(part, name) for part in parts]) for name in _FIELDS}
         )
 
     @property
     def painted(self) -> Samples:
-        """What was taken for a hand in pictures that show none any more."""
+        """False hands, detected in pictures whose hand was painted over, as samples without a sign."""
         found = self.painted_features[self.painted_presence > MIN_PRESENCE]
         return Samples(found, (NO_SIGN,) * len(found))
 
     @property
     def is_hand(self) -> NDArray[np.bool_]:
-        """In which pictures a hand was found, (n,)."""
+        """Whether a hand was detected in each picture, (n,)."""
         found: NDArray[np.bool_] = self.presence > MIN_PRESENCE
         return found
 
@@ -73,9 +74,10 @@ def load_photo_features(
     cache: Path | None = None,
     tick: Callable[[], object] = lambda: None,
 ) -> PhotoFeatures:
-    """The recordings of photographs: from `cache` where it is of the same photographs, networks and features.
+    """Loads the features of photographs from `cache`, if it has the same photographs, networks and format.
 
-    Otherwise they are computed (about 0.15 s each) and written there. `tick` is called after each photograph.
+    Otherwise computes them (about 0.15 s for each photograph) and writes them to `cache`. Calls `tick` after each
+    photograph.
     """
     key = _key(photos)
     if cache and cache.is_file():
@@ -117,7 +119,7 @@ def _best(hands: Sequence[Hand]) -> tuple[NDArray[np.float32], float]:
 
 
 def _key(photos: Sequence[Photo]) -> str:
-    """Changes with all that the recordings depend on."""
+    """Returns a hash over all inputs of the features."""
     parts = [_FORMAT, networks.PALM.sha256, networks.HAND.sha256]
     parts += [
         f"{p.path.name} {p.letter} {p.source} {p.box} {p.path.stat().st_size}" for p in photos

@@ -1,7 +1,8 @@
-"""A folder of labelled photographs: `sources.csv`, `SPLIT/images/FILE`, `SPLIT/labels/FILE.txt`.
+"""Reads a folder of labelled photographs: `sources.csv`, `SPLIT/images/FILE`, `SPLIT/labels/FILE.txt`.
 
-sources.csv: split,file,label,letter,source. A label file: one line, `class cx cy w h` of the hand's box, in 0..1 of
-the picture. The form is that of "Alfabeto em libras" (Roboflow Universe, elainesilva, version 6, CC BY 4.0).
+Columns of sources.csv: split,file,label,letter,source. A label file has one line, `class cx cy w h` of the hand's box,
+in 0..1 of the picture. This is the format of "Alfabeto em libras" (Roboflow Universe, elainesilva, version 6,
+CC BY 4.0).
 """
 
 import csv
@@ -16,7 +17,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.palms import Palm
 from pinel_desktop.gestures.pictures import Picture, read_picture
 
-# Width over height of the frames of each source, before they were stretched to squares.
+# Width divided by height of each source's frames, before they were stretched to squares.
 _WEBCAM, _PHONE = 16 / 9, 3 / 4
 ASPECTS = {
     "p1_webcam": _WEBCAM,
@@ -29,15 +30,15 @@ ASPECTS = {
 }
 _TABLE = "sources.csv"
 _COLUMNS = {"split", "file", "label", "letter", "source"}
-# of the box, how far from its middle a palm's centre may lie
+# greatest distance of a palm's centre from the middle of the box, as a fraction of the box
 _NEAR = 0.65
-# how much larger than its box a hand is painted over, so that nothing of its outline stays
+# size of the painted area relative to the box, so that no part of the hand's outline remains
 _PAINTED = 1.2
 
 
 @dataclass(frozen=True)
 class Photo:
-    """One photograph of a hand: the letter that it shows, who or what it comes from, and the hand's box in 0..1."""
+    """One photograph of a hand: its letter, its source, and the hand's box (cx, cy, w, h) in 0..1 of the picture."""
 
     path: Path
     letter: str
@@ -45,11 +46,11 @@ class Photo:
     box: tuple[float, float, float, float]
 
     def picture(self) -> Picture:
-        """RGB, with its stretch undone."""
+        """Reads the picture, RGB, and undoes its stretch."""
         return read_picture(self.path, ASPECTS.get(self.source))
 
     def accepts(self, picture: Picture) -> Callable[[Palm], bool]:
-        """Whether a palm of this picture is that of the labelled hand."""
+        """Returns a function that decides whether a palm in this picture belongs to the labelled hand."""
         x, y, width, height = self._in_pixels(picture)
 
         def is_near(palm: Palm) -> bool:
@@ -59,7 +60,7 @@ class Photo:
         return is_near
 
     def painted_over(self, picture: Picture) -> Picture:
-        """The picture with the hand's box filled with the mean colour of its border."""
+        """Returns the picture with the hand painted over, in the mean colour of the painted area's border."""
         x, y, width, height = self._in_pixels(picture)
         left, right = _bounds(x, width * _PAINTED, picture.shape[1])
         top, bottom = _bounds(y, height * _PAINTED, picture.shape[0])
@@ -75,10 +76,14 @@ class Photo:
 
 
 def read_photos(folder: Path, table: Path | None = None) -> list[Photo]:
-    """The labelled photographs of a folder, in the order of its table.
+    """Returns the labelled photographs of a folder, in the order of its table; leaves out photographs without a letter.
 
-    `folder` holds all splits or is one of them; `table` is its sources.csv, by default the one in the folder or
-    beside it. Photographs without a letter are left out. Raises PinelError `photos_unreadable`.
+    Args:
+        folder: contains all splits, or is one of them.
+        table: sources.csv; by default the file in the folder, or in the folder above.
+
+    Raises:
+        PinelError: `photos_unreadable`.
     """
     place = table or next(
         (p for p in (folder / _TABLE, folder.parent / _TABLE) if p.is_file()), None
@@ -101,7 +106,7 @@ def read_photos(folder: Path, table: Path | None = None) -> list[Photo]:
 
 
 def _photo(root: Path, row: dict[str, str]) -> Photo:
-    """Raises OSError or ValueError where its label file is missing or has another form."""
+    """Reads one photograph's label. Raises OSError or ValueError if the label file is missing or invalid."""
     path = root / row["split"] / "images" / row["file"]
     label = root / row["split"] / "labels" / f"{path.stem}.txt"
     x, y, width, height = map(float, label.read_text("utf-8").split()[1:5])
@@ -109,6 +114,6 @@ def _photo(root: Path, row: dict[str, str]) -> Photo:
 
 
 def _bounds(middle: float, extent: float, size: int) -> tuple[int, int]:
-    """First and one past the last pixel of an extent, inside the picture and not empty."""
+    """Returns first and one past the last pixel of an extent, inside the picture and not empty."""
     first = min(max(int(middle - extent / 2), 0), size - 1)
     return first, min(max(int(np.ceil(middle + extent / 2)), first + 1), size)

@@ -1,7 +1,7 @@
-"""How captures end: short videos made of photographs, of people whom the classifier has not learnt from.
+"""Evaluates captures with short synthetic videos of people outside the classifier's training data.
 
-A photograph becomes a video by small motions of the picture, blur and changes of light; each frame goes through the
-networks. A transition is a steady letter, a few frames that mix the hands of two letters, and the second letter.
+Small motions of the picture, blur and changes of light make a video of a photograph; the networks analyse each frame. A
+transition is a steady letter, a few frames that mix the hands of two letters, and the second letter.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -27,12 +27,12 @@ from pinel_desktop.gestures.training.photos import Photo
 
 RATE_HZ = 15.0
 N_FRAMES = 15  # of a steady letter: 1 s
-_N_MIXED = (3, 9)  # frames on the way between two letters: 0.2 s to 0.6 s
+_N_MIXED = (3, 9)  # frames of a transition between two letters: 0.2 s to 0.6 s
 _TREMBLE, _TURN_DEG, _GROWTH = (
     0.004,
     1.0,
     0.01,
-)  # standard deviations: of the width, of the angle, of the size
+)  # standard deviations: shift (fraction of the width), rotation (degrees), size (fraction)
 _LIGHT, _MAX_BLUR = 0.15, 2
 
 Random = np.random.Generator
@@ -40,7 +40,7 @@ Random = np.random.Generator
 
 @dataclass(frozen=True)
 class Video:
-    """What was seen of a steady letter: features (n, 1748) and landmarks (n, 21, 2) in px of n frames with a hand."""
+    """A video of a steady letter: features (n, 1748) and landmarks (n, 21, 2) in px of the n frames with a hand."""
 
     letter: str
     features: NDArray[np.float32]
@@ -49,7 +49,7 @@ class Video:
 
 @dataclass(frozen=True)
 class Shown:
-    """A hand as one frame shows it: features (1748,), landmarks (21, 2)."""
+    """A hand in one frame: features (1748,), landmarks (21, 2) in px."""
 
     features: NDArray[np.float32]
     points: NDArray[np.float32]
@@ -58,11 +58,11 @@ class Shown:
 def sequences_report(
     photos: Sequence[Photo], dataset: PhotoFeatures, n_photos: int = 200, seed: int = SEED
 ) -> dict[str, Any]:
-    """Time until a steady letter is decided, and false decisions in transitions.
+    """Measures the time to the decision of a steady letter, and false decisions in transitions.
 
     Args:
         photos, dataset: the same photographs in the same order.
-        n_photos: how many become videos, over all people.
+        n_photos: number of photographs that become videos, over all people.
     """
     random = np.random.default_rng(seed)
     detector = HandDetector()
@@ -99,7 +99,7 @@ def sequences_report(
 
 
 def video_of(detector: HandDetector, photo: Photo, random: Random) -> Video:
-    """A photograph as a second of video, each frame through the networks."""
+    """Makes one second of video of a photograph, and analyses each frame with the networks."""
     picture = photo.picture()
     tracker = HandTracker(detector)
     frames: list[Shown] = []
@@ -117,7 +117,7 @@ def video_of(detector: HandDetector, photo: Photo, random: Random) -> Video:
 
 
 def _disturbed(picture: Picture, random: Random) -> Picture:
-    """The picture moved, turned and grown a little, blurred at times, in another light."""
+    """Returns the picture with a small random shift, rotation, scale, blur and change of brightness."""
     height, width = picture.shape[:2]
     angle, growth = random.normal(0, _TURN_DEG), 1 + random.normal(0, _GROWTH)
     motion = cv2.getRotationMatrix2D((width / 2, height / 2), angle, growth)
@@ -135,7 +135,7 @@ def _frames(video: Video) -> Iterator[Shown]:
 
 
 def _pairs(videos: Sequence[Video], random: Random) -> Iterator[tuple[Video, Video]]:
-    """Each video with another one of the same person that shows another letter."""
+    """Yields each video with a random video of the same person that shows another letter."""
     usable = [video for video in videos if len(video.features)]
     for first in usable:
         others = [video for video in usable if video.letter != first.letter]
@@ -146,7 +146,7 @@ def _pairs(videos: Sequence[Video], random: Random) -> Iterator[tuple[Video, Vid
 def _transition(first: Video, second: Video, random: Random) -> Iterator[Shown]:
     yield from _frames(first)
     n = int(random.integers(*_N_MIXED))
-    offset = first.points[-1].mean(0) - second.points[0].mean(0)  # the hand stays where it is
+    offset = first.points[-1].mean(0) - second.points[0].mean(0)  # keeps the hand's position
     for i in range(1, n + 1):
         share = np.float32(i / (n + 1))
         yield Shown(
@@ -167,7 +167,7 @@ def _decisions(classifier: SignClassifier, frames: Iterable[Shown]) -> Iterator[
 def _decided(
     classifier: SignClassifier, frames: Iterable[Shown]
 ) -> tuple[float | None, Decision | None]:
-    """When the first decision fell, from the first frame on."""
+    """Returns the first decision and its time in s from the start of the video; None, None if there is none."""
     stability_filter = StabilityFilter()
     for i, shown in enumerate(frames):
         if decision := stability_filter.update(_frame_prediction(classifier, shown, i)):
