@@ -178,8 +178,9 @@ PIONEER_3DX = RobotModel(
     angular_acceleration_radps2=4.0,
     smoothing_s=0.1,
     # Angles of SonarUnit 0 to 15 in ARIA's parameter file p3dx.p: eight in front, number 0 on the
-    # left, and eight behind, number 8 on the right. ARIA's positions are up to 0.27 m from the centre,
-    # because the real hull is longer behind. Here all sonars are on the simulated hull, a circle.
+    # left, and eight behind, number 8 on the right. ARIA's positions are up to 0.27 m from the
+    # centre, because the real hull is longer behind. Here all sonars are on the simulated hull, a
+    # circle.
     sonars=_on_the_hull(
         0.2225, 90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90
     ),
