@@ -45,9 +45,9 @@ class Realism:
 
 REALISTIC = Realism(
     # The wheels of a Pioneer in use differ by about 0.5 % (tyres, load). The other values make a
-    # square of 1 m driven by odometry end some centimetres from its start. J. Borenstein and L. Feng
-    # measured that for robots of this kind ("Measurement and correction of systematic odometry errors
-    # in mobile robots", 1996).
+    # square of 1 m driven by odometry end some centimetres from its start. J. Borenstein and L.
+    # Feng measured that for robots of this kind ("Measurement and correction of systematic odometry
+    # errors in mobile robots", 1996).
     wheel_bias=0.005,
     wheel_noise=0.02,
     lag_s=0.06,

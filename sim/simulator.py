@@ -64,7 +64,8 @@ class Simulator:
         self._movable: dict[int, pymunk.Body] = {}
         self._add_obstacles(world)
         self._steps_each = STEPS_WITH_MOVABLE if self._movable else 1
-        # With movable boxes the velocity changes in two half jumps, on average 1.5 physics steps late.
+        # With movable boxes the velocity changes in two half jumps, on average 1.5 physics steps
+        # late.
         self.delay_s = SUBSTEP_S if self._steps_each == 1 else 1.5 * SUBSTEP_S / self._steps_each
         self._body = self._add_robot(world, robot)
         self.wheels = self._add_wheels(robot)

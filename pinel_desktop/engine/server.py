@@ -192,7 +192,7 @@ class Engine:
 
     def _steer_bridge(self, message: Message) -> None:
         if self._bridge is None:
-            from pinel_desktop.runs.bridge import BridgeController  # noqa: PLC0415 - for who wants one
+            from pinel_desktop.runs.bridge import BridgeController  # noqa: PLC0415 - for a bridge only
 
             self._bridge = BridgeController(self.send)
         self._bridge.handle(message)

@@ -70,7 +70,7 @@ class JudgedCase(TypedDict):
 
     Attributes:
         given: inputs of the case, as text in the chosen language: signs, answers, another start.
-        seen: whether the case is the run that the group saw; the other cases were executed for the verdict only.
+        seen: whether the group watched this run; the other cases were executed for the verdict only.
         passed: whether the program passed the case.
     """
 
@@ -90,7 +90,7 @@ class Judged(StreamEvent):
             run was stopped before its end.
         block: id of the block that `missing` refers to; null if it refers to none.
         cases: every case of an activity that has several.
-        by_robot: whether the run that the group saw was judged by the measurements of a real robot.
+        by_robot: whether the run was judged by the measurements of a real robot.
         not_judged: why the run was not judged, as text; null if it was.
     """
 
@@ -126,7 +126,7 @@ class DetectedHand(TypedDict):
     Attributes:
         points: 21 landmarks [x, y] as fractions of the preview's width and height, mirrored like the preview.
         handedness: whether it is the person's left or right hand.
-        best: the likeliest sign; "" if the hand looks like none.
+        best: the likeliest sign; "" if the hand shows none.
         confidence: confidence of `best`, 0 to 1.
         second: the second likeliest sign; "" without one.
         sure: whether `best` counts for a capture.

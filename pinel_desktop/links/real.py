@@ -24,7 +24,8 @@ _MAX_POLLS = 4
 # Longest time for which the period of the odometry is measured.
 _LISTEN_S = 1.0
 _PAUSE_S = 0.4  # a gap of the odometry that ends the measurement of its period
-# Delay from a command until its effect is measured: the value for an unknown period, and the maximum.
+# Delay from a command until its effect is measured: the value for an unknown period, and the
+# maximum.
 _DELAY_S, _MAX_DELAY_S = 0.1, 0.3
 # The part of that delay that does not depend on the period of the odometry: network and drives
 # (tests/links/test_late_robot.py).
@@ -180,7 +181,7 @@ class RealLink:
             return
         self._closed = True
         self._publisher.close()
-        # The robot has received zeros, so an error of the disconnection matters to nobody.
+        # The robot has received zeros, so an error of the disconnection has no consequence.
         with contextlib.suppress(Exception):
             self._transport.close()
         self._robot_lock.release()

@@ -21,8 +21,8 @@ class RobotLock:
         self._address = record.address
         name = hashlib.sha256(f"{record.link} {record.address}".encode()).hexdigest()[:16]
         self._path = os.path.join(tempfile.gettempdir(), f"pinel-robot-{name}.lock")
-        # All accounts of the PC share the file. Without write access for all, the first account would
-        # lock out the others for good.
+        # All accounts of the PC share the file. Without write access for all, the first account
+        # would lock out the others for good.
         self._lock = FileLock(self._path, mode=0o666, thread_local=False)
 
     def acquire(self) -> None:

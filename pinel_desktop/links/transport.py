@@ -59,7 +59,7 @@ class Transport(Protocol):
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
         """Connects. Returns once the robot can receive commands, or once `cancelled()` is true (polled every 50 ms).
 
-        If it cannot connect, raises PinelError with the cause and its remedy.
+        If it cannot connect within its time-out, raises PinelError with the cause and its remedy.
         """
 
     def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:

@@ -16,8 +16,8 @@ from pinel_desktop.links.bridge.routes import Request, Response, refusal
 Message = dict[str, Any]
 # A limit per path, so that viewers of the camera's stream do not block other routes.
 MAX_PENDING_PER_PATH = 4
-# A process without a message for this time hangs. While it works on a response, it sends a keepalive
-# once a second.
+# A process without a message for this time hangs. While it works on a response, it sends a
+# keepalive once a second.
 HANG_TIMEOUT_S = 5.0
 _CHECK_S = 0.5
 

@@ -11,7 +11,8 @@ from pinel_desktop.robot.robot_profile import BridgeProfile
 
 KEY_HEADER = "x-pinel-key"
 _OWN_FETCHES = ("", "none", "same-origin")
-# Origin of a page opened as a file, and of a page in a sandboxed frame; no header distinguishes them.
+# Origin of a page opened as a file, and of a page in a sandboxed frame; no header distinguishes
+# them.
 _NO_ORIGIN = ("null", "")
 
 

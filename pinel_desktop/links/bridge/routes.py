@@ -186,7 +186,8 @@ class Routes:
         try:
             document = _document(request.body)
         except PinelError:
-            # Counts as an invalid pose, for the link's error about a robot that posts no valid pose.
+            # Counts as an invalid pose, for the link's error about a robot that posts no valid
+            # pose.
             with contextlib.suppress(PinelError):
                 self.conversation.handle_pose(request.client, None)
             raise

@@ -196,7 +196,8 @@ class BatteryState(IdlStruct, typename="sensor_msgs::msg::dds_::BatteryState_"):
     serial_number: str = ""
 
 
-# Type hashes of REP 2016, which robots with ROS 2 Iron or later compare. Earlier releases have none.
+# Type hashes of REP 2016, which robots with ROS 2 Iron or later compare. Earlier releases have
+# none.
 TYPE_HASHES: dict[type[IdlStruct], str] = {
     Bool: "RIHS01_feb91e995ff9ebd09c0cb3d2aed18b11077585839fb5db80193b62d74528f6c9",
     PoseStamped: "RIHS01_10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8",

@@ -65,7 +65,8 @@ class DdsTransport:
         self._subscriber = subscriber = self._receive(session, graph, search, receiver, watch)
         assert search.command_type is not None
         self._message = subscriber.stamped if search.command_type is TwistStamped else _plain
-        # Transient-local only if the robot requires it: others must not receive an old velocity again.
+        # Transient-local only if the robot requires it: others must not receive an old velocity
+        # again.
         asks_for_last = any(
             listener.is_transient_local for listener in graph.subscribers(self._command_topic)
         )

@@ -9,7 +9,8 @@ from pathlib import Path
 NODE = Path(__file__).parent / "node" / "node.py"
 _FOLDERS = {"win32": (Path("C:/dev"), Path("C:/opt/ros"), Path("C:/pixi_ws"))}
 _ON_LINUX = (Path("/opt/ros"),)
-# The system's Python, for which ROS is built. In PATH, a virtual environment's Python could precede.
+# The system's Python, for which ROS is built. In PATH, a virtual environment's Python could
+# precede.
 _RUN = 'source "$0" && exec "$(command -v /usr/bin/python3 || command -v python3)" "$@"'
 
 

@@ -102,7 +102,8 @@ class Ros2Transport:
                 stdout=subprocess.PIPE,
                 text=True,
                 encoding="utf-8",
-                # A signal to the terminal's process group must reach only PINEL, which ends the node.
+                # A signal to the terminal's process group must reach only PINEL, which ends the
+                # node.
                 start_new_session=True,
                 creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
             )
