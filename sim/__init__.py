@@ -1,1 +1,1 @@
-"""2D physics simulator: worlds, the robot's body, stepping. A leaf: imports nothing of the application."""
+"""2D physics simulator: worlds, the robot's body, stepping. Imports nothing of the application."""

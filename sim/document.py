@@ -1,6 +1,7 @@
-"""Models of world documents: types, names and limits. `placement` checks the geometry.
+"""Pydantic models of world documents: types, names and limits. `placement` checks the geometry.
 
-Metres, degrees and kilograms. Import this only to read a document: pydantic takes longer to load than all worlds.
+Units are metres, degrees and kilograms. Import this module only to read a document: pydantic takes longer to load than
+all worlds.
 """
 
 import re
@@ -95,7 +96,7 @@ class _Rectangle(_Part):
 class _Disc(_Part):
     center: _Point
     radius: _Radius
-    heading_deg: _Degrees = 0.0  # without effect; accepted so that every area may have it
+    heading_deg: _Degrees = 0.0  # without effect; accepted so that every area may have this key
 
 
 _MOVABLE_LIMITS = {
@@ -168,7 +169,7 @@ _Paint = Annotated[
 
 
 def _not_boolean(version: Any) -> Any:
-    """Refuses booleans: pydantic takes `true` for 1."""
+    """Refuses booleans, because pydantic accepts `true` as 1."""
     if isinstance(version, bool):
         raise PydanticCustomError("world_version_unknown", "true and false are no numbers")
     return version

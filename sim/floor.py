@@ -1,4 +1,4 @@
-"""The floor: named zones and painted areas, and look-up by point."""
+"""The floor: named zones and painted areas, and their look-up by point."""
 
 import math
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ class Shape(Protocol):
     def center(self) -> tuple[float, float]: ...
 
     def contains(self, x_m: float, y_m: float) -> bool:
-        """Whether the point is inside or on the edge."""
+        """Returns whether the point is inside or on the edge."""
         ...
 
 
@@ -36,7 +36,7 @@ class Disc:
 
 @dataclass(frozen=True, slots=True)
 class Rectangle:
-    """A filled rectangle of width and height `size` (m), rotated by `angle_rad`."""
+    """A filled rectangle with width and height `size` (m), rotated by `angle_rad`."""
 
     center: tuple[float, float]
     size: tuple[float, float]
@@ -66,12 +66,12 @@ class Paint:
 
 
 def zone_at(zones: Sequence[Zone], x_m: float, y_m: float) -> str:
-    """Name of the zone at a point (m, world's frame), the last one where several overlap; "" outside all zones."""
+    """Returns the name of the zone at a point (m, world's frame); the last one if zones overlap, "" outside all."""
     return next((zone.name for zone in reversed(zones) if zone.shape.contains(x_m, y_m)), "")
 
 
 def color_at(paints: Sequence[Paint], x_m: float, y_m: float) -> str:
-    """Colour at a point (m, world's frame), of the last area where several overlap; white where nothing is painted."""
+    """Returns the colour at a point (m, world's frame); of the last area if areas overlap, white on unpainted floor."""
     return next(
         (area.color for area in reversed(paints) if area.shape.contains(x_m, y_m)), BARE_FLOOR
     )
@@ -110,9 +110,9 @@ def _length(value: Any) -> float:
 
 
 def point(pair: Any) -> tuple[float, float]:
-    """A pair of coordinates (m) of at most 10 km. Raises ValueError or TypeError."""
+    """Reads a pair of coordinates in m, each at most 10 km. Raises ValueError or TypeError."""
     x, y = pair
     x, y = float(x), float(y)
-    if not (abs(x) <= _MAX_COORDINATE_M and abs(y) <= _MAX_COORDINATE_M):  # NaN fails as well
+    if not (abs(x) <= _MAX_COORDINATE_M and abs(y) <= _MAX_COORDINATE_M):  # refuses NaN, too
         raise ValueError(f"{pair} is not a point")
     return x, y

@@ -1,4 +1,4 @@
-"""Crossings, overlaps and distances of segments and rectangles, vectorised. Metres."""
+"""Crossings, overlaps and distances of segments and rectangles, vectorised. All lengths are in metres."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,9 +8,9 @@ Pairs = NDArray[np.intp]
 
 
 def crossings(segments: Array, tolerance_m: float) -> Pairs:
-    """Pairs of indices (k, 2), the smaller first, of the segments (n, 2, 2) that cross.
+    """Returns pairs of indices (k, 2), the smaller first, of the segments (n, 2, 2) that cross.
 
-    A segment that ends on another, or reaches at most `tolerance_m` beyond it, does not cross it.
+    A segment that ends on another one, or at most `tolerance_m` beyond it, does not cross it.
     """
     left_of_start, left_of_end = (_offsets(segments, segments[:, end]) for end in (0, 1))
     low, high = np.minimum(left_of_start, left_of_end), np.maximum(left_of_start, left_of_end)
@@ -20,7 +20,7 @@ def crossings(segments: Array, tolerance_m: float) -> Pairs:
 
 
 def _offsets(segments: Array, points: Array) -> Array:
-    """Signed distance (n, m) of point j from the line through segment i, positive to its left."""
+    """Returns the signed distance (n, m) of point j from the line through segment i, positive to the left."""
     starts, along = segments[:, 0], segments[:, 1] - segments[:, 0]
     normals = np.stack([-along[:, 1], along[:, 0]], axis=1)
     normals /= np.maximum(np.hypot(*along.T), 1e-12)[:, None]
@@ -29,7 +29,7 @@ def _offsets(segments: Array, points: Array) -> Array:
 
 
 def distances_to_segments(point: Array, segments: Array) -> Array:
-    """Distance (n) from a point (2) to each segment (n, 2, 2)."""
+    """Returns the distance (n) from a point (2) to each segment (n, 2, 2)."""
     starts, along = segments[:, 0], segments[:, 1] - segments[:, 0]
     length2 = np.maximum(np.einsum("ik,ik->i", along, along), 1e-24)
     share = np.clip(np.einsum("ik,ik->i", point - starts, along) / length2, 0.0, 1.0)
@@ -39,7 +39,7 @@ def distances_to_segments(point: Array, segments: Array) -> Array:
 
 
 def distances_to_boxes(point: Array, corners: Array) -> Array:
-    """Distance (n) from a point (2) to each rectangle (n, 4, 2), corners in order; 0 inside."""
+    """Returns the distance (n) from a point (2) to each rectangle (n, 4, 2), corners in order; 0 inside."""
     centers, axes = corners.mean(axis=1), _axes(corners)
     halves = np.hypot(*np.moveaxis(corners[:, 1:3] - corners[:, 0:2], 2, 0)) / 2
     beyond = np.abs(np.einsum("ik,iak->ia", point - centers, axes)) - halves
@@ -48,9 +48,9 @@ def distances_to_boxes(point: Array, corners: Array) -> Array:
 
 
 def overlaps(ones: Array, others: Array, tolerance_m: float) -> Pairs:
-    """Pairs of indices (k, 2): rectangles (n, 4, 2) that overlap shapes (m, 4 or 2, 2) by more than `tolerance_m`.
+    """Returns pairs of indices (k, 2): rectangles (n, 4, 2) that overlap shapes (m, 4 or 2, 2) by over `tolerance_m`.
 
-    Separating axis theorem: two convex shapes are disjoint when the normal of one of their edges separates them.
+    Separating axis theorem: two convex shapes are disjoint if their projections on an edge's normal are disjoint.
     """
     near = np.argwhere(_may_touch(ones, others, max(0.0, -tolerance_m)))
     one, other = ones[near[:, 0]], others[near[:, 1]]
@@ -70,14 +70,14 @@ def _may_touch(ones: Array, others: Array, gap_m: float) -> NDArray[np.bool_]:
 
 
 def _reach(shapes: Array) -> Array:
-    """Circumradius (n) of each shape about the mean of its corners."""
+    """Returns the circumradius (n) of each shape about the mean of its corners."""
     spread = shapes - shapes.mean(axis=1, keepdims=True)
     reach: Array = np.hypot(spread[..., 0], spread[..., 1]).max(axis=1)
     return reach
 
 
 def _axes(shapes: Array) -> Array:
-    """Unit vectors along and across the first edge of each shape: (n, 2, 2)."""
+    """Returns unit vectors along and across the first edge of each shape: (n, 2, 2)."""
     along = shapes[:, 1] - shapes[:, 0]
     along = along / np.maximum(np.hypot(*along.T), 1e-12)[:, None]
     axes: Array = np.stack([along, np.stack([-along[:, 1], along[:, 0]], axis=1)], axis=1)
@@ -85,7 +85,7 @@ def _axes(shapes: Array) -> Array:
 
 
 def _shared(axes: Array, one: Array, other: Array, tolerance_m: float) -> NDArray[np.bool_]:
-    """Whether the projections of both shapes on every axis overlap by more than the slack."""
+    """Returns whether the projections of both shapes on every axis overlap by more than the tolerance."""
     shadow = np.einsum("iak,ick->iac", axes, one)
     other_shadow = np.einsum("iak,ick->iac", axes, other)
     depth = np.minimum(

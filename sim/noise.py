@@ -1,8 +1,8 @@
 """Stateless noise: a pure function of (seed, channel, tick, index).
 
-With a stateful generator, reading one sensor would change the numbers of another. SplitMix64 (G. L. Steele et al.,
-"Fast splittable pseudorandom number generators", 2014) computes its n-th number directly; each channel has its own
-starting state.
+With a stateful generator, reading one sensor would change the numbers of another sensor. SplitMix64 (G. L. Steele et
+al., "Fast splittable pseudorandom number generators", 2014) computes its n-th number directly. Each channel has its
+own starting state.
 """
 
 import math
@@ -22,10 +22,10 @@ class Noise:
         self._state = _mix((_mix(seed & _MASK) + channel * _STEP) & _MASK)
 
     def normal(self, tick: int, index: int = 0) -> float:
-        """A number of mean 0 and standard deviation 1, within ±3.47.
+        """Returns a number with mean 0 and standard deviation 1, within ±3.47.
 
-        A scaled sum of four uniform integers (Irwin-Hall) instead of a true normal deviate: bit-identical on every
-        processor.
+        The number is a scaled sum of four uniform integers (Irwin-Hall distribution), because a true normal deviate
+        would not be bit-identical on every processor.
         """
         bits = _mix((self._state + (tick * _INDICES + index) * _STEP) & _MASK)
         total = (bits & 0xFFFF) + (bits >> 16 & 0xFFFF) + (bits >> 32 & 0xFFFF) + (bits >> 48)

@@ -1,4 +1,4 @@
-"""Reads world documents: returns the world, or all faults. No content of a document raises an error."""
+"""Parser of world documents: returns the world, or all faults. No content of a document raises an error."""
 
 import json
 import re
@@ -24,11 +24,11 @@ _ORDER = ("pinel_world", "name", "title", "size_m", "start", *_LISTS)
 
 @dataclass(frozen=True, slots=True)
 class WorldParseResult:
-    """Outcome of reading a world document.
+    """Result of reading a world document.
 
     Attributes:
-        world: the world for the simulator, None with faults.
-        document: the document in normal form (defaults filled in, keys in a fixed order), None with faults.
+        world: the world for the simulator; None with faults.
+        document: the document in normal form (defaults filled in, keys in a fixed order); None with faults.
         faults: the first hundred faults, in the order of the document.
     """
 
@@ -54,7 +54,7 @@ def read_world(source: Any, *, robot_radius_m: float) -> WorldParseResult:
     if len(invalid) > MAX_FAULTS:
         return WorldParseResult(None, None, _in_order(invalid))
     parts = _valid_parts(document, {path[:2] for path, _ in invalid if path})
-    # limited: there may be as many faults as pairs of walls
+    # limited, because the number of faults can reach the number of pairs of walls
     found = [*invalid, *islice(placement_faults(parts, robot_radius_m), MAX_FAULTS)]
     if found or model is None:
         return WorldParseResult(None, None, _in_order(found))
@@ -72,7 +72,7 @@ def _parsed(text: str | bytes) -> Any:
     except (
         ValueError,
         RecursionError,
-    ):  # not UTF-8, a number of thousands of digits, or deep nesting
+    ):  # not UTF-8, a number with thousands of digits, or deep nesting
         return WorldFault("world_syntax", params={"line": 1, "column": 1})
 
 
@@ -83,7 +83,7 @@ def _within_size(document: dict[Any, Any]) -> Any:
         TypeError,
         ValueError,
         RecursionError,
-    ):  # not JSON, or deep nesting: the validation of its parts names the fault
+    ):  # not JSON, or deep nesting: the validation reports the fault
         return document
     return document if size <= MAX_BYTES else _too_large(size)
 
@@ -93,7 +93,10 @@ def _too_large(size: int) -> WorldFault:
 
 
 def _with_known_keys(document: dict[Any, Any]) -> tuple[dict[str, Any], list[LocatedFault]]:
-    """The document without keys that are not strings: pydantic would stop at them."""
+    """Returns the document without keys that are no valid text, and a fault for each of these keys.
+
+    Pydantic would stop at such a key and report no other fault.
+    """
     known = {key: value for key, value in document.items() if _is_text(key)}
     unknown_keys = [repr(key)[:MAX_TITLE] for key in document if not _is_text(key)]
     return known, [
@@ -106,7 +109,7 @@ def _is_text(key: Any) -> bool:
 
 
 def _without_nulls(document: dict[str, Any]) -> dict[str, Any]:
-    """The document and its entries without null values: null means absent."""
+    """Returns the document without null values, also in its lists' entries: null means absent."""
     present = {key: value for key, value in document.items() if value is not None}
     for name in _LISTS:
         if isinstance(present.get(name), list):
@@ -129,7 +132,7 @@ def _validated(document: dict[str, Any]) -> tuple[WorldDocument | None, list[Loc
 
 
 def _valid_parts(document: dict[str, Any], invalid: set[Path]) -> Parts:
-    """The valid elements, so that faults of placement are reported together with those of invalid elements."""
+    """Returns the valid elements, so that placement faults are reported together with invalid elements."""
 
     def is_valid(name: str) -> bool:
         return name in document and not any(path[0] == name for path in invalid)
@@ -157,7 +160,7 @@ def _in_order(found: Iterable[LocatedFault]) -> tuple[WorldFault, ...]:
 
 
 def _rank(path: Path) -> tuple[int, int]:
-    """Order of faults: missing top-level keys first, unknown keys last."""
+    """Returns the sort key of a fault: missing top-level keys first, unknown keys last."""
     if not path:
         return -1, -1
     first = _ORDER.index(path[0]) if path[0] in _ORDER else len(_ORDER)

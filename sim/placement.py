@@ -1,4 +1,4 @@
-"""Geometric checks of a world: crossing walls, parts outside the floor, a blocked start, movable boxes."""
+"""Geometric checks of a world: crossing walls, elements outside the floor, a blocked start, movable boxes."""
 
 import math
 from collections import Counter
@@ -26,7 +26,7 @@ _OVERLAP_M = 1e-3  # a movable box may touch a wall, but not overlap it
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """The valid elements of a world document; elements of lists by their index in the document."""
+    """The valid elements of a world document; list elements are by their index in the document."""
 
     size_m: tuple[float, float] | None = None
     start: tuple[float, float] | None = None
@@ -37,7 +37,7 @@ class Parts:
 
 
 def placement_faults(parts: Parts, robot_radius_m: float) -> Iterator[LocatedFault]:
-    """All faults of placement; lengths in metres."""
+    """Yields all placement faults; lengths are in metres."""
     if parts.size_m is not None:
         yield from _outside_the_floor(parts, parts.size_m, robot_radius_m)
     yield from _short_walls(parts)
@@ -61,7 +61,7 @@ def _outside_the_floor(
 def _extents(
     parts: Parts, robot_radius_m: float
 ) -> Iterator[tuple[Sequence[tuple[float, float]], LocatedFault]]:
-    """Extreme points of every part, each with the fault to report if they lie outside the floor."""
+    """Yields the extreme points of every element, with the fault to report if one is outside the floor."""
     if parts.start is not None:
         robot = Disc(parts.start, robot_radius_m)
         yield _extremes(robot), located(("start",), "start_off_floor", min=robot_radius_m)
@@ -76,7 +76,7 @@ def _extents(
 
 
 def _extremes(shape: Shape) -> Sequence[tuple[float, float]]:
-    """Points that lie on a rectangular floor if and only if the whole shape does."""
+    """Returns points that are on a rectangular floor if and only if the whole shape is."""
     if isinstance(shape, Rectangle):
         return Box(shape.center, shape.size, shape.angle_rad).corners()
     assert isinstance(shape, Disc)
@@ -109,7 +109,7 @@ def _unpushable_boxes(parts: Parts) -> Iterator[LocatedFault]:
 
 
 def _overlapping_boxes(parts: Parts) -> Iterator[LocatedFault]:
-    """Movable boxes that overlap a wall or another box: the physics would eject them at the start."""
+    """Yields a fault for each movable box that overlaps a wall or a box: the physics would eject it at the start."""
     indices, movable = list(parts.boxes), [i for i, box in parts.boxes.items() if box.movable]
     corners = _corners(parts)
     loose = corners[[indices.index(i) for i in movable]]
@@ -120,7 +120,7 @@ def _overlapping_boxes(parts: Parts) -> Iterator[LocatedFault]:
         i, j = movable[one], indices[other]
         if i != j and not (
             j in movable and j > i
-        ):  # of two movable boxes the fault is the later one's
+        ):  # of two movable boxes, only the later one gets the fault
             yield _overlap_fault(i, ("boxes", j), "box_in_box")
 
 
@@ -167,7 +167,7 @@ def _segments(parts: Parts) -> Array:
 
 
 def _thick_walls(parts: Parts) -> Array:
-    """The walls as rectangles, extended at both ends by the wall's radius."""
+    """Returns the walls as rectangles, extended at both ends by the wall's radius."""
     walls = (_thick(*wall.start, *wall.end) for wall in parts.walls.values())
     return np.array([wall.corners() for wall in walls], dtype=np.float64).reshape(-1, 4, 2)
 

@@ -1,8 +1,8 @@
 """Fast paths to the Chipmunk calls for which pymunk's Python wrapper costs more than the call itself.
 
-They use pymunk's cffi binding with preallocated structs: a step takes two thirds of the time of `Space.step`, a ray a
-sixth of `Space.segment_query_first`; results are bit-identical. The rest of `sim` uses pymunk's public interface.
-pymunk's version is pinned, and a test compares both paths.
+They use pymunk's cffi binding with preallocated structs. A step takes two thirds of the time of `Space.step`, a ray one
+sixth of the time of `Space.segment_query_first`. The results are bit-identical. The rest of `sim` uses pymunk's public
+interface. The version of pymunk is pinned, and a test compares both paths.
 """
 
 import math
@@ -18,7 +18,7 @@ _SIZE_AND_ALPHA = (
 
 
 class Stepper:
-    """Steps a space by `seconds` at a time. No callback may add or remove a shape."""
+    """Advances a space in steps of `seconds`. No callback may add or remove a shape."""
 
     def __init__(self, space: pymunk.Space, seconds: float) -> None:
         self._space, self._handle = space, space._space
@@ -40,16 +40,16 @@ class BodyAccess:
         self._velocity = ffi.new("cpVect *")
 
     def position(self) -> tuple[float, float]:
-        """Position in m, in the world's frame."""
+        """Returns the position in m, in the world's frame."""
         point = lib.cpBodyGetPosition(self._handle)
         return point.x, point.y
 
     def angle(self) -> float:
-        """Yaw in rad, not wrapped."""
+        """Returns the yaw in rad, not wrapped."""
         return float(lib.cpBodyGetAngle(self._handle))
 
     def velocity(self) -> tuple[float, float, float]:
-        """Velocity along x and y in m/s, angular velocity in rad/s."""
+        """Returns the velocity along x and y in m/s, and the angular velocity in rad/s."""
         handle = self._handle
         moves = lib.cpBodyGetVelocity(handle)
         return moves.x, moves.y, lib.cpBodyGetAngularVelocity(handle)
@@ -76,15 +76,18 @@ class Rays:
         self._filter = ffi.new("cpShapeFilter *", tuple(shape_filter))
 
     def fraction(self, x: float, y: float, end_x: float, end_y: float) -> float:
-        """Fraction of the segment from (x, y) to (end_x, end_y), in m, before the first shape; 1 without a hit."""
+        """Returns the fraction of the segment from (x, y) to (end_x, end_y), in m, before the first shape.
+
+        The fraction is 1 without a hit.
+        """
         start, end = self._start, self._end
         start.x, start.y, end.x, end.y = x, y, end_x, end_y
         self._query(self._handle, start[0], end[0], 0.0, self._filter[0], self._hit)
-        return float(self._hit.alpha)  # 1 without a hit
+        return float(self._hit.alpha)
 
 
 class Fan:
-    """A few rays; `beams` are the starts (x, y) and ends (x, y) of each in a body's frame, in m."""
+    """Casts a few fixed rays; `beams` are the start (x, y) and end (x, y) of each ray in a body's frame, in m."""
 
     def __init__(
         self,
@@ -98,7 +101,7 @@ class Fan:
         self._filter[0] = tuple(shape_filter)
         self._starts, self._ends = (ffi.new("cpVect[]", len(beams)) for _ in range(2))
         self._hits = ffi.new("cpSegmentQueryInfo[]", len(beams))
-        # each beam with the structs from which Chipmunk reads its ends and to which it writes the hit
+        # each beam with the structs that Chipmunk reads (start, end) and writes (hit)
         self._beams = [
             (*beam, self._starts[i], self._ends[i], self._hits + i) for i, beam in enumerate(beams)
         ]
@@ -107,9 +110,9 @@ class Fan:
         self._fractions = numbers[alpha::whole]
 
     def fractions(self, x: float, y: float, yaw: float) -> "memoryview[float]":
-        """`Rays.fraction` of each beam for a body at (x, y) in m with yaw in rad.
+        """Returns `Rays.fraction` of each beam for a body at (x, y) in m with yaw in rad.
 
-        The returned buffer is overwritten by the next call.
+        The next call overwrites the returned buffer.
         """
         cos, sin = math.cos(yaw), math.sin(yaw)
         query, handle, mask = self._query, self._handle, self._filter[0]

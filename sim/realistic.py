@@ -1,6 +1,6 @@
 """Imperfections of a real robot: wheel slip, lag, latency, odometry drift, sensor noise.
 
-They depend only on the run's seed and the tick (`sim.noise`): reading a sensor changes nothing.
+All random numbers depend only on the run's seed and the tick (`sim.noise`). Reading a sensor changes none of them.
 """
 
 import math
@@ -16,7 +16,7 @@ _STANDSTILL_MPS = 1e-3  # below this speed friction stops a wheel whose command 
 
 @dataclass(frozen=True, slots=True)
 class Realism:
-    """Parameters of the imperfections; noises and biases are standard deviations.
+    """Parameters of the imperfections; each noise and bias is a standard deviation.
 
     Attributes:
         wheel_bias: relative error of a wheel's distance, constant over the run.
@@ -24,8 +24,8 @@ class Realism:
         lag_s: time constant of the wheel's first-order response.
         latency_s: time from the command to the wheel, a whole number of substeps.
         pose_noise_m, pose_noise_rad: error of an externally measured pose, in x and y, and in yaw.
-        sonar_noise: relative error of a distance.
-        lidar_noise_m: error at every distance.
+        sonar_noise: relative error of a sonar's distance.
+        lidar_noise_m: error of a lidar's distance, the same at every distance.
     """
 
     wheel_bias: float
@@ -39,19 +39,20 @@ class Realism:
 
     @property
     def delay_s(self) -> float:
-        """Mean delay of a velocity: latency plus the time constant of the lag."""
+        """Mean delay of a velocity, in s: latency plus the time constant of the lag."""
         return self.latency_s + self.lag_s
 
 
 REALISTIC = Realism(
-    # The wheels of a Pioneer in use differ by about 0.5 % (tyres, load). The rest is chosen so that a square of 1 m
-    # driven by odometry ends some centimetres from its start, as J. Borenstein and L. Feng measured for such robots
-    # ("Measurement and correction of systematic odometry errors in mobile robots", 1996).
+    # The wheels of a Pioneer in use differ by about 0.5 % (tyres, load). The other values make a
+    # square of 1 m driven by odometry end some centimetres from its start. J. Borenstein and L.
+    # Feng measured that for robots of this kind ("Measurement and correction of systematic odometry
+    # errors in mobile robots", 1996).
     wheel_bias=0.005,
     wheel_noise=0.02,
     lag_s=0.06,
     latency_s=0.05,
-    # a marker seen by a camera above a floor of some metres
+    # measurement of a marker by a camera above a floor of some metres
     pose_noise_m=0.001,
     pose_noise_rad=math.radians(0.1),
     sonar_noise=0.01,  # Polaroid 6500 module: 1 % of the distance
@@ -62,14 +63,14 @@ Pose = tuple[float, float, float]
 
 
 class RealisticDrive:
-    """Wheels between the command and the simulated body, and their odometry.
+    """Simulates the wheels between the command and the body, and their odometry.
 
-    Encoders measure the rotation of the wheels: the body's motion without slip, which they cannot measure. Blocked
-    wheels stand still, and so does the count.
+    Encoders measure the rotation of the wheels: the body's motion without slip, which encoders cannot measure. Blocked
+    wheels do not rotate, so their encoders count nothing.
 
     Attributes:
         odometry: x and y (m) and yaw (rad, not wrapped) in the world's frame, integrated from the true start.
-        speed: v (m/s) and omega (rad/s) from the wheels, mean of the last tick.
+        speed: v (m/s) and omega (rad/s) from the encoders, mean of the last tick.
         tick_number: number of the last tick.
     """
 
@@ -102,7 +103,7 @@ class RealisticDrive:
         self._count(slips)
 
     def _respond(self, left: float, right: float) -> None:
-        """One substep of the wheels' first-order response to their command (m/s)."""
+        """Advances the wheels' first-order response to their command (m/s) by one substep."""
         self._left += (left - self._left) * self._response
         self._right += (right - self._right) * self._response
         if left == 0.0 and abs(self._left) < _STANDSTILL_MPS:
@@ -111,7 +112,7 @@ class RealisticDrive:
             self._right = 0.0
 
     def _slips(self) -> tuple[float, float]:
-        """Distance that the left and the right wheel move the body per metre of rotation."""
+        """Returns the distance by which the left and the right wheel move the body, per metre of rotation."""
         noise, number = self._realism.wheel_noise, self.tick_number
         left, right = (
             bias + noise * source.normal(number)
@@ -139,7 +140,7 @@ class RealisticDrive:
 
 
 class MeasurementNoise:
-    """Adds noise to measurements, drawn anew at every tick."""
+    """Adds noise to measurements, with new random numbers at every tick."""
 
     def __init__(self, seed: int, realism: Realism = REALISTIC) -> None:
         self._realism = realism
@@ -148,7 +149,7 @@ class MeasurementNoise:
         )
 
     def pose(self, tick: int, pose: Pose) -> Pose:
-        """An externally measured pose (m, rad). At tick 0 it is exact: the robot stands on a known mark."""
+        """Returns an externally measured pose (m, rad). At tick 0 it is exact: the robot is placed on a known mark."""
         if tick == 0:
             return pose
         x, y, yaw = pose
@@ -160,10 +161,10 @@ class MeasurementNoise:
         )
 
     def sonar(self, tick: int, index: int, distance_m: float) -> float:
-        """A distance (m) as sonar `index` measures it; may exceed its range."""
+        """Returns a distance (m) as sonar `index` measures it; the result may exceed the sonar's range."""
         return distance_m * (1.0 + self._realism.sonar_noise * self._sonar.normal(tick, index))
 
     def lidar(self, tick: int, angle_rad: float, distance_m: float) -> float:
-        """A distance (m) as the scanner measures it at an angle; angles have noise of their own every half degree."""
+        """Returns a distance (m) as the scanner measures it at an angle; each half degree has its own noise."""
         beam = round(math.degrees(angle_rad) * 2.0) % 720
         return distance_m + self._realism.lidar_noise_m * self._lidar.normal(tick, beam)

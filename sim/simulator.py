@@ -1,12 +1,12 @@
 """Physics of one differential-drive robot in a world, on pymunk (Chipmunk 2D).
 
 The robot is a dynamic circle. A kinematic body with the commanded velocity pulls it through a pivot joint and a gear
-joint. Their forces are limited like those of wheels: the robot follows commands exactly on free floor and stalls at a
+joint. The joints have the force limits of wheels: the robot follows commands exactly on free floor and stalls at a
 wall. Setting the velocity of the circle itself would drive it through walls.
 
 A movable box is a dynamic body joined to the floor in the same way, with the friction force as the limit. In worlds
-with movable boxes the physics step is halved, which halves how deep a fast box penetrates a wall; `TunnellingGuard`
-keeps boxes from passing through walls.
+with movable boxes the physics step is halved, which halves the depth by which a fast box penetrates a wall.
+`TunnellingGuard` prevents boxes from passing through walls.
 """
 
 import math
@@ -23,19 +23,19 @@ from sim.world import WALL_RADIUS_M, Box, World
 TICK_S = 1.0 / 30.0
 SUBSTEPS = 8
 SUBSTEP_S = TICK_S / SUBSTEPS
-# Chipmunk's default of 0.1 would let shapes overlap by 10 cm: lengths are in metres here.
+# Lengths are in metres here, so Chipmunk's default of 0.1 would let shapes overlap by 10 cm.
 COLLISION_SLOP_M = 0.0005
 BOX_FRICTION = 0.4  # cardboard and wood on a school's floor: 0.3 to 0.5
 GRAVITY_MPS2 = 9.81
 # Chipmunk's default of 10 is not enough for a light box between the robot and a wall.
 ITERATIONS_WITH_MOVABLE = 40
-STEPS_WITH_MOVABLE = 2  # within a substep
+STEPS_WITH_MOVABLE = 2  # physics steps per substep
 _ROBOT = 0b10  # category of the robot's shape: rays start inside it and must not hit it
 _ALL_BUT_ROBOT = pymunk.ShapeFilter(mask=pymunk.ShapeFilter.ALL_MASKS() ^ _ROBOT)
 
 
 class RobotBody(Protocol):
-    """Dimensions and limits of the robot, in SI units; `RobotModel` of the application has these attributes."""
+    """Dimensions and limits of the robot, in SI units. The application's `RobotModel` implements this protocol."""
 
     @property
     def radius_m(self) -> float: ...
@@ -53,8 +53,8 @@ class Simulator:
     The same sequence of calls gives the same numbers to the bit, in any process, on one build and platform.
 
     Attributes:
-        delay_s: time from the beginning of a tick until its velocity takes effect: one substep, or three quarters with
-            movable boxes.
+        delay_s: time from the start of a tick until its velocity takes effect: one substep, or three quarters of a
+            substep with movable boxes.
     """
 
     def __init__(self, world: World, robot: RobotBody) -> None:
@@ -64,7 +64,8 @@ class Simulator:
         self._movable: dict[int, pymunk.Body] = {}
         self._add_obstacles(world)
         self._steps_each = STEPS_WITH_MOVABLE if self._movable else 1
-        # with movable boxes a velocity is reached in two half jumps: one and a half steps late on average
+        # With movable boxes the velocity changes in two half jumps, on average 1.5 physics steps
+        # late.
         self.delay_s = SUBSTEP_S if self._steps_each == 1 else 1.5 * SUBSTEP_S / self._steps_each
         self._body = self._add_robot(world, robot)
         self.wheels = self._add_wheels(robot)
@@ -104,7 +105,7 @@ class Simulator:
         floor = self.space.static_body
         slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
         turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
-        slide.max_bias = turn.max_bias = 0.0  # held by friction where it is, not pulled back
+        slide.max_bias = turn.max_bias = 0.0  # friction only; a bias would pull the box back
         slide.max_force = BOX_FRICTION * box.mass_kg * GRAVITY_MPS2
         turn.max_force = slide.max_force * _mean_radius(box.size)
         self.space.add(body, shape, slide, turn)
@@ -125,7 +126,8 @@ class Simulator:
         wheels = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
         pull = pymunk.PivotJoint(wheels, self._body, (0.0, 0.0), (0.0, 0.0))
         turn = pymunk.GearJoint(wheels, self._body, 0.0, 1.0)
-        # Without bias the joints pass on velocities only: a robot that was blocked does not jump to catch up.
+        # Without bias the joints transmit velocities only. With bias, a blocked robot would later
+        # jump to the position of the wheels.
         pull.max_bias = turn.max_bias = 0.0
         pull.max_force, turn.max_force = robot.max_force_n, robot.max_torque_nm
         self.space.add(wheels, pull, turn)
@@ -144,7 +146,10 @@ class Simulator:
         self._yaw = self._robot.angle()
 
     def _steps_from_halfway(self, number: int) -> None:
-        """Reaches a new velocity in two half jumps: one jump in a half step exceeds the force of the wheels."""
+        """Makes `number` physics steps, and changes the velocity in two half jumps.
+
+        One full jump within a halved physics step would exceed the force of the wheels.
+        """
         (vx, vy), omega = self.wheels.velocity, self.wheels.angular_velocity
         was_vx, was_vy, was_omega = self._last_command
         self._last_command = vx, vy, omega
@@ -158,10 +163,10 @@ class Simulator:
         self._steps(number)
 
     def _set_velocity(self, v_mps: float, omega_radps: float, time_s: float) -> None:
-        """Replaces the arc driven in `time_s` by its chord.
+        """Sets the velocity for the next `time_s`; the arc driven in that time is replaced by its chord.
 
-        The chord lies along the heading at the middle of the interval, which begins `delay_s` late, and is shortened by
-        the sinc of half the angle.
+        The chord has the direction of the heading at the middle of the interval, which starts `delay_s` late. Its
+        length is the arc's length times the sinc of half the angle.
         """
         half_angle = omega_radps * time_s / 2.0
         heading = self._yaw + self._omega * self.delay_s + half_angle
@@ -176,14 +181,17 @@ class Simulator:
             self._drive.set_omega(omega_radps)
 
     def state(self) -> tuple[float, float, float, float, float]:
-        """True x, y (m), yaw (rad, not wrapped), forward speed (m/s), angular speed (rad/s), in the world's frame."""
+        """Returns the true x, y (m), yaw (rad, not wrapped), forward speed (m/s) and angular speed (rad/s).
+
+        The pose is in the world's frame.
+        """
         yaw = self._yaw
         x, y = self._robot.position()
         vx, vy, omega = self._robot.velocity()
         return x, y, yaw, vx * math.cos(yaw) + vy * math.sin(yaw), omega
 
     def touching(self) -> bool:
-        """True while the robot touches a wall or a box."""
+        """Returns whether the robot touches a wall or a box."""
         touched = False
 
         def note(_arbiter: pymunk.Arbiter) -> None:
@@ -196,9 +204,11 @@ class Simulator:
     def ray(
         self, angle_rad: float, length_m: float, start: tuple[float, float] = (0.0, 0.0)
     ) -> float:
-        """Distance (m) from a place of the robot to the nearest shape in a direction, at most `length_m`.
+        """Returns the distance (m) from a point of the robot to the nearest shape in a direction, at most `length_m`.
 
-        The angle is relative to the heading, in rad, positive to the left; `start` is in the robot's frame, in m.
+        Args:
+            angle_rad: direction relative to the heading, positive to the left.
+            start: the point, in the robot's frame, in m.
         """
         x, y = self._at(start)
         angle = self._yaw + angle_rad
@@ -206,7 +216,7 @@ class Simulator:
         return self._rays.fraction(x, y, end_x, end_y) * length_m
 
     def _at(self, place: tuple[float, float]) -> tuple[float, float]:
-        """A place of the robot (m, in its frame) in the world's frame."""
+        """Transforms a point (m) from the robot's frame into the world's frame."""
         x, y = self._robot.position()
         ahead, left = place
         if ahead or left:
@@ -217,12 +227,12 @@ class Simulator:
     def fan(
         self, beams: Sequence[tuple[float, float, float, float]]
     ) -> Callable[[], Sequence[float]]:
-        """A function that casts a few rays and returns the free fraction of each, 0 to 1.
+        """Returns a function that casts a few rays and returns the free fraction of each, 0 to 1.
+
+        The next call of that function overwrites the returned buffer.
 
         Args:
             beams: start (x, y) and end (x, y) of each ray in the robot's frame, in m.
-
-        The returned buffer is overwritten by the next call.
         """
         fractions = Fan(self.space, _ALL_BUT_ROBOT, beams).fractions
         position = self._robot.position
@@ -231,11 +241,11 @@ class Simulator:
     def scanner(
         self, angles_rad: Sequence[float], start: tuple[float, float] = (0.0, 0.0)
     ) -> Callable[[float], list[float]]:
-        """A function from a length (m) to the distances (m) of `ray` at all these angles from one start.
+        """Returns a function from a length (m) to the distances (m) of `ray` at all these angles from one start.
 
-        They agree with `ray` within 2 mm; for many angles it is much faster.
+        The distances agree with `ray` within 2 mm. For many angles the function is much faster than `ray`.
         """
-        from sim.beam_caster import BeamCaster  # noqa: PLC0415 - numpy, which takes longer to load than the rest
+        from sim.beam_caster import BeamCaster  # noqa: PLC0415 - imports numpy, which loads slowly
 
         boxes = self._world.boxes
         fixed = [box for box in boxes if not box.movable]
@@ -251,18 +261,21 @@ class Simulator:
         return ranges
 
     def boxes(self) -> dict[int, tuple[float, float, float]]:
-        """Poses of the movable boxes by index: x and y of the centre (m) and yaw (rad), in the world's frame."""
+        """Returns the poses of the movable boxes by index: x, y of the centre (m), yaw (rad), in the world's frame."""
         return {index: (*body.position, body.angle) for index, body in self._movable.items()}
 
     def zone(self) -> str:
-        """Name of the world's zone under the robot's centre, or ""."""
+        """Returns the name of the world's zone under the robot's centre, or ""."""
         return zone_at(self._world.zones, *self._robot.position())
 
     def floor_color(self) -> str:
-        """Colour of the floor under the robot's centre."""
+        """Returns the colour of the floor under the robot's centre."""
         return color_at(self._world.floor, *self._robot.position())
 
 
 def _mean_radius(size: tuple[float, float]) -> float:
-    """Mean distance of a rectangle's points from its centre, within 5 %: the lever arm of friction against rotation."""
+    """Returns the mean distance of a rectangle's points from its centre, within 5 %.
+
+    It is the lever arm of friction against rotation.
+    """
     return 0.26 * math.hypot(*size)

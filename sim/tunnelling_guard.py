@@ -1,9 +1,9 @@
-"""Keeps movable boxes from tunnelling through walls.
+"""Prevents movable boxes from tunnelling through walls.
 
-The solver allows some penetration at each step. A light box between strong wheels and a thin wall can be pressed
-deeper step by step until its centre is past the wall, and is then pushed out on the far side. Therefore the path of
-each box's centre is checked after every call: if it crosses a fixed shape, all movable bodies return to their previous
-poses with zero velocity.
+The solver allows some penetration at each step. Strong wheels can press a light box deeper into a thin wall step by
+step. Once the box's centre is past the wall, the solver pushes the box out on the far side. Therefore the guard checks
+the path of each box's centre after every call. If a path crosses a fixed shape, all movable bodies return to their
+previous poses with zero velocity.
 """
 
 from collections.abc import Callable, Sequence
@@ -29,7 +29,7 @@ class TunnellingGuard:
         self._rays = Rays(space, _FIXED_ONLY)
 
     def wrap(self, steps: Callable[[int], None]) -> Callable[[int], None]:
-        """Wraps a stepping function: undoes its steps when a box has tunnelled."""
+        """Returns `steps` with a check: if a box has tunnelled, its steps are undone."""
 
         def guarded(number: int) -> None:
             places = [box.position() for box in self._boxes]

@@ -1,4 +1,7 @@
-"""Worlds: walls, boxes, zones, painted floor and the start pose. World frame; files in metres and degrees."""
+"""Worlds: walls, boxes, zones, painted floor and the start pose, in the world's frame.
+
+Files use metres and degrees; the classes here use metres and radians.
+"""
 
 import json
 import math
@@ -17,14 +20,14 @@ _LESSONS = (
 )
 DEFAULT_BOX_MASS_KG = 2.0
 WALL_RADIUS_M = 0.01
-# limits of movable boxes: thinner or lighter ones would visibly penetrate walls and the robot
+# limits of movable boxes: a thinner or lighter box would visibly penetrate walls and the robot
 MIN_MOVABLE_SIDE_M = 0.05
 MIN_MOVABLE_KG, MAX_MOVABLE_KG = 0.5, 20.0
 _NAME = re.compile(r"[a-z0-9_]{1,64}\Z")
 
 
 class WorldError(Exception):
-    """A world that cannot be used; `code` selects the message, `params` fill it."""
+    """An invalid or unknown world; `code` selects the message, `params` are its placeholders' values."""
 
     def __init__(self, code: str, **params: object) -> None:
         super().__init__(f"{code} {params}")
@@ -42,7 +45,7 @@ class Wall:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A rectangular obstacle: centre and size in metres, rotated by `angle_rad`; the robot can push a movable one."""
+    """A rectangular obstacle: centre and size in metres, rotated by `angle_rad`. The robot can push a movable box."""
 
     center: tuple[float, float]
     size: tuple[float, float]
@@ -51,7 +54,7 @@ class Box:
     mass_kg: float = DEFAULT_BOX_MASS_KG
 
     def corners(self) -> list[tuple[float, float]]:
-        """The four corners in metres, counterclockwise."""
+        """Returns the four corners in metres, counterclockwise."""
         (cx, cy), (w, h) = self.center, self.size
         cos, sin = math.cos(self.angle_rad), math.sin(self.angle_rad)
         offsets = ((-w / 2, -h / 2), (w / 2, -h / 2), (w / 2, h / 2), (-w / 2, h / 2))
@@ -60,7 +63,7 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class World:
-    """What surrounds the robot. `start` is (x in m, y in m, yaw in rad); later zones and paints cover earlier ones."""
+    """The robot's surroundings. `start` is (x in m, y in m, yaw in rad). Later zones and paints cover earlier ones."""
 
     name: str
     walls: tuple[Wall, ...]
@@ -119,7 +122,7 @@ def _documents() -> dict[str, dict[str, Any]]:
 
 
 def list_worlds() -> list[dict[str, Any]]:
-    """The documents of all worlds shipped with the program: the lessons in their order, then the others by name."""
+    """Returns the documents of all shipped worlds: the worlds of lessons in their order, then the others by name."""
     return sorted(_documents().values(), key=lambda document: _rank(document["name"]))
 
 
@@ -128,12 +131,12 @@ def _rank(name: str) -> tuple[int, str]:
 
 
 def world_document(name: str) -> dict[str, Any]:
-    """The document of a shipped world. Raises WorldError `unknown_world`, which lists the known names."""
+    """Returns the document of a shipped world. Raises WorldError `unknown_world`, which lists the known names."""
     if not _NAME.match(name) or name not in _documents():
         raise WorldError("unknown_world", value=name, allowed=[d["name"] for d in list_worlds()])
     return _documents()[name]
 
 
 def load_world(name: str) -> World:
-    """A shipped world by its name. Raises WorldError `unknown_world` or `world_invalid`."""
+    """Reads a shipped world by its name. Raises WorldError `unknown_world` or `world_invalid`."""
     return world_from_document(world_document(name))

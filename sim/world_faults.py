@@ -1,4 +1,4 @@
-"""Faults of world documents as data, and their translation from pydantic's errors."""
+"""Faults of world documents (code, JSON pointer, parameters), and their translation from pydantic's errors."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -17,9 +17,9 @@ class WorldFault:
     """One fault of a world document.
 
     Attributes:
-        code: selects the message; the application has the texts.
+        code: selects the message; its text is in the application.
         pointer: JSON pointer (RFC 6901) to the element.
-        params: values of the message's placeholders; list elements count from 1.
+        params: values of the message's placeholders; numbers of list elements count from 1.
     """
 
     code: str
@@ -31,12 +31,12 @@ LocatedFault = tuple[Path, WorldFault]
 
 
 def located(path: Path, code: str, **params: object) -> LocatedFault:
-    """A fault together with its path."""
+    """Returns a fault together with its path."""
     return path, WorldFault(code, pointer(path), params)
 
 
 def pointer(path: Path) -> str:
-    """The JSON pointer (RFC 6901) of a path of keys and indices."""
+    """Returns the JSON pointer (RFC 6901) of a path of keys and indices."""
     return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
 
 
@@ -52,7 +52,7 @@ def fault_of_error(document: Any, error: ErrorDetails) -> LocatedFault:
 
 
 def _path(document: Any, error: ErrorDetails) -> Path:
-    """The error's path in the document: pydantic's location without union tags and without missing keys."""
+    """Returns the error's path in the document: pydantic's location without union tags and missing keys."""
     path: list[str | int] = []
     value = document
     for part in error["loc"]:
@@ -82,7 +82,7 @@ def _name(error: ErrorDetails, name: str) -> tuple[str, Params]:
 
 
 def _otherwise(error: ErrorDetails, name: str) -> tuple[str, Params]:
-    """Fallback: pydantic has about a hundred kinds of errors, and new releases add more."""
+    """Fallback for all other kinds of errors: pydantic has about a hundred, and new releases add more."""
     return "world_value_wrong", {"name": name, "value": _shown(error["input"])}
 
 

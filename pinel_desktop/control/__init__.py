@@ -1,4 +1,4 @@
-"""Motion profile, tracking controller, goal check. PURE: no IO, thread or clock."""
+"""Motion profile, tracking controller, goal checker, path planner. PURE: no IO, thread or clock."""
 
 from pinel_desktop.control.breakaway import Breakaway
 from pinel_desktop.control.goal import ApproachCheck, GoalCheck, ProgressCheck

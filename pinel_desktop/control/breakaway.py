@@ -1,21 +1,25 @@
-"""Wheels that stick: near its goal a real robot stands, because what is left to correct is too slow for its wheels."""
+"""Compensation of static friction (stiction): wheels of a real robot do not start to turn at low speeds.
+
+Near the goal the controller commands only such low speeds. Without an addition the robot would stop short of the goal.
+"""
 
 from pinel_desktop.control.goal import GoalCheck, at_rest
 from pinel_desktop.robot.geometry import Twist2D
 
-_GROWS_S = 1.0  # from standstill to the greatest addition
-# Wheels that break away go too far, the farther the later the robot answers: each time more is taken for the goal.
+_GROWS_S = 1.0  # time in which the addition grows from 0 to its maximum
+# Wheels that break away overshoot, and more so with a longer delay of the link. Each overshoot
+# therefore widens the goal tolerance by `_WIDENS` times `coarse`, up to `_WIDEST` times `coarse`.
 _WIDENS, _WIDEST = 0.5, 4.0
-_TRIES = 10
+_TRIES = 10  # overshoots after which the motion is given up
 
 
 class Breakaway:
-    """What is added to the speed of a robot that stands beside its goal; it grows until the robot moves.
+    """Speed that is added while the robot is at rest beside its goal; it grows until the robot moves.
 
     Args:
-        goal: when the motion has arrived.
-        max_added: the greatest addition, in m/s or rad/s; 0 for wheels that never stick.
-        tick_s: control period.
+        goal: goal checker of the motion.
+        max_added: maximum of the added speed, in m/s or rad/s; 0 for wheels without static friction.
+        tick_s: control period, in s.
     """
 
     def __init__(self, goal: GoalCheck, max_added: float, tick_s: float) -> None:
@@ -26,13 +30,13 @@ class Breakaway:
         self._n_passed = 0
 
     def arrived(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
-        """Whether the robot stands at its goal; `error` is the rest of the way (m or rad)."""
+        """Returns whether the motion has reached its goal; `error` is the remaining path (m or rad)."""
         if self._goal.arrived(error, twist, ticks_past_end):
             return True
         return self._n_passed > 0 and at_rest(twist) and abs(error) <= self._tolerance
 
     def more(self, error: float, twist: Twist2D, ticks_past_end: int) -> float:
-        """The addition towards the goal; asked at every tick."""
+        """Returns the speed to add towards the goal (m/s or rad/s); must be called at every tick."""
         if not self._max_added or ticks_past_end <= 0:
             return 0.0
         if not at_rest(twist) or abs(error) <= self._tolerance:
@@ -47,7 +51,7 @@ class Breakaway:
 
     @property
     def is_hopeless(self) -> bool:
-        """The robot has gone past its goal to and fro, and will not stop at it."""
+        """True once the robot has overshot its goal too often to stop at it."""
         return self._n_passed > _TRIES
 
     @property

@@ -1,27 +1,28 @@
-"""Goal and progress checks: whether a motion has arrived, and whether it is stuck. Independent of the controller."""
+"""Goal checker and progress checker: whether a motion has arrived, and whether it is stuck."""
 
 import math
 from dataclasses import dataclass, replace
 
 from pinel_desktop.robot.geometry import Twist2D
 
-# A controller with a noisy pose never stops correcting; up to these speeds the robot counts as standing.
 _AT_REST_MPS, _AT_REST_RADPS = 1e-3, 2e-3
+# A controller with a noisy pose never stops correcting. After the settle time, a robot below these
+# speeds counts as being at rest.
 _TREMBLES_MPS, _TREMBLES_RADPS = 0.02, 0.04
 
 
 def at_rest(twist: Twist2D) -> bool:
-    """True if the measured twist is that of a robot at standstill."""
+    """Returns whether a robot with this measured twist is at rest."""
     return abs(twist.v_mps) < _AT_REST_MPS and abs(twist.omega_radps) < _AT_REST_RADPS
 
 
 @dataclass(frozen=True, slots=True)
 class GoalCheck:
-    """Decides whether the robot stands at the end of the motion. Tolerances in the unit of the motion (m or rad).
+    """Decides whether a motion has reached its goal. Tolerances in the unit of the motion (m or rad).
 
-    During the first `patience` ticks after the end of the set-points the error must be within `fine`, which a robot
-    with exact poses reaches. After that `near` suffices, after `2 * patience` ticks `coarse`; slight motion is then
-    accepted, for robots with noisy poses.
+    For the first `settle_ticks` ticks after the last set-point, the error must be within `fine`, and the robot at rest.
+    A robot with exact poses reaches that. After `settle_ticks` ticks the tolerance is `near`, and after
+    `2 * settle_ticks` ticks it is `coarse`. Slight motion is then accepted, because noisy poses cause it.
     """
 
     fine: float
@@ -30,7 +31,12 @@ class GoalCheck:
     settle_ticks: int = 15
 
     def arrived(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
-        """`error` in the unit of the motion; `ticks_past_end` counts ticks since the last set-point."""
+        """Returns whether the motion has arrived.
+
+        Args:
+            error: remaining path, in the unit of the motion.
+            ticks_past_end: number of ticks since the last set-point.
+        """
         if ticks_past_end <= self.settle_ticks:
             return abs(error) <= self.fine and at_rest(twist)
         tolerance = self.near if ticks_past_end <= 2 * self.settle_ticks else self.coarse
@@ -44,12 +50,12 @@ TURN_GOAL = GoalCheck(fine=math.radians(0.003), near=math.radians(0.15), coarse=
 
 @dataclass(frozen=True, slots=True)
 class Goals:
-    """When motions have arrived.
+    """Goal checkers of all motions.
 
     Attributes:
-        move: of lines and arcs, in m.
-        turn: of turns, in rad.
-        sticks: the robot's wheels may stick before the goal.
+        move: goal checker of lines and arcs, in m.
+        turn: goal checker of turns, in rad.
+        sticks: whether static friction may stop the robot's wheels before the goal.
     """
 
     move: GoalCheck = MOVE_GOAL
@@ -57,7 +63,10 @@ class Goals:
     sticks: bool = False
 
     def widened(self, move_m: float, turn_rad: float) -> "Goals":
-        """With these errors accepted in the end: wheels of a real robot stick before they move by less."""
+        """Returns goal checkers with these `coarse` tolerances.
+
+        Static friction keeps the wheels of a real robot from moving by less.
+        """
         return Goals(
             replace(self.move, coarse=move_m), replace(self.turn, coarse=turn_rad), sticks=True
         )
@@ -75,7 +84,12 @@ class ProgressCheck:
         self._due = 0
 
     def stuck(self, done: float, tick: int) -> bool:
-        """`done` is the progress of the motion in m or rad, of either sign; `tick` is the current tick's number."""
+        """Returns whether the motion is stuck.
+
+        Args:
+            done: progress of the motion in m or rad, of either sign.
+            tick: number of the current tick.
+        """
         if self._reference is None or abs(done - self._reference) >= self._step:
             self._reference, self._due = done, tick + self._timeout_ticks
         return tick >= self._due
@@ -93,6 +107,11 @@ class ApproachCheck:
         self.nearest_m = math.inf
 
     def stuck(self, distance_m: float, tick: int) -> bool:
-        """`distance_m` is the robot's distance to the goal; `tick` is the current tick's number."""
+        """Returns whether the motion is stuck.
+
+        Args:
+            distance_m: distance from the robot to the goal.
+            tick: number of the current tick.
+        """
         self.nearest_m = min(self.nearest_m, distance_m)
         return self._progress.stuck(self.nearest_m, tick)

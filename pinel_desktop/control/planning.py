@@ -15,14 +15,13 @@ Segment = tuple[float, float, float, float]  # x1, y1, x2, y2 in m; a point has 
 Array = npt.NDArray[np.float64]
 
 CELL_M = 0.05
-# clearance between hull and obstacles: the least allowed, and the one beyond which a cell costs no more
+# clearance between hull and obstacles: the minimum, and the limit beyond which a cell costs no more
 TIGHT_M, COMFORTABLE_M = 0.02, 0.15
-_MARGIN_M = 1.5  # of the grid around all obstacles, so that a path can pass outside of them
+_MARGIN_M = 1.5  # margin of the grid around all obstacles, so that a path can pass outside of them
 _MAX_CELLS = 250_000
-_CELLS_PER_YIELD = 500  # some milliseconds
-_START_ZONE_M = (
-    0.3  # this near the start, less clearance is allowed: the robot may already stand too close
-)
+_CELLS_PER_YIELD = 500  # takes a few milliseconds
+# Within this radius of the start, less clearance is allowed: the robot may already be too close.
+_START_ZONE_M = 0.3
 _SAMPLE_M = 0.03
 _STEPS = tuple(
     (dx, dy, math.hypot(dx, dy)) for dx in (-1, 0, 1) for dy in (-1, 0, 1) if (dx, dy) != (0, 0)
@@ -30,7 +29,7 @@ _STEPS = tuple(
 
 
 def clearances(points: Array, obstacles: Array) -> Array:
-    """Distance in m from each point (n, 2) to the nearest obstacle (m, 4), shape (n,); inf without obstacles."""
+    """Returns the distance in m from each point (n, 2) to the nearest obstacle (m, 4), shape (n,); inf without any."""
     nearest = np.full(len(points), np.inf)
     for x1, y1, x2, y2 in obstacles:
         dx, dy = x2 - x1, y2 - y1
@@ -42,26 +41,26 @@ def clearances(points: Array, obstacles: Array) -> Array:
 
 
 def path_clearance(path: Sequence[Point], obstacles: Array) -> float:
-    """Smallest distance in m between a polyline and the obstacles (m, 4); inf without obstacles."""
+    """Returns the smallest distance in m between a polyline and the obstacles (m, 4); inf without obstacles."""
     return float(clearances(_sampled(path), obstacles).min(initial=np.inf))
 
 
 def as_array(obstacles: Sequence[Segment]) -> Array:
-    """Obstacles as an array (m, 4) with rows x1, y1, x2, y2 in m."""
+    """Returns the obstacles as an array (m, 4) with rows x1, y1, x2, y2 in m."""
     return np.array(obstacles, dtype=np.float64).reshape(-1, 4)
 
 
 def plan_path(
     obstacles: Array, start: Point, goal: Point, radius_m: float
 ) -> Generator[None, None, list[Point] | None]:
-    """A polyline for a round robot from `start` to `goal`, without the start; None if there is no path.
+    """Returns a polyline for a round robot from `start` to `goal`, without the start; None if there is no path.
 
-    All points are in m, in one frame of the caller's choice. Yields every few milliseconds so that the caller can do
-    other work; the result does not depend on it.
+    All points are in m, in one frame of the caller's choice. The generator yields every few milliseconds, so that the
+    caller can do other work. The result does not depend on when the caller resumes it.
 
-    A* (P. Hart, N. Nilsson, B. Raphael, "A formal basis for the heuristic determination of minimum cost paths", 1968)
-    on a grid of 5 cm, where cells near obstacles cost up to twice as much. String pulling then replaces runs of cells
-    by straight legs that keep the clearance of those cells.
+    Method: A* (P. Hart, N. Nilsson, B. Raphael, "A formal basis for the heuristic determination of minimum cost paths",
+    1968) on a grid of 5 cm, where cells near obstacles cost up to twice as much. String pulling then replaces runs of
+    cells by straight legs with at least the clearance of the replaced cells.
     """
     if path_clearance([start, goal], obstacles) >= radius_m + COMFORTABLE_M:
         return [goal]
@@ -74,7 +73,7 @@ def plan_path(
 
 
 class _Grid:
-    """Grid over start, goal and obstacles; each cell has a cost by its clearance."""
+    """Grid over start, goal and obstacles; the clearance of a cell determines its cost."""
 
     def __init__(self, obstacles: Array, start: Point, goal: Point, radius_m: float) -> None:
         corners = np.vstack([obstacles[:, :2], obstacles[:, 2:], [start, goal]])
@@ -93,12 +92,12 @@ class _Grid:
         return row * self._n_columns + column
 
     def center(self, index: int) -> Point:
-        """Centre of a cell, in m."""
+        """Returns the centre of a cell, in m."""
         row, column = divmod(index, self._n_columns)
         return self._x + column * self._cell, self._y + row * self._cell
 
     def _cell_costs(self, obstacles: Array, start: Point, radius_m: float) -> list[float]:
-        """Cost per metre in each cell, row by row: 1 in free space, up to 2 near obstacles, inf where closed."""
+        """Returns the cost per metre of each cell, row by row: 1 if free, up to 2 near obstacles, inf if closed."""
         xs: Array = self._x + self._cell * np.arange(self._n_columns, dtype=np.float64)
         ys: Array = self._y + self._cell * np.arange(self._n_rows, dtype=np.float64)
         wide, tight = radius_m + COMFORTABLE_M, radius_m + TIGHT_M
@@ -117,7 +116,7 @@ class _Grid:
     def _add_obstacle(
         self, room: Array, obstacle: Array, xs: Array, ys: Array, reach: float
     ) -> None:
-        """Lowers `room`, the clearance of each cell, to the distance of one obstacle, within `reach` of it."""
+        """Lowers `room`, the clearance of each cell in m, to the distance from one obstacle, within `reach` m of it."""
         x1, y1, x2, y2 = obstacle
         left, right = np.searchsorted(xs, (min(x1, x2) - reach, max(x1, x2) + reach))
         bottom, top = np.searchsorted(ys, (min(y1, y2) - reach, max(y1, y2) + reach))
@@ -127,7 +126,7 @@ class _Grid:
         np.minimum(part, clearances(points, obstacle[None, :]).reshape(part.shape), out=part)
 
     def search(self, estimate: float = 1.0) -> Generator[None, None, list[int] | None]:
-        """Indices of the cells from start to goal, or None.
+        """Returns the indices of the cells from start to goal, or None if there is no path.
 
         Args:
             estimate: factor of the heuristic; 1 is A*, 0 is Dijkstra's algorithm.
@@ -170,7 +169,7 @@ class _Grid:
 def _pull_string(
     points: list[Point], obstacles: Array, radius_m: float
 ) -> Generator[None, None, list[Point]]:
-    """String pulling: the corners that remain when each leg skips as many points as its clearance allows."""
+    """Returns the corners that remain after string pulling: each leg skips as many points as its clearance allows."""
     room = np.minimum(clearances(np.array(points), obstacles), radius_m + COMFORTABLE_M)
     tight = float(min(radius_m + TIGHT_M, room.min()))
     path, here = [], 0

@@ -1,18 +1,18 @@
-"""Set-points of a motion from standstill to standstill."""
+"""S-curve motion profile: the set-points of a motion from standstill to standstill."""
 
 import math
 from functools import lru_cache
 
 
-@lru_cache(maxsize=256)  # programs repeat their motions, and classes their programs
+@lru_cache(maxsize=256)  # programs repeat motions, and a class repeats programs
 def s_curve(
     distance: float, speed: float, acceleration: float, smoothing_s: float, dt_s: float
 ) -> tuple[float, ...]:
-    """Set-points every `dt_s` seconds, from 0 to `distance`, which may be negative.
+    """Returns set-points every `dt_s` seconds, from 0 to `distance`, which may be negative.
 
-    A trapezoidal velocity profile, averaged over a window of `smoothing_s`: the acceleration is continuous and the
-    jerk is at most `2 * acceleration / smoothing_s`. Method: L. Biagiotti and C. Melchiorri, "FIR filters for online
-    trajectory planning", 2012. `distance`, `speed` and `acceleration` share one unit of length or angle.
+    The profile is a trapezoid of velocity, averaged over a window of `smoothing_s`. Its acceleration is continuous, and
+    its jerk is at most `2 * acceleration / smoothing_s`. Method: L. Biagiotti and C. Melchiorri, "FIR filters for
+    online trajectory planning", 2012. `distance`, `speed` and `acceleration` share one unit of length or angle.
 
     Returns:
         Positions at 0, dt, 2 dt, ...; the first is 0 and the last is exactly `distance`.
@@ -32,7 +32,7 @@ def s_curve(
 
 
 class _Trapezoid:
-    """Velocity profile: accelerates for `ramp_s`, keeps `peak` for `cruise_s`, decelerates for `ramp_s`."""
+    """Velocity profile: accelerates for `ramp_s`, drives at `peak` for `cruise_s`, decelerates for `ramp_s`."""
 
     def __init__(
         self, acceleration: float, peak: float, ramp_s: float, cruise_s: float, length: float
@@ -48,11 +48,11 @@ class _Trapezoid:
         )
 
     def smoothed(self, t: float, window_s: float) -> float:
-        """Position at `t`, averaged over the `window_s` before it."""
+        """Returns the position at `t`, averaged over the `window_s` before `t`."""
         return (self._integral(t) - self._integral(t - window_s)) / window_s
 
     def _integral(self, t: float) -> float:
-        """Integral of the position from the start to `t`."""
+        """Returns the integral of the position from the start to `t`."""
         if t <= 0.0:
             return 0.0
         if t < self.ramp_s:

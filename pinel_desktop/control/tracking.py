@@ -1,4 +1,4 @@
-"""Trajectory tracking: feedforward of the set-point's velocity plus feedback of the pose error (docs/control.md)."""
+"""Trajectory tracking controllers: feedforward of the set-point's velocity plus feedback of the pose error."""
 
 import math
 from typing import NamedTuple
@@ -8,13 +8,13 @@ from pinel_desktop.robot.geometry import Pose2D, Twist2D, wrap_angle
 
 
 class Gains(NamedTuple):
-    """Controller gains. docs/control.md tells how they were chosen; `scripts/sweep_gains.py` repeats the search.
+    """Controller gains. docs/control.md explains their choice; `scripts/sweep_gains.py` repeats the search.
 
     Attributes:
-        along: proportional to the error along the path, in 1/s.
-        across: proportional to the cross-track error, in rad/m per metre driven.
-        yaw: proportional to the heading error, in 1/s.
-        integral: of the cross-track error, in rad/m per m²; 0 turns it off.
+        along: proportional gain of the along-track error, in 1/s.
+        across: proportional gain of the cross-track error, in rad/m per metre driven.
+        yaw: proportional gain of the heading error, in 1/s.
+        integral: integral gain of the cross-track error, in rad/m per m²; 0 turns it off.
     """
 
     along: float = 4.0
@@ -23,29 +23,30 @@ class Gains(NamedTuple):
     integral: float = 0.0
 
     def for_delay(self, delay_s: float) -> "Gains":
-        """Smaller ones for a robot that answers so late that these would make it oscillate."""
+        """Returns gains at which a control loop with this delay does not oscillate: these, or smaller ones."""
         slower = _STABLE / max(self.along * delay_s, _STABLE)
         return Gains(*(gain * slower for gain in self))
 
 
-# Of a gain and the delay of its loop. Oscillation grows from pi / 2 on; the true delay is longer than the known one.
+# Limit of a gain (1/s) times the delay of its loop (s). Oscillation grows from pi / 2 on. The limit
+# is far below that, because the true delay is longer than the estimated one.
 _STABLE = 0.5
 DEFAULT_GAINS = Gains()
-# for wheels that slip and poses that come with noise
+# for wheels that slip and poses with noise
 SLIPPING_GAINS = Gains(integral=10.0)
 
 
 TICK_S = 1.0 / 30.0  # control period
 _CREEP_MPS = 0.015
-# below this radius, position noise hides the progress along an arc; the heading is used instead
+# Below this radius, position noise hides the progress along an arc; the heading is used instead.
 _SMALL_RADIUS_M = 0.1
 
 
 class LineTracker:
-    """Tracks a set-point on the straight line through `start` along its yaw. Poses in the frame of `start`.
+    """Tracks a set-point on the straight line through `start` along its yaw.
 
-    Control law: Y. Kanayama et al., "A stable tracking control method for an autonomous mobile robot" (1990), with a
-    reference turning speed of zero.
+    All poses are in the frame in which `start` is given. Control law: Y. Kanayama et al., "A stable tracking control
+    method for an autonomous mobile robot" (1990), with a reference turning speed of zero.
     """
 
     def __init__(
@@ -57,23 +58,23 @@ class LineTracker:
         self._cos, self._sin = math.cos(start.yaw_rad), math.sin(start.yaw_rad)
 
     def along(self, pose: Pose2D) -> float:
-        """Progress of `pose` along the line, in metres."""
+        """Returns the progress of `pose` along the line, in metres."""
         return self._cos * (pose.x_m - self.start.x_m) + self._sin * (pose.y_m - self.start.y_m)
 
     def across(self, pose: Pose2D) -> float:
-        """Cross-track error: distance of `pose` from the line, in metres, to the left."""
+        """Returns the cross-track error: distance of `pose` from the line, in metres, positive to the left."""
         return self._cos * (pose.y_m - self.start.y_m) - self._sin * (pose.x_m - self.start.x_m)
 
     def point(self, distance_m: float) -> Pose2D:
-        """The pose on the line `distance_m` from its start."""
+        """Returns the pose on the line at `distance_m` from its start."""
         x, y, yaw = self.start
         return Pose2D(x + distance_m * self._cos, y + distance_m * self._sin, yaw)
 
     def correct(self, pose: Pose2D, error_m: float, v_mps: float) -> Twist2D:
-        """The twist that drives at `v_mps` and reduces the errors.
+        """Returns the twist that drives at `v_mps` and reduces the pose errors.
 
         Args:
-            error_m: distance along the line from `pose` to the set-point, positive if it is ahead.
+            error_m: distance along the line from `pose` to the set-point, positive if the set-point is ahead.
         """
         x, y, yaw = pose
         x0, y0, yaw0 = self.start
@@ -88,10 +89,10 @@ class LineTracker:
 
 
 class ArcTracker:
-    """Tracks a set-point on the circular arc from `start`, given as the angle turned so far. Same law as `Line`.
+    """Tracks a set-point on the circular arc from `start`, by the control law of `LineTracker`.
 
-    The arc changes the heading by `angle_rad`. The robot drives it forwards for a positive radius and backwards for a
-    negative one; a radius of 0 turns on the spot.
+    The set-point is given as the angle turned since the start. The arc changes the heading by `angle_rad`. If the
+    radius is positive, the robot drives forwards; if negative, backwards; if 0, it turns on the spot.
     """
 
     def __init__(
@@ -113,20 +114,23 @@ class ArcTracker:
         return x - self._radius * math.sin(yaw), y + self._radius * math.cos(yaw)
 
     def _direction_of(self, pose: Pose2D) -> float:
-        """An angle that grows with the progress: direction from the centre to the robot, or heading on small arcs."""
+        """Returns the angle that measures progress: direction from the arc's centre to the robot, or heading.
+
+        The heading serves arcs below `_SMALL_RADIUS_M`.
+        """
         if abs(self._radius) < _SMALL_RADIUS_M:
             return pose.yaw_rad
         return math.atan2(pose.y_m - self._center[1], pose.x_m - self._center[0])
 
     def done(self, pose: Pose2D) -> float:
-        """Progress as an angle in radians, beyond a full circle too; must be called at every tick."""
+        """Returns the progress as an angle in rad, also beyond a full circle; must be called at every tick."""
         direction = self._direction_of(pose)
         self._done += wrap_angle(direction - self._direction)
         self._direction = direction
         return self._done
 
     def point(self, turned_rad: float) -> Pose2D:
-        """The pose on the arc after the heading has turned by `turned_rad`."""
+        """Returns the pose on the arc after the heading has turned by `turned_rad`."""
         x, y, yaw = self.start
         end = yaw + turned_rad
         return Pose2D(
@@ -136,13 +140,16 @@ class ArcTracker:
         )
 
     def errors(self, pose: Pose2D, turned_rad: float) -> tuple[float, float, float]:
-        """The set-point relative to `pose`: metres ahead, metres to the left, radians counterclockwise."""
+        """Returns the error of `pose`: along-track (m), cross-track (m) and heading (rad).
+
+        Each is the set-point minus the pose, in the frame of the set-point: ahead, left and counterclockwise positive.
+        """
         goal = self.point(turned_rad)
         along, across = _offset(goal, pose)
         return along, across, wrap_angle(goal.yaw_rad - pose.yaw_rad)
 
     def correct(self, pose: Pose2D, turned_rad: float, omega_radps: float) -> Twist2D:
-        """The twist that follows the set-point, which turns at `omega_radps`, and reduces the errors."""
+        """Returns the twist that follows the set-point, which turns at `omega_radps`, and reduces the pose errors."""
         goal = self.point(turned_rad)
         along_m, across_m = _offset(goal, pose)
         yaw_error = wrap_angle(goal.yaw_rad - pose.yaw_rad)
@@ -156,17 +163,17 @@ class ArcTracker:
 
 
 def _offset(goal: Pose2D, pose: Pose2D) -> tuple[float, float]:
-    """Vector from `pose` to `goal` in the frame of `goal`: metres ahead and to the left."""
+    """Returns the vector from `pose` to `goal` in the frame of `goal`: metres ahead and to the left."""
     cos, sin = math.cos(goal.yaw_rad), math.sin(goal.yaw_rad)
     dx, dy = goal.x_m - pose.x_m, goal.y_m - pose.y_m
     return cos * dx + sin * dy, cos * dy - sin * dx
 
 
 def hold_position(goal: Pose2D, pose: Pose2D, gains: Gains) -> float:
-    """The forward speed in m/s that keeps a robot on the spot where it turns.
+    """Returns the forward speed in m/s that holds the position of a robot while it turns on the spot.
 
-    The robot can correct only the error along its heading, which rotates as it turns. The speed stays below the limit
-    of standstill, so that a robot pushed against an obstacle still counts as standing.
+    The robot can correct only the error along its heading, which rotates with the robot. The speed stays below the
+    limit of `GoalCheck`, so that a robot pushed against an obstacle still counts as being at rest.
     """
     dx, dy = goal.x_m - pose.x_m, goal.y_m - pose.y_m
     v = gains.along * (math.cos(pose.yaw_rad) * dx + math.sin(pose.yaw_rad) * dy)

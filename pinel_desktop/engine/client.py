@@ -1,4 +1,4 @@
-"""The app's side of the engine: sends messages to its process, hands on its events."""
+"""The app's side of the engine: supervises its process, sends messages to it and forwards its events."""
 
 import math
 import threading
@@ -27,26 +27,27 @@ from pinel_desktop.runs.spec import RunSpec
 EventSink = Callable[[dict[str, Any]], None]
 
 _RESPONSE_TIMEOUT_S = 2.0
-# A Stop is confirmed within milliseconds; a person who presses it must not wait long for the truth.
+# An engine confirms Stop within milliseconds. A longer time-out would only delay the error message.
 _CONFIRM_S = 1.0
-# A Run right after an engine was replaced waits for the next one.
+# A Run that is pressed right after the engine was replaced waits for the new engine.
 _READY_S = 5.0
 _CONTACT_TIMEOUT_S = 40.0
 _FIND_TIMEOUT_S = 15.0
-# Without a new key in this time, a run may take the robot.
+# A run may start once no key has moved the robot for this time.
 _HELD_S = 0.5
 
 
 class EngineClient:
-    """Keeps the engine process running; thread-safe. No call waits for an engine that hangs.
+    """Supervises the engine process; thread-safe. Every call has a time-out, so a hung engine blocks nobody.
 
-    `on_event` is called on the reader thread with every event, in order. When the process dies during a run, the
-    client makes up the missing `run_ended` (failed, `engine_lost`; `real_engine_lost` of a real robot, which only its
-    own watchdog stops then).
+    `on_event` is called on the reader thread with every event, in order. If the process dies during a run, the client
+    creates the missing `run_ended` with state `failed`. Its reason is `engine_lost`, or `real_engine_lost` for a real
+    robot, which then only its own watchdog stops.
 
     Args:
-        on_robot: called on the reader thread with every state of a real robot that is watched.
-        is_watched: whether somebody could stop a robot: a real one stands still, and its run ends, while nobody could.
+        on_robot: called on the reader thread with every state of a watched real robot.
+        is_watched: returns whether a person could press Stop. While it returns False, the client sends no keepalives;
+            the engine then stops a real robot and ends its run.
     """
 
     def __init__(
@@ -77,36 +78,39 @@ class EngineClient:
 
     @property
     def state(self) -> ProcessState:
-        """`starting` until the process has said it is ready; `lost` when it cannot be started again."""
+        """`starting` until the process has reported that it is ready; `lost` if it cannot be restarted."""
         return self._process.state
 
     @property
     def live_run(self) -> str | None:
-        """Id of the run that has begun and not ended."""
+        """Id of the live run; None without one."""
         return self._live
 
     @property
     def pid(self) -> int | None:
-        """Id of the engine's process."""
+        """Process id of the engine."""
         return self._process.pid
 
     def start(self) -> None:
-        """Starts the process; returns at once, the state tells when it is ready."""
+        """Starts the process and returns at once; `state` becomes `ready` later."""
         self._process.start()
 
     def wait_until_ready(self, timeout_s: float) -> bool:
-        """Waits for the process; False when it is not ready after `timeout_s`."""
+        """Waits for the process; returns False if it is not ready after `timeout_s`."""
         return self._process.wait_until_ready(timeout_s)
 
     def close(self) -> None:
-        """Ends the process, which sends zero velocity first, and waits for it."""
+        """Ends the process and waits for its exit; the process sends zero velocity first."""
         self._process.close()
 
     def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None:
-        """Begins a live run, whose inputs are a person's. Raises PinelError `run_in_progress` or `engine_not_ready`.
+        """Starts a live run, which takes its inputs from a person.
+
+        Raises PinelError `run_in_progress`, `robot_held_by_keys`, `engine_not_ready`, `engine_silent`.
 
         Args:
-            commands: applied before the first block begins, such as breakpoints, a speed, or a step to hold there.
+            commands: applied before the first block starts: for example breakpoints, a speed, or a step that pauses
+                at the first block.
         """
         if self.state == "starting":
             self.wait_until_ready(_READY_S)
@@ -115,7 +119,7 @@ class EngineClient:
                 raise PinelError("run_in_progress")
             if time.monotonic() - self._held_s < _HELD_S:
                 raise PinelError("robot_held_by_keys")
-            if self.state == "lost":  # one more try, which the next press of Run will find
+            if self.state == "lost":  # restarts the engine for the next press of Run
                 self.start()
             if self.state != "ready":
                 raise PinelError("engine_not_ready")
@@ -127,18 +131,18 @@ class EngineClient:
             threading.Thread(target=self._send_keepalives, args=(run_id,), daemon=True).start()
 
     def _send_keepalives(self, run_id: str) -> None:
-        """Tells the engine that the app is not frozen and a page is open, as long as a run drives a real robot."""
+        """Sends keepalives while the run drives a real robot and `is_watched` returns True."""
         while self._live == run_id:
             if self._is_watched():
                 self._process.send(KEEPALIVE)
             time.sleep(KEEPALIVE_PERIOD_S)
 
     def command(self, run_id: str, command: Command) -> Any:
-        """Sends a command to the live run; gives the value of `Evaluate` as plain data, None for all others.
+        """Sends a command to the live run. Returns the value of `Evaluate` as plain data, else None.
 
-        Raises PinelError `run_not_live` when that run is not the live one, `engine_silent` when the engine does not
-        take the command; for `Stop` also `stop_unconfirmed` or `real_stop_unconfirmed`; for `Evaluate` also
-        `run_not_paused`, `peek_not_possible`, `peek_invalid` and what evaluating the expression raises.
+        Raises PinelError `run_not_live` if that run is not the live one, and `engine_silent` if the engine does not
+        accept the command. For `Stop` also `stop_unconfirmed` or `real_stop_unconfirmed`. For `Evaluate` also
+        `run_not_paused`, `peek_not_possible`, `peek_invalid` and the errors of the evaluation.
         """
         if isinstance(command, Evaluate):
             return self._evaluate(run_id, command)
@@ -153,11 +157,11 @@ class EngineClient:
     def _evaluate(self, run_id: str, command: Evaluate) -> Any:
         try:
             return self._request(run_id, command, _RESPONSE_TIMEOUT_S)
-        except TimeoutError as error:  # the run went on before the request's turn came
+        except TimeoutError as error:  # the run resumed before it processed the request
             raise PinelError("run_not_paused") from error
 
     def _stop(self, run_id: str, command: Stop) -> None:
-        """Sends the Stop at once, then waits until the engine has it, or the run has ended."""
+        """Sends Stop at once, then waits for the engine's confirmation or the end of the run."""
         unconfirmed = "real_stop_unconfirmed" if self._is_real else "stop_unconfirmed"
         try:
             self._request(run_id, command, _CONFIRM_S)
@@ -175,9 +179,9 @@ class EngineClient:
         return self._process.request({"run": run_id, "command": dict(command)}, timeout_s)
 
     def contact(self, robot: RobotProfile) -> dict[str, Any]:
-        """What a robot tells of itself (`runs.contact.Contact`).
+        """Connects with a robot and returns its report about itself (`runs.contact.Contact`).
 
-        Raises PinelError `run_in_progress`, `engine_not_ready`, and what connecting with it raises.
+        Raises PinelError `run_in_progress`, `engine_not_ready`, and the errors of the connection.
         """
         with self._lock:
             if self._live is not None:
@@ -188,7 +192,7 @@ class EngineClient:
         return found
 
     def find(self, robot: RobotProfile) -> list[dict[str, Any]]:
-        """The robots in the domain of a record (`links.dds.finding.FoundRobot`).
+        """Returns the robots in the DDS domain of a profile (`links.dds.discovery.DiscoveredRobot`).
 
         Raises PinelError `engine_not_ready`, `network_missing`, `peer_unknown`.
         """
@@ -198,20 +202,25 @@ class EngineClient:
         return found
 
     def _ask(self, what: str, robot: RobotProfile, timeout_s: float) -> Any:
-        """Asks the engine about a robot, and waits for the answer."""
+        """Sends a request about a robot and returns the response."""
         try:
             return self._process.request({"type": what, "robot": robot.as_message()}, timeout_s)
         except TimeoutError as error:
             raise PinelError("engine_not_ready") from error
 
     def set_bridge(self, listen: Message, on_message: Callable[[Message], None]) -> None:
-        """Has every engine from now on keep a bridge (`runs.bridge`); `on_message` takes what it tells and asks."""
+        """Makes this engine and all later ones run a bridge (`runs.bridge`).
+
+        Args:
+            listen: the message that starts the bridge; sent again to each new engine.
+            on_message: receives the messages of the bridge.
+        """
         self._bridge = listen, on_message
         if self.state == "ready":
             self._process.send(listen)
 
     def send_to_bridge(self, message: Message) -> None:
-        """Sends the bridge a message."""
+        """Sends a message to the bridge."""
         self._process.send(message)
 
     def _on_ready(self) -> None:
@@ -219,13 +228,17 @@ class EngineClient:
             self._process.send(self._bridge[0])
 
     def watch(self, robot: RobotProfile) -> None:
-        """Lets the engine listen to a robot for some seconds longer; does nothing while it is not ready."""
+        """Makes the engine observe a robot for a few more seconds; has no effect while the engine is not ready."""
         self._send_robot_message(WATCH, robot)
 
     def jog(self, robot: RobotProfile, drive: float, turn: float, sent_s: float) -> None:
-        """Moves a robot slowly for a fifth of a second. `drive` and `turn` from -1 to 1, `sent_s` by the PC's clock.
+        """Moves a robot slowly for 0.2 s.
 
         Raises PinelError `run_in_progress`.
+
+        Args:
+            drive, turn: fraction of the jogging speed, from -1 to 1; positive is ahead and to the left.
+            sent_s: time at which the page sent it, by the PC's clock (s since 1970).
         """
         with self._lock:
             if self._live is not None:
@@ -235,11 +248,11 @@ class EngineClient:
             self._send_robot_message(JOG, robot, drive=drive, turn=turn, sent_s=sent_s)
 
     def halt(self, robot: RobotProfile) -> None:
-        """Stops a robot that is moved by keys."""
+        """Stops a robot that keys move."""
         self._send_robot_message(HALT, robot)
 
     def set_start_here(self, robot: RobotProfile) -> None:
-        """The robot stands at the start of its room."""
+        """Sets the robot's current pose as the start of its room."""
         self._send_robot_message(AT_START, robot)
 
     def _send_robot_message(self, kind: str, robot: RobotProfile, **more: Any) -> None:
@@ -247,7 +260,7 @@ class EngineClient:
             self._process.send({"type": kind, "robot": robot.as_message(), **more})
 
     def _send(self, message: Message) -> None:
-        """Raises PinelError `engine_silent`."""
+        """Sends a message. Raises PinelError `engine_silent` if it cannot be sent."""
         if not self._process.send(message):
             raise PinelError("engine_silent")
 
@@ -267,7 +280,7 @@ class EngineClient:
         self._on_event(event)
 
     def _report_loss(self) -> None:
-        """Reports the run that was lost with the process."""
+        """Ends the live run as failed after the process has died."""
         with self._lock:
             lost_run, seq, tick = self._live, self._next_seq, self._tick
             self._live = None

@@ -1,7 +1,7 @@
-"""The commands to a live run, declared once.
+"""The commands to a live run (Stop, pause, step, breakpoints, speed, answers), each declared once.
 
-The route and the page's types derive from `LiveCommand`, the engine's reader from `EngineCommand`. A new command is
-a class here, with what it does to a run (`apply`), and whatever in the page sends it.
+The HTTP route and the page's types derive from `LiveCommand`, the engine's parser from `EngineCommand`. A new command
+is a class here with its effect on a run (`apply`), plus the code of the page that sends it.
 """
 
 from typing import Annotated, Any, Literal, get_args
@@ -19,11 +19,11 @@ from pinel_desktop.execution.control import (
 )
 from pinel_desktop.execution.inputs import Capture
 
-# The app's start imports this module; a model is built when it is first used.
+# The app imports this module at its start. Pydantic therefore builds each model at its first use.
 _LAZY = ConfigDict(defer_build=True, frozen=True)
 
-# What the app says 20 times a second while a real robot drives: nobody could stop it in an app that is frozen, or
-# without a page.
+# The app sends this message 20 times a second while a real robot drives and a page is open. Without
+# it the engine stops the robot: nobody can press Stop in a frozen app, or without a page.
 KEEPALIVE = {"type": "app_alive"}
 KEEPALIVE_PERIOD_S = 0.05
 
@@ -34,17 +34,21 @@ Ring = Literal["sonar", "lidar"]
 
 
 class _Command(BaseModel):
-    """Base of all commands; `do` tells them apart. Unknown keys are refused."""
+    """Base of all commands; `do` names the command. Unknown keys are refused."""
 
     model_config = _LAZY | ConfigDict(extra="forbid")
 
     def apply(self, control: RunControl, reply: Reply) -> None:
-        """Does it to the run, from the engine's reading thread; `reply` takes the value of what asks for one."""
+        """Applies the command to the run, on the engine's reading thread.
+
+        Args:
+            reply: receives the value or the error of a command that has a response.
+        """
         raise NotImplementedError
 
 
 class Pause(_Command):
-    """Makes the run wait."""
+    """Pauses the run."""
 
     do: Literal["pause"] = "pause"
 
@@ -53,7 +57,7 @@ class Pause(_Command):
 
 
 class Resume(_Command):
-    """Lets the run go on after a pause."""
+    """Resumes the run after a pause."""
 
     do: Literal["resume"] = "resume"
 
@@ -72,7 +76,7 @@ class Stop(_Command):
 
 
 class Abandon(_Command):
-    """Stops the robot: the program that asked for the run over HTTP has hung up. The app alone sends it."""
+    """Stops the robot because the HTTP client that requested the run has disconnected. Only the app sends it."""
 
     do: Literal["abandon"] = "abandon"
 
@@ -82,7 +86,7 @@ class Abandon(_Command):
 
 
 class Step(_Command):
-    """Goes on to the next block and pauses there: into functions, over them, or out of the one that runs."""
+    """Runs to the next block and pauses there: into functions, over them, or out of the running one."""
 
     do: Literal["step"] = "step"
     mode: StepMode
@@ -92,7 +96,7 @@ class Step(_Command):
 
 
 class SetBreakpoints(_Command):
-    """Ids of the blocks before which the run pauses; replaces those set before."""
+    """Ids of the blocks before which the run pauses; replaces the previous breakpoints."""
 
     do: Literal["breakpoints"] = "breakpoints"
     blocks: BlockIds
@@ -112,7 +116,7 @@ class SetSpeed(_Command):
 
 
 class Subscribe(_Command):
-    """Rings of sensors that the stream reports from now on, as `ranges` events; an empty list ends it."""
+    """Sensor rings that the stream reports from now on as `ranges` events; an empty list unsubscribes."""
 
     do: Literal["subscribe"] = "subscribe"
     sensors: Annotated[list[Ring], Field(max_length=2)]
@@ -122,7 +126,7 @@ class Subscribe(_Command):
 
 
 class Evaluate(_Command):
-    """Asks for the value of an expression of the program document while the run is paused."""
+    """Evaluates an expression of the program document while the run is paused."""
 
     do: Literal["evaluate"] = "evaluate"
     expression: Any
@@ -132,7 +136,7 @@ class Evaluate(_Command):
 
 
 class AnswerCapture(_Command):
-    """The sign that was shown, as a person says or the camera saw. Does nothing while no capture is under way.
+    """The shown sign, from a person or from the camera. Has no effect while no capture is in progress.
 
     Attributes:
         result: name of the sign; "" means none.
@@ -150,7 +154,7 @@ class AnswerCapture(_Command):
 
 
 class Answer(_Command):
-    """The group's answer to the question of its program. Does nothing while none is asked."""
+    """The group's answer to the question of its program. Has no effect while no question is open."""
 
     do: Literal["answer"] = "answer"
     value: Annotated[str, Field(max_length=1000)]
@@ -160,9 +164,9 @@ class Answer(_Command):
 
 
 class Append(_Command):
-    """Commands for the end of the program, in the normal form of a document; the run is an open one from then on.
+    """Appends commands to the program, in the normal form of a document. From then on the run is open.
 
-    The app alone sends it, since it keeps the document that the run grows to.
+    Only the app sends it, because the app stores the growing document of an open run.
     """
 
     do: Literal["append"] = "append"
@@ -173,7 +177,7 @@ class Append(_Command):
 
 
 class Finish(_Command):
-    """An open run ends as soon as all of its commands are done."""
+    """Ends an open run as soon as all of its commands are done."""
 
     do: Literal["finish"] = "finish"
 
@@ -194,23 +198,23 @@ PageCommand = (
     | Answer
 )
 Command = PageCommand | Append | Finish | Abandon
-# those of a page
+# commands that a page may send
 COMMANDS: dict[str, type[PageCommand]] = {
     model.model_fields["do"].default: model for model in get_args(PageCommand)
 }
 
 
 class LiveCommand(RootModel[Any]):
-    """One command of a page to a live run."""
+    """One command from a page to a live run."""
 
     model_config = _LAZY
 
-    # in the brackets of RootModel it would be built at once, whatever the configuration says
+    # A type in the brackets of RootModel would be built at import, despite `defer_build`.
     root: Annotated[PageCommand, Field(discriminator="do")]
 
 
 class EngineCommand(RootModel[Any]):
-    """One command of the app to a live run."""
+    """One command from the app to a live run."""
 
     model_config = _LAZY
 

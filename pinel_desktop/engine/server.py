@@ -33,12 +33,13 @@ if TYPE_CHECKING:
 
 _log = logging.getLogger(__name__)
 _EMPTY_SHA256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
-# A run that the end of the pipe interrupts stands still within a second; more would keep a dead app's PC busy.
+# When the pipe ends, a run stops its robot within a second. A longer time-out would only keep an
+# engine without an app alive.
 _STOP_TIMEOUT_S = 3.0
 
 
 class _LiveRun:
-    """One run on a thread of its own."""
+    """One run on its own thread."""
 
     def __init__(self, message: Message, engine: "Engine", former: threading.Thread | None) -> None:
         self.id = str(message["run"])
@@ -47,12 +48,12 @@ class _LiveRun:
         self._sequencer = EventSequencer(self.id)
         self.thread = threading.Thread(target=self._work, name=f"run-{self.id}", daemon=True)
         if message["spec"].get("robot"):
-            self.control.record_keepalive()  # from now on the robot drives only while the app is heard
+            self.control.record_keepalive()  # the first one: it starts the time-out
         for command in message.get("commands", ()):
             self.apply(EngineCommand.model_validate(command).root, None)
 
     def apply(self, command: Command, request: int | None) -> None:
-        """Does what the app asks of the run; `request` is the number under which a value is to be sent back."""
+        """Applies a command of the app to the run; `request` is the number of the response, None without one."""
 
         def reply(value: Any, error: PinelError | None) -> None:
             if request is not None:
@@ -61,11 +62,12 @@ class _LiveRun:
         command.apply(self.control, reply)
 
     def _work(self) -> None:
-        if self._former is not None:  # still winding down; the reading thread waits for nobody
+        if self._former is not None:  # may still be ending; the reading thread must not wait for it
             self._former.join(_STOP_TIMEOUT_S)
             self._former = None
         self._execute()
-        # `start` keeps the collector off all that is there, whereupon it would never look at the oldest by itself
+        # `start` freezes and unfreezes the existing objects (`gc.freeze`), which puts them into the
+        # oldest generation. The collector would not examine that generation by itself.
         gc.collect()
 
     def _execute(self) -> None:
@@ -102,7 +104,7 @@ def _start_failure(error: PinelError) -> RunEnded:
 
 
 class Engine:
-    """Answers the messages of one pipe with events on another, until the first one ends."""
+    """Reads messages from one pipe and writes events to another, until the first one ends."""
 
     def __init__(self, messages: BinaryIO, events: BinaryIO) -> None:
         self._messages, self._events = messages, events
@@ -112,12 +114,12 @@ class Engine:
         self._bridge: BridgeController | None = None
         self._making = threading.Lock()
         self._robots: RobotService | None = None
-        # what the app asks about a real robot
+        # requests of the app about a real robot
         self._robot_queries = {"contact": self._contact, "find": self._find}
 
     @property
     def robots(self) -> "RobotService":
-        """The real robots; what they need is imported with the first of them."""
+        """The service for real robots; the first access imports and creates it."""
         from pinel_desktop.runs.robots.service import RobotService  # noqa: PLC0415 - for real robots only
 
         with self._making:
@@ -130,19 +132,19 @@ class Engine:
             write_message(self._events, message)
 
     def respond(self, request: int, value: Any = None, error: PinelError | None = None) -> None:
-        """Answers a request of the app, without waiting for an app that does not read."""
+        """Queues the response to a request of the app; never waits for an app that does not read."""
         self._responses.put(response(request, value, error))
 
     def _send_responses(self) -> None:
-        """On a thread of its own: the reading thread must find Stop whatever becomes of the other pipe."""
-        with contextlib.suppress(OSError):  # the app has gone
+        """Writes queued responses, on its own thread: a full pipe must not keep the reading thread from Stop."""
+        with contextlib.suppress(OSError):  # the app has exited
             while True:
                 self.send(self._responses.get())
 
     def serve(self) -> None:
-        """Works until the messages end; then stops the robot."""
+        """Handles messages until the pipe ends, then stops the robot."""
         threading.Thread(target=self._send_responses, name="answers", daemon=True).start()
-        EngineCommand.model_rebuild()  # now, so that the first Stop is not late
+        EngineCommand.model_rebuild()  # here, so that the first Stop does not wait for it
         self.send({"type": "engine_ready"})
         try:
             for message in read_messages(self._messages):
@@ -177,7 +179,7 @@ class Engine:
             self._steer_bridge(message)
             return
         request = message.get("request")
-        if live is None or message.get("run") != live.id:  # of a run before this engine was started
+        if live is None or message.get("run") != live.id:  # a run of the engine before this one
             if request is not None:
                 self.respond(request, error=PinelError("run_not_live"))
             return
@@ -190,13 +192,13 @@ class Engine:
 
     def _steer_bridge(self, message: Message) -> None:
         if self._bridge is None:
-            from pinel_desktop.runs.bridge import BridgeController  # noqa: PLC0415 - for who wants one
+            from pinel_desktop.runs.bridge import BridgeController  # noqa: PLC0415 - for a bridge only
 
             self._bridge = BridgeController(self.send)
         self._bridge.handle(message)
 
     def _respond_to_robot_query(self, message: Message) -> None:
-        """Answers a request about real robots, on a thread of its own."""
+        """Responds to a request about a real robot, on its own thread."""
         try:
             found = self._robot_queries[message["type"]](profile_from(message["robot"]))
         except PinelError as error:
@@ -216,7 +218,7 @@ class Engine:
         return robots_in_domain(record)
 
     def _begin(self, message: Message) -> None:
-        # The app asks for one run at a time; should an old one still be winding down, it goes first.
+        # The app starts one run at a time, but the thread of the former run may still be ending.
         former = self._live
         if former is not None:
             former.control.stop()

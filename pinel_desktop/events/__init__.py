@@ -1,1 +1,1 @@
-"""What a run reports: one frozen dataclass per event, and the hub that hands them on."""
+"""Events of runs and of the app: one frozen dataclass per event, and the hub that publishes them."""

@@ -1,4 +1,4 @@
-"""What the app itself tells all pages on the stream. None of it belongs to the record of a run."""
+"""Events that the app itself publishes to all pages. None of them belongs to the record of a run."""
 
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal, TypedDict
@@ -11,7 +11,7 @@ class Hello(StreamEvent):
     """The first event of the stream.
 
     Attributes:
-        run: id of the live run; null when there is none.
+        run: id of the live run; null without one.
     """
 
     type: ClassVar[str] = "hello"
@@ -20,10 +20,10 @@ class Hello(StreamEvent):
 
 @dataclass(frozen=True, slots=True)
 class Notice(StreamEvent):
-    """Something that a person should know now, in words of the chosen language.
+    """A message that a person should read now, in the chosen language.
 
-    A run goes on but is not being recorded (`disk_full`), and is recorded again (`recording_resumed`); the file is
-    in danger (`disk_nearly_full`, `backup_failed`), and is no longer (`keeping_well_again`).
+    Codes: `disk_full` (a run continues but is not recorded), `recording_resumed`, `disk_nearly_full`, `backup_failed`,
+    and `keeping_well_again` (both dangers to the file are over).
 
     Attributes:
         code: code of the message.
@@ -38,12 +38,12 @@ class Notice(StreamEvent):
 
 
 class CheckProgress(TypedDict):
-    """How a run stands with one check of its activity.
+    """Status of one check of an activity in a run.
 
     Attributes:
-        criterion: what counts, in words of the chosen language.
-        measured: how far the run is, in words; "" where a number says nothing more.
-        state: `met` while it holds, `open` while it does not hold yet, `broken` where this run will not fulfil it.
+        criterion: the condition, as text in the chosen language.
+        measured: the progress of the run, as text; "" if a number adds nothing.
+        state: `met` while the condition holds, `open` while it does not hold yet, `broken` if this run cannot meet it.
     """
 
     criterion: str
@@ -53,11 +53,11 @@ class CheckProgress(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class CheckStatusChanged(StreamEvent):
-    """How a run that goes on, or has just ended, stands with the checks of its activity. Told when that changes.
+    """The check list of a live run, or of a run that has just ended, has changed.
 
     Attributes:
         run: id of the run.
-        checks: the checks that are known to count in it; a case's own are added when its inputs are known.
+        checks: the checks that are known to count in the run; the checks of a case are added when its inputs are known.
     """
 
     type: ClassVar[str] = "checks_stand"
@@ -66,12 +66,12 @@ class CheckStatusChanged(StreamEvent):
 
 
 class JudgedCase(TypedDict):
-    """A case of an activity in which a program was judged.
+    """The verdict on one case of an activity.
 
     Attributes:
-        given: what it gives to the program, in words of the chosen language: signs, answers, another start.
-        seen: whether it is the run that the group saw; the others were run for the verdict.
-        passed: whether the program passed in it.
+        given: inputs of the case, as text in the chosen language: signs, answers, another start.
+        seen: whether the group watched this run; the other cases were executed for the verdict only.
+        passed: whether the program passed the case.
     """
 
     given: str
@@ -81,17 +81,17 @@ class JudgedCase(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class Judged(StreamEvent):
-    """A run that has ended was checked against its activity.
+    """The verdict on a run that has ended.
 
     Attributes:
         run: id of the run.
-        passed: whether it passed; null if a run on a real robot was not judged.
-        missing: in words what does not hold yet; null where the program fulfils the activity, also when the run did
-            not come to its end.
-        block: id of the block that `missing` is about; null where it is about none.
+        passed: whether the run passed; null if a run on a real robot was not judged.
+        missing: the condition that does not hold yet, as text; null if the program fulfils the activity, even if this
+            run was stopped before its end.
+        block: id of the block that `missing` refers to; null if it refers to none.
         cases: every case of an activity that has several.
-        by_robot: whether the run that the group saw was judged by what a real robot measured.
-        not_judged: in words why it was not judged; null where it was.
+        by_robot: whether the run was judged by the measurements of a real robot.
+        not_judged: why the run was not judged, as text; null if it was.
     """
 
     type: ClassVar[str] = "judged"
@@ -106,12 +106,12 @@ class Judged(StreamEvent):
 
 @dataclass(frozen=True, slots=True)
 class ProgramChanged(StreamEvent):
-    """A program was saved, deleted or restored; told to all windows that have it open.
+    """A program was saved, deleted or restored.
 
     Attributes:
         program: id of the program.
-        version: id of the version that was saved; null where the program went into the bin or came out of it.
-        deleted_at: since when it lies in the bin; null where it does not.
+        version: id of the saved version; null if the program was moved into the bin or out of it.
+        deleted_at: time at which the program was moved into the bin; null if it is not in the bin.
     """
 
     type: ClassVar[str] = "program"
@@ -121,14 +121,14 @@ class ProgramChanged(StreamEvent):
 
 
 class DetectedHand(TypedDict):
-    """A hand that the camera sees, and what it looks like.
+    """A hand in the camera's frame, with the prediction of its sign.
 
     Attributes:
-        points: 21 landmarks [x, y] as fractions of the preview's width and height, mirrored like it.
-        handedness: which hand of the person it is.
-        best: the likeliest sign; "" where it looks like none.
-        confidence: of `best`, 0 to 1.
-        second: the next likeliest sign; "" when there is none.
+        points: 21 landmarks [x, y] as fractions of the preview's width and height, mirrored like the preview.
+        handedness: whether it is the person's left or right hand.
+        best: the likeliest sign; "" if the hand shows none.
+        confidence: confidence of `best`, 0 to 1.
+        second: the second likeliest sign; "" without one.
         sure: whether `best` counts for a capture.
     """
 
@@ -142,15 +142,15 @@ class DetectedHand(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class CameraSight(StreamEvent):
-    """What the camera sees just now, at most 10 times a second; never a picture.
+    """Hands and signs in the newest frame of the camera, without the frame. Sent at most 10 times a second.
 
     Attributes:
-        hands: the hands in the picture, at most two.
-        label: the sign that is becoming steady; "" while none is.
-        progress: how near it is to being the answer of a capture, 0 to 1.
-        moved: the sign that a movement has shown, told for about a second; "" while there is none.
-        moved_confidence: of `moved`, 0 to 1; higher for a movement that is nearer to what the class showed.
-        aspect: width of the picture divided by its height.
+        hands: the hands in the frame, at most two.
+        label: the sign that the stability filter counts now; "" without one.
+        progress: progress of `label` towards the answer of a capture, 0 to 1.
+        moved: the last sign that a movement showed, for about a second; "" without one.
+        moved_confidence: confidence of `moved`, 0 to 1; higher for a movement closer to the samples of the class.
+        aspect: width of the frame divided by its height.
     """
 
     type: ClassVar[str] = "camera_sight"
@@ -165,13 +165,13 @@ class CameraSight(StreamEvent):
 
 @dataclass(frozen=True, slots=True)
 class CameraChanged(StreamEvent):
-    """The camera was switched on or off, or is of no use.
+    """The camera was switched on or off, or has failed.
 
     Attributes:
-        state: what it does now.
-        code: of the message why it is of no use; null when it is of use, or may become so.
+        state: the new state of the camera.
+        code: code of the message about the failure; null without a failure.
         params: parameters of the message.
-        message: what is wrong, in words of the chosen language.
+        message: the failure, as text in the chosen language.
         remedy: what to do.
     """
 
@@ -185,23 +185,22 @@ class CameraChanged(StreamEvent):
 
 @dataclass(frozen=True, slots=True)
 class RobotStateChanged(StreamEvent):
-    """A real robot that a page asks about, when what is known of it changes, at most twice a second.
+    """State of a real robot that a page watches. Sent when it changes, at most twice a second.
 
     Attributes:
-        link: its kind.
-        use: what its link is there for: somebody looks at it, a run or a try drives it, or the teacher's keys.
-        state: `searching`, `waiting` for the client of the bridge, `connected`, or `silent`: nothing has come for a
-            while.
-        address: where it is waited for, of the bridge; "" of other kinds.
-        age_s: for how many seconds nothing has come; null while it is not silent.
-        rate_hz: messages about its pose in a second; null while that is not known.
-        battery: its charge from 0 to 1; null if it does not tell.
-        x_m: its place in the room, counted from where it stood at the start; null while that is not known.
-        y_m: its place, likewise.
-        heading_deg: the direction it looks in, in the room.
-        holder: who else drives it; null for nobody.
-        code: of the message about what is missing, or what ended driving by keys; null where all is well.
-        message: that, in words of the chosen language.
+        link: kind of the robot's link.
+        use: purpose of the link: `watch` for a page, `run` for a run or a trial, `jog` for the teacher's keys.
+        state: `searching`, `waiting` for the client of the bridge, `connected`, or `silent`: no message for a while.
+        address: address at which the bridge waits for its client; "" for other links.
+        age_s: time since the last message while the state is `silent`, in s; else null.
+        rate_hz: odometry messages per second; null while unknown.
+        battery: charge from 0 to 1; null if the robot does not report it.
+        x_m: x in the room's frame, in m, by the odometry since the robot's start; null while unknown.
+        y_m: y in the room's frame, in m, by the odometry since the robot's start; null while unknown.
+        heading_deg: heading in the room, in degrees; null while unknown.
+        holder: name of another program that drives the robot; null without one.
+        code: code of the message about a problem, or about the end of driving by keys; null without one.
+        message: that message, as text in the chosen language.
         remedy: what to do.
     """
 
@@ -224,18 +223,18 @@ class RobotStateChanged(StreamEvent):
 
 @dataclass(frozen=True, slots=True)
 class SignRecording(StreamEvent):
-    """A class teaches the camera a sign: another sample was recorded, all of them were kept, or it was given up.
+    """A class teaches the camera a sign: one more sample was recorded, all were stored, or the recording was aborted.
 
     Attributes:
         classroom: id of the class.
         sign: name of the sign.
-        is_moving: whether movements are recorded, not hands at rest.
-        n_samples: hands or movements recorded so far.
-        n_wanted: of a whole recording.
-        is_kept: whether they are on disk.
-        code: of the message why the recording was given up; null where it was not.
+        is_moving: whether the samples are movements, not hands at rest.
+        n_samples: number of samples recorded so far.
+        n_wanted: number of samples in a complete recording.
+        is_kept: whether the samples are on disk.
+        code: code of the message about the abort; null without an abort.
         params: parameters of the message.
-        message: why, in words of the chosen language.
+        message: reason of the abort, as text in the chosen language.
         remedy: what to do.
     """
 
@@ -254,10 +253,10 @@ class SignRecording(StreamEvent):
 
 @dataclass(frozen=True, slots=True)
 class SignsChanged(StreamEvent):
-    """The signs that a class taught are no longer those that were listed last.
+    """The list of signs that a class taught has changed.
 
     Attributes:
-        classroom: id of the class; null where it may be any.
+        classroom: id of the class; null if any class may be affected.
     """
 
     type: ClassVar[str] = "signs_changed"

@@ -1,4 +1,4 @@
-"""Events as they are sent and stored."""
+"""Serialises the events of a run as numbered JSON objects, which are sent and stored."""
 
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -10,13 +10,13 @@ SCHEMA_VERSION = 1
 
 @dataclass(slots=True)
 class EventSequencer:
-    """Turns the events of one run into wire objects, numbering them from `next_seq`."""
+    """Turns the events of one run into wire objects and numbers them from `next_seq`."""
 
     run: str
     next_seq: int = 0
 
     def wire(self, tick: int, event: Event) -> dict[str, Any]:
-        """The event as the flat JSON object of docs/events.md."""
+        """Returns the event as the flat JSON object of docs/events.md."""
         head = {
             "v": SCHEMA_VERSION,
             "type": event.type,

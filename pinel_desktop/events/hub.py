@@ -1,4 +1,4 @@
-"""Hands events to every open page. A page that reads too slowly loses events that are `lossy`, never others."""
+"""Publishes events to every open page (publish/subscribe). A page that reads too slowly loses only `lossy` events."""
 
 import threading
 from collections import deque
@@ -9,8 +9,8 @@ from pinel_desktop.events.types import LOSSY
 
 Event = dict[str, Any]
 
-CAPACITY = 600  # lossy events waiting for one reader: telemetry of 20 s
-_LIMIT = 20_000  # events of other kinds; a reader that far behind is gone and is cut off
+CAPACITY = 600  # lossy events in the queue of one reader: telemetry of 20 s
+_LIMIT = 20_000  # events in the queue; a reader that far behind has disappeared and is unsubscribed
 
 
 class Subscription:
@@ -26,12 +26,12 @@ class Subscription:
 
     @property
     def closed(self) -> bool:
-        """True once the hub is closed or the reader was cut off, and nothing is left to read."""
+        """True once the subscription has ended and its queue is empty."""
         with self._changed:
             return self._closed and not self._waiting
 
     def put(self, event: Event) -> None:
-        """Adds an event; where too many lossy events wait, the oldest of them is dropped."""
+        """Queues an event. If the queue holds too many lossy events, drops the oldest lossy event."""
         with self._changed:
             if not self._closed:
                 self._drop_surplus(event)
@@ -40,7 +40,7 @@ class Subscription:
             self._changed.notify()
 
     def get(self, timeout_s: float) -> Event | None:
-        """The next event, or None when nothing came in time or the queue was closed."""
+        """Returns the next event, or None after `timeout_s` or once the subscription has ended."""
         with self._changed:
             self._changed.wait_for(lambda: self._waiting or self._closed, timeout_s)
             if not self._waiting:
@@ -50,7 +50,7 @@ class Subscription:
             return event
 
     def close(self) -> None:
-        """Wakes the reader; what waits may still be read."""
+        """Ends the subscription and wakes the reader, which may still read the queued events."""
         self._hub.unsubscribe(self)
         with self._changed:
             self._closed = True
@@ -78,7 +78,7 @@ class Subscription:
 
 
 class Hub:
-    """Thread-safe; `publish` never waits for a reader."""
+    """Publishes events to subscriptions; thread-safe. `publish` never waits for a reader."""
 
     def __init__(self, capacity: int = CAPACITY) -> None:
         self._capacity = capacity
@@ -87,7 +87,7 @@ class Hub:
         self._closed = False
 
     def subscribe(self) -> Subscription:
-        """A queue that gets every event published from now on."""
+        """Returns a new subscription, which receives every event from now on."""
         reader = Subscription(self, self._capacity)
         with self._lock:
             if not self._closed:
@@ -97,21 +97,21 @@ class Hub:
         return reader
 
     def has_readers(self) -> bool:
-        """Whether any page is open."""
+        """Returns whether any page is open."""
         return bool(self._readers)
 
     def publish(self, event: Event) -> None:
-        """Hands the event to every reader; readers must not change it."""
+        """Queues the event for every reader; readers must not change it."""
         for reader in self._readers:
             reader.put(event)
 
     def unsubscribe(self, reader: Subscription) -> None:
-        """Takes a reader out."""
+        """Removes a subscription."""
         with self._lock:
             self._readers = tuple(other for other in self._readers if other is not reader)
 
     def close(self) -> None:
-        """Ends every subscription, now and later."""
+        """Ends all subscriptions; later ones end at once."""
         with self._lock:
             self._closed = True
             readers = self._readers

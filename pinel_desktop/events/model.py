@@ -1,8 +1,8 @@
-"""What a run reports: one frozen dataclass for each event, declared here and nowhere else.
+"""The events of a run, each declared here once as a frozen dataclass.
 
-The wire models, the OpenAPI schema, the page's types and docs/events.md are made from these declarations, and whoever
-keeps or drops events asks them (`types.py`). Runs are recorded with these names: a `type` or a field is never renamed.
-A field with a default is absent from runs that earlier releases recorded.
+The wire models, the OpenAPI schema, the page's types and docs/events.md are generated from these declarations. Code
+that records or drops events reads their traits (`types.py`). Recorded runs contain these names, so a `type` or a field
+is never renamed. A field with a default is absent from runs that earlier releases recorded.
 """
 
 from dataclasses import asdict, dataclass, fields
@@ -11,13 +11,13 @@ from typing import Annotated, Any, ClassVar, Final, Literal, Self, TypedDict
 
 @dataclass(frozen=True, slots=True)
 class StreamEvent:
-    """Base of all that the stream tells. `type` is the event's name on the wire.
+    """Base of all events on the stream. `type` is the event's name on the wire.
 
-    The class attributes say what is done with every event of the type:
+    Three class attributes are the traits of an event type:
 
-    - `is_recorded`: it is stored, merged between PCs, and compared when a run is verified;
-    - `lossy`: it may be dropped for a page that reads too slowly;
-    - `urgent`: it is written to the disk at once, since nothing may follow it for long.
+    - `is_recorded`: the event is stored, merged between PCs, and compared when a run is verified;
+    - `lossy`: the hub may drop the event for a page that reads too slowly;
+    - `urgent`: the event is written to the disk at once, because the next event may come much later.
     """
 
     type: ClassVar[str]
@@ -26,19 +26,19 @@ class StreamEvent:
     urgent: ClassVar[bool] = False
 
     def to_wire(self) -> dict[str, Any]:
-        """The event as a flat JSON object."""
+        """Returns the event as a flat JSON object."""
         return {"type": self.type, **asdict(self)}
 
 
 @dataclass(frozen=True, slots=True)
 class Event(StreamEvent):
-    """Base of what a run reports; poses are in the start frame, metres and radians, unless the field says otherwise."""
+    """Base of the events of a run. Poses are in the start frame, in metres and radians, unless a field differs."""
 
     is_recorded: ClassVar[bool] = True
 
 
 class NullIfInterrupted:
-    """Marks a field that is null on the wire when nobody saw the end of the run: power cut, engine lost."""
+    """Marks a field that is null on the wire if the run was interrupted by a power cut or a lost engine."""
 
 
 PauseCause = Literal["person", "breakpoint", "step"]
@@ -47,7 +47,7 @@ _NULL_IF_INTERRUPTED: Final = NullIfInterrupted()
 
 
 class StackEntry(TypedDict):
-    """A function call that is running.
+    """A running function call.
 
     Attributes:
         function: name of the function.
@@ -68,13 +68,14 @@ class Pose(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class RunState(Event):
-    """The run has begun, was paused or goes on.
+    """The run has started, was paused or was resumed.
 
     Attributes:
-        state: what it does from now on.
-        cause: why it pauses; null when it runs.
-        block: the block that begins next, or in whose middle the run stands.
-        n_begun: how many commands had begun, loops and conditionals included, so that a repetition can pause there.
+        state: the new state of the run.
+        cause: why the run pauses; null when it runs.
+        block: id of the block that starts next, or of the block in whose middle the run pauses.
+        n_begun: number of commands started so far, including loops and conditionals; verification pauses at the same
+            number.
     """
 
     type: ClassVar[str] = "run_state"
@@ -87,7 +88,7 @@ class RunState(Event):
 
 @dataclass(frozen=True, slots=True)
 class BlockStarted(Event):
-    """A command begins.
+    """A command starts.
 
     Attributes:
         block: id of its block.
@@ -105,7 +106,7 @@ class BlockStarted(Event):
 
 @dataclass(frozen=True, slots=True)
 class BlockEnded(Event):
-    """A command, with everything inside it, is over.
+    """A command and all commands inside it are done.
 
     Attributes:
         block: id of its block.
@@ -123,7 +124,7 @@ class CaptureStarted(Event):
 
     Attributes:
         block: id of the block that waits.
-        timeout_s: how long at most, in s.
+        timeout_s: longest time that it waits, in s.
     """
 
     type: ClassVar[str] = "capture_started"
@@ -138,11 +139,11 @@ class GestureResult(Event):
 
     Attributes:
         result: name of the sign; "" when none was recognised.
-        source: whether a capture recognised it or a block set it.
-        by: who gave it: the camera (`taught`: with a sign the class taught it), a person by hand, or a list given
-            beforehand; null after the timeout and for a block.
-        confidence: of the camera, 0 to 1; null from all others.
-        second: the camera's second best sign; "" when there is none.
+        source: whether a capture recognised the sign or a block set it.
+        by: source of a captured sign: the camera (`taught`: with a sign that the class taught it), a person by hand,
+            or a list given beforehand; null after the timeout and for a block.
+        confidence: confidence of the camera, 0 to 1; null for all other sources.
+        second: the camera's second best sign; "" without one.
     """
 
     type: ClassVar[str] = "gesture_result"
@@ -155,11 +156,11 @@ class GestureResult(Event):
 
 @dataclass(frozen=True, slots=True)
 class TextShown(Event):
-    """The program says something to the group.
+    """The program shows a text to the group.
 
     Attributes:
-        block: id of the block that says it.
-        text: what it says.
+        block: id of the block that shows it.
+        text: the text.
     """
 
     type: ClassVar[str] = "said"
@@ -169,13 +170,13 @@ class TextShown(Event):
 
 @dataclass(frozen=True, slots=True)
 class Marked(Event):
-    """A mark is put on the floor where the robot stands.
+    """The robot puts a mark on the floor at its own position.
 
     Attributes:
-        block: id of the block that marks.
+        block: id of the block that puts the mark.
         symbol: shape of the mark.
-        x_m: its position, in m.
-        y_m: its position, in m.
+        x_m: x of the mark in the start frame, in m.
+        y_m: y of the mark in the start frame, in m.
     """
 
     type: ClassVar[str] = "marked"
@@ -199,11 +200,11 @@ class Beeped(Event):
 
 @dataclass(frozen=True, slots=True)
 class Pen(Event):
-    """From now on the robot draws its path on the floor, or does not. The pen is up at the start.
+    """The pen was lowered or raised. While it is down, the robot draws its path on the floor; a run starts with it up.
 
     Attributes:
         block: id of the block that moves the pen.
-        down: whether it draws.
+        down: whether the pen is down.
         color: name of the colour.
     """
 
@@ -236,7 +237,7 @@ class Answered(Event):
 
     Attributes:
         variable: name of the variable that gets the answer.
-        value: the answer; a number where it reads as one.
+        value: the answer; a number if the text is one.
     """
 
     type: ClassVar[str] = "answered"
@@ -246,12 +247,12 @@ class Answered(Event):
 
 @dataclass(frozen=True, slots=True)
 class Watch(Event):
-    """Variables or calls have changed: at most five times a second, when the run pauses and when it ends.
+    """Variables or function calls have changed. Sent at most five times a second, when the run pauses and at its end.
 
     Attributes:
-        variables: value of each visible variable by its name; long texts and lists are cut.
-        stack: the calls that are running, the outermost first.
-        gesture: the gesture result; "" for none.
+        variables: value of each visible variable by its name; long texts and lists are shortened.
+        stack: the running function calls, the outermost first.
+        gesture: the gesture result; "" without one.
     """
 
     type: ClassVar[str] = "watch"
@@ -264,24 +265,24 @@ class Watch(Event):
 class Telemetry(Event):
     """One tick of the robot: pose, velocity, command and setpoint.
 
-    The pose is the one that the robot estimates; `true_*` is the true one, null where nobody knows it. The store keeps
-    telemetry as columns of numbers, apart from the other events.
+    The pose is the robot's estimate. `true_*` is the true pose, which only the simulator knows; else null. The store
+    holds telemetry as columns of numbers, separate from the other events.
 
     Attributes:
-        x_m: estimated position, in m.
-        y_m: estimated position, in m.
+        x_m: estimated x, in m.
+        y_m: estimated y, in m.
         yaw_rad: estimated heading, in rad.
         v_mps: measured linear velocity in m/s.
         omega_radps: measured angular velocity in rad/s.
         command_v_mps: commanded linear velocity in m/s.
         command_omega_radps: commanded angular velocity in rad/s.
-        goal_x_m: the moving setpoint, in m.
-        goal_y_m: the moving setpoint, in m.
-        goal_yaw_rad: the moving setpoint, in rad.
-        done: how much of the running motion's `amount` is done, in its unit; 0 when nothing moves.
-        bumper: whether the robot touches something.
-        true_x_m: true position, in m.
-        true_y_m: true position, in m.
+        goal_x_m: x of the moving setpoint, in m.
+        goal_y_m: y of the moving setpoint, in m.
+        goal_yaw_rad: heading of the moving setpoint, in rad.
+        done: finished part of the running motion's `amount`, in the unit of `amount`; 0 without a motion.
+        bumper: whether the robot touches an obstacle.
+        true_x_m: true x, in m.
+        true_y_m: true y, in m.
         true_yaw_rad: true heading, in rad.
     """
 
@@ -306,11 +307,11 @@ class Telemetry(Event):
 
 @dataclass(frozen=True, slots=True)
 class BoxesMoved(Event):
-    """Movable boxes have moved: at most ten times a second, and once at the end.
+    """Movable boxes have moved. Sent at most ten times a second, and once at the end of the run.
 
     Attributes:
-        boxes: x (m), y (m) and yaw (rad) in the world's frame, by the box's place in the world's list; only boxes
-            that have moved since the last such event.
+        boxes: x (m), y (m) and yaw (rad) in the world's frame, by the box's index in the world's list; only boxes that
+            have moved since the previous event of this type.
     """
 
     type: ClassVar[str] = "things"
@@ -319,10 +320,10 @@ class BoxesMoved(Event):
 
 @dataclass(frozen=True, slots=True)
 class Countdown(Event):
-    """The capture that a person or a camera is to answer goes on; at most five times a second, not while it is paused.
+    """A capture waits for a person or a camera. Sent at most five times a second, not while the run is paused.
 
     Attributes:
-        left_s: seconds of real time until the capture's timeout.
+        left_s: real time until the capture's timeout, in s.
     """
 
     type: ClassVar[str] = "countdown"
@@ -333,11 +334,12 @@ class Countdown(Event):
 
 @dataclass(frozen=True, slots=True)
 class Ranges(Event):
-    """What the range sensors measure, at most ten times a second while a page has subscribed to them.
+    """Readings of the range sensors. Sent at most ten times a second, while a page subscribes to them.
 
     Attributes:
-        sonar: distance in m by index; null when nobody subscribed or the robot has none.
-        lidar: distance in m over the scanner's field, from the right to the left, one beam per degree; null likewise.
+        sonar: distances in m by index; null without a subscription or without sonars.
+        lidar: distances in m over the scanner's field, from right to left, one beam per degree; null without a
+            subscription or without a scanner.
     """
 
     type: ClassVar[str] = "ranges"
@@ -349,10 +351,10 @@ class Ranges(Event):
 
 @dataclass(frozen=True, slots=True)
 class CommandsAwaited(Event):
-    """All commands of an open run are done: it waits for the next ones, which continue it (docs/bridge.md).
+    """All commands of an open run are done. The run waits for further commands and then continues (docs/bridge.md).
 
     Attributes:
-        n_executed: how many commands were executed since the run began.
+        n_executed: number of commands executed since the start of the run.
         result: the last gesture result.
     """
 
@@ -366,23 +368,22 @@ class CommandsAwaited(Event):
 class RunEnded(Event):
     """The last event of every run. Exactly one closes each run.
 
-    Figures are null when the run was cut off by a lost engine or a power cut.
+    Metrics are null if a lost engine or a power cut interrupted the run.
 
     Attributes:
-        state: how it ended.
-        reason: code of the reason; null where it finished.
+        state: how the run ended.
+        reason: code of the reason; null if the run finished.
         params: parameters of the reason's message.
-        block: the block that was running.
-        n_executed: how many commands were executed.
+        block: id of the block that was running.
+        n_executed: number of executed commands.
         duration_s: robot time, in s.
-        path_length_m: length of the way, in m: the true one in the simulator, else that of the robot's own poses
+        path_length_m: length of the path, in m: of the true path in the simulator, else of the robot's own poses
             without their noise.
-        closing_error_m: distance between start and end, in m, where the robot truly is; null where only its estimate
-            exists, as on a real robot. Without `estimated_closing_error_m` beside it, it is the estimate: so earlier
-            releases recorded it.
+        closing_error_m: true distance between start and end, in m; null without true poses, as on a real robot. In runs
+            of earlier releases, which lack `estimated_closing_error_m`, it is the estimated distance.
         pose: the estimated pose.
-        telemetry_sha256: hash of the telemetry, which a repetition must give again.
-        estimated_closing_error_m: distance between start and end as the robot estimates its pose, in m.
+        telemetry_sha256: hash of the telemetry, which verification must reproduce.
+        estimated_closing_error_m: distance between start and end by the robot's estimated poses, in m.
     """
 
     type: ClassVar[str] = "run_ended"
@@ -401,7 +402,7 @@ class RunEnded(Event):
 
     @classmethod
     def interrupted(cls, reason: str, duration_s: float) -> Self:
-        """The end of a run that nobody saw: what is known without it, null for the rest."""
+        """Returns the end of an interrupted run; all metrics except `duration_s` are null."""
         unknown: dict[str, Any] = dict.fromkeys(one.name for one in fields(cls))
         known = {"state": "failed", "reason": reason, "params": {}, "duration_s": duration_s}
         return cls(**(unknown | known))

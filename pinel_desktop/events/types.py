@@ -1,4 +1,4 @@
-"""All events by their name, and which of them have a trait. Nothing else lists events."""
+"""Registry of all events by name, and the event names that have each trait (recorded, lossy, urgent)."""
 
 from typing import Any, Literal
 
@@ -7,7 +7,10 @@ from pinel_desktop.events.model import Event, StreamEvent
 
 
 def _declared(base: type[Any]) -> dict[str, type[Any]]:
-    """A class with slots replaces the one that it was made from, which Python lists before it."""
+    """Returns the subclasses of `base` by event name.
+
+    `dataclass(slots=True)` creates a second class, so `__subclasses__` may list both; the later one is the right one.
+    """
     return {cls.type: cls for cls in base.__subclasses__() if hasattr(cls, "type")}
 
 

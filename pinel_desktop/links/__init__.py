@@ -1,6 +1,6 @@
 """Robot links: one module for each backend, which `open_link` imports by name.
 
-Real robots: `real.py` is the link, over the transport of a backend (`transport.py`).
+All real robots share the link in `real.py`, over the transport of their backend (`transport.py`).
 """
 
 import importlib
@@ -28,11 +28,11 @@ def open_link(
     seed: int = 0,
     robot: RobotProfile | None = None,
 ) -> RobotLink:
-    """A new link of the backend `name`, not yet connected.
+    """Returns a new link of the backend `name`, not yet connected.
 
     Args:
-        world: name of a shipped world, or a world document; a real robot ignores it.
-        robot: record of a real robot; None for the simulator.
+        world: name of a shipped world, or a world document; real robots ignore it.
+        robot: profile of a real robot; None for the simulator.
 
     Raises:
         PinelError: `unknown_link`, `unknown_robot`, and errors of the backend such as `unknown_world`.

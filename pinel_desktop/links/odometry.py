@@ -1,4 +1,4 @@
-"""Checks of a robot's messages about itself: what cannot be is not taken for a measurement."""
+"""Filter for odometry messages: rejects impossible values, late messages and jumps; estimates missing velocities."""
 
 import math
 from collections import deque
@@ -10,37 +10,37 @@ from pinel_desktop.links.reach import CommandedReach
 from pinel_desktop.links.transport import Odometry
 from pinel_desktop.robot import Pose2D, RobotState, Twist2D, wrap_angle
 
-_PAUSE_S = (
-    0.4  # after a longer gap, older poses tell no velocity, and the robot's clock may have been set
-)
-# Measured poses beyond are nonsense, and squares of them overflow nothing.
+# After a longer gap, older poses give no velocity, and the robot's clock may have been set.
+_PAUSE_S = 0.4
+# Limit of a valid coordinate. Squares of smaller numbers cannot overflow.
 _FARTHEST_M = 1e5
 _MAX_V_MPS, _MAX_OMEGA_RADPS = 20.0, 100.0
-# Between poses whose difference tells a velocity: poses come over a network, some ms early or late.
+# Time between the poses from which a velocity is computed. A shorter time would amplify the
+# network's jitter of some ms.
 _WINDOW_S = 0.1
 _MIN_WINDOW_S = 0.01
-_N_GAPS = 5  # whose median is the period of the messages
+_N_GAPS = 5  # number of intervals whose median is the period of the messages
 
 
 def yaw_of(x: float, y: float, z: float, w: float) -> float:
-    """Heading in rad of a quaternion, of any length; NaN for one without direction."""
+    """Returns the heading in rad of a quaternion of any length; NaN for a quaternion without direction."""
     if not 1e-6 < x * x + y * y + z * z + w * w < 1e6:
         return math.nan
     return math.atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z)
 
 
 class OdometryFilter:
-    """Turns messages into states; raises `reference_lost` where the robot is suddenly elsewhere.
+    """Turns odometry messages into states. Raises `reference_lost` if the pose jumps.
 
-    Suddenly: farther away, or turned by more, than the commanded velocities allow in the time that passed.
+    A jump is a step or a turn larger than the commanded velocities allow in the time since the previous message.
 
     Attributes:
         state: the newest state; None before the first valid message.
-        arrived_s: when it arrived, by this PC's monotonic clock.
-        n_valid: valid messages.
-        n_invalid: messages with impossible values since the newest valid one, passed over.
-        invalid_s: when the newest of them arrived.
-        n_late: messages whose time runs backwards, passed over.
+        arrived_s: arrival time of the newest valid message, by this PC's monotonic clock.
+        n_valid: number of valid messages.
+        n_invalid: number of skipped messages with impossible values since the newest valid message.
+        invalid_s: arrival time of the newest message with impossible values.
+        n_late: number of skipped messages with a time stamp before the previous one.
     """
 
     def __init__(self) -> None:
@@ -53,27 +53,30 @@ class OdometryFilter:
         self._arrivals: deque[float] = deque(maxlen=_N_GAPS + 1)
         self._trail: deque[tuple[float, Pose2D]] = (
             deque()
-        )  # of the last `_WINDOW_S`, with their times
+        )  # poses of the last `_WINDOW_S`, each with its arrival time
 
     @property
     def is_period_known(self) -> bool:
-        """Whether enough messages have come for `period_s` to be that of the robot."""
+        """Whether enough messages have arrived for a reliable `period_s`."""
         return len(self._arrivals) > _N_GAPS
 
     @property
     def period_s(self) -> float | None:
-        """From one message to the next, lately; None before there are three."""
+        """Median time between recent messages; None before the third message."""
         arrivals = list(self._arrivals)
         if len(arrivals) < 3:
             return None
         return median(after - before for before, after in pairwise(arrivals))
 
     def command(self, twist: Twist2D, now_s: float) -> None:
-        """The robot is commanded this velocity from `now_s` on; before the first, anybody may drive it."""
+        """Records that the robot is commanded this velocity from `now_s` on."""
         self._reach.command(twist, now_s)
 
     def add(self, message: Odometry, now_s: float) -> None:
-        """Takes a message that arrived at `now_s`. Raises PinelError `reference_lost`, `odometry_frame_changed`."""
+        """Processes a message that arrived at `now_s`.
+
+        Raises PinelError `reference_lost`, `odometry_frame_changed`.
+        """
         if not _is_possible(message):
             self.n_invalid += 1
             self.invalid_s = now_s
@@ -93,7 +96,10 @@ class OdometryFilter:
         self.state, self.arrived_s, self._stamp_s = RobotState(pose, twist), now_s, message.stamp_s
 
     def _is_late(self, message: Odometry, now_s: float) -> bool:
-        """True for a message out of order; after a robot's clock was set back, its messages count again before long."""
+        """Returns whether a message is out of order.
+
+        If the robot's clock was set back, its messages count again after `_PAUSE_S`.
+        """
         stamp, last = message.stamp_s, self._stamp_s
         is_back = stamp is not None and last is not None and stamp < last
         return is_back and now_s - self.arrived_s < _PAUSE_S
@@ -113,7 +119,7 @@ class OdometryFilter:
             raise PinelError("reference_lost", distance=round(math.hypot(step.x_m, step.y_m), 2))
 
     def _twist(self, message: Odometry, pose: Pose2D, now_s: float) -> Twist2D:
-        """The measured velocity, or the mean one that the poses of the last `_WINDOW_S` tell."""
+        """Returns the measured velocity, or else the mean velocity of the poses of the last `_WINDOW_S`."""
         if message.v_mps is not None and message.omega_radps is not None:
             return Twist2D(message.v_mps, message.omega_radps)
         trail = self._trail

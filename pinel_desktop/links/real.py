@@ -1,4 +1,4 @@
-"""A real robot as a robot link, over any transport. Its frame is the robot's odometry frame."""
+"""The link of all real robots, over any transport, with safety limits. Poses are in the robot's odometry frame."""
 
 import contextlib
 import math
@@ -18,26 +18,32 @@ from pinel_desktop.robot.robot_profile import RobotProfile, Room
 ODOMETRY_TIMEOUT_S = 1.0
 _FIRST_ODOMETRY_S = 5.0
 _POLL_S = 0.05
-# Looks for a message before a robot counts as silent: what came while this PC paused still waits to be taken.
+# Polls before the odometry counts as timed out. After a pause of this PC, received messages may
+# still be in a queue.
 _MAX_POLLS = 4
-# How long the period of the odometry is listened for.
+# Longest time for which the period of the odometry is measured.
 _LISTEN_S = 1.0
-_PAUSE_S = 0.4  # a robot that is silent for longer tells nothing about its period
-# From a command until it is seen to work: what is taken for it before the robot is heard, and the most.
+_PAUSE_S = 0.4  # a gap of the odometry that ends the measurement of its period
+# Delay from a command until its effect is measured: the value for an unknown period, and the
+# maximum.
 _DELAY_S, _MAX_DELAY_S = 0.1, 0.3
-# Of it, what does not show in how often the robot reports: network and drives (tests/links/test_late_robot.py).
+# The part of that delay that does not depend on the period of the odometry: network and drives
+# (tests/links/test_late_robot.py).
 _REACTS_S = 0.08
 
 
 class RealLink:
-    """Drives a real robot; time passes by itself.
+    """Drives a real robot in real time.
 
-    What protects people and robot is here, the same for every transport: a command expires after 0.2 s, velocities are
-    limited by the record, a robot whose odometry is silent for a second, jumps or leaves the room is stopped.
+    The protection of people and robot is here, the same for every transport:
+
+    - A command expires after 0.2 s.
+    - The profile limits velocities.
+    - The robot is stopped if its odometry is missing for 1 s, if its pose jumps, or if it leaves the room.
 
     Attributes:
-        battery: charge from 0 to 1; None where it is not told.
-        holder: who else drives the robot, as the network tells; None for nobody.
+        battery: charge from 0 to 1; None if unknown.
+        holder: name of another program that drives the robot, found on the network; None without one.
     """
 
     simulated = False
@@ -58,14 +64,17 @@ class RealLink:
         self._odometry = OdometryFilter()
         self._start: Pose2D | None = None
         self._problem: PinelError | None = None
-        # A problem that arrives while a velocity is being set is not overruled by it.
+        # Without this lock, a velocity that is being set could replace the zeros of a new problem.
         self._commanding = threading.Lock()
         self._closed = False
         self.battery: float | None = None
         self.holder: str | None = None
 
     def listen(self, cancelled: Callable[[], bool] = lambda: False) -> None:
-        """In place of `connect`: hears the robot and leaves it to whoever drives it. Raises as `connect` does."""
+        """Connects to receive only, in place of `connect`; another program may drive the robot.
+
+        Raises the errors of `connect`.
+        """
         self._transport.listen(self, cancelled)
 
     def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
@@ -87,11 +96,11 @@ class RealLink:
             self._start = self._odometry.state.pose
 
     def begin_at(self, pose: Pose2D) -> None:
-        """Before `connect`: where the robot stood, in its odometry frame, when it stood at the room's start."""
+        """Sets the pose of the room's start in the odometry frame; call it before `connect`."""
         self._start = pose
 
     def _estimate_delay(self, cancelled: Callable[[], bool]) -> None:
-        """Learns how often the robot reports, and from it how late it follows."""
+        """Measures the period of the odometry and estimates the command delay from it."""
         due_s = time.monotonic() + _LISTEN_S
         while not self._odometry.is_period_known and time.monotonic() < due_s and not cancelled():
             if self.age_s > _PAUSE_S:
@@ -111,7 +120,7 @@ class RealLink:
         return state
 
     def _poll_again(self) -> None:
-        """Lets the thread that hears the robot catch up with the clock; the robot stands meanwhile."""
+        """Gives the receiving thread time to process queued messages; commands zero velocity meanwhile."""
         self._command(STANDSTILL)
         for _ in range(_MAX_POLLS):
             if self._problem is not None or self.age_s <= ODOMETRY_TIMEOUT_S:
@@ -120,28 +129,28 @@ class RealLink:
 
     @property
     def start(self) -> Pose2D | None:
-        """Where the robot stood at the room's start, in its odometry frame; None before it is connected."""
+        """Pose of the room's start in the odometry frame; None before the connection."""
         return self._start
 
     @property
     def pose(self) -> Pose2D | None:
-        """The newest pose in the odometry frame, however old; None before the first."""
+        """The newest pose in the odometry frame, of any age; None before the first."""
         state = self._odometry.state
         return state and state.pose
 
     @property
     def problem(self) -> PinelError | None:
-        """Why the robot must not be driven any more."""
+        """Why the robot must not be driven any more; None without a reason."""
         return self._problem
 
     @property
     def age_s(self) -> float:
-        """Time since the newest valid message about the robot's pose; infinite before the first."""
+        """Time since the newest valid odometry message; infinite before the first."""
         return time.monotonic() - self._odometry.arrived_s
 
     @property
     def n_odometry(self) -> int:
-        """How many valid messages about its pose have come."""
+        """Number of valid odometry messages."""
         return self._odometry.n_valid
 
     def bumper(self) -> bool:
@@ -165,14 +174,14 @@ class RealLink:
             self._publisher.command(STANDSTILL if self._problem else twist)
 
     def advance(self, dt_s: float) -> None:
-        """Does nothing: the time of a real robot passes by itself."""
+        """Does nothing: a real robot runs in real time."""
 
     def close(self) -> None:
         if self._closed:
             return
         self._closed = True
         self._publisher.close()
-        # the robot stands; what fails now is of no use to anybody
+        # The robot has received zeros, so an error of the disconnection has no consequence.
         with contextlib.suppress(Exception):
             self._transport.close()
         self._robot_lock.release()
@@ -202,7 +211,7 @@ class RealLink:
             self._publisher.command(STANDSTILL)
 
     def _timeout_problem(self) -> PinelError:
-        """What is wrong with a robot that has reported nothing valid for the time-out."""
+        """Returns the error for a robot without a valid odometry message within the time-out."""
         odometry = self._odometry
         timeout_s = ODOMETRY_TIMEOUT_S if odometry.state else _FIRST_ODOMETRY_S
         if time.monotonic() - odometry.invalid_s <= timeout_s:
@@ -211,9 +220,13 @@ class RealLink:
 
 
 def delay_s(period_s: float | None) -> float:
-    """Mean time from a command until it is seen to work, for a robot that reports every `period_s`; None if unknown.
+    """Returns the mean time in s from a command until its effect is measured.
 
-    A report is half a period old on average, and a loop as long as that takes a command after half a period.
+    An odometry message is half a period old on average. If the robot's control loop has the same period, a command also
+    waits half a period on average. Together they are one period.
+
+    Args:
+        period_s: period of the odometry messages; None if unknown.
     """
     if period_s is None:
         return _DELAY_S
@@ -228,7 +241,7 @@ class _Edge:
         self._room, self._radius_m = room, radius_m
 
     def require_inside(self, pose: Pose2D) -> None:
-        """`pose` in the start frame. Raises PinelError `left_room`."""
+        """Raises PinelError `left_room` if the body crosses the edge; `pose` is in the start frame."""
         room, radius = self._room, self._radius_m
         x, y, _ = self._start.compose(pose)
         if abs(x) + radius > room.width_m / 2 or abs(y) + radius > room.depth_m / 2:
@@ -238,7 +251,10 @@ class _Edge:
 def real_link(
     make: Callable[[Any], Transport], setting: SimulationConfig, robot: RobotProfile | None
 ) -> RealLink:
-    """A link over the transport that `make` builds from the robot's record. Raises PinelError `robot_not_set_up`."""
+    """Returns a link over the transport that `make` builds from the robot's profile.
+
+    Raises PinelError `robot_not_set_up` without a profile.
+    """
     if robot is None:
         raise PinelError("robot_not_set_up")
     return RealLink(robot, setting, make(robot))

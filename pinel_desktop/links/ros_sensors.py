@@ -1,4 +1,4 @@
-"""Sensors of a robot of ROS: its newest messages, read in the units and directions of a program's sensors."""
+"""Sensors of a ROS 2 robot: converts its newest messages to the units and directions of a program's sensors."""
 
 import math
 import re
@@ -10,19 +10,20 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import RobotModel, Sensors
 from pinel_desktop.robot.sensors import missing
 
-# An older reading says nothing about what is ahead of the robot now.
+# An older reading does not describe the robot's present surroundings.
 _MAX_AGE_S = 1.0
 _NUMBER = re.compile(r"(\d+)(?!.*\d)")
 
 
 @dataclass(frozen=True, slots=True)
 class LidarScan:
-    """One turn of a laser scanner (sensor_msgs/LaserScan).
+    """One scan of a laser scanner (sensor_msgs/LaserScan).
 
     Attributes:
         first_rad, step_rad: angle of the first reading from the heading, and from one reading to the next.
-        min_range_m, max_range_m: what the scanner can measure.
-        ranges_m: its readings; what lies beyond its bounds, or is no number, found nothing.
+        min_range_m, max_range_m: range of the scanner.
+        ranges_m: the readings; a value out of range, or no number, means that the beam found no obstacle.
+        arrived_s: arrival time of the scan, by this PC's monotonic clock.
     """
 
     first_rad: float
@@ -33,16 +34,19 @@ class LidarScan:
     arrived_s: float = field(default_factory=time.monotonic)
 
     def at(self, angle_rad: float, reach_m: float) -> float | None:
-        """Reading in m at an angle from the heading, at most `reach_m`; None outside of the scanner's field."""
+        """Returns the reading in m at an angle from the heading, at most `reach_m`; None outside the field."""
         index = round(math.remainder(angle_rad - self.first_rad, math.tau) / (self.step_rad or 1.0))
-        if index < 0:  # a field of more than half a turn from its first reading
+        if index < 0:  # more than half a turn from the first reading
             index += round(math.tau / abs(self.step_rad or 1.0))
         if not 0 <= index < len(self.ranges_m):
             return None
         return self._checked(self.ranges_m[index], reach_m)
 
     def _checked(self, range_m: float, reach_m: float) -> float:
-        """REP 117: minus infinity is too near to be measured, infinity and everything impossible is nothing found."""
+        """Returns a valid distance in m for a reading, by REP 117.
+
+        Minus infinity means that an obstacle is too near. Infinity and impossible values mean that there is none.
+        """
         if range_m == -math.inf:
             return min(self.min_range_m, reach_m)
         is_measured = self.min_range_m <= range_m <= self.max_range_m and range_m > 0.0
@@ -50,9 +54,9 @@ class LidarScan:
 
 
 class RosSensors(Sensors):
-    """Sensors of which there are those whose topic the robot publishes.
+    """Sensors of a ROS 2 robot; available are the sensors whose topics the robot publishes.
 
-    Readings come from the receiving thread; each is replaced as a whole.
+    The receiving thread writes the readings. It replaces each reading as a whole, so no lock is needed.
     """
 
     def __init__(self, robot: RobotModel) -> None:
@@ -63,11 +67,11 @@ class RosSensors(Sensors):
         self._bumper: bool | None = None
 
     def offer(self, sensor: str) -> None:
-        """The robot has a sensor: `lidar`, `sonar` or `bumper`."""
+        """Makes a sensor available: `lidar`, `sonar` or `bumper`."""
         self._offered.add(sensor)
 
     def withdraw(self, sensor: str) -> None:
-        """Nobody tells a sensor's readings any more: the last one counts no longer."""
+        """Discards the last readings of a sensor whose topic has no publisher any more."""
         if sensor == "lidar":
             self._scan = None
         elif sensor == "sonar":
@@ -79,12 +83,12 @@ class RosSensors(Sensors):
         self._scan = scan
 
     def on_range(self, frame: str, range_m: float, max_range_m: float) -> None:
-        """A reading of one sonar, whose number is the last one in the name of its frame; 0 without any."""
+        """Handles a reading of one sonar; its index is the last number in the name of its frame, or 0 without one."""
         number = _NUMBER.search(frame)
         self._update_sonar(int(number[1]) if number else 0, range_m, max_range_m)
 
     def on_points(self, points: Sequence[tuple[float, float]]) -> None:
-        """Where each sonar found something, in the robot's frame in m, as RosAria publishes them."""
+        """Handles the point that each sonar measured, in the robot's frame in m, as RosAria publishes them."""
         for index, (x, y) in enumerate(points):
             self._update_sonar(index, math.hypot(x, y) - self._robot.radius_m, math.inf)
 
@@ -92,7 +96,7 @@ class RosSensors(Sensors):
         self._bumper = pressed
 
     def touches(self) -> bool:
-        """Whether the bumper is pressed, for telemetry; False without a bumper."""
+        """Returns whether the bumper is pressed, for telemetry; False without a bumper."""
         return bool(self._bumper)
 
     def sonar(self, index: int) -> float:
@@ -114,7 +118,7 @@ class RosSensors(Sensors):
         return reading if reading is not None else missing("lidar")
 
     def scan(self) -> list[float]:
-        """Beams outside of the scanner's field find nothing."""
+        """Returns the readings of the robot model's beams; a beam outside the scanner's field has the maximum range."""
         scan, laser = self._fresh_scan(), self._robot.laser or missing("lidar")
         readings = (scan.at(angle, laser.range_m) for angle in laser.angles_rad)
         return [laser.range_m if reading is None else reading for reading in readings]

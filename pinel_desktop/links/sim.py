@@ -1,4 +1,4 @@
-"""The built-in simulator as a robot link. Its frame is the world's."""
+"""The built-in simulator as a robot link. Its poses are in the world's frame."""
 
 import math
 from collections.abc import Callable
@@ -23,7 +23,7 @@ from sim.realistic import REALISTIC, MeasurementNoise, RealisticDrive
 from sim.simulator import TICK_S, Simulator
 from sim.world import World, WorldError, load_world, world_from_document
 
-_ROUNDING_M = 1e-6  # a scan is computed in single precision
+_ROUNDING_M = 1e-6  # error of a scan, which is computed in single precision
 
 
 class SimSensors(Sensors):
@@ -84,7 +84,7 @@ class SimSensors(Sensors):
         return self._simulator.floor_color()
 
     def compass(self) -> float:
-        """Angle in rad from north, the world's y axis, to the right."""
+        """Returns the heading in rad from north (the world's y axis), positive to the right."""
         return wrap_angle(math.pi / 2.0 - self._simulator.state()[2])
 
     def cell(self) -> str:
@@ -94,7 +94,7 @@ class SimSensors(Sensors):
         return {zone.name: zone.shape.center for zone in self._world.zones}
 
     def obstacles(self) -> tuple[Segment, ...]:
-        """Walls and edges of fixed boxes; movable boxes are not on the map."""
+        """Returns walls and edges of fixed boxes; movable boxes are not on the map."""
         walls = [(*wall.start, *wall.end) for wall in self._world.walls]
         rings = [box.corners() for box in self._world.boxes if not box.movable]
         edges = [(*a, *b) for ring in rings for a, b in zip(ring, ring[1:] + ring[:1], strict=True)]
@@ -144,7 +144,7 @@ class RealisticSensors(SimSensors):
 
 
 class SimLink:
-    """Drives the simulated robot; time passes only in `advance`, one tick of 1/30 s at a time.
+    """Drives the simulated robot. Time passes only in `advance`, one tick of 1/30 s at a time.
 
     With the preset `realistic`, wheels slip, lag and respond with latency, and measurements have errors. With the
     preset `ideal`, measurements are exact for either feedback.
@@ -162,7 +162,7 @@ class SimLink:
     ) -> None:
         try:
             read = load_world if isinstance(world, str) else world_from_document
-            self._world = read(world)  # type: ignore[arg-type] # as its type says
+            self._world = read(world)  # type: ignore[arg-type] # `read` matches the type of `world`
         except WorldError as error:
             raise PinelError(error.code, **error.params) from error
         model = setting.robot

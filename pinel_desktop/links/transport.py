@@ -1,7 +1,6 @@
-"""What a backend of real robots implements: it carries velocities to the robot and readings from it.
+"""The transport protocol of real robots: a backend carries velocities to the robot and readings from it.
 
-`links/real.py` does the rest, the same for all: repeats commands, lets stale ones expire, watches the odometry and
-keeps the limits.
+`links/real.py` does the rest for all backends: repeats commands, expires them, checks the odometry, applies the limits.
 """
 
 from collections.abc import Callable
@@ -14,13 +13,13 @@ Cancelled = Callable[[], bool]
 
 
 class Odometry(NamedTuple):
-    """One message of a robot about itself, as it came: it may hold anything.
+    """One unchecked odometry message of a robot.
 
     Attributes:
         x_m, y_m, yaw_rad: pose in the robot's odometry frame.
-        v_mps, omega_radps: velocity in the robot's own frame; None where it tells its pose only.
-        stamp_s: the robot's own time; None if it has none.
-        frame: name of the odometry frame; "" if it has none.
+        v_mps, omega_radps: velocity in the robot's own frame; None if the robot reports its pose only.
+        stamp_s: time stamp by the robot's clock; None without one.
+        frame: name of the odometry frame; "" without one.
     """
 
     x_m: float
@@ -33,48 +32,48 @@ class Odometry(NamedTuple):
 
 
 class Receiver(Protocol):
-    """Takes what comes from the robot, on any thread, without waiting."""
+    """Handles the messages of the robot, on any thread, without waiting."""
 
     def on_odometry(self, odometry: Odometry) -> None:
-        """A message about pose and velocity. Impossible values are told from possible ones by the receiver."""
+        """Handles an odometry message, and rejects impossible values."""
 
     def on_battery(self, level: float) -> None:
-        """Charge of the battery, from 0 to 1."""
+        """Handles the charge of the battery, from 0 to 1; a value outside means that it is unknown."""
 
     def on_holder(self, name: str | None) -> None:
-        """Who else drives the robot now; None for nobody."""
+        """Handles the name of another program that drives the robot; None if there is none."""
 
     def on_problem(self, problem: PinelError) -> None:
-        """The robot must not be driven any more: the next reading raises `problem`, and zeros are sent."""
+        """Stops the robot for good: zeros are sent, and the next `read` raises `problem`."""
 
 
 class Transport(Protocol):
-    """One connection with one robot. Made without side effects; opened once, closed once.
+    """One connection with one robot. Its construction has no side effects; it is opened once and closed once.
 
     Attributes:
-        sensors: the sensors besides those of the robot's own state; which ones there are is known once it is open.
+        sensors: sensors of the robot; the available ones are known once the connection is open.
     """
 
     sensors: Sensors
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        """Connects; returns when the robot can hear commands, or when `cancelled()`, which is polled every 50 ms.
+        """Connects. Returns once the robot can receive commands, or once `cancelled()` is true (polled every 50 ms).
 
-        Raises PinelError that says what is missing and what to do, after a few seconds at most.
+        If it cannot connect within its time-out, raises PinelError with the cause and its remedy.
         """
 
     def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        """In place of `open`: connects to hear only. Nothing is published, and nobody takes the robot for driven.
+        """Connects to receive only, in place of `open`. Publishes nothing, so other programs see no driver.
 
-        Raises as `open` does. Afterwards nothing is sent.
+        Raises the errors of `open`. Afterwards `send` sends nothing.
         """
 
     def send(self, twist: Twist2D) -> None:
-        """Sends a velocity, at once and without waiting. Called on the link's sending thread only."""
+        """Sends a velocity without waiting. Called on the thread of `VelocityPublisher` only."""
 
     def bumper(self) -> bool:
-        """True while the robot reports that it touches something."""
+        """Returns whether the robot reports that it touches an obstacle."""
         ...
 
     def close(self) -> None:
-        """Ends the connection; called after the last zeros were sent, and also if `open` failed."""
+        """Ends the connection. Called after the last zeros were sent, and also if `open` failed."""

@@ -1,4 +1,4 @@
-"""The thread that commands a real robot: it repeats the newest velocity and lets it expire."""
+"""Velocity publisher: the thread that repeats the newest command to a real robot and expires it."""
 
 import logging
 import threading
@@ -7,9 +7,9 @@ from collections.abc import Callable
 
 from pinel_desktop.robot import STANDSTILL, Twist2D
 
-# Robots stop by themselves when they hear nothing; RosAria after 0.6 s.
+# Robots stop by themselves without commands, RosAria after 0.6 s. Repetition must be more frequent.
 PERIOD_S = 1 / 30
-# A robot that nobody commands any more stands before 0.3 s have passed: expiry, one period, and the way to the robot.
+# Without new commands the robot stops within 0.3 s: this time, one period and the network's delay.
 COMMAND_TIMEOUT_S = 0.2
 N_LAST_ZEROS = 5
 
@@ -17,12 +17,12 @@ _log = logging.getLogger(__name__)
 
 
 class VelocityPublisher:
-    """Sends the newest command at once, repeats it 30 times a second, and sends zeros as soon as it is stale.
+    """Sends the newest command at once, repeats it 30 times a second, and sends zeros once it has expired.
 
-    Nothing but `send` can hold it up: it takes no lock that the run, the app or a pipe could keep.
+    Only `send` can block its thread. The thread acquires no lock that the run, the app or a pipe could hold.
 
     Args:
-        send: hands a velocity to the transport, without waiting; errors are reported once and sending goes on.
+        send: passes a velocity to the transport, without waiting. The first error is logged; sending continues.
     """
 
     def __init__(self, send: Callable[[Twist2D], None]) -> None:
@@ -34,11 +34,11 @@ class VelocityPublisher:
         self._thread = threading.Thread(target=self._work, name="robot-sender", daemon=True)
 
     def start(self) -> None:
-        """Begins with zeros."""
+        """Starts the thread, which first sends zeros."""
         self._thread.start()
 
     def command(self, twist: Twist2D) -> None:
-        """Sets the velocity for the next `STALE_S`."""
+        """Sets the velocity for the next `COMMAND_TIMEOUT_S`."""
         self._newest = (twist, time.monotonic())
         self._changed.set()
 
@@ -57,7 +57,7 @@ class VelocityPublisher:
             self._publish(twist if left_s > 0.0 else STANDSTILL)
             self._changed.wait(min(PERIOD_S, left_s) if left_s > 0.0 else PERIOD_S)
             self._changed.clear()
-        for _ in range(N_LAST_ZEROS):  # one of them gets through where packets are lost
+        for _ in range(N_LAST_ZEROS):  # several, because a network may lose packets
             self._publish(STANDSTILL)
             time.sleep(PERIOD_S / N_LAST_ZEROS)
 
@@ -65,7 +65,7 @@ class VelocityPublisher:
         try:
             self._send(twist)
         except Exception:
-            # the next attempt may succeed; a robot that hears nothing stops by itself
+            # The next attempt may succeed, and a robot without commands stops by itself.
             if not self._has_failed:
                 _log.exception("a velocity could not be sent")
             self._has_failed = True

@@ -1,4 +1,4 @@
-"""Pose, twist, state, the RobotLink protocol and robot records. PURE: no IO, thread or clock."""
+"""Poses, twists, sensors, the RobotLink protocol, robot models and profiles. PURE: no IO, thread or clock."""
 
 from pinel_desktop.robot.geometry import STANDSTILL, Pose2D, Twist2D, wrap_angle
 from pinel_desktop.robot.link import RobotLink, RobotState

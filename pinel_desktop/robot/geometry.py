@@ -1,11 +1,11 @@
-"""Poses, twists and angles in the plane. Metres and radians; counterclockwise is positive."""
+"""Poses, twists and angles in the plane, in metres and radians; counterclockwise is positive."""
 
 import math
 from typing import NamedTuple
 
 
 def wrap_angle(angle_rad: float) -> float:
-    """The equivalent angle in (-pi, pi]."""
+    """Returns the equivalent angle in (-pi, pi]."""
     if -math.pi < angle_rad <= math.pi:
         return angle_rad
     wrapped = math.remainder(angle_rad, math.tau)
@@ -29,7 +29,7 @@ class Pose2D(NamedTuple):
         )
 
     def relative_to(self, origin: "Pose2D") -> "Pose2D":
-        """This pose in the frame of `origin`: the inverse of `origin.compose`."""
+        """Transforms this pose into the frame of `origin`: the inverse of `origin.compose`."""
         cos, sin = math.cos(origin.yaw_rad), math.sin(origin.yaw_rad)
         dx, dy = self.x_m - origin.x_m, self.y_m - origin.y_m
         return Pose2D(
@@ -39,12 +39,12 @@ class Pose2D(NamedTuple):
         )
 
     def distance_to(self, other: "Pose2D") -> float:
-        """Distance between the two positions, in metres."""
+        """Returns the distance between the two positions, in metres."""
         return math.hypot(other.x_m - self.x_m, other.y_m - self.y_m)
 
 
 class Twist2D(NamedTuple):
-    """Velocity of a differential robot: v in m/s ahead, omega in rad/s counterclockwise."""
+    """Velocity of a differential-drive robot: v in m/s ahead, omega in rad/s counterclockwise."""
 
     v_mps: float = 0.0
     omega_radps: float = 0.0

@@ -1,4 +1,4 @@
-"""The protocol of all robots: read the state, command a velocity."""
+"""The protocol of all robot links: read the state, command a velocity."""
 
 from collections.abc import Callable
 from typing import NamedTuple, Protocol
@@ -8,12 +8,12 @@ from pinel_desktop.robot.sensors import Sensors
 
 
 class RobotState(NamedTuple):
-    """One reading of a robot.
+    """State of a robot at one time.
 
     Attributes:
         pose: estimated pose in the link's frame (world or odometry).
         twist: measured velocity in the robot's frame.
-        true_pose: exact pose in the same frame; None where only the estimate is known, as on real robots.
+        true_pose: true pose in the link's frame; None on real robots, which only have the estimate.
     """
 
     pose: Pose2D
@@ -24,13 +24,13 @@ class RobotState(NamedTuple):
 class RobotLink(Protocol):
     """A robot that can be driven; `links/` has one implementation per backend.
 
-    Every link stops its robot when commands go stale, when its odometry goes silent and when it is closed.
+    Every link stops its robot when commands expire, when odometry messages stop, and when the link is closed.
 
     Attributes:
         simulated: True if time passes only in `advance`.
         command_delay_s: mean time from `command` until the velocity takes effect, in seconds; final once connected.
         slips: True if wheels roll more or less far than commanded; the controller then uses integral control.
-        sensors: the sensors besides those of the robot's own state.
+        sensors: sensors of the robot; its pose, twist and bumper are also read without them.
     """
 
     simulated: bool
@@ -39,25 +39,25 @@ class RobotLink(Protocol):
     sensors: Sensors
 
     def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
-        """Makes the robot ready; returns early and not ready when `cancelled()`, which it polls, is true.
+        """Connects with the robot. Polls `cancelled()`, and returns early without a connection once it is true.
 
-        Raises PinelError that says what is missing and what to do.
+        Raises PinelError with the cause and its remedy.
         """
 
     def read(self) -> RobotState:
-        """The latest state. Raises PinelError `link_lost` when the robot no longer reports."""
+        """Returns the newest state. Raises PinelError `link_lost` if the robot no longer reports."""
         ...
 
     def bumper(self) -> bool:
-        """True while the robot touches something, for telemetry; False if it has no bumper."""
+        """Returns whether the robot touches an obstacle, for telemetry; False without a bumper."""
         ...
 
     def movable_boxes(self) -> dict[int, Pose2D]:
-        """Poses of movable boxes in the world's frame, by index in the world's list; empty if unknown."""
+        """Returns the poses of movable boxes in the world's frame, by index in the world's list; empty if unknown."""
         ...
 
     def command(self, twist: Twist2D) -> None:
-        """Sets the velocity from now on, limited to the robot's maximum."""
+        """Sets the velocity, limited to the robot's maximum."""
 
     def advance(self, dt_s: float) -> None:
         """Advances a simulator by `dt_s` seconds; does nothing for a real robot."""

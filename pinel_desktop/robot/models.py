@@ -1,18 +1,18 @@
-"""Robot models: the shape, sensors and limits of each; the page draws them, `sim` and `execution` drive by them."""
+"""Robot models: hull, wheels, sensors and limits of each robot. The page draws them; `sim` and `execution` use them."""
 
 import math
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 Direction = Literal["front", "left", "right", "back"]
-# m in the robot's frame: x ahead, y to the left, from the point about which the wheels turn it
+# m in the robot's frame: x ahead, y to the left; origin is the point about which the robot turns
 Point = tuple[float, float]
 
-_PLACES = 9  # a nanometre: what is left of a sum of rounded products
+_PLACES = 9  # decimal places of a metre; removes rounding errors of sums of products
 
 
 class Wheel(NamedTuple):
-    """A driven wheel: its middle in the robot's frame, and its size, in m."""
+    """A driven wheel: its centre in the robot's frame, and its size, in m."""
 
     x_m: float
     y_m: float
@@ -21,7 +21,7 @@ class Wheel(NamedTuple):
 
 
 class Sonar(NamedTuple):
-    """A sonar: its place in the robot's frame (m) and its direction from the heading (rad)."""
+    """A sonar: its position in the robot's frame (m) and its direction from the heading (rad)."""
 
     x_m: float
     y_m: float
@@ -29,9 +29,10 @@ class Sonar(NamedTuple):
 
     @property
     def ray(self) -> tuple[Point, float]:
-        """Where its line passes nearest to the robot's centre, and how far along that line it stands (m).
+        """Start of the sonar's ray in the robot's frame (m), and distance (m) from the start to the sonar.
 
-        A ray from there cannot begin inside a wall that the hull touches.
+        The start is the point of the sonar's line nearest to the robot's centre. A ray from the sonar itself could
+        start inside a wall that the hull touches; a ray from that point cannot.
         """
         cos, sin = math.cos(self.angle_rad), math.sin(self.angle_rad)
         along = round(self.x_m * cos + self.y_m * sin, _PLACES)
@@ -40,12 +41,13 @@ class Sonar(NamedTuple):
 
 
 class Laser(NamedTuple):
-    """A laser scanner: its place in the robot's frame, and what it sees.
+    """A laser scanner: its field, its range, and its position in the robot's frame.
 
     Attributes:
-        field_deg: width of its field, half of it to each side of the heading.
-        min_m: reading of everything nearer.
-        range_m: reading with nothing in range.
+        field_deg: width of the field of view, half of it to each side of the heading.
+        range_m: maximum range; the reading without an obstacle in range.
+        min_m: minimum range; the reading of every nearer obstacle.
+        x_m, y_m: position of the scanner.
     """
 
     field_deg: int
@@ -56,7 +58,7 @@ class Laser(NamedTuple):
 
     @property
     def angles_rad(self) -> tuple[float, ...]:
-        """Directions of a whole scan, from the right to the left, one per degree."""
+        """Directions of a whole scan from the heading, from right to left, one per degree."""
         half = self.field_deg // 2
         return tuple(math.radians(angle) for angle in range(-half, half + 1))
 
@@ -66,25 +68,25 @@ class RobotModel:
     """One robot model, in SI units.
 
     Attributes:
-        name: key of the record.
+        name: key of the model in ROBOTS.
         title: name for people.
         radius_m: radius of the circle around the body; the simulated hull.
         hull_m: corners of the outline seen from above, counterclockwise; for drawing.
-        hull_round_m: how far a corner of the drawing is rounded along its sides.
-        wheels: the driven ones, the left one first.
+        hull_round_m: length along its sides by which a corner of the drawing is rounded.
+        wheels: the driven wheels, the left one first.
         mass_kg: mass without payload.
-        max_force_n: largest force with which the wheels push the body.
-        max_torque_nm: largest torque with which the wheels turn the body.
+        max_force_n: maximum force with which the wheels push the body.
+        max_torque_nm: maximum torque with which the wheels turn the body.
         max_v_mps, max_omega_radps: physical limits.
         start_v_mps, start_omega_radps: limits of motion commands until a program sets others.
-        acceleration_mps2, angular_acceleration_radps2: of planned motions.
+        acceleration_mps2, angular_acceleration_radps2: accelerations of planned motions.
         smoothing_s: time over which an acceleration builds up, the S of the S-curve.
-        sonars: by index.
-        sonar_range_m: reading of a sonar with nothing in range.
-        distance_sonars: indices of the sonars of each direction, possibly none; their smallest reading is the
-            distance in that direction. Ahead and behind it passes over walls beside the robot's way.
-        laser: None without a scanner.
-        has_bumper: whether a program can ask if the robot touches something.
+        sonars: the sonars by index.
+        sonar_range_m: maximum range of a sonar; the reading without an obstacle in range.
+        distance_sonars: indices of the sonars of each direction, possibly none. The distance in a direction is their
+            smallest reading; the distances `front` and `back` ignore walls beside the robot's path.
+        laser: the laser scanner; None without one.
+        has_bumper: whether the robot has a bumper sensor.
     """
 
     name: str
@@ -111,7 +113,7 @@ class RobotModel:
 
     @property
     def track_m(self) -> float:
-        """Distance between the middles of the two wheels."""
+        """Distance between the centres of the two wheels."""
         left, right = self.wheels
         return left.y_m - right.y_m
 
@@ -121,10 +123,11 @@ class RobotModel:
         return self.laser.range_m if self.laser else 0.0
 
     def lacks(self, sensor: str, asked: object = None) -> bool:
-        """Whether the model has no such sensor of the language, there where it is asked.
+        """Returns whether the model lacks a sensor of the language.
 
         Args:
-            asked: direction or number that the program names; None for one that only its run knows.
+            sensor: name of the sensor.
+            asked: direction or index that the program passes to the sensor; None if only the run computes it.
         """
         if sensor == "distance":
             return not any(self.distance_sonars.get(one) for one in _directions(asked))
@@ -141,7 +144,7 @@ def _directions(asked: object) -> tuple[Direction, ...]:
 
 
 def _both_sides(*left: Point) -> tuple[Point, ...]:
-    """A hull that is the same on both sides, by its corners on the left from the front to the back."""
+    """Returns the corners of a symmetric hull from its corners on the left, from front to back."""
     return (*left, *((x, -y) for x, y in reversed(left)))
 
 
@@ -174,30 +177,31 @@ PIONEER_3DX = RobotModel(
     acceleration_mps2=1.0,
     angular_acceleration_radps2=4.0,
     smoothing_s=0.1,
-    # Angles of SonarUnit 0 to 15 in ARIA's parameter file p3dx.p: eight in front, 0 on the left, and eight behind, 8 on
-    # the right. ARIA's positions are up to 0.27 m from the centre, because the real hull is longer behind; here all
-    # sonars are on the simulated hull, a circle.
+    # Angles of SonarUnit 0 to 15 in ARIA's parameter file p3dx.p: eight in front, number 0 on the
+    # left, and eight behind, number 8 on the right. ARIA's positions are up to 0.27 m from the
+    # centre, because the real hull is longer behind. Here all sonars are on the simulated hull, a
+    # circle.
     sonars=_on_the_hull(
         0.2225, 90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90
     ),
     # Pioneer 3 Operations Manual: sensitivity from 10 cm to 5 m
     sonar_range_m=5.0,
-    # a quarter of the ring each, which covers everything that the hull could hit
+    # Each direction has a quarter of the ring. Together they cover all that the hull can hit.
     distance_sonars={
         "front": (2, 3, 4, 5),
         "left": (14, 15, 0, 1),
         "right": (6, 7, 8, 9),
         "back": (10, 11, 12, 13),
     },
-    # SICK LMS 200 technical description: 8 m at a resolution of 1 mm; ARIA mounts it 2 cm from the centre, which is 0
-    # here
+    # SICK LMS 200 technical description: 8 m at a resolution of 1 mm. ARIA mounts it 2 cm from the
+    # centre; this model has it at the centre.
     laser=Laser(field_deg=180, range_m=8.0),
     has_bumper=True,
 )
 
 SMALL_ROBOT = RobotModel(
-    # Not a product: chosen as a robot that a class can build on a round base of 16 cm with two gear motors and three
-    # HC-SR04 sonars, 45 degrees apart, with a range of 4 m by their datasheet.
+    # Not a product, but a robot that a class can build: a round base of 16 cm, two gear motors and
+    # three HC-SR04 sonars 45 degrees apart. The range of 4 m is from the datasheet of the sonars.
     name="small_robot",
     title="Mini 16",
     radius_m=0.08,
@@ -222,9 +226,10 @@ SMALL_ROBOT = RobotModel(
 )
 
 TURTLEBOT3_BURGER = RobotModel(
-    # ROBOTIS e-Manual, TurtleBot3, Specifications: 138 x 178 mm with the wheels, 1 kg, 0.22 m/s, 2.84 rad/s. Track,
-    # wheels, radius and the middle of the hull, 32 mm behind the axle, are those of its ROS packages; the hull is 140
-    # mm wide between the wheels. Force is what its tyres hold on a floor; accelerations are chosen within it.
+    # ROBOTIS e-Manual, TurtleBot3, Specifications: 138 x 178 mm with the wheels, 1 kg, 0.22 m/s,
+    # 2.84 rad/s. From its ROS packages: track, wheels, radius, and the centre of the hull 32 mm
+    # behind the axle. The hull is 140 mm wide between the wheels. The force is the limit of the
+    # tyres' grip on a floor, and the chosen accelerations need less.
     name="turtlebot3_burger",
     title="TurtleBot3 Burger",
     radius_m=0.105,

@@ -1,6 +1,6 @@
-"""How a PC reaches a real robot, what that robot may do, and the room that it drives in.
+"""Profiles of real robots: address and topics, speed limits, goal tolerances, and the room.
 
-A PC keeps one record for each kind of link; a run keeps the record that it was started with.
+A PC stores one profile for each kind of link. A run stores the profile with which it was started.
 """
 
 import math
@@ -14,12 +14,12 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.robot.geometry import Pose2D
 from pinel_desktop.robot.models import RobotModel
 
-# The app's start imports this module; a model is built when it is first used.
+# The app imports this module at its start. Pydantic therefore builds each model at its first use.
 _SETTINGS = ConfigDict(defer_build=True, frozen=True, extra="forbid")
 
-# What DDS allows: domain 232 is the last whose ports are below 65536 (OMG DDSI-RTPS 2.5, 9.6.2).
+# Domain 232 is the last one with ports below 65536 (OMG DDSI-RTPS 2.5, 9.6.2).
 LAST_DOMAIN = 232
-# A ROS name: letters, digits, underlines, parts separated by slashes.
+# A ROS name: letters, digits and underscores, with slashes between the parts.
 _ROS_NAME = r"^/?[A-Za-z_][A-Za-z0-9_]*(/[A-Za-z_][A-Za-z0-9_]*)*$"
 _SOON_S = 20.0
 # name of the world document of a room
@@ -29,9 +29,9 @@ HostName = Annotated[str, Field(pattern=r"^[A-Za-z0-9.:\-]+$", max_length=100)]
 
 
 class Room(BaseModel):
-    """The free floor of a real room, a rectangle around its middle, and where the robot stands at the start of a run.
+    """The free floor of a real room, a rectangle, and the robot's pose at the start of a run.
 
-    The frame is that of worlds: the origin in the middle, x to the right of the drawing, metres, degrees.
+    The frame is the frame of worlds: origin in the centre, x to the right of the drawing, metres and degrees.
     """
 
     model_config = _SETTINGS
@@ -44,11 +44,11 @@ class Room(BaseModel):
 
     @property
     def start(self) -> Pose2D:
-        """Where the robot stands at the start, in m and rad."""
+        """The robot's pose at the start of a run, in the room's frame, in m and rad."""
         return Pose2D(self.x_m, self.y_m, math.radians(self.heading_deg))
 
     def as_world(self) -> dict[str, Any]:
-        """A world document (docs/worlds.md) that shows the room: its edge as walls, and the start."""
+        """Returns a world document (docs/worlds.md) of the room: its edge as walls, and the start."""
         x, y = self.width_m / 2, self.depth_m / 2
         corners = [[-x, -y], [x, -y], [x, y], [-x, y]]
         edges = zip(corners, corners[1:] + corners[:1], strict=True)
@@ -64,14 +64,13 @@ class Room(BaseModel):
 
 
 class RobotProfile(BaseModel):
-    """What is the same for each kind of real robot.
+    """Base of all profiles: the fields that every kind of real robot has.
 
     Attributes:
-        max_v_mps, max_omega_dps: the robot is never commanded faster, whatever a program sets.
-        move_tolerance_m, turn_tolerance_deg: a motion that ends this near to its goal has arrived. Wheels stick before
-            they move by less.
-        room: a robot that comes to its edge is stopped.
-        comes_to_us: it connects to this PC, which waits for it; all others are looked for.
+        max_v_mps, max_omega_dps: speed limits, which no program can exceed.
+        move_tolerance_m, turn_tolerance_deg: goal tolerances. Static friction keeps the wheels from moving by less.
+        room: the room; the link stops a robot at its edge.
+        comes_to_us: whether the robot connects to this PC. If False, this PC searches for the robot.
     """
 
     model_config = _SETTINGS
@@ -86,11 +85,11 @@ class RobotProfile(BaseModel):
 
     @property
     def address(self) -> str:
-        """Identifies the robot among all that this PC can reach: two runs never drive the same one."""
+        """Identifies the robot among all robots in reach of this PC. Two runs never drive the same address."""
         raise NotImplementedError
 
     def limited(self, robot: RobotModel) -> RobotModel:
-        """The robot's model with the speeds of this record."""
+        """Returns the robot's model with the speed limits of this profile."""
         v = min(self.max_v_mps, robot.max_v_mps)
         omega = min(math.radians(self.max_omega_dps), robot.max_omega_radps)
         return replace(
@@ -102,15 +101,15 @@ class RobotProfile(BaseModel):
         )
 
     def as_message(self) -> dict[str, Any]:
-        """Plain JSON data: `record_from` reads it."""
+        """Returns plain JSON data, which `profile_from` reads."""
         return {"link": self.link, **self.model_dump(mode="json")}
 
     def as_record(self) -> dict[str, Any]:
-        """The same without secrets, for the record of a run, which travels to other PCs."""
+        """Returns the data of `as_message` without the key, for the record of a run, which other PCs receive."""
         return {"link": self.link, **self.model_dump(mode="json", exclude={"key"})}
 
     def slowed(self) -> Self:
-        """At half of its speeds, for the first run in front of people."""
+        """Returns a copy with half of the speed limits, for the first run in front of people."""
         halved = {
             name: max(limits(type(self), name)[0], getattr(self, name) / 2)
             for name in ("max_v_mps", "max_omega_dps")
@@ -118,7 +117,7 @@ class RobotProfile(BaseModel):
         return self.model_copy(update=halved)
 
     def for_contact(self) -> Self:
-        """For a try whether the robot can be reached, which somebody watches."""
+        """Returns a copy with a shorter wait for the connection, for a contact test that a person watches."""
         return self
 
 
@@ -127,11 +126,11 @@ class RosProfile(RobotProfile):
 
     Attributes:
         domain: the robot's ROS_DOMAIN_ID.
-        namespace: before the names of its topics; empty for none.
-        command_topic: geometry_msgs Twist or TwistStamped, whichever the robot subscribes to.
-        odometry_topic: nav_msgs Odometry or geometry_msgs PoseStamped.
-        scan_topic, sonar_topic, bumper_topic, battery_topic: empty if the robot has none.
-        peers: addresses of the robot where the network passes no multicast on.
+        namespace: namespace of the robot's topics; empty for none.
+        command_topic: topic of geometry_msgs Twist or TwistStamped, whichever the robot subscribes to.
+        odometry_topic: topic of nav_msgs Odometry or geometry_msgs PoseStamped.
+        scan_topic, sonar_topic, bumper_topic, battery_topic: empty if the robot has no such topic.
+        peers: addresses of the robot, for networks without multicast.
     """
 
     domain: Annotated[int, Field(ge=0, le=LAST_DOMAIN)] = 0
@@ -149,31 +148,33 @@ class RosProfile(RobotProfile):
         return f"domain {self.domain} {self.name_of(self.command_topic)}"
 
     def name_of(self, topic: str) -> str:
-        """A topic's full name; an absolute one keeps its own. Without the first slash."""
+        """Returns a topic's full name without the leading slash; an absolute name gets no namespace."""
         if topic.startswith("/") or not self.namespace:
             return topic.strip("/")
         return f"{self.namespace.strip('/')}/{topic}"
 
 
 class DdsProfile(RosProfile):
-    """A robot of ROS 2, reached without an installed ROS."""
+    """A ROS 2 robot that PINEL reaches over DDS, without an installed ROS."""
 
     link = "dds"
 
 
 class Ros2Profile(RosProfile):
-    """A robot of ROS 2, reached with the ROS that is installed on this PC."""
+    """A ROS 2 robot that PINEL reaches with the ROS installed on this PC."""
 
     link = "ros2"
 
 
 class BridgeProfile(RobotProfile):
-    """A simulator or robot that asks this PC over HTTP for velocities and reports its pose, as the original PINEL's.
+    """A simulator or robot that is an HTTP client of this PC, as in the original PINEL.
+
+    The client requests velocities and posts its pose.
 
     Attributes:
-        host, port: where this PC listens.
-        key: what each request must bring; empty for none, as the original's clients do.
-        wait_s: how long connecting waits for the first request.
+        host, port: address at which this PC listens.
+        key: key that each request must contain; empty for none, because clients of the original send none.
+        wait_s: how long `connect` waits for the first request, in s.
     """
 
     link = "bridge"
@@ -193,7 +194,7 @@ class BridgeProfile(RobotProfile):
 
     @property
     def url_host(self) -> str:
-        """The host as it stands in a URL."""
+        """The host as written in a URL; an IPv6 address has brackets."""
         return f"[{self.host}]" if ":" in self.host else self.host
 
 
@@ -203,13 +204,13 @@ PROFILES: dict[str, type[RobotProfile]] = {
 
 
 def fields_of(record: type[RobotProfile]) -> list[str]:
-    """Names of all fields; those of the room are `room.NAME`."""
+    """Returns the names of all fields; fields of the room are named `room.NAME`."""
     own = [name for name in record.model_fields if name != "room"]
     return [*own, *(f"room.{name}" for name in Room.model_fields)]
 
 
 def limits(record: type[RobotProfile], field: str) -> tuple[float, float]:
-    """Smallest and largest value of a number; NaN for a field that is no number."""
+    """Returns the minimum and maximum of a numeric field; NaN for other fields."""
     in_room, _, name = field.rpartition(".")
     fields = Room.model_fields if in_room == "room" else record.model_fields
     bounds = fields[name].metadata if name in fields else []
@@ -219,11 +220,11 @@ def limits(record: type[RobotProfile], field: str) -> tuple[float, float]:
 
 
 def profile_from(message: Mapping[str, Any]) -> RobotProfile:
-    """The record of plain JSON data; what is missing has its default.
+    """Reads a profile from plain JSON data; a missing field gets its default.
 
     Raises:
-        PinelError: `unknown_link`; with the field and its value `robot_record_range` for what is no number within the
-            field's bounds, `robot_record_invalid` for all else.
+        PinelError: `unknown_link`; `robot_record_range` if a numeric field is no number within its bounds;
+            `robot_record_invalid` for any other invalid field. The last two name the field and its value.
     """
     fields = dict(message)
     link = fields.pop("link", None)

@@ -1,4 +1,4 @@
-"""The robot setting of a simulated run: model, realism, pose feedback."""
+"""The simulation configuration of a run: robot model, realism, pose feedback."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
@@ -15,13 +15,13 @@ FEEDBACKS: tuple[Feedback, ...] = get_args(Feedback)
 
 @dataclass(frozen=True, slots=True)
 class SimulationConfig:
-    """The robot setting of a run; recorded with the run, so that verification can repeat it.
+    """The simulation configuration of a run; recorded with the run, so that verification can repeat it.
 
     Attributes:
-        model: name of the robot's record in ROBOTS.
+        model: name of the robot's model in ROBOTS.
         preset: noise, slip and latency of the simulator.
-        feedback: source of the robot's pose: what a camera above the floor measures, with noise of 1 mm and 0.1
-            degrees, or wheel odometry. With the preset `ideal` both are exact.
+        feedback: source of the robot's pose. `pose` is the measurement of a camera above the floor, with noise of 1 mm
+            and 0.1 degrees; `odometry` is wheel odometry. With the preset `ideal` both are exact.
     """
 
     model: str = PIONEER_3DX.name
@@ -30,20 +30,21 @@ class SimulationConfig:
 
     @property
     def robot(self) -> RobotModel:
-        """The record of the robot. Raises PinelError `unknown_robot`."""
+        """The robot's model. Raises PinelError `unknown_robot`."""
         if self.model not in ROBOTS:
             raise PinelError("unknown_robot", value=self.model, allowed=list(ROBOTS))
         return ROBOTS[self.model]
 
     def as_parameters(self) -> dict[str, Any]:
-        """Plain JSON data for the run's record and the engine's messages."""
+        """Returns plain JSON data for the run's record and the engine's messages."""
         return asdict(self)
 
 
 def simulation_config_from(parameters: Mapping[str, Any]) -> SimulationConfig:
-    """The setting in a run's parameters; missing ones have the values of releases that had no choice.
+    """Reads the configuration from a run's parameters.
 
-    Raises PinelError `run_damaged` for invalid parameters.
+    A missing parameter gets its default, the fixed value of earlier releases. Raises PinelError `run_damaged` for
+    invalid parameters.
     """
     known = {name: parameters[name] for name in SimulationConfig.__slots__ if name in parameters}
     setting = SimulationConfig(**known)

@@ -1,5 +1,6 @@
-"""The link over HTTP of the original PINEL: an external simulator or robot asks for velocities and posts its pose.
+"""The HTTP link of the original PINEL: an external simulator or robot requests velocities and posts its pose.
 
-`listener.py` speaks HTTP, `routes.py` judges requests, `exchange.py` holds what the two sides tell each other,
-`transport.py` makes a robot's transport of them. docs/bridge.md describes the routes.
+`http_server.py` speaks HTTP, `request_guard.py` admits requests and `routes.py` dispatches them. `bridge_session.py`
+holds the velocity and the pose. `transport.py` makes the transport of a real robot from these parts. docs/bridge.md
+describes the routes.
 """

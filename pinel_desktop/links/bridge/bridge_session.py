@@ -1,4 +1,4 @@
-"""What PINEL and the client of the bridge tell each other: a velocity, a pose, and whether PINEL drives."""
+"""State of a run over the bridge: the commanded velocity, the robot's pose, and whether PINEL drives."""
 
 import math
 import threading
@@ -11,16 +11,16 @@ from pinel_desktop.links.transport import Odometry, Receiver
 from pinel_desktop.links.velocity_publisher import COMMAND_TIMEOUT_S
 from pinel_desktop.robot import STANDSTILL, Twist2D
 
-# A client that asked within this time is still there to hear the end.
+# A client that sent a request within this time is still connected, and must receive the run's end.
 _THERE_S = 0.5
-# The client has its last zero when it asked twice: the answer to the first may have been lost.
+# Requests after which the client has received a zero: the first response may have been lost.
 _N_ZEROS = 2
-_FARTHEST = 1e5  # m, rad; a pose beyond is nonsense
+_FARTHEST = 1e5  # limit of a valid pose, in m and rad
 POSE_EXAMPLE = '{"x": 1.5, "y": 0.0, "yaw": 0.1}'
 
 
 class _Velocity(NamedTuple):
-    """A velocity, when it was set by the PC's clock (s since 1970), and by its monotonic clock (s)."""
+    """A velocity and its time, by the PC's clock (s since 1970) and by its monotonic clock (s)."""
 
     twist: Twist2D
     wall_s: float
@@ -28,13 +28,13 @@ class _Velocity(NamedTuple):
 
 
 class BridgeSession:
-    """The state behind the routes. The client is served on the listener's thread.
+    """Handles the requests of the bridge's client during a run, on the server's thread.
 
-    The first address that posts a pose is the robot; others may look at the status only.
+    The first address that posts a pose is the robot. Other addresses may only request the status.
 
     Attributes:
-        asked: set once somebody has asked for a velocity.
-        active: whether PINEL holds the robot: true from the opening of the link until it is closed.
+        asked: set once a client has requested a velocity.
+        active: whether PINEL drives the robot: from the opening of the link until its end.
     """
 
     def __init__(self, receiver: Receiver) -> None:
@@ -49,11 +49,11 @@ class BridgeSession:
         self._zeros_delivered, self._end_delivered = threading.Event(), threading.Event()
 
     def set_velocity(self, twist: Twist2D) -> None:
-        """What is handed out for the next `STALE_S`."""
+        """Sets the velocity for the next `COMMAND_TIMEOUT_S`."""
         self._velocity = _Velocity(twist, time.time(), time.monotonic())
 
     def velocity(self, client: str) -> dict[str, Any]:
-        """The newest velocity; zero once it is stale. Raises PinelError `bridge_other_client`."""
+        """Returns the newest velocity; zero once it has expired. Raises PinelError `bridge_other_client`."""
         self._record_request(client)
         twist, wall_s, at_s = self._velocity
         if time.monotonic() - at_s > COMMAND_TIMEOUT_S or not self.active:
@@ -66,12 +66,12 @@ class BridgeSession:
         return {"linear_x": twist.v_mps, "angular_z": twist.omega_radps, "ts": wall_s}
 
     def handle_pose(self, client: str, document: object) -> dict[str, Any]:
-        """Hands a pose to the link. Raises PinelError `bridge_pose_invalid`, `bridge_other_client`."""
+        """Passes a pose to the link. Raises PinelError `bridge_pose_invalid`, `bridge_other_client`."""
         self._record_request(client)
         try:
             x_m, y_m, yaw_rad = (_number(document, name) for name in ("x", "y", "yaw"))
         except PinelError:
-            # The link counts it: a robot that posts nothing else is named.
+            # The link counts invalid poses, for its error about a robot that posts no valid pose.
             self._receiver.on_odometry(Odometry(math.nan, math.nan, math.nan, None, None))
             raise
         self._robot = client
@@ -79,13 +79,13 @@ class BridgeSession:
         return {"ok": True}
 
     def status(self) -> dict[str, Any]:
-        """Whether PINEL drives."""
+        """Returns whether PINEL drives."""
         if not self.active:
             self._end_delivered.set()
         return {"active": self.active}
 
     def finish(self, timeout_s: float) -> None:
-        """Tells the client that PINEL stops, first by zeros, then by the flag; waits only if a client is there."""
+        """Ends the session: sends the client zeros first, then `active` false. Waits only for a connected client."""
         self._ending = True
         if time.monotonic() - self._last_request_s > _THERE_S:
             self.active = False

@@ -1,6 +1,6 @@
-"""A small HTTP/1.1 server on one thread. Nobody holds up anybody: no request waits for another connection.
+"""A small HTTP/1.1 server (asyncio) on one thread. No request waits for another connection.
 
-Flask is not here because the engine must start fast and knows no page.
+Flask would delay the start of the engine, and the engine serves no page.
 """
 
 import asyncio
@@ -19,11 +19,12 @@ from pinel_desktop.links.bridge.routes import Request, Response, refusal
 
 MAX_BODY_BYTES = 64 * 1024
 _MAX_HEAD_BYTES = 8 * 1024
-# For a whole request, counted from the answer before: dripping bytes does not prolong it.
+# Time limit of a whole request, from the previous response on. Single bytes do not extend it.
 REQUEST_S = 10.0
-# So long may a client go on sending what was refused; closed at once, it would lose the answer with its own rest.
+# After a refusal the connection stays open for this time. If it were closed while the client still
+# sends, the client would lose the response.
 _LEAVES_S = 2.0
-# Beyond, the connection that has been without a whole request for the longest is closed.
+# If there are more, the connection whose last complete request is oldest is closed.
 MAX_CONNECTIONS = 32
 _ROUNDS = 1_000
 _PICTURE_S = 0.1
@@ -31,17 +32,17 @@ _BOUNDARY = "frame"
 STREAM_TYPE = f"multipart/x-mixed-replace; boundary={_BOUNDARY}"
 _END_OF_HEAD = b"\r\n\r\n"
 
-# An answer, or what somebody else will answer.
+# A response, or a future for the response of another process.
 ResponseOrFuture = Response | Future[Response]
 
 
 class BridgeHttpServer:
-    """Listens once constructed, answers after `start`.
+    """HTTP server of the bridge. Listens once constructed, responds after `start`.
 
     Args:
-        respond: called on the listener's thread; must not wait. A future is the answer of somebody else, and is
-            cancelled when the client hangs up before.
-        max_body: bytes of the largest body, by the target of the request.
+        respond: called on the server's thread; must not wait. A future that it returns is cancelled if the client
+            disconnects.
+        max_body: returns the maximum size of a body in bytes for the target of a request.
 
     Raises:
         PinelError: `bridge_port_busy`, `bridge_address_wrong`.
@@ -57,12 +58,12 @@ class BridgeHttpServer:
         self._socket = _listening(host, port)
         self.port: int = self._socket.getsockname()[1]
         self._respond, self._max_body = respond, max_body
-        self._connections: dict[_Connection, None] = {}  # the one that was served last is last
+        self._connections: dict[_Connection, None] = {}  # ordered by their last response
         self._ready = threading.Event()
         self._thread = threading.Thread(target=self._work, name="bridge", daemon=True)
 
     def start(self) -> None:
-        """Answers requests until `close`."""
+        """Responds to requests until `close`."""
         self._thread.start()
         self._ready.wait()
 
@@ -87,11 +88,11 @@ class BridgeHttpServer:
         await self._close_connections()
         server.close()
         await server.wait_closed()
-        await asyncio.sleep(0)  # the connections take leave in the loop's next round
+        await asyncio.sleep(0)  # connections close in the loop's next iteration
 
     async def _close_connections(self) -> None:
-        """Closes all connections; who was accepted a moment ago becomes one in the loop's next rounds."""
-        for _ in range(_ROUNDS):  # a flood must not keep it open
+        """Closes all connections, also sockets that become connections in the loop's next iterations."""
+        for _ in range(_ROUNDS):  # bounded, so that a flood of connections cannot prevent the end
             for connection in list(self._connections):
                 connection.abort()
             if len(asyncio.all_tasks()) == 1:
@@ -103,7 +104,7 @@ class BridgeHttpServer:
 
 
 class _Connection(asyncio.Protocol):
-    """One client: requests of HTTP/1.1 one after another, each answered before the next is read."""
+    """One connection of a client. Responds to each HTTP/1.1 request before it reads the next one."""
 
     def __init__(
         self,
@@ -120,7 +121,7 @@ class _Connection(asyncio.Protocol):
 
     @property
     def is_waiting(self) -> bool:
-        """Whether somebody else works on the answer."""
+        """Whether the response is pending in another process."""
         return self._awaited is not None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
@@ -145,12 +146,12 @@ class _Connection(asyncio.Protocol):
             self._awaited.cancel()
 
     def abort(self) -> None:
-        """Closes the connection without an answer."""
+        """Closes the connection without a response."""
         self._connections.pop(self, None)
         self._transport.abort()
 
     def pause_writing(self) -> None:
-        """The client takes no answers: one of a stream gets the next picture later, others are closed."""
+        """Handles a client that does not read: a stream's next frame is delayed, other connections are closed."""
         if not self._is_stream:
             self.abort()
             return
@@ -158,7 +159,7 @@ class _Connection(asyncio.Protocol):
         self._deadline = self._loop.call_later(REQUEST_S, self.abort)
 
     def resume_writing(self) -> None:
-        """The client has taken its picture."""
+        """Handles a client that has read its frame."""
         self._is_full = False
         self._deadline.cancel()
 
@@ -173,7 +174,10 @@ class _Connection(asyncio.Protocol):
         self._process_next()
 
     def _process_next(self) -> None:
-        """Answers the first request in the buffer, if it is whole; what is behind it waits for the others' turn."""
+        """Responds to the first request in the buffer, if it is complete.
+
+        Pipelined requests behind it wait until other connections have had their turn.
+        """
         if self._transport.is_closing() or self.is_waiting or self._is_leaving:
             return
         try:
@@ -194,14 +198,14 @@ class _Connection(asyncio.Protocol):
             return
         self._deadline.cancel()
         self._awaited = answer
-        self._transport.resume_reading()  # or nobody would notice that the client hangs up
+        self._transport.resume_reading()  # else a disconnection would not be detected
         _enable_keepalive(self._transport.get_extra_info("socket"))
         answer.add_done_callback(self._settled)
 
     def _settled(self, answer: "Future[Response]") -> None:
-        """Called on any thread."""
+        """Passes a finished response to the server's thread; called on any thread."""
         if not answer.cancelled():
-            with contextlib.suppress(RuntimeError):  # the listener was closed meanwhile
+            with contextlib.suppress(RuntimeError):  # the server was closed meanwhile
                 self._loop.call_soon_threadsafe(self._on_response, answer.result())
 
     def _on_response(self, answer: Response) -> None:
@@ -210,7 +214,7 @@ class _Connection(asyncio.Protocol):
             return
         if answer.jpeg is not None:
             self._show(answer, answer.jpeg)
-        elif self._is_stream:  # there are no more pictures
+        elif self._is_stream:  # the end of the stream
             self._transport.close()
         else:
             self._reply(answer)
@@ -221,7 +225,7 @@ class _Connection(asyncio.Protocol):
                 self._transport.resume_reading()
 
     def _show(self, answer: Response, jpeg: bytes) -> None:
-        """One picture of a stream; the next is asked for a moment later, or when the client has taken this one."""
+        """Sends one frame of a stream. Requests the next one after 0.1 s, or once the client has read this one."""
         self._deadline.cancel()
         if not self._is_stream:
             self._is_stream = True
@@ -238,7 +242,7 @@ class _Connection(asyncio.Protocol):
             self._ask()
 
     def _next_request(self) -> tuple[Request | None, bool]:
-        """A whole request, and whether it is the last; None while its end has not come.
+        """Returns a complete request, and whether the connection closes after it; None while it is incomplete.
 
         Raises PinelError `bridge_request_wrong`, `bridge_too_large`.
         """
@@ -259,13 +263,13 @@ class _Connection(asyncio.Protocol):
         return Request(method, target, headers, body, self._client), is_last
 
     def _send_continue(self, headers: dict[str, str]) -> None:
-        """Clients that send large bodies ask first whether they may."""
+        """Sends `100 Continue` to a client that waits for it before it sends a large body."""
         if headers.get("expect", "").lower() == "100-continue" and not self._has_sent_continue:
             self._has_sent_continue = True
             self._transport.write(b"HTTP/1.1 100 Continue\r\n\r\n")
 
     def _refuse(self, error: PinelError) -> None:
-        """Answers a request that is not read to its end; what still comes of it is dropped."""
+        """Responds with an error to a request that is not read to its end; drops the rest of the request."""
         self._deadline.cancel()
         self._is_leaving = True
         self._buffer.clear()
@@ -279,11 +283,11 @@ class _Connection(asyncio.Protocol):
         self._transport.write(_encoded(answer, self._is_last))
         if self._is_last:
             self._transport.close()
-        self._begin_request()  # a client that does not take its answer meets the deadline too
+        self._begin_request()  # the deadline also ends a client that does not read its response
 
 
 def _parsed(head: bytes) -> tuple[str, str, str, dict[str, str]]:
-    """Method, target, version and headers. Raises PinelError `bridge_request_wrong`."""
+    """Returns method, target, version and headers. Raises PinelError `bridge_request_wrong`."""
     first, *lines = head.decode("latin-1").split("\r\n")
     parts = first.split(" ")
     if len(parts) != 3 or parts[2] not in ("HTTP/1.0", "HTTP/1.1") or parts[1][:1] != "/":
@@ -300,7 +304,7 @@ def _parsed(head: bytes) -> tuple[str, str, str, dict[str, str]]:
 
 
 def _length(headers: dict[str, str], max_bytes: int) -> int:
-    """Bytes of the body. Raises PinelError `bridge_request_wrong`, `bridge_too_large`."""
+    """Returns the size of the body in bytes. Raises PinelError `bridge_request_wrong`, `bridge_too_large`."""
     if "transfer-encoding" in headers:
         raise PinelError("bridge_request_wrong", detail="Transfer-Encoding")
     text = headers.get("content-length", "0")
@@ -336,7 +340,7 @@ def _part(jpeg: bytes) -> bytes:
 
 
 def _enable_keepalive(connected: socket.socket) -> None:
-    """Notices within seconds that the client is out of reach: a robot drives as long as it is there."""
+    """Enables TCP keepalive, which detects an unreachable client within seconds: the robot must then stop."""
     connected.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
     for name, value in (("TCP_KEEPIDLE", 2), ("TCP_KEEPINTVL", 1), ("TCP_KEEPCNT", 3)):
         if hasattr(socket, name):
@@ -349,10 +353,10 @@ def _listening(host: str, port: int) -> socket.socket:
             host, port, type=socket.SOCK_STREAM
         )[0]
         listener = socket.socket(family, kind, protocol)
-    except (OSError, UnicodeError) as error:  # a name that leads nowhere, or is none
+    except (OSError, UnicodeError) as error:  # unknown or invalid host name
         raise _cannot_listen(host, port, error) from error
     try:
-        if sys.platform == "win32":  # where SO_REUSEADDR lets another program take over the port
+        if sys.platform == "win32":  # there SO_REUSEADDR lets another program bind the port, too
             listener.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
         else:
             listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -1,4 +1,4 @@
-"""Requests that another process answers: a question as a message, its answer as another."""
+"""HTTP requests that await the response of another process, to which they are sent as messages."""
 
 import base64
 import itertools
@@ -14,15 +14,16 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.links.bridge.routes import Request, Response, refusal
 
 Message = dict[str, Any]
-# of one path: who watches pictures keeps nobody from a call
+# A limit per path, so that viewers of the camera's stream do not block other routes.
 MAX_PENDING_PER_PATH = 4
-# A process that says nothing for so long hangs, or is frozen; it says once a second that it works on an answer.
+# A process without a message for this time hangs. While it works on a response, it sends a
+# keepalive once a second.
 HANG_TIMEOUT_S = 5.0
 _CHECK_S = 0.5
 
 
 class _PendingRequest(NamedTuple):
-    """A question that nobody has answered yet, and when it came."""
+    """A request without a response, and its arrival time (monotonic clock)."""
 
     response: Future[Response]
     path: str
@@ -30,11 +31,11 @@ class _PendingRequest(NamedTuple):
 
 
 class PendingRequests:
-    """All questions that are open. `submit` never waits for the pipe.
+    """All pending requests. `submit` never waits for the pipe.
 
     Args:
-        send: hands a message to the process, on a thread of this class; may wait.
-        hang_timeout_s: how long the process may say nothing while a question is open.
+        send: sends a message to the process, on a thread of this class; may wait.
+        hang_timeout_s: longest time without a message of the process while a request is pending.
     """
 
     def __init__(
@@ -53,14 +54,19 @@ class PendingRequests:
     def submit(
         self, request: Request, batch: int | None = None, of_page: bool = False
     ) -> "Future[Response]":
-        """The answer to come; cancelling it withdraws the question. Further arguments as `StandingBridge` has them."""
+        """Sends a request to the process and returns the future of its response; cancelling it withdraws the request.
+
+        Args:
+            batch: number of the page's batch; None outside a batch.
+            of_page: whether a web page sent the request.
+        """
         answer: Future[Response] = Future()
         path = request.target.partition("?")[0]
         with self._lock:
             if [one.path for one in self._open.values()].count(path) >= MAX_PENDING_PER_PATH:
                 answer.set_result(refusal(PinelError("bridge_too_many", max=MAX_PENDING_PER_PATH)))
                 return answer
-            # of no engine before this one
+            # unique also among the engines before this one
             number = f"{os.getpid()}-{next(self._numbers)}"
             self._open[number] = _PendingRequest(answer, path, time.monotonic())
         answer.add_done_callback(lambda done: self._withdraw(number) if done.cancelled() else None)
@@ -70,7 +76,7 @@ class PendingRequests:
                 "question": number,
                 "method": request.method,
                 "path": path,
-                # one and the same for all pictures of a stream
+                # the same for all frames of a stream
                 "request": f"{os.getpid()}-{request.number}",
                 "batch": batch,
                 "of_page": of_page,
@@ -80,15 +86,15 @@ class PendingRequests:
         return answer
 
     def notify(self, message: Message) -> None:
-        """Sends the process a message that it does not answer."""
+        """Sends the process a message without a response."""
         self._outbox.put(message)
 
     def record_keepalive(self) -> None:
-        """The process is there."""
+        """Records that the process is alive."""
         self._last_message_s = time.monotonic()
 
     def settle(self, message: Mapping[str, Any]) -> None:
-        """The answer to a question; nothing for one that was withdrawn."""
+        """Handles the response to a request; ignores the response to a withdrawn request."""
         self.record_keepalive()
         jpeg = message.get("jpeg")
         picture = None if jpeg is None else base64.b64decode(jpeg)
@@ -96,7 +102,7 @@ class PendingRequests:
         self._settle(message["question"], answer)
 
     def close(self) -> None:
-        """Asks no more."""
+        """Ends the threads; no further request is sent."""
         self._closing.set()
         self._outbox.put(None)
 
@@ -116,10 +122,10 @@ class PendingRequests:
             try:
                 self._send(message)
             except OSError:
-                return  # the process is gone, and this one ends soon
+                return  # the process has exited, and this one will exit soon
 
     def _watch(self) -> None:
-        """Ends questions to a process that hangs."""
+        """Refuses pending requests while the process hangs."""
         while not self._closing.wait(_CHECK_S):
             since_s = time.monotonic() - self._hang_timeout_s
             if self._last_message_s > since_s:

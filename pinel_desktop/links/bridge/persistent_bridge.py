@@ -1,6 +1,6 @@
-"""A bridge that listens as long as its owner wants, also while no run drives a robot over it.
+"""A bridge that outlives runs: it listens from `start` to `close`, also while no run drives a robot.
 
-It answers `/bridge/*` by itself, and hands further routes on to somebody else.
+It responds to `/bridge/*` itself, and delegates further routes to another process.
 """
 
 import threading
@@ -34,10 +34,11 @@ _lock = threading.Lock()
 
 @dataclass(frozen=True, slots=True)
 class DelegatedRoute:
-    """A route that somebody else answers.
+    """A route to whose requests another process responds.
 
     Attributes:
-        max_body: bytes of the largest body.
+        method: the HTTP method.
+        max_body: maximum size of a body, in bytes.
     """
 
     method: str
@@ -45,7 +46,7 @@ class DelegatedRoute:
 
 
 class _Idle:
-    """What the client of the bridge is told while no run drives: to stand still, and that nothing is active."""
+    """Handler of the robot's requests while no run drives: zero velocity, and `active` false."""
 
     def velocity(self, client: str) -> dict[str, Any]:
         return {"linear_x": 0.0, "angular_z": 0.0, "ts": time.time()}
@@ -58,14 +59,14 @@ class _Idle:
 
 
 class PersistentBridge:
-    """Listens once constructed, answers after `start`.
+    """A bridge between runs. Listens once constructed, responds after `start`.
 
     Args:
-        delegated: the routes that `ask` answers.
-        ask: takes the request, the number of the page's batch (None between two), and whether a web page asks; called
-            on the listener's thread; must not wait. The future is cancelled when the client hangs up.
-        file_pages: as in `Callers`.
-        on_batch_end: as in `Batch`.
+        delegated: the routes that `ask` handles.
+        ask: receives the request, the number of the page's batch (None outside a batch), and whether a web page sent
+            it. Called on the server's thread; must not wait. Its future is cancelled if the client disconnects.
+        file_pages: as in `RequestGuard`.
+        on_batch_end: as `on_end` in `Batch`.
 
     Raises:
         PinelError: `bridge_port_busy`, `bridge_address_wrong`.
@@ -89,27 +90,27 @@ class PersistentBridge:
         self.port = self._server.port
 
     def start(self) -> None:
-        """From now on the transports of runs at this address use it."""
+        """Starts to respond; from now on runs with this address use this bridge."""
         self._server.start()
         with _lock:
             _bridges[self.port] = self
 
     def close(self) -> None:
-        """Closes all connections."""
+        """Stops listening and closes all connections."""
         with _lock:
             _bridges.pop(self.port, None)
         self._server.close()
 
     def serves(self, record: BridgeProfile) -> bool:
-        """Whether it listens where the record says."""
+        """Returns whether the bridge listens at the address of the profile."""
         return record.port == self.port and self._host in (record.host, *_EVERYWHERE)
 
     def attach(self, handler: BridgeHandler) -> None:
-        """`/bridge/*` is a run's until `detach`."""
+        """Passes requests to `/bridge/*` to the handler of a run, until `detach`."""
         self._routes.conversation = handler
 
     def detach(self, handler: BridgeHandler) -> None:
-        """The run that attached this drives no more."""
+        """Removes the handler of a run that has ended."""
         if self._routes.conversation is handler:
             self._routes.conversation = self._idle
 
@@ -128,14 +129,14 @@ class PersistentBridge:
 
 
 def find_persistent_bridge(record: BridgeProfile) -> PersistentBridge | None:
-    """The bridge of this process that listens where the record says; None where none does."""
+    """Returns the bridge of this process that listens at the address of the profile; None without one."""
     with _lock:
         bridge = _bridges.get(record.port)
     return bridge if bridge and bridge.serves(record) else None
 
 
 def _when_done(asked: "Future[Response]", headers: Mapping[str, str]) -> "Future[Response]":
-    """The answer with more headers; cancelling it cancels what was asked."""
+    """Returns a future of the response with additional headers; cancelling it cancels `asked`."""
     response: Future[Response] = Future()
 
     def settle(answer: "Future[Response]") -> None:

@@ -1,4 +1,4 @@
-"""Who may ask: the key, the address that was meant, and which web pages."""
+"""Admission of HTTP requests: key, Host header (DNS rebinding) and origin of web pages (CORS)."""
 
 import hmac
 import ipaddress
@@ -11,15 +11,16 @@ from pinel_desktop.robot.robot_profile import BridgeProfile
 
 KEY_HEADER = "x-pinel-key"
 _OWN_FETCHES = ("", "none", "same-origin")
-# the Origin of a page that was opened as a file, and of one in a sandboxed frame: no header tells them apart
+# Origin of a page opened as a file, and of a page in a sandboxed frame; no header distinguishes
+# them.
 _NO_ORIGIN = ("null", "")
 
 
 class RequestGuard:
-    """Judges requests by their headers, for the record's address and key.
+    """Admits or refuses requests by their headers, for the address and the key of a profile.
 
     Args:
-        file_pages: whether pages without an origin are answered without a key: those opened as a file.
+        file_pages: whether pages without an origin, which were opened as a file, are admitted without a key.
     """
 
     def __init__(self, record: BridgeProfile, *, file_pages: bool = False) -> None:
@@ -29,13 +30,13 @@ class RequestGuard:
         self._names = {"localhost", record.host.lower(), *_names_of_this_pc()}
 
     def page_origin(self, headers: Mapping[str, str], *, for_robots: bool = False) -> str | None:
-        """The origin of a web page that may read the response; None for a program.
+        """Returns the origin of a web page that may read the response; None for a program that is no page.
 
-        Without a key, pages of this PC only: all others could be anybody's, opened in a browser of this PC. With one
-        any page, since it has to know the key.
+        If the profile has a key, any page is admitted, because it must send the key. Without a key, only pages of this
+        PC are admitted: a page of any other site could be open in a browser of this PC.
 
         Args:
-            for_robots: the route is that of a robot: pages need a key or `file_pages`.
+            for_robots: whether the route is for robots; pages then need a key or `file_pages`.
 
         Raises:
             PinelError: `bridge_page_foreign`, `bridge_origin_wrong` for a robot's route, `bridge_host_wrong`.
@@ -51,7 +52,7 @@ class RequestGuard:
         return headers.get("origin")
 
     def require_key(self, headers: Mapping[str, str], query: str) -> None:
-        """Raises PinelError `bridge_key_wrong`."""
+        """Checks the key in header or query. Raises PinelError `bridge_key_wrong`."""
         if not self.has_key:
             return
         given = headers.get(KEY_HEADER, "").encode("latin-1") or _key_in(query)
@@ -59,7 +60,7 @@ class RequestGuard:
             raise PinelError("bridge_key_wrong")
 
     def _admits(self, origin: str, headers: Mapping[str, str], *, for_robots: bool) -> bool:
-        """Whether a page of that origin may ask; the key is required later."""
+        """Returns whether a page of that origin is admitted; `require_key` checks the key later."""
         if self.has_key:
             return True
         if self.file_pages and origin in _NO_ORIGIN:
@@ -68,7 +69,10 @@ class RequestGuard:
         return is_open and self._is_of_this_pc(origin, headers)
 
     def _require_own_name(self, headers: Mapping[str, str]) -> None:
-        """Refuses a name that somebody else leads here (DNS rebinding); with a key a tunnel's name is as good."""
+        """Refuses foreign host names (DNS rebinding). With a key all names are allowed, such as the name of a tunnel.
+
+        Raises PinelError `bridge_host_wrong`.
+        """
         if self.has_key:
             return
         host = headers.get("host", "")
@@ -83,10 +87,11 @@ class RequestGuard:
 
 
 def _may_be_a_file(headers: Mapping[str, str]) -> bool:
-    """Whether a page that was opened as a file sends such a request without an origin.
+    """Returns whether a request without an origin may come from a page that was opened as a file.
 
-    Such a page asks by `fetch`, whose preflight the browser obeys, or shows a picture. A form or a link of another site
-    comes as a navigation or without CORS; a site of the internet may be named as such in the preflight.
+    A file page sends requests with `fetch`, for which the browser obeys the preflight, or loads an image. A form or a
+    link of another site sends a navigation, or a request without CORS. If a preflight has the header for private
+    networks, the page is from the internet.
     """
     if headers.get("access-control-request-private-network") == "true":
         return False
@@ -95,7 +100,7 @@ def _may_be_a_file(headers: Mapping[str, str]) -> bool:
 
 
 def _origin_of(address: str) -> str:
-    """Scheme, host and port of a URL; "" for none."""
+    """Returns scheme, host and port of a URL; "" without a scheme."""
     scheme, mark, rest = address.partition("://")
     return f"{scheme}{mark}{rest.partition('/')[0]}" if mark else ""
 
@@ -105,7 +110,7 @@ def _key_in(query: str) -> bytes:
 
 
 def _name_in(host: str) -> str:
-    """The name of a Host header, without its port; "" for none."""
+    """Returns the host name of a Host header, without its port; "" without a valid one."""
     try:
         return (urlsplit(f"//{host}").hostname or "").lower()
     except ValueError:

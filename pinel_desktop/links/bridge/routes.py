@@ -1,4 +1,4 @@
-"""Which requests of the bridge are answered, and how: pure but for the exchange behind them."""
+"""Routes of the bridge: admits requests, dispatches them to handlers, and builds the responses."""
 
 import contextlib
 import json
@@ -31,10 +31,10 @@ STATUS = {
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """A request as it came. `headers` have names in lower case; `client` is the sender's IP address.
+    """An unchecked HTTP request. Names of `headers` are in lower case; `client` is the sender's IP address.
 
     Attributes:
-        number: of this request alone; a stream makes the same request again and again.
+        number: unique number of the request; all frames of a stream belong to the same request.
     """
 
     method: str
@@ -47,10 +47,10 @@ class Request:
 
 @dataclass(frozen=True, slots=True)
 class Response:
-    """Status, JSON document (None for an empty body), and more headers than those that every answer has.
+    """An HTTP response: status, JSON document (None for an empty body), and additional headers.
 
     Attributes:
-        jpeg: a picture of a stream in place of the document; the same request is then made again for the next one.
+        jpeg: a frame of a stream, in place of the document. The server then repeats the request for the next frame.
     """
 
     status: int
@@ -60,7 +60,7 @@ class Response:
 
 
 class BridgeHandler(Protocol):
-    """What the client of the bridge is told, and what becomes of what it tells: `exchange.Exchange`."""
+    """Handler of the robot's requests: `BridgeSession` during a run, else `persistent_bridge._Idle`."""
 
     def velocity(self, client: str) -> dict[str, Any]: ...
 
@@ -73,7 +73,7 @@ class Batch:
     """The flag that a block page sets before its first command and clears after its last one.
 
     Args:
-        on_end: called each time it is cleared; must not wait.
+        on_end: called at each clearing; must not wait.
     """
 
     def __init__(self, on_end: Callable[[], None]) -> None:
@@ -83,7 +83,7 @@ class Batch:
 
     @property
     def number(self) -> int | None:
-        """Which batch it is; None between two of them."""
+        """Number of the current batch; None outside a batch."""
         return self._number if self._is_on else None
 
     def begin(self) -> dict[str, Any]:
@@ -99,10 +99,11 @@ class Batch:
 
 @dataclass(frozen=True, slots=True)
 class Door:
-    """Who may ask for a route, and how.
+    """Access rule of a route.
 
     Attributes:
-        for_robots: it is the route of a robot; web pages of this PC are not robots.
+        method: the HTTP method.
+        for_robots: whether only robots may use it, and no web page of this PC.
     """
 
     method: str
@@ -110,10 +111,10 @@ class Door:
 
 
 class Routes:
-    """Answers requests to `/bridge/*`.
+    """Responds to requests to `/bridge/*`.
 
     Attributes:
-        conversation: who answers the robot; another one with each run.
+        conversation: handler of the robot's requests; replaced for each run.
         batch: the flag of a block page.
     """
 
@@ -135,11 +136,15 @@ class Routes:
         self._doors = {path: door for path, (door, _) in self._routes.items()}
 
     def add(self, doors: Mapping[str, Door]) -> None:
-        """Lets `enter` decide about further routes, which somebody else answers."""
+        """Adds access rules of further routes, to whose requests another process responds."""
         self._doors |= doors
 
     def enter(self, request: Request) -> tuple[Response | None, dict[str, str]]:
-        """What is answered at the door, None for who may enter; and the headers that let a web page read the answer."""
+        """Decides whether a request is admitted.
+
+        Returns:
+            The final response, or None if the request is admitted; and the CORS headers for its response.
+        """
         path, _, query = request.target.partition("?")
         door = self._doors.get(path)
         try:
@@ -162,12 +167,12 @@ class Routes:
         return None, shared
 
     def respond(self, request: Request) -> Response:
-        """The answer to any request; what is wrong with it is said in words."""
+        """Returns the response to any request; a refused one gets a message with its remedy."""
         refused, shared = self.enter(request)
         return refused or with_headers(self.reply(request), shared)
 
     def reply(self, request: Request) -> Response:
-        """The answer to a request to `/bridge/*` that may enter."""
+        """Returns the response to an admitted request to `/bridge/*`."""
         _, handle = self._routes[request.target.partition("?")[0]]
         try:
             return Response(200, handle(request))
@@ -181,20 +186,21 @@ class Routes:
         try:
             document = _document(request.body)
         except PinelError:
-            # counts as an impossible pose: the link names a robot that posts nothing else
+            # Counts as an invalid pose, for the link's error about a robot that posts no valid
+            # pose.
             with contextlib.suppress(PinelError):
                 self.conversation.handle_pose(request.client, None)
             raise
         return self.conversation.handle_pose(request.client, document)
 
     def _status(self, request: Request) -> dict[str, Any]:
-        """Active while a run holds the robot, and in a batch of the page: a robot side leaves when it is not."""
+        """Returns `active`: a run drives the robot, or the page has an open batch. Clients exit once it is false."""
         status = self.conversation.status()
         return {"active": status["active"] or self.batch.number is not None}
 
 
 def refusal(error: PinelError) -> Response:
-    """The answer that says what is wrong, in the language of the PC."""
+    """Returns the response for an error: code, message and remedy, in the language of the PC."""
     explanation = explain(error)
     document = {
         "error": {
@@ -209,17 +215,17 @@ def refusal(error: PinelError) -> Response:
 
 
 def with_headers(answer: Response, headers: Mapping[str, str]) -> Response:
-    """The answer with more headers."""
+    """Returns the response with additional headers."""
     return Response(answer.status, answer.document, {**answer.headers, **headers}, answer.jpeg)
 
 
 def _cors_headers(origin: str | None) -> dict[str, str]:
-    """Lets a web page of that origin read the answer."""
+    """Returns the CORS headers with which a web page of that origin may read the response; {} without an origin."""
     return {"Access-Control-Allow-Origin": origin, "Vary": "Origin"} if origin else {}
 
 
 def _preflight(method: str) -> dict[str, str]:
-    """What a browser asks before it sends a page's request."""
+    """Returns the headers of the response to a CORS preflight."""
     return {
         "Access-Control-Allow-Methods": method,
         "Access-Control-Allow-Headers": "Content-Type, X-PINEL-Key",
@@ -232,7 +238,7 @@ def _plain(value: object) -> object:
 
 
 def _document(body: bytes) -> Any:
-    """The body as JSON without NaN and Infinity, which JSON does not have. Raises PinelError `bridge_json_invalid`."""
+    """Parses the body as strict JSON, without NaN and Infinity. Raises PinelError `bridge_json_invalid`."""
     try:
         return json.loads(body, parse_constant=_no_number)
     except (ValueError, RecursionError) as error:

@@ -1,4 +1,4 @@
-"""The bridge as the transport of a real robot."""
+"""The HTTP bridge as the transport of a real robot."""
 
 import time
 from typing import Any
@@ -15,17 +15,18 @@ from pinel_desktop.robot import Sensors, SimulationConfig, Twist2D
 from pinel_desktop.robot.robot_profile import BridgeProfile, RobotProfile
 
 _POLL_S = 0.05
-# For the client to hear the end: it asks 30 times a second, some while they draw three times only.
+# Time in which the client receives the last zeros and the end. A client polls 30 times a second,
+# some only three times while they draw.
 _FAREWELL_S = 1.0
 
 
 class BridgeTransport:
-    """Listens while it is open, or uses the bridge that stands at its address.
+    """Listens while it is open, or uses the persistent bridge at its address.
 
-    The client comes to PINEL, so opening waits for it, as long as the record says.
+    The client connects to PINEL. Therefore `open` waits for its first request, at most `wait_s` of the profile.
 
     Attributes:
-        port: where it listens; that of the record unless that is 0, which chooses a free one.
+        port: port on which it listens; a free one if the profile's port is 0.
     """
 
     def __init__(self, record: BridgeProfile) -> None:
@@ -47,11 +48,11 @@ class BridgeTransport:
                 raise PinelError("bridge_no_client", host=record.url_host, port=self.port)
 
     def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        """Takes poses and hands out zeros; a client that comes later is heard, too."""
+        """Receives poses and sends zeros; does not wait for the client."""
         self._serve(BridgeSession(receiver))
 
     def _serve(self, session: BridgeSession) -> None:
-        """Answers clients from now on."""
+        """Starts to respond to clients with this session."""
         self._active_session, self._persistent_bridge = (
             session,
             find_persistent_bridge(self._profile),
@@ -83,5 +84,8 @@ class BridgeTransport:
 def bridge_link(
     *, world: Any, setting: SimulationConfig, seed: int, robot: RobotProfile | None
 ) -> RealLink:
-    """A link that waits for the client of the bridge. Raises PinelError `robot_not_set_up`."""
+    """Returns a link that waits for the client of the bridge.
+
+    Raises PinelError `robot_not_set_up` without a profile.
+    """
     return real_link(BridgeTransport, setting, robot)

@@ -1,4 +1,4 @@
-"""Who else drives the robot, as the graph of its DDS domain tells it."""
+"""Detects other programs that drive the robot, by the endpoints in its DDS domain."""
 
 import uuid
 
@@ -8,7 +8,7 @@ from pinel_desktop.links.ros2.node.drivers import WITHDRAWS_S, Claim, drivers
 
 
 class CommandClaim(Claim[Participant]):
-    """Watches the publishers of a command topic other than this PC's own."""
+    """Watches the publishers of a command topic, except this PC's own publisher."""
 
     def __init__(self, graph: Graph, topic: str, odometry_topic: str) -> None:
         super().__init__()

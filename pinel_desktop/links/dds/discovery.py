@@ -1,4 +1,4 @@
-"""The robots of a domain: whoever listens to velocities and tells where it is."""
+"""Discovers the robots of a DDS domain: participants that subscribe to velocities and publish odometry."""
 
 import time
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from pinel_desktop.links.dds.session import Session
 from pinel_desktop.links.dds.transport import addresses
 from pinel_desktop.robot.robot_profile import RosProfile
 
-# Fast DDS is heard within 1.1 s, and what is behind Wi-Fi later.
+# Discovery of Fast DDS takes up to 1.1 s, and longer over Wi-Fi.
 _LISTENING_S = 2.5
 _COMMANDS = frozenset(map(type_name, COMMANDS))
 _POSES = frozenset(map(type_name, POSES))
@@ -19,12 +19,12 @@ _POSES = frozenset(map(type_name, POSES))
 
 @dataclass(frozen=True, slots=True)
 class DiscoveredRobot:
-    """A robot as its topics show it.
+    """A robot that was found by its topics.
 
     Attributes:
-        namespace: what stands before the names of both topics; empty for none.
-        command_topic, odometry_topic: names without it.
-        holder: who drives it now; None for nobody.
+        namespace: common namespace of both topics; empty for none.
+        command_topic, odometry_topic: names without the namespace.
+        holder: name of the program that drives the robot now; None without one.
     """
 
     namespace: str
@@ -34,7 +34,7 @@ class DiscoveredRobot:
 
 
 def discover_robots(record: RosProfile) -> list[DiscoveredRobot]:
-    """Listens in the record's domain for a moment; publishes nothing.
+    """Listens in the profile's domain for 2.5 s and returns the robots; publishes nothing.
 
     Raises PinelError `network_missing`, `peer_unknown`.
     """
@@ -43,7 +43,7 @@ def discover_robots(record: RosProfile) -> list[DiscoveredRobot]:
         graph = Graph(session)
         due_s = time.monotonic() + _LISTENING_S
         while time.monotonic() < due_s:
-            graph.publishers(), graph.subscribers()  # what has come must be taken for more to come
+            graph.publishers(), graph.subscribers()  # empties the readers for further samples
             time.sleep(0.1)
         return _robots(graph)
     finally:
@@ -64,7 +64,10 @@ def _robots(graph: Graph) -> list[DiscoveredRobot]:
 
 
 def _pose_of(listens: Endpoint, poses: list[Endpoint]) -> Endpoint | None:
-    """Where the robot tells its pose: in its namespace, if it can be by the same program, else by the usual name."""
+    """Returns the robot's odometry publisher: one in the namespace of its command topic.
+
+    Prefers a publisher of the same participant, then the usual topic name.
+    """
 
     def rank(pose: Endpoint) -> tuple[bool, bool, str]:
         is_other = pose.participant != listens.participant

@@ -1,4 +1,4 @@
-"""Finds a robot by the topics of its record, and says what was found instead."""
+"""Searches a robot by the topics of its profile. Without success, reports the topics that were found instead."""
 
 from collections.abc import Callable, Iterable
 
@@ -16,17 +16,17 @@ from pinel_desktop.links.dds.messages import (
 )
 from pinel_desktop.robot.robot_profile import DdsProfile
 
-# In the order of preference where a robot takes or gives both.
+# In order of preference, if a robot offers both.
 COMMANDS: tuple[type[IdlStruct], ...] = (Twist, TwistStamped)
 POSES: tuple[type[IdlStruct], ...] = (Odometry, PoseStamped)
 _MAX_LISTED = 5
 
 
 class EndpointSearch:
-    """Looks for a subscriber of the command topic and a publisher of the odometry topic.
+    """Searches a subscriber of the command topic and a publisher of the odometry topic.
 
     Attributes:
-        command_type, odometry_type: the types that the robot has chosen; None until it is found.
+        command_type, odometry_type: message types that the robot uses; None until they are found.
     """
 
     def __init__(self, graph: Graph, record: DdsProfile) -> None:
@@ -38,14 +38,16 @@ class EndpointSearch:
         self.odometry_type: type[IdlStruct] | None = None
 
     def is_complete(self) -> bool:
-        """Looks once more."""
+        """Polls the graph once; returns whether both endpoints are there."""
         self.command_type = _first(COMMANDS, self._graph.subscribers(self._command_topic))
         self.odometry_type = _first(POSES, self._graph.publishers(self._odometry_topic))
         return self.command_type is not None and self.odometry_type is not None
 
     def problem(self) -> PinelError:
-        """What is missing: `robot_not_found`, `robot_elsewhere`, `robot_wrong_type`, `odometry_not_found`,
-        `odometry_elsewhere`."""
+        """Returns the error about the missing endpoint.
+
+        Codes: `robot_not_found`, `robot_elsewhere`, `robot_wrong_type`, `odometry_not_found`, `odometry_elsewhere`.
+        """
         if self.command_type is None:
             return self._missing("robot", self._command_topic, COMMANDS, self._graph.subscribers)
         return self._missing("odometry", self._odometry_topic, POSES, self._graph.publishers)

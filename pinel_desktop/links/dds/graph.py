@@ -1,4 +1,4 @@
-"""Who publishes and subscribes what in a domain, from DDS's built-in topics."""
+"""Publishers and subscribers in a DDS domain (the ROS graph), read from DDS's built-in topics."""
 
 import re
 import uuid
@@ -25,13 +25,15 @@ _PINEL = re.compile(r"pinel=([^;/]*)/(\d+)/([0-9a-f]+);")
 
 @dataclass(frozen=True, slots=True)
 class Endpoint:
-    """A publisher or subscriber of a topic of ROS.
+    """A publisher or subscriber of a ROS topic.
 
     Attributes:
-        topic: full name, without the first slash.
-        type_name: as on the network.
-        user_data: what it tells of itself, such as a type hash.
-        is_transient_local: it hears only publishers that keep their last message for it.
+        topic: full name, without the leading slash.
+        type_name: name of the message type on the network.
+        participant: id of the participant to which the endpoint belongs.
+        user_data: USER_DATA of the endpoint, such as a type hash.
+        is_transient_local: whether its durability is transient-local; such a subscriber matches only transient-local
+            publishers.
     """
 
     topic: str
@@ -46,9 +48,9 @@ class Participant:
     """A program in the domain.
 
     Attributes:
-        name: of its PC as far as it is told, else its identifier.
-        is_pinel: it is a PINEL.
-        has_exited: it is a PINEL of this PC whose process has ended; DDS notices after ten seconds only.
+        name: name of its PC if known, else its identifier.
+        is_pinel: whether the program is a PINEL.
+        has_exited: whether it is a PINEL of this PC whose process has ended; DDS detects that only after 10 s.
     """
 
     name: str
@@ -57,7 +59,7 @@ class Participant:
 
 
 class Graph:
-    """The endpoints in a session's domain, its own ones left out. Used on one thread at a time."""
+    """The endpoints in a session's domain, except the session's own. Not thread-safe."""
 
     def __init__(self, session: Session) -> None:
         participant = session.participant
@@ -67,15 +69,15 @@ class Graph:
         self._subscriptions = _Collected(participant, BuiltinTopicDcpsSubscription)
 
     def publishers(self, topic: str = "") -> list[Endpoint]:
-        """Who publishes `topic`, or any topic of ROS."""
+        """Returns the publishers of `topic`; without one, the publishers of all ROS topics."""
         return list(self._endpoints(self._publications, topic))
 
     def subscribers(self, topic: str = "") -> list[Endpoint]:
-        """Who subscribes to `topic`, or to any topic of ROS."""
+        """Returns the subscribers of `topic`; without one, the subscribers of all ROS topics."""
         return list(self._endpoints(self._subscriptions, topic))
 
     def participant(self, key: uuid.UUID) -> Participant:
-        """Who an endpoint belongs to."""
+        """Returns the participant with that id."""
         found = self._participants.now().get(key)
         qos = found.qos if found is not None else Qos()
         pinel = _PINEL.search(_user_data(qos))
@@ -99,7 +101,7 @@ class Graph:
 
 
 class _Collected:
-    """What a built-in topic has told, by key."""
+    """The instances of a built-in topic in state `Alive`, by key."""
 
     def __init__(self, participant: DomainParticipant, topic: BuiltinTopic) -> None:
         self._reader = BuiltinDataReader(participant, topic)
@@ -124,6 +126,6 @@ def _is_transient_local(qos: Qos) -> bool:
 
 
 def _host(qos: Qos) -> str:
-    """Name of the PC, which participants of Cyclone DDS tell."""
+    """Returns the name of the participant's PC, which only Cyclone DDS publishes; else ""."""
     properties = {policy.key: policy.value for policy in qos if isinstance(policy, Policy.Property)}
     return str(properties.get("__Hostname", ""))

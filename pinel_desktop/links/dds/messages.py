@@ -1,6 +1,6 @@
-"""Messages of ROS 2 as DDS types: names, fields and their order are those of ROS, which robots compare.
+"""Messages of ROS 2 as DDS types, with the names, fields and field order of ROS, which robots compare.
 
-Importing this module loads the DDS library; only an opened link of a robot does.
+Importing this module loads the DDS library. Therefore only an open link to a robot imports it.
 """
 
 from collections.abc import Sequence
@@ -150,7 +150,7 @@ class Range(IdlStruct, typename="sensor_msgs::msg::dds_::Range_"):
 @dataclass
 @final
 class RangeBeforeIron(IdlStruct, typename="sensor_msgs::msg::dds_::Range_"):
-    """`Range` of Foxy and Humble, without the variance."""
+    """`Range` of the ROS releases before Iron (Foxy, Humble), without the variance."""
 
     header: Header = field(default_factory=Header)
     radiation_type: uint8 = 0
@@ -196,7 +196,8 @@ class BatteryState(IdlStruct, typename="sensor_msgs::msg::dds_::BatteryState_"):
     serial_number: str = ""
 
 
-# Type hashes of REP 2016, as a robot of Iron and later compares them. Earlier ones have none.
+# Type hashes of REP 2016, which robots with ROS 2 Iron or later compare. Earlier releases have
+# none.
 TYPE_HASHES: dict[type[IdlStruct], str] = {
     Bool: "RIHS01_feb91e995ff9ebd09c0cb3d2aed18b11077585839fb5db80193b62d74528f6c9",
     PoseStamped: "RIHS01_10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8",
@@ -211,11 +212,11 @@ TYPE_HASHES: dict[type[IdlStruct], str] = {
 
 
 def type_name(message: type[IdlStruct]) -> str:
-    """Name of a message's type on the network."""
+    """Returns the name of a message type on the network."""
     name: str = message.__idl_typename__
     return name
 
 
 def ros_name(type_name: str) -> str:
-    """A type's name as ROS writes it: `geometry_msgs/msg/Twist`."""
+    """Returns the name of a message type as ROS writes it: `geometry_msgs/msg/Twist`."""
     return type_name.replace("::dds_::", "::").removesuffix("_").replace("::", "/")

@@ -1,4 +1,4 @@
-"""Receives what a robot publishes, on a thread of its own, and watches who else drives it."""
+"""Subscribes to a robot's topics and receives their messages on its own thread."""
 
 import logging
 import math
@@ -23,7 +23,7 @@ from pinel_desktop.links.transport import Odometry, Receiver
 from pinel_desktop.robot import Twist2D
 
 _WATCHED_EACH_S = 0.2
-# At most so often a topic is read; of a flood the newest message counts.
+# Minimum time between two reads of a topic. Of faster messages only the newest counts.
 _MIN_INTERVAL_S = 0.005
 _NEW = SampleState.NotRead | ViewState.Any | InstanceState.Any
 _AT_ONCE = 4
@@ -34,18 +34,18 @@ Handler = Callable[[Any], None]
 
 
 class RobotClock:
-    """The robot's own time, told from the stamps of its odometry: a robot passes over commands that look old."""
+    """Estimates the robot's clock from the stamps of its odometry, because a robot ignores commands with old stamps."""
 
     def __init__(self) -> None:
-        self._ahead_s: float | None = None  # of this PC's monotonic clock
+        self._ahead_s: float | None = None  # robot's clock minus this PC's monotonic clock
 
     def set(self, stamp_s: float | None) -> None:
-        """A message of `stamp_s` has just come; None for one without a time."""
+        """Records the stamp of a message that has just arrived; None for a message without a stamp."""
         if stamp_s is not None and math.isfinite(stamp_s):
             self._ahead_s = stamp_s - time.monotonic()
 
     def now(self) -> messages.Time:
-        """Zero before the first message: robots take it for their present."""
+        """Returns the robot's time; zero before the first message, which robots treat as now."""
         if self._ahead_s is None:
             return messages.Time()
         now_s = max(0.0, time.monotonic() + self._ahead_s)
@@ -54,13 +54,13 @@ class RobotClock:
 
 
 class RobotSubscriber:
-    """Hands a robot's messages to its link and its sensors.
+    """Receives a robot's messages and passes them to its link and its sensors.
 
     Args:
-        watch: called five times a second on this thread; what it raises stops the robot.
+        watch: called five times a second on the receiving thread; a PinelError that it raises stops the robot.
 
     Attributes:
-        last_pose_s: when the newest message about its pose came (monotonic); None before the first.
+        last_pose_s: arrival time of the newest odometry message (monotonic clock); None before the first.
     """
 
     def __init__(
@@ -90,13 +90,13 @@ class RobotSubscriber:
         delete(self._waitset)
 
     def stamped(self, twist: Twist2D) -> messages.TwistStamped:
-        """A command with the robot's own time."""
+        """Returns a command message with a stamp by the robot's clock."""
         header = messages.Header(self._clock.now(), "base_link")
         linear, angular = messages.Vector3(x=twist.v_mps), messages.Vector3(z=twist.omega_radps)
         return messages.TwistStamped(header, messages.Twist(linear, angular))
 
     def subscribe(self, topic: str, message: type[IdlStruct]) -> None:
-        """Begins to receive a topic; before `start`, or in `watch`."""
+        """Subscribes to a topic. Allowed before `start` and within `watch`."""
         reader = self._session.reader(topic, message)
         condition = ReadCondition(reader, _NEW)
         self._waitset.attach(condition)
@@ -105,7 +105,7 @@ class RobotSubscriber:
             self._sensors.offer(_OFFERED[message])
 
     def withdraw(self, message: type[IdlStruct]) -> None:
-        """The robot publishes messages of this type no more: what the last one told counts no longer."""
+        """Discards the last reading of a message type that the robot does not publish any more."""
         if message in _OFFERED:
             self._sensors.withdraw(_OFFERED[message])
         else:
@@ -124,7 +124,7 @@ class RobotSubscriber:
             self._ending.wait(max(0.0, _MIN_INTERVAL_S - (time.monotonic() - started_s)))
 
     def _guarded(self, act: Callable[[], None]) -> None:
-        """A PinelError stops the robot; a message that cannot be read is passed over."""
+        """Calls `act`. A PinelError stops the robot; any other error skips the message, and the first is logged."""
         try:
             act()
         except PinelError as problem:

@@ -1,4 +1,4 @@
-"""This PC's part in a DDS domain: its configuration, its readers and writers as ROS expects them."""
+"""A DDS participant of this PC: its configuration, and readers and writers with the QoS that ROS expects."""
 
 import itertools
 import os
@@ -20,32 +20,33 @@ from cyclonedds.util import duration
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.dds.messages import TYPE_HASHES, Range, RangeBeforeIron
 
-# What ROS puts before the name of a topic.
+# ROS's prefix of topic names in DDS.
 TOPIC_PREFIX = "rt/"
-# Participants that a PC may have: their ports are tried at each peer's address.
+# Maximum number of participants per PC. Discovery tries the ports of all of them at each peer.
 _MAX_PARTICIPANTS = 60
-_DISCOVERY_PORT = 7400  # of domain 0; any port tells the way to a peer
+_DISCOVERY_PORT = 7400  # of domain 0; the route to a peer is the same for any port
 
-# A process may have a domain only once; on the network these are all the domain of their record.
+# Cyclone DDS allows a domain number only once per process. Each session therefore has an internal
+# number; on the network it uses the domain of its profile (`ExternalDomainId`).
 _own_numbers = itertools.count(1000)
 
 _XCDR1 = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
-# A robot with a ring of sonars tells all of them at once on one topic.
+# A robot with a ring of sonars publishes all of their readings at once on one topic.
 _SONARS = 32
-# Of a velocity that is older than this, a robot that comes late must not hear.
+# A robot that connects late must not receive a velocity older than this.
 _FRESH = duration(milliseconds=300)
 _TRANSIENT_LOCAL = (Policy.Durability.TransientLocal, Policy.Lifespan(_FRESH))
 _E = TypeVar("_E", bound=Entity)
 
 
 class Session:
-    """One participant in a domain; made connected, closed once.
+    """One participant in a DDS domain. The constructor connects it.
 
     Args:
-        peers: numeric addresses of the robot; then nothing is sent to others, and no multicast.
+        peers: numeric addresses of the robot. If given, the session sends to these addresses only, without multicast.
 
     Raises:
-        PinelError: `network_missing` where this PC has no network that DDS can use.
+        PinelError: `network_missing` if this PC has no network that DDS can use.
     """
 
     def __init__(self, domain: int, peers: Sequence[str] = ()) -> None:
@@ -62,17 +63,18 @@ class Session:
     def writer(
         self, topic: str, message: type[IdlStruct], *, is_transient_local: bool = False
     ) -> "DataWriter[Any]":
-        """A writer that no peer can hold up.
+        """Returns a writer that no peer can block for more than 10 ms.
 
         Args:
-            is_transient_local: readers that ask for the last message hear it, too; a late one gets it while fresh.
+            is_transient_local: whether the writer matches transient-local readers. A reader that connects late then
+                receives the last message, unless the message has expired.
         """
         reliable = Policy.Reliability.Reliable(duration(milliseconds=10))
         qos = _endpoint_qos(message, reliable, *(_TRANSIENT_LOCAL if is_transient_local else ()))
         return self._register(DataWriter(self.participant, self._topic(topic, message), qos=qos))
 
     def reader(self, topic: str, message: type[IdlStruct]) -> "DataReader[Any]":
-        """A reader of the newest message; it matches reliable and other writers."""
+        """Returns a reader of the newest message; it matches reliable and best-effort writers."""
         depth = _SONARS if message in {Range, RangeBeforeIron} else 1
         qos = _endpoint_qos(message, Policy.Reliability.BestEffort, depth=depth)
         return self._register(DataReader(self.participant, self._topic(topic, message), qos=qos))
@@ -92,22 +94,25 @@ class Session:
 
 
 def delete(entity: Entity) -> None:
-    """Ends an entity now: the library itself only does it when nothing refers to it. Safe to call twice."""
+    """Deletes an entity now; safe to call twice.
+
+    Without this call, the library deletes an entity only once nothing refers to it.
+    """
     entity.__del__()
 
 
 def own_user_data() -> bytes:
-    """What other PCs read about this participant: the context of ROS, this PC's name, process and machine."""
+    """Returns the USER_DATA of this participant: ROS enclave, this PC's name, process id and machine id."""
     return f"enclave=/;pinel={platform.node() or 'PC'}/{os.getpid()}/{this_machine()};".encode()
 
 
 def this_machine() -> str:
-    """Tells PCs apart that share their name, as those that were set up from one image do."""
+    """Returns an id of this PC, because PCs set up from one disk image share their name."""
     return f"{uuid.getnode():x}"
 
 
 def configuration(domain: int, peers: Sequence[str]) -> str:
-    """Cyclone DDS's configuration for a domain; environment variables play no part."""
+    """Returns the configuration of Cyclone DDS for a domain; environment variables have no effect on it."""
     here = _address_towards(peers[0]) if peers else ""
     interface = f"<Interfaces><NetworkInterface address={quoteattr(here)}/></Interfaces>"
     addresses = "".join(f"<Peer address={quoteattr(peer)}/>" for peer in peers)
@@ -125,7 +130,10 @@ def configuration(domain: int, peers: Sequence[str]) -> str:
 
 
 def _address_towards(peer: str) -> str:
-    """This PC's own address on the way to a peer; empty if there is no way. Sends nothing."""
+    """Returns this PC's own address on the route to a peer; sends nothing.
+
+    Raises PinelError `network_missing` without a route.
+    """
     family = socket.AF_INET6 if ":" in peer else socket.AF_INET
     try:
         with socket.socket(family, socket.SOCK_DGRAM) as probe:
@@ -142,5 +150,8 @@ def _endpoint_qos(message: type[IdlStruct], *policies: Any, depth: int = 1) -> Q
 
 
 def range_type(user_data: str) -> type[IdlStruct]:
-    """Which `Range` a robot publishes: robots that tell no type hash are older than the variance in it."""
+    """Returns the `Range` type that a robot publishes.
+
+    Releases of ROS without type hashes also lack the field `variance`.
+    """
     return Range if TYPE_HASHES[Range] in user_data else RangeBeforeIron

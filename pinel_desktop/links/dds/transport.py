@@ -1,4 +1,4 @@
-"""Carries velocities to a robot of ROS 2 and its messages back, over DDS."""
+"""DDS transport: carries velocities to a ROS 2 robot and its messages back."""
 
 import math
 import socket
@@ -31,7 +31,7 @@ _POLL_S = 0.05
 
 
 class DdsTransport:
-    """A robot in a DDS domain, as its record names it."""
+    """The connection with one robot in a DDS domain."""
 
     def __init__(self, record: DdsProfile, robot: RobotModel) -> None:
         self._profile = record
@@ -65,7 +65,8 @@ class DdsTransport:
         self._subscriber = subscriber = self._receive(session, graph, search, receiver, watch)
         assert search.command_type is not None
         self._message = subscriber.stamped if search.command_type is TwistStamped else _plain
-        # offered only to a robot that hears nobody else: to others nothing is said again
+        # Transient-local only if the robot requires it: others must not receive an old velocity
+        # again.
         asks_for_last = any(
             listener.is_transient_local for listener in graph.subscribers(self._command_topic)
         )
@@ -94,7 +95,7 @@ class DdsTransport:
         self._subscriber.start()
 
     def _found(self, cancelled: Cancelled) -> tuple[Session, Graph, EndpointSearch] | None:
-        """Looks for the robot; None where it was cancelled."""
+        """Searches the robot; returns None if the search was cancelled."""
         peers = addresses(self._profile.peers, cancelled)
         if cancelled():
             return None
@@ -124,7 +125,7 @@ class DdsTransport:
             self._session.close()
 
     def _send_last_zeros(self) -> None:
-        """Sends more zeros for a while where the robot is silent."""
+        """If the robot's odometry has stopped, sends zeros for up to `LAST_S`, in case the robot returns."""
         due_s = time.monotonic() + LAST_S
         while self._is_lost() and time.monotonic() < due_s:
             self.send(STANDSTILL)
@@ -146,7 +147,7 @@ class DdsTransport:
         receiver: Receiver,
         watch: Callable[[], None],
     ) -> RobotSubscriber:
-        """Receives, once started, odometry and whatever sensors the robot comes to publish."""
+        """Returns a subscriber, not yet started, to the odometry and to all sensors, also to later ones."""
         found = _Sensors(graph, self._profile)
 
         def poll() -> None:
@@ -162,7 +163,7 @@ class DdsTransport:
         return subscriber
 
     def _is_matched(self) -> bool:
-        """Sends zeros until the robot hears them: the first ones of a new publisher are lost on their way."""
+        """Sends zeros and returns whether the robot is matched; messages before the matching are lost."""
         self.send(STANDSTILL)
         return self._has_subscriber()
 
@@ -170,7 +171,7 @@ class DdsTransport:
         return bool(self._writer and self._writer.get_matched_subscriptions())
 
     def _require_subscriber(self) -> None:
-        """Raises PinelError `robot_deaf` when nobody takes the commands any more."""
+        """Raises PinelError `robot_deaf` if the command topic has had no subscriber for `UNMATCHED_TIMEOUT_S`."""
         if not self._is_open or self._has_subscriber():
             self._unmatched_since_s = None
             return
@@ -184,7 +185,7 @@ class DdsTransport:
 
 
 class _Sensors:
-    """The topics of a record's sensors, as the robot comes to publish them."""
+    """The sensor topics of a profile; finds each topic once the robot publishes it."""
 
     def __init__(self, graph: Graph, record: DdsProfile) -> None:
         self._graph = graph
@@ -199,7 +200,7 @@ class _Sensors:
         self._found: dict[str, type[IdlStruct]] = {}
 
     def new(self) -> list[tuple[str, type[IdlStruct]]]:
-        """Topics and types that have been found since the last call."""
+        """Returns the topics and types that were found since the last call."""
         found: list[tuple[str, type[IdlStruct]]] = []
         for topic, kinds in tuple(self._waiting.items()):
             for publisher in self._graph.publishers(topic):
@@ -215,7 +216,7 @@ class _Sensors:
         return found
 
     def unpublished(self) -> list[type[IdlStruct]]:
-        """Types of the topics that were found, and that nobody publishes now."""
+        """Returns the types of found topics that have no publisher now."""
         return [kind for topic, kind in self._found.items() if not self._graph.publishers(topic)]
 
 
@@ -224,7 +225,7 @@ def _plain(twist: Twist2D) -> Twist:
 
 
 def _wait(condition: Callable[[], bool], cancelled: Cancelled, seconds: float) -> bool:
-    """Whether `condition` came true in time, and nobody cancelled."""
+    """Waits and returns whether `condition` became true in time, without a cancellation."""
     due_s = time.monotonic() + seconds
     while not cancelled():
         if condition():
@@ -236,7 +237,10 @@ def _wait(condition: Callable[[], bool], cancelled: Cancelled, seconds: float) -
 
 
 def addresses(peers: tuple[str, ...], cancelled: Cancelled) -> list[str]:
-    """Numeric addresses of peers. Raises PinelError `peer_unknown`. A slow name server holds up nobody."""
+    """Returns the numeric addresses of peers; waits at most 5 s for a name server.
+
+    Raises PinelError `peer_unknown`.
+    """
     found: dict[str, str] = {}
 
     def resolve() -> None:
@@ -258,6 +262,6 @@ def addresses(peers: tuple[str, ...], cancelled: Cancelled) -> list[str]:
 def dds_link(
     *, world: Any, setting: SimulationConfig, seed: int, robot: RobotProfile | None = None
 ) -> RealLink:
-    """A robot of ROS 2 as a robot link. Raises PinelError `robot_not_set_up`."""
+    """Returns the link to a ROS 2 robot over DDS. Raises PinelError `robot_not_set_up` without a profile."""
     del world, seed
     return real_link(lambda record: DdsTransport(record, setting.robot), setting, robot)

@@ -1,1 +1,1 @@
-"""Robots of ROS 2, by the ROS that is installed on this PC."""
+"""ROS 2 robots, over a node that runs in the ROS installed on this PC."""

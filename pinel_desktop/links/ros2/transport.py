@@ -1,4 +1,4 @@
-"""A robot of ROS 2 over our node, which runs with the Python of an installed ROS (`node/node.py`)."""
+"""ROS 2 transport: talks over pipes to our node, which runs with the Python of an installed ROS (`node/node.py`)."""
 
 import contextlib
 import json
@@ -22,7 +22,7 @@ from pinel_desktop.links.transport import Cancelled, Odometry, Receiver
 from pinel_desktop.robot import RobotModel, Sensors, SimulationConfig, Twist2D
 from pinel_desktop.robot.robot_profile import RobotProfile, Ros2Profile
 
-# ROS itself starts in 1 to 2 s; finding the robot takes up to 5 s more
+# ROS starts in 1 to 2 s. The search for the robot takes up to 5 s more.
 _OPEN_S = 15.0
 _POLL_S = 0.05
 _END_S = 3.0
@@ -40,12 +40,12 @@ Message = dict[str, Any]
 def ros2_link(
     *, world: Any, setting: SimulationConfig, seed: int, robot: RobotProfile | None
 ) -> RealLink:
-    """The link to the robot of a `Ros2Record`."""
+    """Returns the link to the robot of a `Ros2Profile`. Raises PinelError `robot_not_set_up` without a profile."""
     return real_link(lambda record: Ros2Transport(record, setting.robot), setting, robot)
 
 
 class Ros2Transport:
-    """Talks to the node over pipes. Velocities are handed over without waiting: only the newest one counts."""
+    """The connection with one robot over the node's pipes. `send` never waits; only the newest velocity is queued."""
 
     def __init__(self, record: Ros2Profile, robot: RobotModel) -> None:
         self._sensors = RosSensors(robot)
@@ -90,7 +90,7 @@ class Ros2Transport:
         names = {name: str(getattr(record, name)) for name in _TOPICS}
         topics = {name: topic and record.name_of(topic) for name, topic in names.items()}
         holder = re.sub(r"[^A-Za-z0-9]", "_", platform.node()) or "pc"
-        # PCs that were set up from one image have one name, and count their processes alike
+        # PCs set up from one disk image share their name, and may have equal process ids.
         own = f"{holder}_{os.getpid()}_{secrets.token_hex(3)}"
         return {**topics, "domain": record.domain, "holder": own}
 
@@ -102,7 +102,8 @@ class Ros2Transport:
                 stdout=subprocess.PIPE,
                 text=True,
                 encoding="utf-8",
-                # a signal to the terminal's group ends PINEL first, which ends the node in order
+                # A signal to the terminal's process group must reach only PINEL, which ends the
+                # node.
                 start_new_session=True,
                 creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
             )
@@ -114,13 +115,13 @@ class Ros2Transport:
             try:
                 self._outbox.put_nowait(twist)
                 return
-            except queue.Full:  # the node has not taken the last one, which is stale now
+            except queue.Full:  # the node has not read the previous velocity, which is stale now
                 with contextlib.suppress(queue.Empty):
                     self._outbox.get_nowait()
 
     def _write(self, process: subprocess.Popen[str], receiver: Receiver) -> None:
         assert process.stdin is not None
-        with contextlib.suppress(OSError, ValueError):  # the node has ended; the reader tells
+        with contextlib.suppress(OSError, ValueError):  # the node has exited, which `_read` reports
             while (twist := self._outbox.get()) is not None:
                 process.stdin.write(json.dumps({"twist": list(twist)}) + "\n")
                 process.stdin.flush()
@@ -187,7 +188,7 @@ class Ros2Transport:
         with contextlib.suppress(queue.Empty):
             self._outbox.get_nowait()
         self._outbox.put(None)
-        if not self._has_started:  # nobody sees it yet, and the start of ROS would keep us waiting
+        if not self._has_started:  # not on the network yet, and ROS would delay its exit
             process.kill()
         try:
             process.wait(_END_S)

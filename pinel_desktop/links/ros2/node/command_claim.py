@@ -1,4 +1,4 @@
-"""Which other node drives the robot, as the graph of ROS tells it."""
+"""Detects other nodes that drive the robot, by the ROS graph."""
 
 import uuid
 from collections import namedtuple
@@ -6,46 +6,47 @@ from collections import namedtuple
 import rclpy
 from drivers import WITHDRAWS_S, Claim, drivers
 
-# A publisher may be known a little before its node.
+# Discovery may report a publisher this long before the name of its node.
 NAMED_S = 0.5
 PINEL = "pinel_"
 UNKNOWN = "_NODE_NAME_UNKNOWN_"
-# Of the identifier of an endpoint: what all those of a participant share, and all that DDS uses.
+# Bytes of an endpoint's GID: the common prefix of a participant's endpoints, and the length in DDS.
 PARTICIPANT_BYTES, IDENTIFIER_BYTES = 12, 16
-# Every node publishes it from its start.
+# Every node publishes this topic from its start.
 OF_EVERY_NODE = "/parameter_events"
 
 
 class RefusalError(Exception):
-    """Something that the app tells a person: a code and its parameters."""
+    """An error that the app reports to a person: a message code and its parameters."""
 
     def __init__(self, code, **params):
         super().__init__(code)
         self.code, self.params = code, params
 
 
-# A node of the domain. Two may have one name: their participants tell them apart.
+# A node of the domain. Two nodes may have the same name, so the participant distinguishes them.
 Who = namedtuple("Who", ["participant", "namespace", "name"])
 
 
 class CommandClaim(Claim):
-    """Watches the publishers of a command topic other than this node's own."""
+    """Watches the publishers of a command topic, except this node's own publisher."""
 
     def __init__(self, node, command_topic, odometry_topic):
         super().__init__()
         self._node = node
         self._command_topic, self._odometry_topic = command_topic, odometry_topic
-        # what Zenoh gives an endpoint tells nothing of its participant
+        # a GID of Zenoh does not contain the participant
         self._has_participants = "zenoh" not in rclpy.get_rmw_implementation_identifier()
-        # nobody else can have this node's name yet
+        # The name is unique, so all of these nodes are this one.
         own = self._nodes(node.get_publishers_info_by_topic(OF_EVERY_NODE))
         self._own = {who for who in own if who.name == node.get_name()}
-        self._is_nameless = False  # at the last look there was a node whose name is unknown
+        self._is_nameless = False  # whether the last poll found a node with an unknown name
 
     def holder(self):
-        """Name of another node that commands the robot, of one that cannot withdraw first; None without any.
+        """Returns the name of another node that commands the robot; None without one.
 
-        An identifier as of the direct connection where the node is unknown.
+        Of several, prefers a node that is no PINEL, because only PINEL nodes withdraw. If the node is unknown, returns
+        the identifier of its endpoint.
         """
         publishers = self._nodes(self._node.get_publishers_info_by_topic(self._command_topic))
         listeners = self._nodes(self._node.get_subscriptions_info_by_topic(self._command_topic))
@@ -65,7 +66,7 @@ class CommandClaim(Claim):
         return RefusalError("robot_held", topic=self._command_topic, holder=self.holder() or "?")
 
     def _nodes(self, endpoints):
-        """The nodes of endpoints, each with the identifier of one of these."""
+        """Returns the nodes of endpoints, each with the identifier of one of its endpoints."""
         return {self._node_of(endpoint): identifier(endpoint) for endpoint in endpoints}
 
     def _node_of(self, endpoint):
@@ -75,5 +76,5 @@ class CommandClaim(Claim):
 
 
 def identifier(endpoint):
-    """As DDS writes it: it names an endpoint whose node is unknown."""
+    """Returns an endpoint's identifier in the notation of DDS; it replaces an unknown node name."""
     return str(uuid.UUID(bytes=bytes(endpoint.endpoint_gid[:IDENTIFIER_BYTES])))

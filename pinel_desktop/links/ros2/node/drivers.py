@@ -1,4 +1,4 @@
-"""The rule of who commands a robot, the same for both ways to ROS 2. It works with Python 3.8, too."""
+"""Detection of other drivers of a robot, shared by the transports `dds` and `ros2`. Must work with Python 3.8."""
 
 from __future__ import annotations
 
@@ -7,41 +7,46 @@ from typing import AbstractSet, Generic, TypeVar  # noqa: UP035 - Python 3.8 has
 
 T = TypeVar("T")
 
-# Others in the domain have answered by then: they are known before the first command.
+# Discovery of other drivers takes up to this time. It therefore precedes the first command.
 _LISTENING_S = 1.0
-# Of it, after this PC shows that it drives: of two that begin together one sees the other. Looks, not time: what a PC
-# that stood still for a while saw last may be old.
+# Its last part follows the creation of this PC's publisher. If two PCs start together, at least one
+# of them then detects the other. That part ends after a number of polls, not after a time: after a
+# pause of this PC, its last poll may be outdated.
 _CLAIM_S, _CLAIM_POLLS = 0.3, 6
-# Another PINEL that comes later withdraws by itself before this.
+# Another PINEL that starts later withdraws by itself within this time.
 WITHDRAWS_S = 3.0
-# A robot whose program begins anew hears again within this time.
+# A robot whose program restarts subscribes again within this time.
 UNMATCHED_TIMEOUT_S = 1.0
-# A robot that reports nothing for longer than this may not hear, either,
+# A robot without odometry for this time may not receive commands either.
 LOST_TIMEOUT_S = 0.5
-# and one that comes back within this time after the last command still hears that it has to stand.
+# At the end, such a robot is sent zeros for this time, in case its connection returns.
 LAST_S = 1.5
 
 
 def drivers(publish: AbstractSet[T], listen: AbstractSet[T], report: AbstractSet[T]) -> set[T]:
-    """Those who command a robot, without the robot itself: a bridge to ROS 1 passes commands on both ways.
+    """Returns the participants that command a robot, without the robot itself.
 
-    Whoever both listens to commands and publishes them is the robot if it tells its odometry, too, or if nobody else
-    listens. Others that listen may be programs that drive, as some that show what they command.
+    A robot may publish on its own command topic, because a bridge to ROS 1 forwards commands in both directions. A
+    participant that subscribes to commands and publishes them is the robot in two cases: if it also publishes the
+    odometry, or if it is the only subscriber. Any other such participant may be a program that drives and displays
+    its own commands.
 
     Args:
-        publish: who publishes commands, the asking one left out.
-        listen: who listens to them.
-        report: who publishes the odometry.
+        publish: participants that publish commands, without the caller.
+        listen: participants that subscribe to commands.
+        report: participants that publish the odometry.
     """
     robots = listen & report or (listen if len(listen) == 1 else set())
     return set(publish - robots)
 
 
 class Claim(Generic[T]):
-    """Watches who else commands the robot: two publishers of one command topic would pull it to and fro.
+    """Claims the command topic for this PC, and watches for other publishers.
+
+    Two publishers of one command topic would drive the robot to and fro.
 
     Attributes:
-        is_disputed: somebody else was there at the last look; this PC sends zeros only.
+        is_disputed: whether the last poll found another publisher; this PC then sends zeros only.
     """
 
     def __init__(self) -> None:
@@ -51,37 +56,45 @@ class Claim(Generic[T]):
         self.is_disputed = False
 
     def holder(self) -> T | None:
-        """Somebody else who publishes commands now; the one that cannot withdraw first."""
+        """Returns another publisher of commands, preferably one that cannot withdraw; None without one."""
         raise NotImplementedError
 
     def withdraws_within_s(self, holder: T, *, is_newcomer: bool) -> float:
-        """How long is waited for somebody else to withdraw. `is_newcomer`: this PC drove before."""
+        """Returns how long to wait for the withdrawal of another publisher, in s.
+
+        Args:
+            holder: the other publisher.
+            is_newcomer: whether the other publisher started after this PC.
+        """
         raise NotImplementedError
 
     def problem(self) -> Exception:
-        """What is raised because of the holder."""
+        """Returns the error about the other publisher."""
         raise NotImplementedError
 
     def is_free(self) -> bool:
-        """Whether nobody has published for long enough to be sure."""
+        """Polls once; returns whether the topic has had no other publisher for long enough to be sure."""
         if self.holder() is not None:
             self._started_s = time.monotonic()
         return time.monotonic() - self._started_s >= _LISTENING_S - _CLAIM_S
 
     def announce(self) -> None:
-        """This PC publishes commands from now on."""
+        """Records that this PC has created its publisher."""
         self._started_s = time.monotonic()
 
     def check_claim(self) -> bool:
-        """Looks again; whether enough looks since `start` saw nobody else. Raises as `require_alone`."""
+        """Polls once; returns whether enough polls since `announce` found no other publisher.
+
+        Raises the errors of `require_alone`.
+        """
         self.require_alone()
         self._n_polls += 1
         return self._n_polls > _CLAIM_POLLS
 
     def require_alone(self) -> None:
-        """Raises `problem` when somebody else begins to drive, and does not withdraw.
+        """Polls once; raises `problem` if another publisher does not withdraw in time.
 
-        Until then the robot is disputed: the other one may believe as well that it was here first.
+        Until then the robot is disputed, because the other publisher may have started at the same time.
         """
         holder = self.holder()
         self.is_disputed = holder is not None

@@ -1,14 +1,14 @@
-"""What the app tells the node: lines on standard input, read by a thread of its own."""
+"""Reads the app's messages to the node: lines on standard input, on their own thread."""
 
 import os
 import threading
 
 
 class Inbox:
-    """Lines of the app, from the start of the process: who waits for something else hears when they end.
+    """Reads standard input from the start of the process, so that its end also aborts the search for the robot.
 
     Attributes:
-        ended: is set when the input has ended, or a line could not be followed.
+        ended: set once the input has ended, or `handler` has raised an error.
     """
 
     def __init__(self):
@@ -17,7 +17,7 @@ class Inbox:
         threading.Thread(target=self._work, daemon=True).start()
 
     def follow(self, handler):
-        """From here on each line goes to `handler`; what came before is stale."""
+        """Passes each line from now on to `handler`; earlier lines are dropped, because they are stale."""
         self._handler = handler
 
     def _work(self):
@@ -32,7 +32,7 @@ class Inbox:
 def _lines():
     rest = b""
     while True:
-        part = os.read(0, 65536)  # not over sys.stdin, whose lock would outlive this thread
+        part = os.read(0, 65536)  # not sys.stdin: this thread could hold its lock at the exit
         if not part:
             return
         *lines, rest = (rest + part).split(b"\n")

@@ -1,17 +1,24 @@
-"""A ROS 2 node that drives a robot for PINEL. Run by the Python of an installed ROS, which is not that of PINEL.
+"""A ROS 2 node that drives a robot for PINEL. It runs in the Python of an installed ROS, not in the Python of PINEL.
 
     python3 node.py CONFIGURATION
 
-CONFIGURATION is a JSON object: `command_topic`, `odometry_topic`, `scan_topic`, `sonar_topic`, `bumper_topic`,
-`battery_topic` (full names; "" for none), `domain`, `holder`, which is part of the name of the node, and `drives`:
-without it the node only listens.
-Standard input brings JSON lines `{"twist": [m/s, rad/s]}`; when it ends, or brings nothing for 0.3 s, the robot stands.
-It is read from the start: a node whose input ends while it searches ends at once.
-Standard output gives JSON lines, each with a `type`: `begun` (ROS is there), `ready`, `odometry`, `scan`, `range`,
-`points`, `bumper`, `battery`, `offered` and `gone` (a sensor), `problem` (code and params), or from a node that only
-listens `holder` (the name of the node that drives the robot, or null). An app that does not read them holds up nobody:
-of each kind the newest waits.
-It uses the standard library and rclpy only, and works with Python 3.8, that of Foxy.
+CONFIGURATION is a JSON object:
+
+- `command_topic`, `odometry_topic`, `scan_topic`, `sonar_topic`, `bumper_topic`, `battery_topic`: full topic names, or
+  "" for none;
+- `domain`: the ROS_DOMAIN_ID;
+- `holder`: part of the node's name;
+- `drives`: if false, the node only listens.
+
+Standard input has JSON lines `{"twist": [m/s, rad/s]}`. If no line arrives for 0.3 s, or at its end, the node sends
+zeros. If the input ends during the search for the robot, the node exits at once.
+
+Standard output has JSON lines, each with a `type`: `begun` (rclpy was imported), `ready`, `odometry`, `scan`, `range`,
+`points`, `bumper`, `battery`, `offered` and `gone` (with the name of a sensor), `problem` (with code and params). A
+node that only listens also writes `holder` (name of the node that drives the robot, or null). An app that does not
+read blocks nothing: of each type only the newest line is queued.
+
+The node uses only the standard library and rclpy. It must work with Python 3.8, the version of ROS 2 Foxy.
 """
 
 import json
@@ -43,7 +50,8 @@ ODOMETRIES = {"nav_msgs/msg/Odometry": Odometry, "geometry_msgs/msg/PoseStamped"
 NEWEST = QoSProfile(
     depth=1, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.RELIABLE
 )
-# for a robot that hears nobody else: a late one is told the last velocity, but none that has expired
+# For a robot that matches only transient-local publishers. If it connects late, it receives the
+# last velocity, unless that has expired.
 NEWEST_TRANSIENT_LOCAL = QoSProfile(
     depth=1,
     history=HistoryPolicy.KEEP_LAST,
@@ -55,18 +63,18 @@ NEWEST_TRANSIENT_LOCAL = QoSProfile(
 ANY = QoSProfile(
     depth=1, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.BEST_EFFORT
 )
-# a robot with a ring of sonars tells all of them at once on one topic
+# A robot with a ring of sonars publishes all of their readings at once on one topic.
 RING = QoSProfile(
     depth=32, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.BEST_EFFORT
 )
 
 
 class EndedError(Exception):
-    """The input has ended before the robot was found."""
+    """The input ended before the robot was found."""
 
 
 class RobotConnection:
-    """Publishers and subscriptions of one robot. What waits in it ends with the event `ended`."""
+    """Publishers and subscriptions of one robot. The event `ended` aborts every wait."""
 
     def __init__(self, node, configuration, outbox, ended):
         self._node, self._configuration, self._outbox = node, configuration, outbox
@@ -81,7 +89,7 @@ class RobotConnection:
         self._claim = CommandClaim(node, self._command_topic, self._odometry_topic)
 
     def open(self):
-        """Finds the robot's topics and connects with them. Raises RefusalError and EndedError."""
+        """Searches the robot's topics and connects with them. Raises RefusalError and EndedError."""
         if self._drives:
             self._wait(self._claim.is_free, self._claim.problem)
         self._type = self._found(
@@ -98,7 +106,7 @@ class RobotConnection:
             self._publish()
 
     def _publish(self):
-        """From here on others see who drives the robot."""
+        """Creates the publisher, which shows other programs that this node drives the robot."""
         topic = self._command_topic
         listeners = self._node.get_subscriptions_info_by_topic(topic)
         durabilities = {listener.qos_profile.durability for listener in listeners}
@@ -114,7 +122,7 @@ class RobotConnection:
         return self._publisher.get_subscription_count() > 0
 
     def _found(self, topic, known, endpoints):
-        """The message type that the robot uses on a topic."""
+        """Waits for a topic's endpoints and returns the message type that the robot uses."""
         self._wait(lambda: endpoints(topic), lambda: self._missing(topic))
         types = [endpoint.topic_type for endpoint in endpoints(topic)]
         for name in types:
@@ -125,7 +133,7 @@ class RobotConnection:
         )
 
     def _wait(self, is_there, problem):
-        """Until something is there. Raises what `problem` gives when it does not come."""
+        """Waits until `is_there` returns True. After `SEARCH_S` raises the error that `problem` returns."""
         due_s = time.monotonic() + SEARCH_S
         while not is_there():
             if time.monotonic() > due_s:
@@ -143,7 +151,7 @@ class RobotConnection:
             raise EndedError()
 
     def _require_subscriber(self):
-        """Raises RefusalError when nobody takes the commands any more."""
+        """Raises RefusalError if the command topic has had no subscriber for `UNMATCHED_TIMEOUT_S`."""
         if self._has_subscriber():
             self._unmatched_since_s = None
             return
@@ -153,7 +161,7 @@ class RobotConnection:
             raise self._unmatched_problem()
 
     def send(self, v, omega):
-        """Publishes a velocity, zeros where somebody else is there, nothing where the node only listens."""
+        """Publishes a velocity: zeros while another node also drives, nothing if this node only listens."""
         if self._publisher is None:
             return
         if self._claim.is_disputed:
@@ -167,7 +175,7 @@ class RobotConnection:
         self._publisher.publish(message)
 
     def send_last_zeros(self):
-        """Sends the last zeros, and goes on for a while where the robot is silent."""
+        """Sends the last zeros. If the odometry has stopped, continues for up to `LAST_S`."""
         due_s, n_sent = time.monotonic() + LAST_S, 0
         while n_sent < N_LAST_ZEROS or (self._is_lost() and time.monotonic() < due_s):
             self.send(0.0, 0.0)
@@ -179,13 +187,13 @@ class RobotConnection:
         return last_pose_s is not None and time.monotonic() - last_pose_s > LOST_TIMEOUT_S
 
     def handle_line(self, line):
-        """Follows a line of the app."""
+        """Sends the velocity of a line of the app."""
         v, omega = json.loads(line)["twist"]
         self._last_command_s = time.monotonic()
         self.send(v, omega)
 
     def watch(self):
-        """Until the end: stops a robot whose app is silent, tells of others that command it and of what vanishes."""
+        """Watches until the input ends: sends zeros once commands have expired, and polls the ROS graph."""
         checked_s = time.monotonic()
         while not self._ended.wait(POLL_S):
             now_s = time.monotonic()
@@ -208,7 +216,7 @@ class RobotConnection:
 
 
 class Sensors:
-    """Subscriptions to the sensors that the robot publishes, as it comes to publish them."""
+    """Subscriptions to the robot's sensors; subscribes to each topic once the robot publishes it."""
 
     KINDS = (
         ("scan_topic", "lidar", ("LaserScan",)),
@@ -227,7 +235,7 @@ class Sensors:
         self._found, self._withdrawn = {}, set()
 
     def poll(self):
-        """Subscribes to what is new, and tells what nobody publishes any more."""
+        """Subscribes to new sensor topics, and reports topics that have no publisher any more."""
         for row in list(self._waiting):
             topic, sensor, kinds = row
             kind = next((kind for kind in kinds if self._is_published(topic, kind)), None)
@@ -241,7 +249,7 @@ class Sensors:
                 self._withdrawn.discard(sensor)
             elif sensor not in self._withdrawn:
                 self._withdrawn.add(sensor)
-                self._outbox.drop(sensor)  # the level of a battery would come after this
+                self._outbox.drop(sensor)  # else a queued battery level would follow this line
                 self._outbox.put("gone", sensor, sensor=sensor)
 
     def _is_published(self, topic, kind):
@@ -256,15 +264,15 @@ class Sensors:
 
 
 def message_type(kind):
-    """None where this ROS has no such message any more."""
+    """Returns the class of a message; None if this ROS release does not have it any more."""
     return Bool if kind == "Bool" else getattr(sensor_msgs.msg, kind, None)
 
 
 class Messages:
-    """Turns messages of the robot into lines.
+    """Turns messages of the robot into lines for the app.
 
     Attributes:
-        last_pose_s: when the newest one about its pose came (monotonic); None before the first.
+        last_pose_s: arrival time of the newest odometry message (monotonic clock); None before the first.
     """
 
     def __init__(self, outbox):
@@ -319,7 +327,7 @@ def report_problem(outbox, refusal):
 
 
 def run(configuration, context, outbox, inbox):
-    """Drives until the input ends."""
+    """Runs the node until the input ends."""
     node = rclpy.create_node(PINEL + configuration["holder"], context=context)
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(node)
@@ -337,7 +345,7 @@ def run(configuration, context, outbox, inbox):
     except EndedError:
         pass  # nothing was sent to the robot
     finally:
-        # this order: without the join, the end of the context aborts the process
+        # The join must come first: without it, the shutdown of the context aborts the process.
         executor.shutdown()
         spinning.join()
         node.destroy_node()

@@ -1,4 +1,4 @@
-"""What the node tells the app: JSON lines on standard output (`node.py` names them)."""
+"""Writes the node's messages to the app: JSON lines on standard output (`node.py` lists their types)."""
 
 import json
 import math
@@ -6,15 +6,15 @@ import os
 import threading
 import time
 
-# s between two lines of a kind: what comes more often is thinned
+# minimum time in s between two lines of a kind; of more frequent lines only the newest is written
 PAUSES = {"odometry": 0.005, "scan": 0.1, "range": 0.1, "points": 0.1, "battery": 1.0}
 LEAVES_S = 1.0
 
 
 class Outbox:
-    """Lines for the app, written by a thread of its own: nobody waits for an app that does not read.
+    """Queue of lines, written by its own thread, so that an app that does not read blocks nobody.
 
-    Of each kind and key only the newest line waits.
+    Of each kind and key only the newest line is queued.
     """
 
     def __init__(self):
@@ -24,20 +24,20 @@ class Outbox:
         self._thread.start()
 
     def put(self, kind, key="", **fields):
-        """Hands a line over; never waits."""
+        """Queues a line; never waits."""
         with self._changed:
             self._waiting[kind, key] = {"type": kind, **fields}
             self._changed.notify()
 
     def drop(self, kind):
-        """Forgets what waits of a kind: it is true no more."""
+        """Removes the queued lines of a kind, because they are outdated."""
         with self._changed:
             self._waiting = {
                 which: line for which, line in self._waiting.items() if which[0] != kind
             }
 
     def close(self):
-        """Writes what waits, if the app reads it."""
+        """Writes the queued lines; gives up after `LEAVES_S` if the app does not read."""
         with self._changed:
             self._ending = True
             self._changed.notify()
@@ -50,13 +50,13 @@ class Outbox:
                 if not lines:
                     return
                 text = "".join(json.dumps(line) + "\n" for line in lines).encode()
-                while text:  # not over sys.stdout, whose lock would outlive this thread
+                while text:  # not sys.stdout: this thread could hold its lock at the exit
                     text = text[os.write(1, text) :]
         except OSError:
-            pass  # the app has gone: standard input ends, too
+            pass  # the app has exited: standard input ends, too
 
     def _due(self):
-        """The lines whose time has come; waits for some, empty at the end."""
+        """Waits for lines that are due and returns them; returns none at the end."""
         with self._changed:
             while True:
                 now_s = time.monotonic()
