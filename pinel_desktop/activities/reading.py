@@ -85,7 +85,7 @@ def _in(title: Mapping[str, str], language: str) -> str:
 
 
 def shipped_texts() -> list[str]:
-    """Returns names of shipped worlds and activities and all texts of these worlds; anonymous exports may contain them."""
+    """Returns names of shipped worlds and activities and all texts of these worlds; anonymous exports may have them."""
     return sorted({*_texts_in(list_worlds()), *activity_names()})
 
 
