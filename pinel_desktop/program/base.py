@@ -22,9 +22,8 @@ class _Dataclass(type):
         # `dataclass` would generate a long docstring; pydantic does not take this form for a description
         namespace.setdefault("__doc__", f"{name}()")
         made: Any = super().__new__(cls, name, bases, namespace)
-        if (
-            "__slots__" in namespace
-        ):  # `Model`, or the class that `dataclass` creates again with slots
+        # `Model`, or the class that `dataclass` creates again with slots
+        if "__slots__" in namespace:
             return made
         return dataclass(init=False, repr=False, eq=False, slots=True, kw_only=True)(made)
 
