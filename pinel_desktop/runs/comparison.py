@@ -208,9 +208,8 @@ def _wrong_events(
 
 
 def _is_same_event(was: Wire, now: Wire, limit: float, *, everything: bool) -> bool:
-    if (
-        limit and was["type"] == now["type"] == RunEnded.type
-    ):  # `_wrong_fields` compares the other fields
+    # `_wrong_fields` compares the other fields
+    if limit and was["type"] == now["type"] == RunEnded.type:
         return _same(was.get(_ADDED_METRIC), now.get(_ADDED_METRIC), _EQUAL_OVER_ALL_M)
     return _same(was, _comparable(was, now, everything=everything), limit)
 
