@@ -60,5 +60,5 @@ def _items(value: Any) -> Sequence[Mapping[str, Any]]:
 
 
 def nesting_of(commands: Sequence[Command]) -> int:
-    """Returns the greatest depth of loops in loops; 1 for a single loop."""
+    """Returns the maximum nesting depth of loops; 1 for a single loop."""
     return max((one.n_loops + 1 for one in commands if one.action in LOOPS), default=0)

@@ -189,7 +189,7 @@ def axes_of_symmetry(drawing: Points, tolerance: float) -> int:
     """Returns the number of mirror axes through the centroid; at most 180.
 
     Args:
-        tolerance: greatest distance of a mirrored point from the drawing, in r.m.s. radii.
+        tolerance: largest distance of a mirrored point from the drawing, in r.m.s. radii.
     """
     if not len(drawing):
         return 0

@@ -40,7 +40,7 @@ def example(name: str) -> Activity:
 def program_of_example(name: str, language: str) -> ParseResult:
     """Returns the program of an example.
 
-    The pupils' words in it are in the language if the example ships in it, else in Portuguese.
+    Its names and texts are in `language` if the example ships in that language, else in Portuguese.
     """
     folder = _CATALOGUE / name
     of_language = folder / f"program.{language}.py"

@@ -1,6 +1,6 @@
 """Base of a document's models: dataclasses with slots, validated by pydantic.
 
-Reading a long program takes a quarter less time than with `pydantic.BaseModel`, which keeps a dictionary and a set of
+Reading a long program takes a quarter less time than with `pydantic.BaseModel`, which stores a dictionary and a set of
 names for each command. pydantic builds the validators when the first document is read.
 """
 

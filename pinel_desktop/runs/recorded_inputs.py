@@ -22,7 +22,7 @@ class _Request(NamedTuple):
         event_index: index of the request among the recorded events; if it came together with an input, the input's
             index.
         at: the tick; for `hold`, the number of commands that had started.
-        when: state of the run at that tick. In all states but `running` robot time stood still: the run `awaited` a
+        when: state of the run at that tick. In all states but `running` robot time was stopped: the run `awaited` a
             person, a person had just `answered`, or the run was `paused`.
     """
 
@@ -156,7 +156,7 @@ class RecordedInputs:
 class _Recorded(Generic[T]):
     """Gives recorded inputs at their ticks.
 
-    If robot time stood still during the recorded wait, gives the input at once; otherwise after the recorded ticks.
+    If robot time was stopped during the recorded wait, gives the input at once; otherwise after the recorded ticks.
 
     Args:
         at_end: called with the question when no recorded input is left.
@@ -213,7 +213,7 @@ def _as_typed(value: object) -> str:
 
 
 class _RecordCursor:
-    """State of the recorded run at the current event, and whether robot time stood still.
+    """State of the recorded run at the current event, and whether robot time was stopped.
 
     Attributes:
         paused: whether the run was paused.

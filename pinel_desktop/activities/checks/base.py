@@ -110,8 +110,8 @@ class CheckBase(Model):
     Attributes:
         requires: data of the simulator that the check needs; None if the program, the run's events and the robot's
             own odometry suffice. Every kind declares it.
-        is_about_end: whether the check is about the end of the run. During a run it counts as met only after it did
-            not pass once, because the start may already satisfy it.
+        is_about_end: whether the check is about the end of the run. During a run such a check counts as
+            met only after it did not pass once, because the start may already satisfy it.
         form: fields of the teacher's form; None for a kind that the form does not offer.
         label: text in the check list; None for the criterion of the kind.
         check: name of the kind.
