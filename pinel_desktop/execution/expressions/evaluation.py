@@ -1,7 +1,7 @@
 """Evaluation of expressions while a program runs.
 
-An expression is compiled once per run. A short expression without calls becomes one function, which computes the value at
-once. Function calls may contain motion, and an expression may be a megabyte long: such expressions become
+An expression is compiled once per run. A short expression without calls becomes one function, which computes the
+value at once. Function calls may contain motion, and an expression may be a megabyte long: such expressions become
 generators, which yield `Invoke` and `Preempt`. Evaluated parts are counted in `n_evaluated` and are work like
 commands.
 """
