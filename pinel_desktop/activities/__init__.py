@@ -1,4 +1,4 @@
-"""Activities: missions as data, and the checks that tell whether a program passes."""
+"""Activities: missions as data, and the checks that decide whether a program passes."""
 
 from pinel_desktop.activities.batch import check_files
 from pinel_desktop.activities.checking import (

@@ -23,8 +23,9 @@ def check_files(
 ) -> Iterator[tuple[int, Report]]:
     """Checks program files (documents, bare lists, Python texts) in several processes.
 
-    Yields (index of the file, report) in order of completion. An error in one program, even the death of its process,
-    is in its report and does not affect the others. Closing the generator kills all processes.
+    Yields (index of the file, report) in order of completion. An error in one program, even a crash of its process,
+    appears in the program's report and does not affect the other programs. Closing the generator kills all
+    processes.
 
     Args:
         n_processes: number of processes; None is one per core.
@@ -46,7 +47,7 @@ def check_files(
 
 
 class _Workers:
-    """A pool of processes, each a fresh interpreter, which inherits no threads and files."""
+    """A pool of processes. Each one is a fresh interpreter, which inherits no threads or files."""
 
     def __init__(self, activity: Activity, files: Sequence[str], n_requested: int) -> None:
         self._activity, self._files = activity, files
@@ -100,11 +101,11 @@ class _Worker:
         return self._process.exitcode
 
     def begin(self, file: str) -> None:
-        with contextlib.suppress(OSError):  # the process has died: `report` will return None
+        with contextlib.suppress(OSError):  # the process has exited: `report` will return None
             self.connection.send(file)
 
     def report(self) -> Report | None:
-        """Waits for the report; None if the process has died."""
+        """Waits for the report; returns None if the process has exited."""
         try:
             report = self.connection.recv()
         except (EOFError, OSError):
@@ -120,7 +121,7 @@ class _Worker:
 
 @contextlib.contextmanager
 def _ignoring_interrupts() -> Iterator[None]:
-    """A process started in this context ignores Ctrl-C from its first moment; its parent ends it."""
+    """Makes a process that is started in this context ignore Ctrl-C from its start; its parent ends it."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -133,13 +134,13 @@ def _ignoring_interrupts() -> Iterator[None]:
 
 def _work(connection: Connection, activity: Activity) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    with contextlib.suppress(EOFError, OSError):  # the parent has ended
+    with contextlib.suppress(EOFError, OSError):  # the parent has exited
         while True:
             connection.send(_check_file(activity, connection.recv()))
 
 
 def _lost_process_report(file: str, exit_code: int | None) -> Report:
-    """The report of a program whose process has died, for example for lack of memory."""
+    """Returns the report of a program whose process has exited, for example for lack of memory."""
     return Report(file, (Fault("check_process_lost", params={"value": exit_code}),), ())
 
 

@@ -1,4 +1,4 @@
-"""Whether a program passes an activity: runs each case, or takes a recorded run of it, and evaluates every check."""
+"""Judges a program: runs each case of an activity, or uses a recorded run of the case, and evaluates every check."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -23,9 +23,10 @@ from pinel_desktop.runs.spec import INTERRUPTED_REASONS, RunSpec
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
 
-# busy loops of 10 s at rest, of 33 s of robot time in all; a program that passes an activity takes some thousand steps
+# a busy loop reaches these limits after 10 s of robot time at rest, and after 33 s in all; a
+# program that passes an activity takes some thousand steps
 STEP_LIMIT = StepLimit(at_rest=300_000, total=1_000_000)
-_REST_S = 1.0  # the robot may roll on for that long when it is stopped at the limit
+_REST_S = 1.0  # time in which the robot comes to rest after a stop at the time limit
 _NO_PARAMS: dict[str, Any] = {"check": True, "label": True, "checks": {"__all__": {"label"}}}
 
 
@@ -34,10 +35,10 @@ class CheckReport:
     """Result of one check.
 
     Attributes:
-        kind, params: the check.
+        kind, params: kind and parameters of the check.
         measured, target: in the unit of the check: m, degrees, s, a number or a name.
-        block, pointer: the block to look at, and the JSON pointer of its command; None where there is none.
-        words: what is said where it does not hold, by language.
+        block, pointer: id of the block to look at, and JSON pointer of its command; None without one.
+        words: message about a check that does not hold, by language.
     """
 
     kind: str
@@ -52,12 +53,12 @@ class CheckReport:
 
 @dataclass(frozen=True, slots=True)
 class CaseReport:
-    """One run of the program; `reason` is `too_long` if it took longer than the activity allows.
+    """Result of one run of the program; `reason` is `too_long` if the run exceeded the activity's time limit.
 
     Attributes:
         case: number of the case, from 1.
-        recorded: whether it is the run that the group saw, not one that was run for the checks.
-        advice: what is said about this run alone; None if it passes.
+        recorded: whether the group watched this run; other runs were executed for the checks.
+        advice: advice about this run alone; None if it passes.
     """
 
     state: str
@@ -90,7 +91,7 @@ class Report:
 
     @property
     def advice(self) -> Advice | None:
-        """The one thing to say: the first diagnosis that fits a run, else the first check that fails."""
+        """The only advice to show: the first diagnosis that fits a run, else the first check that fails."""
         found = [case.advice for case in self.cases if case.advice is not None]
         return min(found, key=_rank, default=None)
 
@@ -101,12 +102,12 @@ def _rank(advice: Advice) -> float:
 
 @dataclass(frozen=True, slots=True)
 class RecordedRun:
-    """A run that the group saw.
+    """A run that the group watched.
 
     Attributes:
-        log: all that it told.
-        case: number of the case that it is, from 1.
-        tolerance: how exactly its robot drives; None for the simulator's.
+        log: all events of the run.
+        case: number of the run's case, from 1.
+        tolerance: tolerance for a real robot; None for the simulator.
     """
 
     log: RunLog
@@ -120,8 +121,8 @@ def check_program(
     """Runs a program in each case of the activity.
 
     Args:
-        program: its name in the report.
-        recorded: a run of one of the cases, which is judged instead of running that case.
+        program: name of the program in the report.
+        recorded: a recorded run of one case, which is judged instead of a new run of that case.
 
     Raises:
         PinelError: `unknown_robot`, or what `world_of` raises.
@@ -138,12 +139,12 @@ def check_program(
             judge_run(activity, number, document, log, recorded=is_recorded, tolerance=tolerance)
         )
         if reports[-1].reason == "too_busy":
-            break  # nor would it end in the other cases
+            break  # the program would not end in the other cases either
     return Report(program, (), tuple(reports))
 
 
 def spec_of(activity: Activity, case: Case, reading: ParseResult) -> RunSpec:
-    """The run of a program without faults in a case. Raises what `world_of` raises."""
+    """Returns the spec of a program without faults in a case. Raises what `world_of` raises."""
     assert reading.program is not None
     assert reading.document is not None
     return RunSpec(
@@ -157,7 +158,7 @@ def spec_of(activity: Activity, case: Case, reading: ParseResult) -> RunSpec:
 
 
 def run_case(activity: Activity, case: Case, reading: ParseResult) -> RunLog:
-    """Runs a program without faults in a case, until the activity's limit of time. Raises what `world_of` raises."""
+    """Runs a program without faults in a case, until the activity's time limit. Raises what `world_of` raises."""
     writer, control = RunLogBuilder(), RunControl()
     last_tick = round(activity.limit_s * TICK_HZ)
 
@@ -171,7 +172,10 @@ def run_case(activity: Activity, case: Case, reading: ParseResult) -> RunLog:
 
 
 def evaluate(check: Check, evidence: Evidence, tolerance: RealRobotTolerance | None) -> CheckResult:
-    """The result, of a real robot with a tolerance that it can meet; what is missing is told of the check itself."""
+    """Evaluates a check, for a real robot with `tolerance`.
+
+    If the check does not pass even so, returns the result of the check without tolerance.
+    """
     if tolerance is not None:
         result = check.with_tolerance(tolerance).evaluate(evidence)
         if result.passed:
@@ -188,13 +192,13 @@ def judge_run(
     recorded: bool = False,
     tolerance: RealRobotTolerance | None = None,
 ) -> CaseReport:
-    """Judges one run of a program, executed just now or long ago.
+    """Judges one run of a program, new or recorded.
 
     Args:
-        number: the case, from 1.
+        number: number of the case, from 1.
         document: the program in its normal form.
-        recorded: whether it is a run that the group saw.
-        tolerance: of a run on a real robot.
+        recorded: whether the group watched the run.
+        tolerance: tolerance for a real robot; None for the simulator.
 
     Raises:
         PinelError: what `world_of` raises.
@@ -221,9 +225,10 @@ def judge_run(
 
 
 def in_time(log: RunLog, activity: Activity, tolerance: RealRobotTolerance | None) -> RunLog:
-    """The log of a run that took too long, whoever stopped it or will stop it, ends as a failure.
+    """Returns the log. If the run exceeded the activity's time limit, its end becomes the failure `too_long`.
 
-    A real robot, which has a tolerance, has no limit of time: its speed is limited for people's safety.
+    A run that somebody stopped after the limit fails, too, and so does a live run beyond the limit. A run on a real
+    robot, which has a tolerance, has no time limit: its speed is limited for people's safety.
     """
     limit_s = activity.limit_s
     duration_s = (len(log.poses) - 1) / TICK_HZ
@@ -257,11 +262,12 @@ def _advice(
     evidence: Evidence,
     reports: tuple[CheckReport, ...],
 ) -> Advice | None:
-    """What is said about a run: the first diagnosis that fits, else the words of the first check that fails."""
+    """Returns the first diagnosis that fits a run, else the message of the first check that fails."""
     failed = next((report for report in reports if not report.holds), None)
     if failed is None:
         return None
-    if evidence.log.ended.get("reason") in INTERRUPTED_REASONS:  # nothing to learn of the program
+    # the program did not cause such an end
+    if evidence.log.ended.get("reason") in INTERRUPTED_REASONS:
         return Advice(texts_of(str(evidence.log.ended["reason"]), {}, None), None, None)
     facts = Facts(evidence, activity.cases[number - 1], number, checks)
     for index, diagnosis in enumerate(activity.diagnoses):

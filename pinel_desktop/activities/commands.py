@@ -1,4 +1,4 @@
-"""The commands of a program document, with their places."""
+"""The commands of a program document, each with its JSON pointer and its depth in loops."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,9 +16,9 @@ class Command:
     """One command of a document.
 
     Attributes:
-        pointer: its JSON pointer.
+        pointer: JSON pointer of the command.
         data: the command itself.
-        n_loops: how many loops it stands in.
+        n_loops: number of loops around the command.
     """
 
     pointer: str
@@ -31,13 +31,13 @@ class Command:
 
     @property
     def block(self) -> str | None:
-        """Id of its block; None for a program without blocks."""
+        """Id of the command's block; None for a program without blocks."""
         block = self.data.get("block")
         return block if isinstance(block, str) else None
 
 
 def commands_of(document: Mapping[str, Any]) -> tuple[Command, ...]:
-    """All commands of a document in their order, those of its functions last."""
+    """Returns all commands of a document in order, commands of functions last."""
     found = list(_in_list(document.get("commands"), "/commands", 0))
     for i, function in enumerate(_items(document.get("functions"))):
         found += _in_list(function.get("commands"), f"/functions/{i}/commands", 0)
@@ -60,5 +60,5 @@ def _items(value: Any) -> Sequence[Mapping[str, Any]]:
 
 
 def nesting_of(commands: Sequence[Command]) -> int:
-    """How many loops stand in each other at most."""
+    """Returns the maximum nesting depth of loops; 1 for a single loop."""
     return max((one.n_loops + 1 for one in commands if one.action in LOOPS), default=0)

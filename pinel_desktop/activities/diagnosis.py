@@ -1,4 +1,4 @@
-"""Facts of a run, and the first diagnosis of an activity that fits them."""
+"""Diagnoses a run that does not pass: computes facts of the run, and finds the activity's first diagnosis that fits."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -28,12 +28,12 @@ _ROUNDING = {"m": 0.005, "deg": 0.5, "s": 0.05}
 
 @dataclass(frozen=True, slots=True)
 class Advice:
-    """What a group is told about a run that does not pass: one thing, with the block to look at.
+    """Advice to a group about a run that does not pass: one message, with the block to look at.
 
     Attributes:
-        words: by language.
-        block, pointer: id of the block and JSON pointer of its command; None where there is none.
-        diagnosis: place of the diagnosis in the activity; None for the words of a check.
+        words: the message by language.
+        block, pointer: id of the block and JSON pointer of its command; None without one.
+        diagnosis: index of the diagnosis in the activity; None for the message of a check.
     """
 
     words: TextByLanguage
@@ -43,7 +43,7 @@ class Advice:
 
 
 class Facts:
-    """The facts of one run by their names, each worked out when it is first asked for."""
+    """The facts of one run by name; each is computed on first access."""
 
     def __init__(
         self, evidence: Evidence, case: Case, number: int, checks: Sequence[CheckBase]
@@ -65,11 +65,11 @@ class Facts:
         return _FACTS[name](self) if name in _FACTS else None
 
     def input(self) -> str:
-        """What the case gives to the program."""
+        """Returns the inputs that the case gives to the program."""
         return ", ".join([*self._case.gestures, *self._case.answers])
 
     def to_goal_m(self) -> float | None:
-        """Distance at the end from the place where the run should end."""
+        """Returns the distance (m) of the end from the goal; None if no check has such a goal."""
         x, y, _ = self._evidence.end
         for check in self._checks:
             if isinstance(check, EndsAt):
@@ -81,7 +81,7 @@ class Facts:
         return None
 
     def stopped_motion(self) -> StartedCommand | None:
-        """The motion that did not come to its goal, else the one that touched something."""
+        """Returns the motion that did not reach its goal, else the motion that touched something."""
         running, tick = self._evidence.running, self._evidence.touch_tick
         if running is not None and running.amount is not None:
             return running
@@ -101,12 +101,12 @@ class Facts:
 
     @cached_property
     def drawn(self) -> tuple[Fit, str] | None:
-        """The fit of the nearest template, and its name."""
+        """The fit to the nearest template, and the template's name."""
         return self._nearest(mirrored=False)
 
     @cached_property
     def drawn_mirrored(self) -> tuple[Fit, str] | None:
-        """The fit of the nearest mirrored template, and its name."""
+        """The fit to the nearest mirrored template, and the template's name."""
         return self._nearest(mirrored=True)
 
     def _nearest(self, *, mirrored: bool) -> tuple[Fit, str] | None:
@@ -118,7 +118,7 @@ class Facts:
         return min(found, key=lambda one: one[0].off_m, default=None)
 
     def box(self) -> tuple[float, float] | None:
-        """How far the box of the activity was pushed, and how far its centre is from that of its zone, in m."""
+        """Returns how far the activity's box was pushed, and how far its centre is from its zone's centre, in m."""
         pushed = next((one for one in self._checks if isinstance(one, Pushed)), None)
         center = self._evidence.zone_center(pushed.zone) if pushed else None
         if pushed is None or center is None or pushed.box not in self._evidence.boxes:
@@ -154,7 +154,7 @@ def _flat(checks: Sequence[CheckBase]) -> Iterator[CheckBase]:
 
 
 def _drawn(of: Callable[[Fit], float], *, mirrored: bool = False) -> Callable[[Facts], Fact]:
-    """A distance of the nearest template, in the drawing's metres."""
+    """Makes a fact from a distance of the nearest template, in the drawing's metres."""
 
     def fact(facts: Facts) -> Fact:
         found = facts.drawn_mirrored if mirrored else facts.drawn
@@ -220,7 +220,7 @@ _FACTS: dict[str, Callable[[Facts], Fact]] = {
 
 
 def fits(diagnosis: Diagnosis, facts: Facts) -> bool:
-    """Whether all facts of a diagnosis are as it says."""
+    """Returns whether the facts of a run meet all conditions of a diagnosis."""
     return all(_is(name, facts[name], expected) for name, expected in diagnosis.when.items())
 
 
@@ -238,7 +238,7 @@ def _is(name: str, fact: Fact, expected: ExpectedFact) -> bool:
 
 
 def _visits(zones: str, expected: str) -> bool:
-    """Whether zones were visited in that order; "" for none at all."""
+    """Returns whether the zones were visited in that order; "" expects no zone at all."""
     if not expected:
         return not zones
     rest = iter(zones.split(", "))
@@ -246,7 +246,7 @@ def _visits(zones: str, expected: str) -> bool:
 
 
 def advice_of(diagnosis: Diagnosis, index: int, facts: Facts) -> Advice:
-    """The words of a diagnosis that fits."""
+    """Returns the advice of a diagnosis that fits."""
     evidence = facts.evidence
     pointer = _pointer(diagnosis.block, facts)
     command = evidence.command_at(pointer) if pointer else None
@@ -283,7 +283,7 @@ def _pointer(which: str | None, facts: Facts) -> str | None:
 
 
 def _worst(facts: Facts) -> str | None:
-    """The command that drew the point farthest from the nearest template."""
+    """Returns the command that drew the point farthest from the nearest template."""
     best: tuple[float, str | None] | None = None
     for check in facts.templates():
         drawing = check.drawing(facts.evidence)
@@ -298,7 +298,7 @@ def _worst(facts: Facts) -> str | None:
 def _values(
     text: str, diagnosis: Diagnosis, facts: Facts, command: Command | None, language: str
 ) -> Mapping[str, Any]:
-    """The values of the facts that a text names."""
+    """Returns the values of the facts that a text names."""
     values: dict[str, Any] = {"parts": diagnosis.parts or 0}
     named = set(_names_in(text))
     for name in _FACTS:
@@ -321,7 +321,7 @@ def _names_in(text: str) -> Iterator[str]:
 
 
 def _of_block(command: Command, facts: Facts) -> dict[str, Any]:
-    """The block, how often it repeats, its goal and when it began for the first time."""
+    """Returns the block, its number of repetitions, the time (s) of its first start, and its goal."""
     started = [one for one in facts.evidence.started_commands if one.pointer == command.pointer]
     times = command.data.get("times")
     values: dict[str, Any] = {"block": command}
@@ -335,7 +335,7 @@ def _of_block(command: Command, facts: Facts) -> dict[str, Any]:
 
 
 def input_text(case: Case, language: str) -> str:
-    """What a case gives to the program: signs and answers, or another start."""
+    """Returns the inputs of a case as text: signs and answers, or another start."""
     if case.start is not None:
         values = {"x": number(case.start.x_m, language)}
         return describe("diagnosis_start", values, language).message

@@ -1,7 +1,7 @@
-"""Figures on the floor: how far a drawing is from a template, and its axes of symmetry.
+"""Compares figures on the floor: the fit of a drawing to a template, and axes of symmetry.
 
-Points have shape (n, 2), in m. Lines are sampled every 2 cm, and of each cell of 2 cm one point counts, so that a line
-that was drawn twice weighs no more than another.
+Points have shape (n, 2), in m. Lines are sampled every 2 cm, and each cell of 2 cm counts one point. A line that
+was drawn twice therefore weighs no more than another line.
 """
 
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ _AXIS_STEP_DEG = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Sampled:
-    """Points of lines, and the place along the lines of each as an index of the recorded samples."""
+    """Points of lines, and for each point its place along the lines as an index of the recorded samples."""
 
     points: Points
     indices: NDArray[np.int64]
@@ -29,13 +29,13 @@ class Sampled:
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """How well a drawing fits a template, in the template's metres.
+    """The fit of a drawing to a template, in the template's metres.
 
     Attributes:
         missing_m: distance of the template's farthest point from the drawing.
         extra_m: distance of the drawing's farthest point from the template.
-        worst: index of that point of the drawing.
-        scale: the template's size by the drawing's.
+        worst: index of the drawing's farthest point.
+        scale: size of the template divided by the size of the drawing.
     """
 
     missing_m: float
@@ -50,7 +50,7 @@ class Fit:
 
 @dataclass(frozen=True, slots=True)
 class Freedom:
-    """What a fit may choose: size, direction, place, and which side is left."""
+    """Transformations that a fit may choose: scaling, rotation, translation, mirroring."""
 
     scale: bool = True
     rotate: bool = True
@@ -61,10 +61,10 @@ class Freedom:
 def sampled(
     lines: Sequence[Points], starts: Sequence[int] | None = None, step_m: float = STEP_M
 ) -> Sampled:
-    """Points of lines, one for each step.
+    """Samples lines at equal steps.
 
     Args:
-        starts: index of the first sample of each line; 0 when not told.
+        starts: index of the first sample of each line; None for 0.
     """
     points: list[Points] = [np.empty((0, 2))]
     places: list[NDArray[np.int64]] = [np.empty(0, dtype=np.int64)]
@@ -82,7 +82,7 @@ def sampled(
 
 
 def at_steps(points: Points, step_m: float) -> Points:
-    """The points that are a step from the one before, and the last."""
+    """Returns the points that are at least a step from the last returned point, and the last point."""
     retained = [points[0]]
     x, y = float(points[0, 0]), float(points[0, 1])
     for index, (px, py) in enumerate(points.tolist()):
@@ -98,7 +98,7 @@ def length(points: Points) -> float:
 
 
 def best_fit(template: Points, drawing: Points, freedom: Freedom) -> Fit:
-    """The best fit of a drawing to a template; both as `sampled` gives them."""
+    """Returns the best fit of a drawing to a template; both as `sampled` returns them."""
     if not len(drawing):
         far = float(np.max(_lengths(template - template.mean(axis=0)), initial=0.0))
         return Fit(far, 0.0, 0, 1.0)
@@ -120,7 +120,7 @@ def _fit(template: Points, drawing: Points, freedom: Freedom) -> Fit:
 
 
 def _best_turns(template: Points, drawn: Points) -> list[float]:
-    """The most promising rotations, in rad."""
+    """Returns the most promising rotations, in rad."""
     few, others = _thinned(template, _N_SEARCH), _thinned(drawn, _N_SEARCH)
     turns = np.radians(np.arange(0, 360, _SEARCH_DEG))
     costs = []
@@ -131,7 +131,7 @@ def _best_turns(template: Points, drawn: Points) -> list[float]:
 
 
 def _refined(template: Points, drawn: Points, freedom: Freedom, scale: float) -> Fit:
-    """Moves, turns and scales the drawing to its closest points of the template, and back, until it rests."""
+    """Refines a fit by iterative closest points, in both directions, until the drawing moves no more."""
     few, moving = _thinned(template, _N_FIT), _thinned(drawn, _N_FIT)
     whole = drawn
     for _ in range(_N_ROUNDS):
@@ -148,7 +148,7 @@ def _refined(template: Points, drawn: Points, freedom: Freedom, scale: float) ->
 
 
 def _similarity(sources: Points, targets: Points, freedom: Freedom) -> tuple[float, float, Points]:
-    """Rotation (rad), factor and shift that bring points closest to others, pair by pair."""
+    """Returns rotation (rad), factor and shift that bring points closest to others, pair by pair (least squares)."""
     from_, to = (
         (sources.mean(axis=0), targets.mean(axis=0)) if freedom.move else (np.zeros(2), np.zeros(2))
     )
@@ -171,7 +171,7 @@ def _extremes(template: Points, drawn: Points) -> tuple[float, float, int]:
 
 
 def nearest(points: Points, others: Points) -> Points:
-    """Distance of each point from the nearest of the others, in m, shape (n,)."""
+    """Returns the distance (m) of each point from the nearest of the others, shape (n,)."""
     parts = [
         _distances(points[i : i + 500], others).min(axis=1) for i in range(0, len(points), 500)
     ]
@@ -180,16 +180,16 @@ def nearest(points: Points, others: Points) -> Points:
 
 
 def fine_step_m(drawing: Points) -> float:
-    """The step that is small beside a drawing, for comparing it with itself."""
+    """Returns a step (m) that is small relative to a drawing, for comparing the drawing with itself."""
     size = _rms(drawing - drawing.mean(axis=0)) if len(drawing) else 1.0
     return min(STEP_M, max(0.004, size * 0.015))
 
 
 def axes_of_symmetry(drawing: Points, tolerance: float) -> int:
-    """Number of mirror axes through the centroid; at most 180.
+    """Returns the number of mirror axes through the centroid; at most 180.
 
     Args:
-        tolerance: how far a mirrored point may be from the drawing, in r.m.s. radii.
+        tolerance: largest distance of a mirrored point from the drawing, in r.m.s. radii.
     """
     if not len(drawing):
         return 0
@@ -200,7 +200,7 @@ def axes_of_symmetry(drawing: Points, tolerance: float) -> int:
     points = points / size
     samples = [_thinned(points, n) for n in _N_MIRRORED]
     angles = np.radians(np.arange(0.0, 180.0, _AXIS_STEP_DEG))
-    # a few points show most angles to be none
+    # a few points suffice to exclude most angles
     is_axis = [
         all(_mirror_error(few, points, angle) <= tolerance for few in samples) for angle in angles
     ]
@@ -214,7 +214,7 @@ def _mirror_error(few: Points, points: Points, angle: float) -> float:
 
 
 def _runs(low: NDArray[np.bool_]) -> int:
-    """Number of runs of True on a circle; where all are True, their number."""
+    """Returns the number of runs of True on a circle; 180 if all are True, as for a drawn circle."""
     if low.all():
         return int(len(low) * _AXIS_STEP_DEG)
     return int(np.count_nonzero(low & ~np.roll(low, 1)))
@@ -228,7 +228,7 @@ def _thinned(points: Points, max_points: int) -> Points:
 
 
 def _distances(points: Points, others: Points) -> Points:
-    """Shape (n, m), in m."""
+    """Returns the distances (m) of all pairs, shape (n, m)."""
     x = points[:, 0, None] - others[None, :, 0]
     y = points[:, 1, None] - others[None, :, 1]
     far: Points = np.sqrt(x * x + y * y)

@@ -1,7 +1,6 @@
-"""What checks know of a run: its document, its world and its events, and nothing else.
+"""The evidence that checks evaluate: document, world and events of a run, and nothing else.
 
-The same evidence comes from a run that was just executed and from one that the store recorded: poses are rounded as the
-record rounds them, so that both are judged alike.
+A live run and its record give the same evidence: poses are rounded as the store rounds them.
 """
 
 import math
@@ -25,10 +24,10 @@ from pinel_desktop.program.model import MOTIONS
 from sim.floor import Disc, Rectangle, Zone
 from sim.world import World
 
-STEP_M, STEP_RAD, STEP_DONE = 1e-4, 1e-4, 1e-3  # what a record rounds to
-_DOT_M = 0.01  # a shorter line is not seen
+STEP_M, STEP_RAD, STEP_DONE = 1e-4, 1e-4, 1e-3  # resolution of a record
+_DOT_M = 0.01  # a shorter line is invisible
 _COUNTED_RAD = np.radians(2.0)
-# the columns of telemetry that checks look at
+# the telemetry columns that checks use
 COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
 _NO_END: Mapping[str, Any] = {
     "type": RunEnded.type,
@@ -42,12 +41,12 @@ Rows = NDArray[np.float64]
 
 
 class StartedCommand(NamedTuple):
-    """A command that began.
+    """A command that started.
 
     Attributes:
-        tick: the tick before its first.
+        tick: the tick before the command's first tick.
         amount: its goal in m, degrees or s; None without one.
-        ended: the tick of its end; None where it had none.
+        ended: the tick at which the command ended; None if it did not end.
     """
 
     tick: int
@@ -60,15 +59,15 @@ class StartedCommand(NamedTuple):
 
 @dataclass(frozen=True)
 class RunLog:
-    """All that a run told.
+    """Telemetry and events of a run.
 
     Attributes:
-        poses: true poses in the start frame, shape (n + 1, 3), m and rad; row i is tick i, row 0 the start. The
-            robot's own where nobody knows the true ones.
-        done: how much of the running motion was done, shape (n + 1,).
+        poses: true poses in the start frame, shape (n + 1, 3), m and rad; row i is tick i, row 0 the start. If the
+            true pose is unknown, the robot's own estimate.
+        done: completed part of the running motion, shape (n + 1,).
         bumper: whether the robot touched something, shape (n + 1,).
-        is_true: whether they are the true ones.
-        events: the other events, as they are on the wire.
+        is_true: whether all poses are true ones.
+        events: the other events, in wire format.
     """
 
     poses: Rows
@@ -79,7 +78,7 @@ class RunLog:
 
     @classmethod
     def of_columns(cls, column: Callable[[str], Rows], events: Iterable[Wire]) -> "RunLog":
-        """From columns of telemetry in their order, NaN for null, and the other events."""
+        """Creates the log from telemetry columns in order of ticks, with NaN for null, and from the other events."""
         values = {name: column(name) for name in COLUMNS}
         own = np.column_stack([values["x_m"], values["y_m"], values["yaw_rad"]])
         true = np.column_stack([values[f"true_{name}"] for name in ("x_m", "y_m", "yaw_rad")])
@@ -97,7 +96,7 @@ class RunLog:
 
     @classmethod
     def of_events(cls, events: Iterable[Wire]) -> "RunLog":
-        """From all events of a run as they are on the wire, telemetry included."""
+        """Creates the log from all events of a run in wire format, telemetry included."""
         every = list(events)
         samples = [event for event in every if event["type"] == Telemetry.type]
         missing = float("nan")
@@ -110,19 +109,19 @@ class RunLog:
 
     @property
     def is_over(self) -> bool:
-        """Whether there is a closing event."""
+        """Whether the log has a closing event."""
         return bool(self.events) and self.events[-1].get("type") == RunEnded.type
 
     @property
     def ended(self) -> Wire:
-        """The closing event; that of an interrupted run where there is none."""
+        """The closing event; without one, the closing event of an interrupted run."""
         return self.events[-1] if self.is_over else _NO_END
 
 
 class RunLogBuilder:
-    """Makes the log of a run that is being executed; `observe` or `add_event` must receive all its events.
+    """Builds the log of a live run; `observe` or `add_event` must receive all events of the run.
 
-    The log may be read at any time, but not while another thread writes.
+    The log may be read at any time, but not while another thread adds events.
     """
 
     def __init__(self) -> None:
@@ -130,21 +129,21 @@ class RunLogBuilder:
         self._events: list[Wire] = []
 
     def observe(self, tick: int, event: Event) -> None:
-        """Takes an event of the executor."""
+        """Adds an event of the executor."""
         if type(event) is Telemetry:
             self._add(attrgetter(*COLUMNS)(event))
         elif event.is_recorded:
             self._events.append({**event.to_wire(), "tick": tick})
 
     def add_event(self, event: Wire) -> None:
-        """Takes an event as it is on the wire."""
+        """Adds an event in wire format."""
         if event["type"] == Telemetry.type:
             self._add(tuple(event.get(name) for name in COLUMNS))
         elif event["type"] in RECORDED:
             self._events.append(event)
 
     def log(self) -> RunLog:
-        """Everything so far."""
+        """Returns the log of all events so far."""
         rows = np.array(self._samples, dtype=np.float64).reshape(-1, len(COLUMNS))
         return RunLog.of_columns(lambda name: rows[:, COLUMNS.index(name)], self._events)
 
@@ -156,7 +155,7 @@ _MISSING = float("nan")
 
 
 class Trail(NamedTuple):
-    """A line on the floor in the start frame, shape (n, 2), and the tick of its first point."""
+    """A drawn line in the start frame, shape (n, 2), in m, and the tick of its first point."""
 
     line: Points
     tick: int
@@ -182,29 +181,29 @@ class Evidence:
 
     @cached_property
     def path(self) -> Points:
-        """The path in the start frame without what is noise, shape (n, 2)."""
+        """The path in the start frame without noise, shape (n, 2), in m."""
         step_m = PATH_STEP_M if self.log.is_true else MEASURED_STEP_M
         return at_steps(self.log.poses[:, :2], step_m)
 
     @cached_property
     def path_m(self) -> float:
-        """Length of the path, without what is noise."""
+        """Length of the path without noise, in m."""
         return length(self.path)
 
     @cached_property
     def turned_rad(self) -> tuple[float, float]:
-        """All turning without and with sign (positive: left), without what is noise."""
+        """Sum of all turning without and with sign (positive: left), in rad, without noise."""
         yaw = np.unwrap(self.log.poses[:, 2])
         return _swing(yaw.tolist(), _COUNTED_RAD), float(yaw[-1] - yaw[0])
 
     @cached_property
     def duration_s(self) -> float:
-        """Robot time."""
+        """Robot time, in s."""
         return (len(self.log.poses) - 1) / TICK_HZ
 
     @cached_property
     def in_world(self) -> Points:
-        """The positions of all ticks in the world's frame, shape (n + 1, 2)."""
+        """The positions of all ticks in the world's frame, shape (n + 1, 2), in m."""
         return self.to_world(self.log.poses[:, :2])
 
     def to_world(self, points: Points) -> Points:
@@ -223,7 +222,7 @@ class Evidence:
 
     @cached_property
     def entries(self) -> tuple[tuple[str, int], ...]:
-        """Zones that the robot's centre entered, in order, the same not twice in a row: name and tick."""
+        """Names of the zones that the robot's centre entered, with ticks, in order; no zone twice in a row."""
         indices = _zone_indices(self.world.zones, self.in_world)
         entered: list[tuple[str, int]] = []
         for tick in np.flatnonzero(np.diff(indices, prepend=-2)).tolist():
@@ -243,12 +242,12 @@ class Evidence:
         return self.world.zones[index].name if index >= 0 else ""
 
     def zone_center(self, name: str) -> tuple[float, float] | None:
-        """Centre of a zone in the world's frame; None where the world has none of that name."""
+        """Returns the centre of a zone in the world's frame; None if the world has no such zone."""
         centers = (zone.shape.center for zone in self.world.zones if zone.name == name)
         return next(centers, None)
 
     def off_zone_m(self, name: str, x_m: float, y_m: float) -> float:
-        """Distance of a point in the world's frame from the centre of a zone."""
+        """Returns the distance (m) of a point in the world's frame from the centre of a zone."""
         center = self.zone_center(name)
         return math.dist((x_m, y_m), center) if center else 0.0
 
@@ -259,7 +258,7 @@ class Evidence:
 
     @cached_property
     def trails(self) -> tuple[Trail, ...]:
-        """What the pen drew, one line from each lowering to the next change."""
+        """Lines that the pen drew, each from a lowering of the pen to its next change."""
         found: list[Trail] = []
         last = len(self.log.poses) - 1
         pens = [event for event in self.log.events if event["type"] == "pen"]
@@ -281,7 +280,7 @@ class Evidence:
 
     @cached_property
     def boxes(self) -> dict[int, tuple[float, float]]:
-        """Centres of all boxes at the end, in the world's frame, by index in the world's list."""
+        """Centres of all boxes at the end, in the world's frame (m), by index in the world's list."""
         places = {
             i: (float(b.center[0]), float(b.center[1])) for i, b in enumerate(self.world.boxes)
         }
@@ -303,7 +302,10 @@ class Evidence:
 
     @cached_property
     def started_commands(self) -> tuple[StartedCommand, ...]:
-        """The commands that began, in order. Of commands that take no time at most five a second and place are told."""
+        """The commands that started, in order.
+
+        A command without duration is reported at most five times a second for each place in the program.
+        """
         open_at: dict[str, int] = {}
         found: list[StartedCommand] = []
         for event in self.log.events:
@@ -317,7 +319,7 @@ class Evidence:
         return tuple(found)
 
     def n_started(self, action: str) -> int:
-        """How often a command was begun; exact for what takes time, for texts, marks, questions and signs."""
+        """Returns how often a command started; exact for commands that take time, texts, marks, questions, signs."""
         counted = {"mark": "marked", "say": "said", "ask": "asked", "beep": "beeped"}
         if action in counted:
             return len(self._of_type(counted[action]))
@@ -326,7 +328,7 @@ class Evidence:
         return sum(one.action == action for one in self.started_commands)
 
     def motion_at(self, tick: int) -> StartedCommand | None:
-        """The motion that moved the robot in a tick."""
+        """Returns the motion that moved the robot in a tick."""
         before = [
             one
             for one in self.started_commands
@@ -341,7 +343,7 @@ class Evidence:
         return motion.pointer if motion else None
 
     def last_pointer_of(self, *actions: str) -> str | None:
-        """Pointer of the last command of these kinds that began."""
+        """Returns the pointer of the last started command of these kinds."""
         found = [one.pointer for one in self.started_commands if one.action in actions]
         return found[-1] if found else None
 
@@ -353,7 +355,7 @@ class Evidence:
 
     @cached_property
     def running(self) -> StartedCommand | None:
-        """The command without commands inside that the run ended in; None where it finished."""
+        """The command that was running when the run ended, preferably without a body; None if all commands ended."""
         flow = {"conditional_execution", "call", "repeat", "while", "until", "for", "forever"}
         never = [one for one in self.started_commands if one.ended is None]
         inner = [one for one in never if one.action not in flow]
@@ -364,7 +366,7 @@ class Evidence:
 
 
 def _swing(values: Sequence[float], min_swing: float) -> float:
-    """How far values go up and down in all, without reversals that are less than `min_swing`."""
+    """Returns the sum of all rises and falls of the values; ignores reversals of less than `min_swing`."""
     turning_point = extreme = values[0]
     total, direction = 0.0, 0.0
     for value in values:
@@ -380,7 +382,7 @@ def _swing(values: Sequence[float], min_swing: float) -> float:
 
 
 def _zone_indices(zones: Sequence[Zone], points: Points) -> NDArray[np.int64]:
-    """Index of the zone at each point, the last where several overlap; -1 outside all."""
+    """Returns the index of the zone at each point, the last if several overlap; -1 outside all zones."""
     found = np.full(len(points), -1, dtype=np.int64)
     for i, zone in enumerate(zones):
         found[_inside(zone, points)] = i

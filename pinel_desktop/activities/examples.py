@@ -1,4 +1,4 @@
-"""Examples: finished programs that a group opens as copies, to run them and to take them apart."""
+"""Examples: finished programs that a group opens as copies, to run and to modify them."""
 
 from functools import cache
 from importlib import resources
@@ -10,7 +10,7 @@ from pinel_desktop.program.reading import ParseResult
 
 _CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "example_catalogue"
 
-# in the order in which they are offered
+# in the order of the page
 EXAMPLES = (
     "flower_of_arcs",
     "spiral",
@@ -29,13 +29,19 @@ EXAMPLES = (
 
 @cache
 def example(name: str) -> Activity:
-    """An example: an activity without checks. Its only case has the inputs of its picture; `story` is its sentence."""
+    """Returns an example: an activity without checks.
+
+    Its only case has the inputs of its picture; its `story` is one sentence.
+    """
     return Activity.model_validate_json((_CATALOGUE / name / "example.json").read_text("utf-8"))
 
 
 @cache
 def program_of_example(name: str, language: str) -> ParseResult:
-    """The program of an example; words that pupils chose are in the language where it ships so, else in Portuguese."""
+    """Returns the program of an example.
+
+    Its names and texts are in `language` if the example ships in that language, else in Portuguese.
+    """
     folder = _CATALOGUE / name
     of_language = folder / f"program.{language}.py"
     file = of_language if of_language.is_file() else folder / "program.py"
@@ -46,5 +52,5 @@ def program_of_example(name: str, language: str) -> ParseResult:
 
 @cache
 def example_picture(name: str) -> Goal:
-    """What the program of an example drives or draws, as `python -m scripts.reference` has made it."""
+    """Returns the drawing or the path of an example's program, which `python -m scripts.reference` generates."""
     return Goal.model_validate_json((_CATALOGUE / name / GOAL_FILE).read_text("utf-8"))

@@ -1,4 +1,4 @@
-"""Faults of an activity: of its schema, and checks that no program could pass in its world."""
+"""Faults of an activity: violations of its schema, and checks that no program could pass in its world."""
 
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
@@ -31,7 +31,7 @@ Params = dict[str, object]
 
 
 class ActivityError(PinelError):
-    """An activity that cannot be used, with all its faults."""
+    """Raised for an activity that cannot be used; `faults` lists all its faults."""
 
     def __init__(self, path: str, faults: tuple[Fault, ...]) -> None:
         super().__init__("activity_invalid", path=path, count=len(faults))
@@ -39,9 +39,9 @@ class ActivityError(PinelError):
 
 
 def world_of(activity: Activity, case: Case | None = None) -> dict[str, Any]:
-    """The world document of an activity, with the start of one of its cases.
+    """Returns the world document of an activity, with the start of one of its cases.
 
-    Raises PinelError `unknown_world`, or the first fault of a world that the activity itself contains.
+    Raises PinelError `unknown_world`, or the first fault of a world document inside the activity.
     """
     document, faults = _world(activity)
     if document is None:
@@ -60,7 +60,7 @@ def require_fulfillable(activity: Activity) -> None:
 
 
 def schema_faults(document: Any, error: ValidationError) -> tuple[Fault, ...]:
-    """pydantic's errors as faults with JSON pointers, at most one for each place."""
+    """Converts pydantic's errors to faults with JSON pointers, at most one for each place."""
     found: dict[Path, Fault] = {}
     for one in error.errors(include_url=False):
         path = path_of_error(document, one)
@@ -116,7 +116,7 @@ _KINDS: dict[str, Callable[[ErrorDetails, str], tuple[str, Params]]] = {
 
 
 def semantic_faults(activity: Activity) -> tuple[Fault, ...]:
-    """Faults beyond the schema: unknown robots, zones, boxes and commands, crossed limits, cases without checks."""
+    """Returns faults beyond the schema: unknown robots, zones, boxes, commands; crossed limits; missing checks."""
     faults: list[Fault] = []
     if activity.model not in ROBOTS:
         params: Params = {"value": activity.model, "allowed": list(ROBOTS)}
@@ -142,7 +142,7 @@ def semantic_faults(activity: Activity) -> tuple[Fault, ...]:
 
 
 def _keys_of_format_2(activity: Activity) -> Iterator[Fault]:
-    """Keys that an activity of format 1 does not have."""
+    """Yields a fault for each key of an activity of format 1 that only format 2 has."""
     if activity.pinel_activity != 1:
         return
     for name in sorted(activity.model_fields_set - FORMAT_1):
@@ -154,7 +154,7 @@ def _keys_of_format_2(activity: Activity) -> Iterator[Fault]:
 
 
 def _starts(activity: Activity, document: dict[str, Any]) -> Iterator[Fault]:
-    """Starts at which the robot has no room."""
+    """Yields the faults of starts at which the robot does not fit."""
     for i, case in enumerate(activity.cases):
         if case.start is not None:
             _, faults = read_own_world(_started_from(document, case), robot=activity.model)
@@ -172,7 +172,7 @@ def _unknown_actions(place: Path, names: Iterable[str]) -> Iterator[Fault]:
 
 
 def _hints(activity: Activity) -> Iterator[Fault]:
-    """Hints that name a block which the activity does not offer."""
+    """Yields a fault for each hint that names a block which the activity does not offer."""
     if activity.blocks is None:
         return
     for i, hint in enumerate(activity.hints):
@@ -230,7 +230,7 @@ def _checks(activity: Activity) -> Iterator[tuple[Path, CheckBase]]:
 
 
 def _nothing_to_check(activity: Activity) -> Iterator[Fault]:
-    """A fault for each case without any check, which every program would pass."""
+    """Yields a fault for each case without any check, which every program would pass."""
     if activity.checks:
         return
     for i, case in enumerate(activity.cases):

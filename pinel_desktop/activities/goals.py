@@ -1,4 +1,4 @@
-"""The goal of an activity as data for a picture: what its solution drives or draws, and where it has to get."""
+"""The goal of an activity as data for a picture: drawing or path of the solution, and the zones to reach."""
 
 from functools import cache
 from importlib import resources
@@ -26,11 +26,11 @@ class _Model(BaseModel):
 
 
 class GoalLine(_Model):
-    """What the robot drives, or draws where the solution has a pen.
+    """The robot's path, or its drawing if the solution uses the pen.
 
     Attributes:
-        sign: the sign that it answers; None for a case without a sign, or with several.
-        color: of the pen; None for a path.
+        sign: the sign of the case; None for a case without a sign or with several signs.
+        color: colour of the pen; None for a path.
         points: x and y in m, world frame.
     """
 
@@ -40,11 +40,11 @@ class GoalLine(_Model):
 
 
 class Goal(_Model):
-    """What to draw on the activity's world.
+    """The parts of the picture on the activity's world.
 
     Attributes:
-        zones: names of the zones that count, in their order.
-        boxes: x and y in m and yaw in rad, world frame, at the end; of boxes that were pushed, by their index.
+        zones: names of the required zones, in their order.
+        boxes: end poses of the pushed boxes by index: x and y in m and yaw in rad, world frame.
     """
 
     lines: list[GoalLine]
@@ -54,15 +54,16 @@ class Goal(_Model):
 
 @cache
 def shipped_goal(name: str) -> Goal:
-    """The goal of a shipped activity, as `python -m scripts.reference` has made it."""
+    """Returns the goal of a shipped activity, which `python -m scripts.reference` generates."""
     file = resources.files(__name__.rpartition(".")[0]) / "catalogue" / name / GOAL_FILE
     return Goal.model_validate_json(file.read_text("utf-8"))
 
 
 def goal_of(activity: Activity, solution: ParseResult | None) -> Goal:
-    """Runs a program that passes the activity and keeps what it does; without one the zones are the goal.
+    """Returns the goal from runs of a program that passes; without a program the zones are the goal.
 
-    Cases of a single sign are drawn each, because cases of several only repeat these; otherwise the first case is.
+    If cases have a single sign, draws each of them, because cases with several signs only repeat these. Otherwise
+    draws the first case.
     """
     signed = [case for case in activity.cases if _sign(case)]
     cases = (signed or activity.cases[:1]) if solution else []
@@ -73,7 +74,7 @@ def goal_of(activity: Activity, solution: ParseResult | None) -> Goal:
 
 
 class _Drive:
-    """One case of the activity, driven."""
+    """A run of one case of the activity."""
 
     def __init__(self, activity: Activity, case: Case, solution: ParseResult) -> None:
         self.boxes: dict[str, BoxPose] = {}
@@ -86,7 +87,7 @@ class _Drive:
         start(spec_of(activity, case, solution), self._observe)
 
     def lines(self) -> list[GoalLine]:
-        """The strokes of the pen; the path where nothing was drawn."""
+        """Returns the strokes of the pen; without strokes, the path."""
         if not self._strokes:
             return [self._line(None, self._path)]
         return [self._line(color, trail) for color, trail in self._strokes]

@@ -1,4 +1,4 @@
-"""The check list of a run that goes on: its checks evaluated as for the verdict, again and again."""
+"""The check list of a live run: evaluates the checks repeatedly, as for the verdict."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -28,9 +28,10 @@ class CheckStatus:
     """The status of one check of a run, in one language.
 
     Attributes:
-        criterion: what counts.
-        measured: how far the run is; "" where a number says nothing more.
-        state: `met` while it passes, `open` while it does not pass yet, `broken` where this run will not fulfil it.
+        criterion: the criterion as an instruction.
+        measured: the progress of the run; "" if a number adds nothing.
+        state: `met` while it passes, `open` while it does not pass yet, `broken` if this run cannot fulfil it any
+            more.
     """
 
     criterion: str
@@ -39,18 +40,18 @@ class CheckStatus:
 
 
 def initial_check_list(activity: Activity, language: str) -> list[CheckStatus]:
-    """The check list before a run; of several cases what all of them share."""
+    """Returns the check list before a run; of several cases, only the common checks."""
     checks = [*activity.checks, *(activity.cases[0].checks if len(activity.cases) == 1 else ())]
     return [CheckStatus(check.line(language), "", "open") for check in checks]
 
 
 class LiveEvaluation:
-    """Follows one run of a program that is to solve an activity.
+    """Evaluates the checks of an activity for one live run.
 
     Args:
         document: the program in its normal form.
-        world, setting: of the run.
-        tolerance: how exactly the robot drives; None for the simulator's.
+        world, setting: world document and robot setting of the run.
+        tolerance: tolerance for a real robot; None for the simulator.
 
     Raises:
         PinelError: what `activities.world_of` raises.
@@ -72,15 +73,15 @@ class LiveEvaluation:
 
     @property
     def applies(self) -> bool:
-        """Whether the activity's checks are about the run.
+        """Whether the activity's checks apply to the run.
 
-        In the simulator it must have world, start and robot of the activity; a real robot tells all that the checks
-        need, or none of them is followed.
+        A simulated run must have the world, start and robot of the activity. A run on a real robot must provide the
+        data of all checks.
         """
         return bool(self._cases)
 
     def evaluate(self, log: RunLog, language: str) -> list[CheckStatus]:
-        """The check list after all that the run has told so far."""
+        """Returns the check list for all events of the run so far."""
         log = in_time(log, self._activity, self._tolerance)
         evidence = Evidence(self._document, self._floor, log)
         return [
@@ -93,14 +94,14 @@ class LiveEvaluation:
         return world_from_document(dict(self._world))
 
     def _possible_cases(self) -> list[int]:
-        """Numbers from 1 of the cases that the run may be."""
+        """Returns the numbers, from 1, of the cases that the run may be."""
         if self._tolerance is None:
             return cases_in(self._activity, self._world, self._setting)
         all_cases = range(1, len(self._activity.cases) + 1)
         return [] if judging_blockers(self._activity) else list(all_cases)
 
     def _checks(self, log: RunLog) -> list[Check]:
-        """Those of the activity, and those of the case as soon as it is known which one the run is."""
+        """Returns the activity's checks, and the case's own checks once the case of the run is known."""
         cases = self._activity.cases
         if log.is_over:
             number = self._case(log)

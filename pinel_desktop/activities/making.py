@@ -1,4 +1,4 @@
-"""Making an activity: the checks that fit its sample solution, and a trial of its checks."""
+"""Supports teachers who make an activity: proposes checks for a sample solution, and tries the activity's checks."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,12 +20,12 @@ Who = Literal["solution", "empty"]
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """What the teacher's form begins with for a sample solution, run under the ideal robot.
+    """Initial values of the teacher's form for a sample solution, which the ideal robot ran.
 
     Attributes:
         finished: the solution ended by itself and without a failure.
         zones: names of the zones of the world.
-        checks: one of each kind that is of use for this solution, as in an activity.
+        checks: one check of each kind that is of use for this solution, in the format of an activity.
     """
 
     finished: bool
@@ -55,11 +55,11 @@ def proposal_for(activity: Activity, solution: ParseResult) -> Proposal:
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """What the checks said of one program under one robot.
+    """Result of the checks for one program and one robot.
 
     Attributes:
         preset: `ideal`, or `realistic` with the pose of a camera.
-        texts: why it does not pass, by language; empty where it passes.
+        texts: the reason why the program does not pass, by language; empty if it passes.
     """
 
     program: Who
@@ -69,12 +69,12 @@ class Trial:
 
     @property
     def is_right(self) -> bool:
-        """The solution must pass, the program without commands must not."""
+        """Whether the result is as expected: the solution passes, the program without commands does not."""
         return self.passed == (self.program == "solution")
 
 
 def trials(activity: Activity, presets: tuple[Preset, ...] = ("ideal", "realistic")) -> list[Trial]:
-    """Checks the activity's own solution and a program without commands, under each robot.
+    """Checks the activity's own solution and a program without commands, with each robot.
 
     Raises:
         PinelError: what `world_of` raises.

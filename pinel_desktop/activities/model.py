@@ -1,4 +1,4 @@
-"""The models of an activity: what a group reads, its world, the inputs of its cases, its checks and its diagnoses."""
+"""The models of an activity: texts for the group, world, inputs of the cases, checks and diagnoses."""
 
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
@@ -11,7 +11,7 @@ from pinel_desktop.activities.checks.base import MAX_ITEMS, Metres, Name
 from pinel_desktop.activities.texts import Model, Texts, Title
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
 
-FORMAT = 2  # files of all earlier formats are read
+FORMAT = 2  # all earlier formats can be read, too
 
 PathName = Literal["moves", "shapes", "decisions", "sensors", "games"]
 General = Literal["hit", "too_far", "pen_up", "parts", "looked_once", "never_true", "input_ignored"]
@@ -26,7 +26,7 @@ class Start(Model):
 
 
 class Case(Model):
-    """One run of the program: its seed, start, gestures and answers, and checks of this run alone.
+    """One run of the program: its seed, start, gestures and answers, and checks of this run only.
 
     Attributes:
         start: None for the start of the world.
@@ -39,7 +39,8 @@ class Case(Model):
     checks: list[Check] = Field(default_factory=list, max_length=MAX_ITEMS)
 
 
-# with them, `n_ACTION`: how many of that block the program has, and `x_ACTION`: how many were begun in the run
+# further facts: `n_ACTION`, the number of such commands in the program, and `x_ACTION`, the number
+# of such commands that started in the run
 NUMBER_FACTS = frozenset(
     {"gap_m", "net_deg", "turned_deg", "path_m", "time_s", "end_x", "end_y", "to_goal_m"}
     | {
@@ -60,7 +61,7 @@ TEXT_FACTS = frozenset({"reason", "zones", "end_zone", "input", "nearest", "mirr
 
 
 def _one_or_two(expected: Any) -> Any:
-    """Refuses lists that are no pair of limits."""
+    """Rejects lists that are not a pair of limits."""
     if isinstance(expected, list) and len(expected) != 2:
         raise PydanticCustomError("activity_value_wrong", "a lower and an upper limit")
     return expected
@@ -70,14 +71,14 @@ ExpectedFact = Annotated[float | str | list[float], BeforeValidator(_one_or_two)
 
 
 class Diagnosis(Model):
-    """What a group is told about a run that does not pass; the first whose `when` fits is said.
+    """Advice about a run that does not pass; the first diagnosis whose `when` fits is shown.
 
     Attributes:
-        when: facts of the run with the value, the two limits or the text that each must have.
-        block: which block to look at: `first ACTION`, `last ACTION`, `touching`, `running`, `moving` or `worst`.
-        say: the words, with facts in braces.
-        general: instead of `say`, the name of words that many activities use.
-        parts: for the general words `parts`, how many there should be.
+        when: facts of the run, each with its required value, two limits or text.
+        block: the block to look at: `first ACTION`, `last ACTION`, `touching`, `running`, `moving` or `worst`.
+        say: the message, with facts in braces.
+        general: instead of `say`, the name of a message that many activities use.
+        parts: for the general message `parts`, the required number of parts.
     """
 
     when: Annotated[dict[Name, ExpectedFact], Field(min_length=1, max_length=20)]
@@ -88,30 +89,30 @@ class Diagnosis(Model):
 
 
 def _number(version: Any) -> Any:
-    """Refuses `true`, which Python takes for 1."""
+    """Rejects `true`, which equals 1 in Python."""
     if isinstance(version, bool):
         raise PydanticCustomError("activity_value_wrong", "true and false are no numbers")
     return version
 
 
 class Activity(Model):
-    """A mission. A program passes if in every case the checks of the case and those of the activity hold.
+    """A mission. A program passes if in every case the checks of the case and the checks of the activity hold.
 
     Attributes:
         world: name of a shipped world, or a world document.
         limit_s: robot time after which a run is stopped and fails.
-        path: the path that it belongs to, and `number` its place there, as "1.1".
-        minutes: how long a group needs for it.
-        level: level of the toolbox in which it opens.
-        blocks: the actions that it offers; None for all of the level.
-        story: what the robot should do.
-        criteria: what counts, with numbers.
-        hints: opened one after the other.
-        question: asked by the teacher afterwards.
-        diagnoses: what is said about a run that does not pass.
+        path: the learning path of the activity; `number` is its place there, such as "1.1".
+        minutes: time that a group needs.
+        level: level of the toolbox when the activity opens.
+        blocks: the actions that the toolbox offers; None for all actions of the level.
+        story: the task of the robot.
+        criteria: the criteria, with numbers.
+        hints: shown one after the other.
+        question: the teacher's question afterwards.
+        diagnoses: advice about runs that do not pass.
         solution: a program that passes, as a document.
-        shows_path: whether the picture of the goal shows what the solution drives. Without it the pupils see where to
-            go, and find the way themselves.
+        shows_path: whether the picture of the goal shows the solution's path. If not, pupils see only the goal, and
+            find the path themselves.
     """
 
     pinel_activity: Annotated[Literal[1, 2], BeforeValidator(_number)]
@@ -138,13 +139,13 @@ class Activity(Model):
     shows_path: bool = True
 
     def all_checks(self) -> Iterator[Check]:
-        """Its own, and those of its cases."""
+        """Yields the activity's own checks, and the checks of its cases."""
         yield from self.checks
         for case in self.cases:
             yield from case.checks
 
 
-# the keys of an activity in format 1, whose cases have no `start`
+# the keys of an activity of format 1; its cases have no `start`
 FORMAT_1 = frozenset(
     {"pinel_activity", "name", "title", "world", "model", "preset", "feedback", "limit_s"}
     | {"cases", "checks"}

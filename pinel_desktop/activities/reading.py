@@ -1,4 +1,4 @@
-"""Reads activities: those shipped with the app, and files."""
+"""Reads activities: shipped ones, and files."""
 
 import json
 import os
@@ -20,7 +20,7 @@ from pinel_desktop.program.python_text import read_python
 from sim.world import list_worlds
 
 _MAX_BYTES = 2**20
-_NO_NUMBER = 10_000  # a larger one is a mistake, no later release
+_NO_NUMBER = 10_000  # a larger format number is a mistake, not a later release
 
 
 _CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "catalogue"
@@ -36,18 +36,21 @@ def _shipped() -> dict[str, Activity]:
 
 
 def _catalogue_order(activity: Activity) -> tuple[int, list[int], str]:
-    """The place of an activity among all: by path and number; those of no path come last."""
+    """Returns the sort key of a shipped activity: path and number; activities without a path come last."""
     path = len(PATHS) if activity.path is None else PATHS.index(activity.path)
     return path, [int(part) for part in (activity.number or "").split(".") if part], activity.name
 
 
 def activity_names() -> list[str]:
-    """Names of the shipped activities, along the paths."""
+    """Returns the names of the shipped activities, along the paths."""
     return list(_shipped())
 
 
 def shipped_activity(name: str) -> Activity:
-    """A shipped activity, never a file: the name may come from another PC. Raises PinelError `unknown_activity`."""
+    """Returns a shipped activity; never reads a file, because the name may come from another PC.
+
+    Raises PinelError `unknown_activity`.
+    """
     if name not in _shipped():
         raise PinelError("unknown_activity", value=name, allowed=activity_names())
     return _shipped()[name]
@@ -55,7 +58,7 @@ def shipped_activity(name: str) -> Activity:
 
 @cache
 def solution_of(activity_name: str) -> dict[str, Any] | None:
-    """A program that passes a shipped activity, as a document; None where none ships."""
+    """Returns a program that passes a shipped activity, as a document; None if none ships."""
     file = _CATALOGUE / activity_name / "solution.py"
     if activity_name not in _shipped() or not file.is_file():
         return None
@@ -63,17 +66,17 @@ def solution_of(activity_name: str) -> dict[str, Any] | None:
 
 
 def activity_titles(language: str) -> dict[str, str]:
-    """Titles of the shipped activities in a language, by name."""
+    """Returns the titles of the shipped activities in a language, by name."""
     return {name: one.title.of(language) for name, one in _shipped().items()}
 
 
 def world_title(activity: Activity, language: str) -> str | None:
-    """Title of the shipped world in which an activity takes place; None if its world is a document of its own."""
+    """Returns the title of the shipped world of an activity; None if the activity has a world document of its own."""
     return world_titles(language).get(activity.world) if isinstance(activity.world, str) else None
 
 
 def world_titles(language: str) -> dict[str, str]:
-    """Titles of the shipped worlds in a language, by name."""
+    """Returns the titles of the shipped worlds in a language, by name."""
     return {one["name"]: _in(one["title"], language) for one in list_worlds()}
 
 
@@ -82,7 +85,7 @@ def _in(title: Mapping[str, str], language: str) -> str:
 
 
 def shipped_texts() -> list[str]:
-    """Names of shipped worlds and activities, and all texts of those worlds. Anonymous exports may keep them."""
+    """Returns names of shipped worlds and activities and all texts of these worlds; anonymous exports may have them."""
     return sorted({*_texts_in(list_worlds()), *activity_names()})
 
 
@@ -95,7 +98,7 @@ def _texts_in(value: object) -> Iterator[str]:
 
 
 def choose_activity(name_or_file: str) -> Activity:
-    """The shipped activity of that name, or the activity in that file.
+    """Returns the shipped activity of that name, or the activity in that file.
 
     Raises:
         PinelError: `unknown_activity`, `file_unreadable`.
@@ -117,7 +120,7 @@ def choose_activity(name_or_file: str) -> Activity:
 
 
 def read_activity(text: str | bytes) -> tuple[Activity | None, tuple[Fault, ...]]:
-    """The activity in a JSON text, or None, and all its faults."""
+    """Returns the activity in a JSON text, or None, and all its faults."""
     try:
         document = json.loads(text)
     except json.JSONDecodeError as error:
@@ -136,7 +139,7 @@ def read_activity(text: str | bytes) -> tuple[Activity | None, tuple[Fault, ...]
 
 
 def _newer(document: object) -> Fault | None:
-    """The fault of an activity of a later release; its other keys cannot be judged."""
+    """Returns the fault of an activity of a later release, whose other keys cannot be validated; else None."""
     number = document.get("pinel_activity") if isinstance(document, dict) else None
     if isinstance(number, bool) or not isinstance(number, int) or not FORMAT < number < _NO_NUMBER:
         return None
@@ -145,5 +148,5 @@ def _newer(document: object) -> Fault | None:
 
 
 def is_file(name_or_file: str) -> bool:
-    """True for a name that ends in .json or is an existing file."""
+    """Returns whether a name ends in .json or is an existing file."""
     return name_or_file.lower().endswith(".json") or os.path.isfile(name_or_file)

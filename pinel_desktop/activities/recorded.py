@@ -1,7 +1,7 @@
-"""A run that a group saw: which case of an activity it was, and of a real robot whether it can be judged, and how.
+"""Judging a run that the group watched: finds its case, and decides whether and how a real robot's run can be judged.
 
-Of a real robot the room replaces the world, and the pose is its own odometry in the start frame. What is compared with
-neither is judged: the program, the run's events, and the figure that was driven.
+For a real robot the room replaces the world, and the pose is the robot's own odometry in the start frame. Only what
+needs neither the world nor the true pose is judged: the program, the run's events, and the driven figure.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -22,28 +22,30 @@ from pinel_desktop.robot import SimulationConfig
 from pinel_desktop.robot.robot_profile import RobotProfile
 from sim.world import Wall, World, WorldError, world_from_document
 
-# Beside what a check needs: walls within the world's edge, readings of what stands in it, different starts in it.
+# In addition to a check's requirements: walls inside the world's edge, a solution that reads the
+# world, different starts.
 Missing = Literal[SimulatorRequirement, "walls", "sensors", "starts"]
 
-# Why a run is not judged: what is missing, or that the run itself tells nothing.
+# Reasons why a run is not judged: missing data of the simulator, or the run itself.
 Reason = Literal[Missing, "inputs", "stopped", "failed", "record"]
 _ORDER: tuple[Missing, ...] = ("zones", "boxes", "walls", "sensors", "starts", "contact", "pace")
 
-# Drives by a place's name.
+# Actions that drive to a place by its name.
 _BY_PLACE = frozenset({"go_to_place"})
 
-# Poses of wheels and of cameras are good to some mm, headings to some tenths of a degree.
+# Noise of the poses of wheels and cameras: some mm, some tenths of a degree.
 _NOISE_M, _NOISE_DEG = 0.01, 0.5
-# Measured on the Pioneer double: past each goal by 3 cm and back, which makes 4.19 m of 4 m.
+# Measured on the Pioneer double: it overshoots each goal by 3 cm and returns, which makes 4.19 m of
+# 4 m.
 _PATH = 0.06
 _TOLERANCES = ("move_tolerance_m", "turn_tolerance_deg")
 
 
 def cases_in(activity: Activity, world: Mapping[str, Any], setting: SimulationConfig) -> list[int]:
-    """Numbers from 1 of the cases that have this world, start and robot.
+    """Returns the numbers, from 1, of the cases with this world, start and robot.
 
     Args:
-        world: the world's document.
+        world: the world document of the run.
 
     Raises:
         PinelError: what `world_of` raises.
@@ -58,7 +60,7 @@ def cases_in(activity: Activity, world: Mapping[str, Any], setting: SimulationCo
 
 
 def begins_like(case: Case, log: RunLog) -> bool:
-    """Whether what a run was given so far is the beginning of what a case gives."""
+    """Returns whether the inputs of a run so far are the first inputs of a case."""
     gestures, answers = _gestures(log), _answers(log)
     return _begins(case.gestures, gestures) and _begins(case.answers, answers)
 
@@ -66,12 +68,12 @@ def begins_like(case: Case, log: RunLog) -> bool:
 def case_of_run(
     activity: Activity, world: Mapping[str, Any], setting: SimulationConfig, log: RunLog
 ) -> int | None:
-    """Number from 1 of the case whose world, start, robot and inputs a run had; None for a run of another kind.
+    """Returns the number, from 1, of the case with a run's world, start, robot and inputs; None without such a case.
 
-    A run without samples, of an engine that was lost or of an earlier release, is none.
+    A run without samples has no case: its engine was lost, or an earlier release recorded it.
 
     Args:
-        world: the world's document.
+        world: the world document of the run.
 
     Raises:
         PinelError: what `world_of` raises.
@@ -81,7 +83,7 @@ def case_of_run(
 
 
 def case_of_real_run(activity: Activity, log: RunLog) -> int | None:
-    """Number from 1 of the case whose inputs a run on a real robot had; world and robot are its own."""
+    """Returns the number, from 1, of the case with the inputs of a real robot's run; ignores world and robot."""
     return _first_like(activity, range(1, len(activity.cases) + 1), log)
 
 
@@ -92,7 +94,7 @@ def _first_like(activity: Activity, numbers: Iterable[int], log: RunLog) -> int 
 
 
 def _floor(document: Mapping[str, Any]) -> World | None:
-    """A world without its name, for comparing."""
+    """Returns a world without its name, for comparison; None for an invalid document."""
     try:
         return replace(world_from_document(dict(document)), name="")
     except WorldError:
@@ -109,7 +111,7 @@ def _answers(log: RunLog) -> list[str]:
 
 
 def _typed(answer: object) -> str:
-    """An answer in one spelling: numbers are recorded as numbers."""
+    """Returns an answer in one spelling, because numbers are recorded as numbers."""
     try:
         return f"{float(str(answer).replace(',', '.')):.10g}"
     except ValueError:
@@ -117,15 +119,15 @@ def _typed(answer: object) -> str:
 
 
 def _begins(expected: Sequence[str], given: Sequence[str]) -> bool:
-    """Whether a run was given the beginning of what a case gives."""
+    """Returns whether the given inputs are the first of the expected inputs."""
     return [_typed(one) for one in expected[: len(given)]] == [_typed(one) for one in given]
 
 
 class JudgingBlocker(NamedTuple):
-    """Why a real run cannot be judged for an activity.
+    """A reason why a real robot's run cannot be judged for an activity.
 
     Attributes:
-        checks: kinds of the checks that need it; none where the world itself is the reason.
+        checks: kinds of the checks that need the missing data; empty if the world itself is the reason.
     """
 
     missing: Missing
@@ -133,10 +135,10 @@ class JudgingBlocker(NamedTuple):
 
 
 def judging_blockers(activity: Activity) -> tuple[JudgingBlocker, ...]:
-    """All that keeps a real run from being judged, the plainest first; none where it can be judged.
+    """Returns all reasons why a real robot's run cannot be judged, the plainest first; empty if the run can be judged.
 
-    An activity whose world matters is not judged, even if each of its checks could be: one with boxes or with walls
-    within its edge, with several starts, or whose solution reads what stands in the world.
+    If the world of an activity matters, runs are not judged, even if each check could be evaluated. The world
+    matters if it has boxes, or walls inside its edge, or several starts, or if the solution reads the world.
 
     Raises:
         PinelError: what `world_of` raises.
@@ -151,7 +153,7 @@ def judging_blockers(activity: Activity) -> tuple[JudgingBlocker, ...]:
 
 
 def not_judged_text(reason: str, language: str) -> str:
-    """Why a run on a real robot is not judged, and what to do; that of a newer release says only that it was not."""
+    """Returns why a real robot's run is not judged, and a remedy; omits an unknown reason of a newer release."""
     if reason not in get_args(Reason):
         reason = "failed"
     if reason in _ORDER:
@@ -163,13 +165,13 @@ def not_judged_text(reason: str, language: str) -> str:
 
 
 def not_judgeable_notice(activity: Activity, language: str) -> str | None:
-    """What a group reads before the run if it will not be judged; None if it can be."""
+    """Returns the notice that a group reads before a run that will not be judged; None if the run can be judged."""
     found = judging_blockers(activity)
     return not_judged_text(found[0].missing, language) if found else None
 
 
 def tolerance_of(parameters: Mapping[str, Any]) -> RealRobotTolerance | None:
-    """How exactly the robot of a run drives, by the robot's record in the run's parameters; None for the simulator.
+    """Returns the tolerance for the robot of a run, from the profile in the run's parameters; None for the simulator.
 
     Raises:
         PinelError: `run_damaged`.
@@ -202,13 +204,13 @@ def _of_world(activity: Activity) -> Iterator[Missing]:
 
 
 def _is_edge(wall: Wall, x_m: float, y_m: float) -> bool:
-    """Whether a wall runs along the edge of the world, in place of which there is the edge of the room."""
+    """Returns whether a wall runs along the world's edge; the edge of the room replaces such walls."""
     (x0, y0), (x1, y1) = wall.start, wall.end
     return (x0 == x1 and abs(x0) == x_m) or (y0 == y1 and abs(y0) == y_m)
 
 
 def _reads_world(value: Any) -> bool:
-    """Whether a program has a sensor that reads the world, or drives to a place by name."""
+    """Returns whether a program reads a sensor of the world, or drives to a place by name."""
     if isinstance(value, dict):
         sensor = SENSORS.get(str(value.get("sensor")))
         if (sensor and sensor.of_world) or value.get("action") in _BY_PLACE:

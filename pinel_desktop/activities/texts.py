@@ -29,7 +29,7 @@ class Title(Model):
     es: Annotated[str, Field(max_length=_MAX_TITLE)]
 
     def of(self, language: str) -> str:
-        """The text in a language; in Portuguese where it has none of that language."""
+        """Returns the text in a language; in Portuguese if the language is missing."""
         texts: dict[str, str] = self.model_dump(by_alias=True)
         return texts.get(language, texts[SOURCE_LANGUAGE])
 

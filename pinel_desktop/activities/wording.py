@@ -1,9 +1,9 @@
-"""Words of findings and diagnoses: numbers in the language's form with sensible digits, blocks by their labels.
+"""Texts of check results and diagnoses: numbers formatted for the language, blocks by their labels.
 
-`blocks_named` finds which blocks a hint names.
+`blocks_named` finds the blocks that a hint names.
 
-A value's unit is the ending of its name: `_m`, `_deg`, `_s`. `{gap_m}` becomes "12 cm" or "1,62 m", `{gap}` the bare
-number in that unit, `{gap_cm}` the centimetres.
+The suffix of a value's name is its unit: `_m`, `_deg`, `_s`. `{gap_m}` becomes "12 cm" or "1,62 m", `{gap}` the
+bare number in that unit, `{gap_cm}` the centimetres.
 """
 
 import re
@@ -24,7 +24,7 @@ TextByLanguage = dict[str, str]
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _UNITS = ("_m", "_deg", "_s")
 _QUOTED = re.compile('[“«"]([^”»"]+)[”»"]')
-# their names are words of every day, which name a block only in quotation marks
+# the names of these blocks are everyday words, which name a block only in quotation marks
 _EVERYDAY = frozenset(
     {
         "stop",
@@ -53,7 +53,7 @@ _SIGNS = {
 
 
 def number(value: float, language: str, digits: int = 2) -> str:
-    """A number with at most so many decimals; a true minus sign, no negative zero."""
+    """Formats a number with at most `digits` decimals, a true minus sign and no negative zero."""
     text = f"{value:.{digits}f}"
     if "." in text:
         text = text.rstrip("0").rstrip(".")
@@ -62,7 +62,7 @@ def number(value: float, language: str, digits: int = 2) -> str:
 
 
 def length(metres: float, language: str) -> str:
-    """A length as a pupil would measure it: metres, below one centimetres, below one of them millimetres."""
+    """Formats a length in metres, in centimetres if shorter than 1 m, in millimetres if shorter than 1 cm."""
     size = abs(metres)
     if size < 0.00995 and size >= 0.0005:
         return f"{number(metres * 1000, language, 0)} mm"
@@ -72,7 +72,7 @@ def length(metres: float, language: str) -> str:
 
 
 def formatted_values(values: Mapping[str, Any], language: str) -> dict[str, Any]:
-    """Values by the names that texts may use, as texts in a language."""
+    """Returns values as texts in a language, by the names that messages may use."""
     texts: dict[str, Any] = {}
     for name, value in values.items():
         if isinstance(value, Command):
@@ -102,13 +102,13 @@ def _forms(name: str, value: float, language: str) -> dict[str, str]:
 
 
 def short_name(action: str, language: str) -> str:
-    """The name of a kind of block."""
+    """Returns the short name of a kind of block."""
     key = f"block_{action}" if action != "pen" else "block_pen_down"
     return describe(key, {}, language).remedy
 
 
 def block_label(command: Command, language: str) -> str:
-    """The label of a block with its values; its short name where one of them is worked out in the run."""
+    """Returns the label of a block with its values; its short name if a value is computed in the run."""
     data, action = command.data, command.action
     if action == "pen":
         action = "pen_down" if data.get("down") else "pen_up"
@@ -150,7 +150,7 @@ def _parameters(data: Mapping[str, Any], language: str) -> dict[str, str]:
 
 
 def expression_label(value: Any, language: str) -> str | None:
-    """An expression as it reads on its blocks; None for one that would be too long for a sentence."""
+    """Returns an expression as its blocks show it; None if it is too long for a sentence."""
     if isinstance(value, bool) or not isinstance(value, dict | int | float | str):
         return None
     if isinstance(value, str):
@@ -199,7 +199,7 @@ def _operation_label(value: Mapping[str, Any], language: str) -> str | None:
 
 
 def texts_of(code: str, values: Mapping[str, Any], command: Command | None) -> TextByLanguage:
-    """The words of a code in every language, and which block to look at."""
+    """Returns the message of a code in every language, with the block to look at."""
     texts: TextByLanguage = {}
     for language in LANGUAGES:
         description = describe(code, formatted_values(values, language), language)
@@ -212,7 +212,7 @@ def texts_of(code: str, values: Mapping[str, Any], command: Command | None) -> T
 
 
 def interpolate(text: str, values: Mapping[str, Any], language: str) -> str:
-    """A text of an activity with the values of a run; unknown names stay as they are."""
+    """Inserts the values of a run into a text of an activity; placeholders with unknown names stay."""
     texts = formatted_values(values, language)
 
     def fill(match: re.Match[str]) -> str:
@@ -222,7 +222,7 @@ def interpolate(text: str, values: Mapping[str, Any], language: str) -> str:
 
 
 def blocks_named(texts: dict[str, str]) -> dict[str, str]:
-    """The actions that a hint names, each with the name: in quotation marks, or as they stand in Portuguese.
+    """Returns the actions that a hint names, each with that name: quoted in any language, or unquoted in Portuguese.
 
     Args:
         texts: the hint by language.
@@ -239,7 +239,7 @@ def blocks_named(texts: dict[str, str]) -> dict[str, str]:
 
 
 def _first(text: str, language: str) -> Iterator[tuple[str, str]]:
-    """The action whose name a text begins with: of several the longest, as “repeat until” is not “repeat”."""
+    """Yields the action whose name a text begins with; of several, the longest: “repeat until” is not “repeat”."""
     candidates = [
         (len(name), action, name)
         for action, name in _names(language)

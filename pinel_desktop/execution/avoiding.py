@@ -1,4 +1,4 @@
-"""Drives to a point around obstacles: those of the map, and those that sensors detect on the way."""
+"""Path planning around obstacles: obstacles of the map, and obstacles that sensors detect while the robot drives."""
 
 import math
 from collections.abc import Generator
@@ -43,7 +43,7 @@ class Obstacles:
         return points if not len(self._map) else as_array([*self._map, *points])
 
     def blocks(self, path: list[Point]) -> bool:
-        """Scans; returns whether a new point is near enough to the path for the robot to touch it."""
+        """Scans; returns whether the robot, driving along the path, would touch a new point."""
         new = self.scan()
         if not len(new):
             return False
@@ -62,7 +62,7 @@ class Obstacles:
         return as_array([(*point, *point) for point in fresh.values()])
 
     def _hits(self) -> list[tuple[float, float, float, float]]:
-        """Where beams hit: those of the scanner, or of the sonars without a scanner; empty without both."""
+        """Returns the points (start frame, m) that the laser's or else the sonars' beams hit; empty without both."""
         if not self._has_range_sensors:
             return []
         pose = self._context.pose
@@ -79,7 +79,7 @@ class Obstacles:
         return hits
 
     def _beams(self) -> list[tuple[Point, float, float]]:
-        """Where each beam that hit something begins in the robot's frame, its angle, and its length."""
+        """Returns the start (robot frame, m), angle (rad) and length (m) of each beam that hit something."""
         robot, sensors = self._robot, self._context.sensors
         try:
             scan = [(angle, sensors.lidar(angle)) for angle in _BEAMS_RAD]
@@ -95,7 +95,7 @@ class Obstacles:
 
 
 def drive_around(context: RunContext, x_m: float, y_m: float) -> Routine:
-    """Drives to a point of the start frame (m) around obstacles; plans a new path when a new obstacle is detected.
+    """Drives to a point of the start frame (m) around obstacles; plans a new path when a new obstacle blocks the path.
 
     Raises RunFailureError `no_way` without a path.
     """

@@ -37,8 +37,8 @@ class UnpacedClock:
 class LiveClock:
     """30 ticks a second on absolute deadlines, so that delays do not accumulate.
 
-    `speed` returns the factor by which ticks come faster. It is polled during a wait, so that a new speed takes effect
-    at once in slow motion.
+    `speed` returns the factor by which ticks come faster. `speed` is polled during a wait, so that a
+    new speed takes effect at once in slow motion.
     """
 
     def __init__(

@@ -48,9 +48,9 @@ class RunContext:
         robot: dimensions and limits of the robot.
         command_delay_s: delay (s) of a commanded velocity on this link.
         gains: gains of the controller.
-        goals: when motions have arrived.
-        trim: wheel correction learned by the controller.
-        semantics: version of what commands and sensors mean (`semantics.py`).
+        goals: goal tolerances and settle times of motions.
+        trim: wheel correction that the controller estimates.
+        semantics: version of the meaning of commands and sensors (`semantics.py`).
         sources: gestures, answers, measurements and random numbers.
         emit: reports an event.
         observed: whether `setpoint` and `done` are read; otherwise primitives need not set them.
@@ -60,8 +60,8 @@ class RunContext:
         command: velocity for the next tick, set by primitives.
         driving: velocity set by `drive`, until the next motion command; None without one.
         max_v_mps, max_omega_radps: velocity limits of the next motions.
-        reference: ideal pose, the goal of the last motion. Each motion begins there and not at the measured pose, so
-            that errors do not accumulate.
+        reference: ideal pose, the goal of the last motion. Each motion starts there and not at the measured pose,
+            so that errors do not accumulate.
         reference_lost: whether the robot has moved otherwise since: by `drive`, or by hand during a pause.
         setpoint: the moving set-point, for the records.
         done: completed part of the running motion's amount, in its unit.
@@ -69,11 +69,11 @@ class RunContext:
         marked: the marks by place.
         output: texts, marks, beeps, questions and pen of the program.
         gesture_result: the last result of a capture, or the value set by a block.
-        unreported: those of "result" and "pen" set since the last report: a loop without motion may set them a
-            thousand times a tick, and they are reported once.
+        unreported: "result" and "pen" if set since the last report. They are reported once a tick: a loop without
+            motion may set them a thousand times a tick.
         n_evaluated: evaluated parts of expressions, which count as work.
         waited_s: real time spent waiting for a person or a camera.
-        n_resumed: number of resumes after a pause; a motion then plans its remainder anew.
+        n_resumed: number of resumes after a pause; a motion then plans its remainder again.
         evaluator: evaluates expressions.
     """
 
@@ -115,7 +115,7 @@ class RunContext:
         self.evaluator = Evaluator(self)
 
     def adapt_to(self, delay_s: float) -> None:
-        """The robot follows commands so late, and is driven the more gently the later it follows them."""
+        """Sets the delay (s) of commands on this link; the longer the delay, the lower the controller's gains."""
         self.command_delay_s, self.gains = delay_s, self.gains.for_delay(delay_s)
 
     @property

@@ -11,7 +11,7 @@ from pinel_desktop.execution.inputs import LiveInputs
 
 StepMode = Literal["into", "over", "out"]
 MIN_SPEED, MAX_SPEED = 0.1, 10.0
-# with a tick and the way to the robot it stands within 0.3 s
+# with a tick and the transmission to the robot, the robot stops within 0.3 s
 KEEPALIVE_TIMEOUT_S = 0.2
 # reasons of runs that were stopped
 BY_PERSON, CALLER_LEFT = "stopped_by_person", "caller_left"
@@ -35,13 +35,13 @@ class RunControl:
     Attributes:
         breakpoints: ids of the blocks before which the run pauses.
         step: mode of the step after which the run pauses; None without a step.
-        pause_at: number of begun commands at which the run pauses, and the cause; None for no such pause.
+        pause_at: number of started commands at which the run pauses, and the cause; None for no such pause.
         subscriptions: sensor rings whose measurements are reported: "sonar", "lidar".
         speed: robot time divided by wall time; simulator only.
         evaluations: expressions to evaluate while the run is paused.
         inputs: receive people's answers to captures and questions.
         is_open: whether the run waits at its end for more commands.
-        stop_reason: code that a run which is stopped has as its reason.
+        stop_reason: code of the reason of a stopped run.
     """
 
     def __init__(self) -> None:
@@ -60,12 +60,15 @@ class RunControl:
         self._last_keepalive_s: float | None = None
 
     def record_keepalive(self) -> None:
-        """The app is there. From the first call on, the run of a real robot stands still while the app is silent."""
+        """Records a keepalive of the app.
+
+        From the first keepalive on, a real robot is stopped while keepalives are missing.
+        """
         self._last_keepalive_s = time.monotonic()
 
     @property
     def keepalive_expired(self) -> bool:
-        """Whether an app that was heard has not been heard for a moment."""
+        """Whether the app has sent keepalives, but none within `KEEPALIVE_TIMEOUT_S`."""
         last_s = self._last_keepalive_s
         return last_s is not None and time.monotonic() - last_s > KEEPALIVE_TIMEOUT_S
 
@@ -93,21 +96,21 @@ class RunControl:
         self.pause_requested = False
 
     def set_speed(self, speed: float) -> None:
-        """Sets the speed factor, clamped to LEAST_SPEED..GREATEST_SPEED."""
+        """Sets the speed factor, clamped to MIN_SPEED..MAX_SPEED."""
         self.speed = min(max(speed, MIN_SPEED), MAX_SPEED)
 
     def append(self, commands: list[Any]) -> None:
-        """Commands, as document data, for the end of the program; the run is an open one from then on."""
+        """Appends commands, as document data, to the program; makes the run an open one."""
         self.is_open = True
         if commands:
             self._more.put(commands)
 
     def finish(self) -> None:
-        """An open run ends when all of its commands are done."""
+        """Lets an open run end when all of its commands are done."""
         self.is_open = False
 
     def next_commands(self) -> list[Any] | None:
-        """The commands that were appended first and not taken yet; None where there are none."""
+        """Returns the oldest appended commands that were not fetched yet; None without any."""
         try:
             return self._more.get_nowait()
         except Empty:

@@ -1,4 +1,4 @@
-"""Runs a program on a link: commands until one needs time, then a tick of 1/30 s, and so on to the end."""
+"""The executor runs a program on a link: commands until one needs time, then a tick of 1/30 s, repeated to the end."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -35,7 +35,7 @@ from pinel_desktop.program.model import Program
 from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, RobotLink, RobotModel, RobotState
 
 Outcome = Literal["finished", "stopped", "failed"]
-# (tick, event); 0 is the time before the first tick
+# (tick, event); tick 0 is the time before the first tick
 Observer = Callable[[int, Event], None]
 
 _MAX_TICKS = round(MAX_RUN_S * TICK_HZ)
@@ -75,8 +75,8 @@ class RunOptions:
         seed: seed of the run's random generator.
         robot: dimensions and limits of the robot.
         gains: gains of the controller; None for the link's defaults.
-        goals: when motions have arrived.
-        semantics: version of what commands and sensors mean (`semantics.py`).
+        goals: goal tolerances and settle times of motions.
+        semantics: version of the meaning of commands and sensors (`semantics.py`).
         step_limit: ends a run that only calculates, as failed, reason `too_busy`; None for no limit.
     """
 
@@ -162,7 +162,7 @@ class _Run:
         except PinelError as error:
             return "failed", error.code, error.params
         except Exception as error:
-            # even a defect of the program must lead to the zero velocity below
+            # even a defect of PINEL must lead to the zero velocity below
             return "failed", "internal_error", {"detail": f"{type(error).__name__}: {error}"}
         return "finished", None, {}
 
@@ -170,7 +170,8 @@ class _Run:
         self._link.connect(self._stop_requested)
         if self._control.stop_requested:
             raise _Stopped
-        if not self._link.simulated:  # only now it is known how late the robot answers
+        # only a connected link knows the robot's delay
+        if not self._link.simulated:
             self._context.adapt_to(self._link.command_delay_s)
         start = self._link.read()
         self._origin = None if start.pose == Pose2D() else start.pose
@@ -213,7 +214,11 @@ class _Run:
                 return
 
     def _pause_before_tick(self) -> None:
-        """A pause between two calls of an open run holds the first tick of the next one: it is repeated there, too."""
+        """Pauses the run, or waits for the app.
+
+        A pause while an open run awaits commands takes effect before the first tick of the next commands, as in a
+        replay.
+        """
         if self._control.pause_requested and not self._stack.awaits_commands:
             self._pause()
         if self._control.keepalive_expired and not self._link.simulated:
@@ -285,7 +290,7 @@ class _Run:
             self._sensor_stream.report()
 
     def _await_person(self) -> None:
-        """Waits for a moment of real time. In a simulator robot time stands still; a real robot's ticks continue."""
+        """Waits for a tick of real time. In a simulator robot time stops; a real robot's ticks continue."""
         self._watch()
         if self._control.pause_requested:
             return
@@ -298,14 +303,14 @@ class _Run:
         self._context.waited_s += self._wall.now() - start_s
 
     def _await_commands(self) -> bool:
-        """At the end of an open run's program; False when it ends there."""
+        """Waits for more commands at the end of an open run's program; returns False when the run ends there."""
         context, simulated = self._context, self._link.simulated
         self._emit(CommandsAwaited(self._stack.n_executed, context.gesture_result))
         wait = self._idle_in_real_time if simulated else self._idle_one_tick
         return await_commands(self._stack, context, self._control, wait, simulated=simulated)
 
     def _idle_in_real_time(self) -> None:
-        """Robot time stands still."""
+        """Lets a tick of real time pass; robot time stops."""
         self._wall.sleep(TICK_S)
         if self._sensor_stream is not None:
             self._sensor_stream.report_new_subscriptions()
@@ -318,7 +323,7 @@ class _Run:
         self._pass_tick()
 
     def _pause(self) -> None:
-        """Stops the robot until resume or stop. In a simulator robot time stands still once the robot is at rest."""
+        """Stops the robot until resume or stop. In a simulator robot time stops, too, once the robot is at rest."""
         context = self._context
         self._watch()
         self._debugger.paused()
@@ -347,7 +352,10 @@ class _Run:
         self._emit(RunState("running"))
 
     def _wait_for_app(self) -> None:
-        """Holds the robot while the app is frozen: nobody could stop it there. Raises RunFailureError `app_silent`."""
+        """Stops the robot while keepalives of the app are missing: a person could not stop it.
+
+        Raises RunFailureError `app_silent` after 2 s.
+        """
         context, due_s = self._context, self._wall.now() + _APP_LOST_S
         while self._control.keepalive_expired and not self._control.stop_requested:
             if self._wall.now() > due_s:
@@ -355,7 +363,7 @@ class _Run:
             self._link.command(STANDSTILL)
             self._clock.wait_for_tick()
             self._update_state(self._link.read())
-        context.n_resumed += 1  # a motion plans its remainder anew
+        context.n_resumed += 1  # a motion plans its remainder again
 
     def _settle(self) -> None:
         for _ in range(_REST_TICKS):

@@ -10,11 +10,11 @@ MAX_QUESTIONS = 1_000
 
 
 class StepLimit(NamedTuple):
-    """How many steps a run may take that nobody watches, so that an endless loop ends soon.
+    """Limits of the steps of a run that nobody watches, so that an endless loop ends soon.
 
     Attributes:
-        at_rest: without a motion between them.
-        total: in the whole run.
+        at_rest: steps without a motion between them.
+        total: steps of the whole run.
     """
 
     at_rest: int

@@ -24,11 +24,14 @@ _MOVE_STEP_M = 0.01
 _TURN_STEP_RAD = math.radians(1.0)
 _NEARLY_DONE_RAD = math.radians(5.0)
 _BESIDE_M = 0.05  # cross-track error at the end of an arc; the next motion corrects less
-_OFF_LINE_M = 0.1  # cross-track error of a straight motion that was pushed off its line; arcs hand on up to 0.05 m
+# cross-track error of a straight motion that was pushed off its line; an arc before it may leave up
+# to 0.05 m
+_OFF_LINE_M = 0.1
 _ALREADY_THERE_M = 1e-6
-# Beyond the speed at which wheels stick: 0.03 m/s of a robot that was never oiled.
+# Upper bounds of the speed added against static friction. The wheels of a robot that was never
+# oiled stick below 0.03 m/s.
 _BREAKAWAY_MPS, _BREAKAWAY_RADPS = 0.1, 0.6
-_MIN_SPEED = 1e-6  # m/s, rad/s; such a motion ends as blocked
+_MIN_SPEED = 1e-6  # m/s, rad/s; a motion at this speed ends as blocked
 _MAX_PROFILE_S = MAX_RUN_S + 60.0
 _MAX_CACHED_S = 120.0
 
@@ -38,7 +41,7 @@ def _never() -> bool:
 
 
 class _Setpoints:
-    """The moving set-point of one motion, advanced every tick; planned anew from the robot's position after a pause."""
+    """The moving set-point of one motion; advances every tick. After a pause, plans again from the robot's position."""
 
     def __init__(
         self, context: RunContext, goal: float, plan: Callable[[float], tuple[float, ...]]
@@ -80,9 +83,9 @@ class _Setpoints:
 
 
 class _SlideDetector:
-    """Whether an obstacle has pushed a straight motion off its line, and it comes no nearer to its goal.
+    """Detects that an obstacle has pushed a straight motion off its line, and the robot comes no nearer to its goal.
 
-    Sliding along a wall makes way along the line, too, and ends beside the goal or beyond it.
+    A robot that slides along a wall makes progress along its line, too, and ends beside the goal or beyond it.
     """
 
     def __init__(self, context: RunContext, line: LineTracker, distance_m: float) -> None:
@@ -95,11 +98,11 @@ class _SlideDetector:
         self._approach = ApproachCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
 
     def is_beside(self) -> bool:
-        """Whether the robot is off its line, farther than the controller lets it go by itself."""
+        """Returns whether the robot is off its line, farther than the controller alone would let it deviate."""
         return abs(self._line.across(self._context.pose)) > _OFF_LINE_M
 
     def is_stuck(self) -> bool:
-        """Whether it is off its line and came no nearer to its goal for two seconds; asked at every tick."""
+        """Returns whether the robot is off its line and came no nearer to its goal for 2 s; called at every tick."""
         context = self._context
         if self._n_resumed != context.n_resumed:  # somebody may have moved the robot
             self._start()
@@ -107,7 +110,7 @@ class _SlideDetector:
         return stuck and self.is_beside()
 
     def done_m(self, along_m: float) -> float:
-        """How much of the motion is done: off its line, how much nearer to its goal the robot came."""
+        """Returns the completed part of the motion; off the line, how much nearer the robot came to its goal."""
         if not self.is_beside():
             return along_m
         nearer_m = max(abs(self._distance_m) - self._approach.nearest_m, 0.0)
@@ -119,8 +122,8 @@ def drive_straight(
 ) -> Routine:
     """Drives from the reference along its heading, backwards for a negative distance; closed loop.
 
-    Ends early, at rest and without a reference, when `interrupted()`, which is polled at every tick, is true.
-    Raises RunFailureError `blocked`, also where the robot slides along an obstacle and does not get to its goal.
+    Polls `interrupted()` at every tick; when it is true, ends early, at rest and without a reference. Raises
+    RunFailureError `blocked`, also if the robot slides along an obstacle and does not reach its goal.
     """
     line = LineTracker(_begin(context), context.gains, context.trim)
     robot = context.robot
@@ -246,7 +249,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
 
 
 def _breakaway_limit(context: RunContext, breakaway: float) -> float:
-    """Nothing is added to the speed of a simulated robot, whose wheels do not stick."""
+    """Returns the upper bound of the speed added against static friction; 0 for a simulated robot, which has none."""
     return breakaway if context.goals.sticks else 0.0
 
 
@@ -296,9 +299,9 @@ def come_to_rest(context: RunContext) -> Routine:
 def _profile(
     rest: float, speed: float, acceleration: float, smoothing_s: float
 ) -> tuple[float, ...]:
-    """The S-curve of the rest of a motion, cut to the longest duration of a run.
+    """Returns the S-curve of the rest of a motion, cut to the longest duration of a run.
 
-    Stop has to wait while a profile is computed, so a long slow motion must not take seconds to plan.
+    Stop waits while a profile is computed, so planning a long slow motion must not take seconds.
     """
     speed = max(speed, _MIN_SPEED)
     max_rest = speed * _MAX_PROFILE_S
@@ -308,7 +311,7 @@ def _profile(
 
 
 def rest_first(context: RunContext) -> Routine:
-    """After `drive`, stops the robot before the next motion: moving, it would leave its reference."""
+    """After `drive`, stops the robot before the next motion: a moving robot would leave its reference."""
     if context.reference_lost:
         yield from come_to_rest(context)
     return None
@@ -336,7 +339,10 @@ def _blocked_turn(turned_rad: float, angle_rad: float) -> RunFailureError:
 def _blocked_arc(
     context: RunContext, arc: ArcTracker, done_rad: float, angle_rad: float
 ) -> RunFailureError:
-    """An arc whose angle is nearly done but whose end is far was pushed off its circle: reports that distance."""
+    """Returns the failure of an arc.
+
+    If the angle is nearly done but the end is far, the robot was pushed off its circle: reports that distance.
+    """
     away_m = context.pose.distance_to(arc.point(angle_rad))
     if abs(angle_rad - done_rad) > _NEARLY_DONE_RAD or away_m <= _BESIDE_M:
         return _blocked_turn(done_rad, angle_rad)

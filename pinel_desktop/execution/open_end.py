@@ -1,4 +1,4 @@
-"""The end of an open run's program, where it waits for more commands."""
+"""The end of an open run's program, at which the run waits for more commands."""
 
 from collections.abc import Callable
 from typing import Any
@@ -21,10 +21,10 @@ def await_commands(
     *,
     simulated: bool,
 ) -> bool:
-    """Waits for more commands and puts them at the end of the program; False when there will be none.
+    """Waits for more commands and appends them to the program; returns False when no more will come.
 
-    Stop ends the wait, too: nothing is cut short. In a simulator nothing changes meanwhile and nothing is reported, so
-    that the run equals one of the whole program.
+    Stop ends the wait, too, because no command is cut short. In a simulator nothing changes during the wait and
+    nothing is reported, so that the run equals a run of the whole program.
 
     Raises:
         PinelError: `invalid_program`; the app has read the commands before.

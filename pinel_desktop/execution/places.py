@@ -7,13 +7,17 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.failure import RunFailureError
 from pinel_desktop.robot import Pose2D, Sensors
 
-_SAME_PLACE_M = 0.3  # outside of all places of the world; a little more than the robot's radius
+# marks outside of all places of the world: radius of one place, a little more than the robot's
+# radius
+_SAME_PLACE_M = 0.3
 
 
 def middle_of(
     name: str, places: Mapping[str, tuple[float, float]], origin: Pose2D
 ) -> tuple[float, float]:
-    """Middle (m, start frame) of a place; its name in any case, as typed and signed ones.
+    """Returns the middle (m, start frame) of a place.
+
+    Ignores the case of `name`, because typed and signed names differ in it.
 
     Args:
         places: middles of all places in the link's frame (m).
@@ -34,7 +38,7 @@ def middle_of(
 
 
 def place_under(sensors: Sensors) -> str:
-    """Name of the place under the robot; "" without one, and for robots that know of none."""
+    """Returns the name of the place under the robot; "" without one, and for robots without this sensor."""
     try:
         return str(sensors.reader("cell")())
     except PinelError:
@@ -43,7 +47,7 @@ def place_under(sensors: Sensors) -> str:
 
 @dataclass(slots=True)
 class MarkedPlaces:
-    """The marks of a run by place; one outside of all places of the world counts where it is."""
+    """The marks of a run by place; outside of all places of the world, by position."""
 
     _by_place: dict[str, str] = field(default_factory=dict)
     _outside_places: list[tuple[Pose2D, str]] = field(default_factory=list)

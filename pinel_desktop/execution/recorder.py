@@ -11,8 +11,8 @@ from typing import NamedTuple
 from pinel_desktop.execution.semantics import TRUE_CLOSING_ERROR_SINCE
 from pinel_desktop.robot import Pose2D
 
-PATH_STEP_M = 0.002  # of true poses; a shorter motion is the wheels' slip in a turn
-MEASURED_STEP_M = 0.02  # of poses that a robot measures; a shorter motion is noise
+PATH_STEP_M = 0.002  # between true poses; a shorter motion is the wheels' slip in a turn
+MEASURED_STEP_M = 0.02  # between poses that a real robot measures; a shorter motion is noise
 
 
 class Distances(NamedTuple):
@@ -28,8 +28,8 @@ class TelemetryRecorder:
 
     Attributes:
         add: appends a row given as a tuple; the array's bound method, for speed.
-        add_true: appends the true position, x and y, where the robot's pose is an estimate; in any frame.
-        true_start: the true position before the first row, in the same frame; None where nobody knows it.
+        add_true: appends the true position, x and y, if the robot's pose is an estimate; in any frame.
+        true_start: the true position before the first row, in the same frame; None if unknown.
     """
 
     COLUMNS = 8
@@ -42,7 +42,7 @@ class TelemetryRecorder:
         self.true_start: tuple[float, float] | None = None
 
     def distances(self, *, simulated: bool, semantics: int) -> Distances:
-        """What a run reports at its end, with the meaning of a version (`semantics.py`)."""
+        """Returns the distances that a run reports at its end, as a semantics version defines them (`semantics.py`)."""
         estimated_m = self.estimated_closing_error_m()
         length_m = self.true_path_length_m() if simulated else self.measured_path_length_m()
         if semantics < TRUE_CLOSING_ERROR_SINCE:
@@ -55,7 +55,7 @@ class TelemetryRecorder:
         return math.hypot(pose.x_m, pose.y_m)
 
     def true_closing_error_m(self) -> float | None:
-        """Distance of the last true position from the start; None where nobody knows it."""
+        """Distance of the last true position from the start; None if unknown."""
         if self.true_start is None:
             return None
         return (
@@ -65,13 +65,13 @@ class TelemetryRecorder:
         )
 
     def true_path_length_m(self) -> float:
-        """Length of the true way where it was recorded, else that of the robot's own path."""
+        """Returns the length of the true path if it was recorded, else of the robot's own path."""
         if not self._true:
             return self.path_length_m()
         return _path_length_m(self._true[::2], self._true[1::2], PATH_STEP_M)
 
     def measured_path_length_m(self) -> float:
-        """Length of the way of a real robot by its own poses, without their noise."""
+        """Returns the length of a real robot's path by its own poses, without their noise."""
         return _path_length_m(*self._positions(), MEASURED_STEP_M)
 
     def path_length_m(self) -> float:
@@ -98,7 +98,7 @@ class TelemetryRecorder:
 
 
 def _path_length_m(xs: Sequence[float], ys: Sequence[float], min_step_m: float) -> float:
-    """Length of the way in steps of at least `min_step_m`, and to the last position."""
+    """Returns the length of a path in steps of at least `min_step_m`, and to the last position."""
     length_m, x, y = 0.0, xs[0], ys[0]
     for new_x, new_y in zip(xs, ys, strict=True):
         step = math.hypot(new_x - x, new_y - y)

@@ -1,9 +1,9 @@
-"""What commands and sensors mean, by version. A recorded run is repeated with the version that it ran with.
+"""Versions of the meaning of commands and sensors. A recorded run is repeated with the version of its record.
 
-| version | since | what changed |
+| version | since | change |
 |---|---|---|
 | 3 | before the first release | |
-| 4 | 0.3 | `closing_error_m` is the true distance, null where nobody knows it; the estimate has a name of its own |
+| 4 | 0.3 | `closing_error_m` is the true distance, null if unknown; the estimate is a field of its own |
 """
 
 FIRST, CURRENT = 3, 4

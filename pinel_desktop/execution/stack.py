@@ -24,7 +24,7 @@ _PARTS_A_STEP = 20  # expression parts that take about as long as one command
 
 
 class _Entry(NamedTuple):
-    """A command that has begun; `reported` whether its beginning was reported, and its end will be."""
+    """A command that has started; `reported`: whether its start was reported, so that its end will be reported, too."""
 
     command: Any
     pointer: str
@@ -83,7 +83,7 @@ class ProgramStack:
         is_paused: whether the run pauses before the next command.
         awaits_person: whether the running command waits for a person or a camera.
         is_open: whether the program may grow: at its end it waits for more commands.
-        awaits_commands: whether an open program has come to its end.
+        awaits_commands: whether an open program has reached its end.
     """
 
     def __init__(self, program: Program, context: RunContext) -> None:
@@ -142,14 +142,15 @@ class ProgramStack:
         is_resumed, self.awaits_commands = self.awaits_commands, False
         self.is_paused = self.awaits_person = False
         timed = self._timed
-        if (
-            timed is not None
-        ):  # fast path: the command that needed the last tick mostly needs the next one
+        # fast path: the command that needed the last tick mostly needs the next one, too
+        if timed is not None:
             self._timed = None
             if self._resume(self._frames[-1], timed):
                 return True
         context = self._context
-        if not is_resumed:  # else no tick has passed: the run equals one of the whole program
+        # after a wait for commands no tick has passed: the run equals a run of the whole
+        # program
+        if not is_resumed:
             self._last_step = self.n_steps + max_steps + context.n_evaluated // _PARTS_A_STEP
         while self.n_steps + context.n_evaluated // _PARTS_A_STEP < self._last_step:
             self.n_steps += 1
@@ -162,7 +163,7 @@ class ProgramStack:
         return True
 
     def extend(self, commands: Sequence[Any]) -> None:
-        """More commands for an open program that has come to its end."""
+        """Appends commands to an open program that has reached its end."""
         frame = self._frames[0]
         frame.commands = [*frame.commands, *commands]
 
@@ -315,7 +316,7 @@ class ProgramStack:
         self._context.emit(BlockStarted(command.block, entry.pointer, command.action, entry.amount))
 
     def _report_late(self) -> None:
-        """Reports the beginnings of running commands that were withheld, once one of them takes time."""
+        """Reports the withheld starts of running commands, once one of these commands takes time."""
         for frame in self._frames:
             entry = frame.entry
             if entry is not None and not entry.reported:

@@ -31,7 +31,7 @@ def run_object(result: RunResult, run_id: str | None, message: str | None) -> di
 def unbegun_object(
     reason: str, message: str, faults: list[dict[str, Any]] | None = None
 ) -> dict[str, Any]:
-    """The object for a run that could not begin, for example without its world."""
+    """Returns the object for a run that could not start, for example without its world."""
     return {
         "state": "failed",
         "reason": reason,

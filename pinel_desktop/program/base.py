@@ -1,6 +1,6 @@
 """Base of a document's models: dataclasses with slots, validated by pydantic.
 
-Reading a long program takes a quarter less time than with `pydantic.BaseModel`, which keeps a dictionary and a set of
+Reading a long program takes a quarter less time than with `pydantic.BaseModel`, which stores a dictionary and a set of
 names for each command. pydantic builds the validators when the first document is read.
 """
 
@@ -22,9 +22,8 @@ class _Dataclass(type):
         # `dataclass` would generate a long docstring; pydantic does not take this form for a description
         namespace.setdefault("__doc__", f"{name}()")
         made: Any = super().__new__(cls, name, bases, namespace)
-        if (
-            "__slots__" in namespace
-        ):  # `Model`, or the class that `dataclass` creates again with slots
+        # `Model`, or the class that `dataclass` creates again with slots
+        if "__slots__" in namespace:
             return made
         return dataclass(init=False, repr=False, eq=False, slots=True, kw_only=True)(made)
 

@@ -28,7 +28,7 @@ class SemanticCheck:
 
     Attributes:
         faults: faults, in no order.
-        warnings: findings about what is valid, but can hardly be meant, in no order.
+        warnings: findings about valid parts that are hardly intended, in no order.
         is_large: True if there may be too many commands or levels; `shape.check_shape` decides.
         n_keys: number of keys in all objects; in a malformed document possibly fewer, never more.
     """

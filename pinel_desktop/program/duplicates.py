@@ -1,8 +1,8 @@
-"""Duplicate keys in the objects of a JSON text, of which `json.loads` silently keeps the last.
+"""Duplicate keys in the objects of a JSON text, of which `json.loads` silently returns only the last.
 
-Examining each object while parsing takes 1.7 times as long. `most_keys` is a cheap test before that: it counts all
-colons after a quote or white space, which includes those after keys. If the parsed data have as many keys, there are no
-duplicates. If not, a string may contain such a colon (`"a : b"`), and `duplicate_keys` examines each object.
+Examining each object while parsing takes 1.7 times as long. `max_keys` is a cheap test before that: it counts all
+colons after a quote or white space, which includes those after keys. If the parsed data have as many keys, there
+are no duplicates. If not, a string may contain such a colon (`"a : b"`), and `duplicate_keys` examines each object.
 """
 
 import json

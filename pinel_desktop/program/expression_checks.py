@@ -24,7 +24,7 @@ class ExpressionChecker:
     """Checks the expressions of one document. Adds findings to `found`, and names of variables to `variables`.
 
     Attributes:
-        warnings: findings about expressions that are valid, but can hardly be what was meant.
+        warnings: findings about valid expressions that are hardly intended.
         deepest: length of the longest path to an expression.
         n_keys: number of keys in the objects visited.
         parameters: parameters of the enclosing function, which are not variables.
@@ -194,7 +194,7 @@ class ExpressionChecker:
             self._add("not_text_or_list", path, operator=name)
 
     def _equality(self, args: list[Any], path: Path) -> None:
-        """Warns of a text that the sensor beside it never gives."""
+        """Warns of a comparison of a sensor with a text that the sensor never gives."""
         for i, (value, other) in enumerate((args, args[::-1])):
             name = other.get("sensor") if isinstance(other, dict) else None
             sensor = SENSORS.get(name) if isinstance(name, str) else None

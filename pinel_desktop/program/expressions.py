@@ -26,7 +26,7 @@ Name = Annotated[str, Field(max_length=MAX_NAME, pattern=NAME_PATTERN)]
 class ParameterSpec:
     """Annotation of a parameter: a literal of one type within bounds, or an expression. `unit` is for the docs.
 
-    `choices` are the only texts that it may have; empty where any text is allowed.
+    `choices` are the only allowed texts; empty if any text is allowed.
 
     Literals are tried first, in pydantic's compiled code, because nearly all parameters are literals.
     """

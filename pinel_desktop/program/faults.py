@@ -21,7 +21,7 @@ class Fault:
     params: dict[str, object] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
-        # files may hold anything, but a fault must be encodable as JSON and text
+        # files may contain anything, but a fault must be encodable as JSON and text
         object.__setattr__(self, "pointer", encodable(self.pointer))
         object.__setattr__(self, "block", None if self.block is None else encodable(self.block))
         params = {name: _shown(value) for name, value in self.params.items()}
@@ -44,7 +44,7 @@ def _shown(value: object) -> object:
     if isinstance(value, int) and abs(value) > _MAX_SHOWN_NUMBER:
         digits = str(value)
         return f"{digits[:12]}… ({len(digits)})"
-    if isinstance(value, list | tuple):  # of names to choose from
+    if isinstance(value, list | tuple):  # names to choose from
         return [_shown(one) for one in value]
     if isinstance(value, Mapping):
         return type(value).__name__

@@ -65,14 +65,14 @@ class Turn(CommandBase):
 
 
 class Stop(CommandBase):
-    """Stops the robot; the next command begins when it stands."""
+    """Stops the robot; the next command starts when the robot is at rest."""
 
     python = "robot.stop()"
     action: Literal["stop"]
 
 
 class Drive(CommandBase):
-    """Sets a velocity until the next motion command or the end; the next command begins at once."""
+    """Sets a velocity until the next motion command or the end; the next command starts at once."""
 
     python = "robot.drive(0.2, 30)"
     motion = "free"
@@ -143,7 +143,7 @@ class WaitUntil(CommandBase):
 
 
 class Pen(CommandBase):
-    """Begins or ends a trail on the floor, blue by default; the pen is up at the start."""
+    """Starts or ends a trail on the floor, blue by default; the pen is up at the start."""
 
     python = 'robot.pen(down=True, color="red")'
     action: Literal["pen"]
@@ -214,7 +214,7 @@ class SetVariable(CommandBase):
 
 
 class ChangeVariable(CommandBase):
-    """Adds to a variable with a number; in Python `x -= 1` adds -1."""
+    """Adds a number to a variable that contains a number; in Python `x -= 1` adds -1."""
 
     python = "x += 1"
     action: Literal["change_variable"]
@@ -232,7 +232,7 @@ class Append(CommandBase):
 
 
 class ReplaceItem(CommandBase):
-    """Puts a value in the place of an item of the list of that name; the first item has the position 1."""
+    """Replaces an item of the list of that name by a value; the first item has the position 1."""
 
     python = "numbers.replace_item(2, 7)"
     action: Literal["replace_item"]

@@ -46,7 +46,7 @@ def block_at(document: Any, path: Path) -> str | None:
 
 def in_document_order(document: Any, paths: Iterable[Path]) -> list[Path]:
     """Sorts paths by their position in the document."""
-    places: dict[int, dict[str, int]] = {}  # of the keys of each object, which are counted once
+    places: dict[int, dict[str, int]] = {}  # positions of the keys of each object, determined once
     return sorted(paths, key=lambda path: _rank(document, path, places))
 
 

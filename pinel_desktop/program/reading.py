@@ -27,8 +27,9 @@ class ParseResult:
     Attributes:
         program: the typed program; None if there are faults.
         faults: all faults, in the order of the document.
-        warnings: ignored parts, such as unknown keys in a bare list of the original PINEL, and parts that can hardly be
-            meant, such as a text that the floor's colour never equals. Empty if there are faults of the program.
+        warnings: ignored parts, such as unknown keys in a bare list of the original PINEL, and parts that are
+            hardly intended, such as a comparison of the floor's colour with an impossible text. Empty if the
+            program has faults.
     """
 
     program: Program | None
@@ -60,7 +61,7 @@ def _garbage_collection_off() -> Iterator[None]:
     try:
         yield
     finally:
-        # the result will be kept, so it skips the young generations
+        # the result lives long, so it skips the young generations
         gc.freeze()
         gc.unfreeze()
         if was_on:

@@ -9,8 +9,8 @@
 | block, generator, loader | `ui/src/blocks/table/sensor_rows.ts`, by `python -m scripts.reference` |
 | rows of docs/program-document.md and docs/python-text.md, `schema.json` | the same command |
 
-A link reads it by a method of that name in its `robot.Sensors`, in SI units and radians; without the method the run
-fails with `sensor_missing`. Its texts on the page are in `ui/src/i18n/LANG/blocks.ts`.
+A link reads a sensor by the method of the sensor's name in its `robot.Sensors`, in SI units and radians; without
+the method the run fails with `sensor_missing`. The sensor's texts on the page are in `ui/src/i18n/LANG/blocks.ts`.
 """
 
 import math
@@ -56,12 +56,12 @@ class Sensor:
         level: first level whose toolbox has its block.
         unit: of the value; the link gives degrees as radians.
         low, high: range of the value; None is unbounded.
-        texts: all texts that it gives; empty where it may give others.
+        texts: all possible texts; empty if other texts are possible.
         argument: None for a sensor without an argument.
         block: type of its block, which sensors without an argument may share; empty is the name.
         cost: evaluation time, as a number of parts of an expression.
-        simulated_only: True if no real robot can have it; a program that reads it is not run on one.
-        of_world: True if it tells of the world around the robot, which a real robot's room replaces.
+        simulated_only: True if no real robot can have it; a program that reads it is not run on a real robot.
+        of_world: True if it measures the world around the robot, which a real robot's room replaces.
     """
 
     name: str

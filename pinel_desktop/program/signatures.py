@@ -33,7 +33,7 @@ class CommandSignature:
 
 
 def parameter_spec(annotation: Any) -> ParameterSpec | None:
-    """The `Takes` annotation of a parameter; None without one."""
+    """The `ParameterSpec` annotation of a parameter; None without one."""
     for part in (annotation, *getattr(annotation, "__args__", ())):
         for mark in getattr(part, "__metadata__", ()):
             if isinstance(mark, ParameterSpec):

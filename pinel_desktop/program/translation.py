@@ -23,7 +23,7 @@ WRONG_TYPE = {
     "dataclass_type": "object",
     "model_attributes_type": "object",
 }
-# how pydantic names the literal of `expressions.Takes` in an error's location
+# how pydantic names the literal of `expressions.ParameterSpec` in an error's location
 _LITERAL_SCHEMA_NAMES = (
     "bool",
     "float",
@@ -67,9 +67,9 @@ def placed_fault(
 
 
 def relevant_errors(document: Any, errors: list[ErrorDetails]) -> list[tuple[Path, ErrorDetails]]:
-    """The errors that matter, with their paths.
+    """Returns the errors that matter, with their paths.
 
-    A parameter is a literal or an expression, and pydantic reports errors for both alternatives; those of the
+    A parameter is a literal or an expression, and pydantic reports errors for both alternatives. Errors of the
     alternative that was not intended are dropped.
     """
     at_path: dict[Path, list[ErrorDetails]] = {}

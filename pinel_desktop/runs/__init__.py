@@ -1,1 +1,1 @@
-"""A run as one value: its inputs, its verification, its grading."""
+"""A run as one value (`RunSpec`): its start, recorded inputs, verification and plots."""

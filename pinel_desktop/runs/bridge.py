@@ -1,18 +1,19 @@
-"""The bridge that an owner of this process switched on: it stands between runs, too. Steered by messages.
+"""The HTTP bridge between runs, in the engine's process; the app controls it by messages.
 
-From the owner:
+Messages of the app:
 
-- `bridge_listen` with `record`, `routes` (of each path `method` and `max_body`) and `file_pages`;
+- `bridge_listen` with `record` (the robot profile), `routes` (by path: `method` and `max_body`) and `file_pages`;
 - `bridge_answer` with `question`, `status`, and `document` or `jpeg`;
-- `bridge_alive`, once a second while a question is open.
+- `bridge_alive`, the keepalive, once a second while a question is open.
 
-To the owner:
+Messages to the app:
 
 - `bridge_listens` with `port`, or `bridge_refused` with `code` and `params`;
-- `bridge_asked` with `question`, `method`, `path`, `body`, `request` (of one stream the same), `batch` (of the page;
-  null between two) and `of_page` (whether a web page asks);
-- `bridge_batch_ended`: a block page says that it has sent its last command;
-- `bridge_withdrawn` with `question`: the client hung up, or the owner was silent for too long.
+- `bridge_asked` with `question`, `method`, `path`, `body`, `request` (the same for all pictures of one stream),
+  `batch` (number of the page's batch; null between two batches) and `of_page` (whether a web page sent the
+  request);
+- `bridge_batch_ended`: a block page has sent its last command;
+- `bridge_withdrawn` with `question`: the client hung up, or the app's keepalive expired.
 """
 
 from collections.abc import Callable
@@ -27,10 +28,10 @@ Message = dict[str, Any]
 
 
 class BridgeController:
-    """Does what the owner's messages say.
+    """Executes the app's messages about the bridge.
 
     Args:
-        send: hands a message to the owner; may wait.
+        send: sends a message to the app; may block.
     """
 
     def __init__(self, send: Callable[[Message], None]) -> None:
@@ -39,7 +40,7 @@ class BridgeController:
         self._bridge: PersistentBridge | None = None
 
     def handle(self, message: Message) -> None:
-        """A message of the owner, as the table says."""
+        """Executes one message of the app; ignores all other types."""
         match message["type"]:
             case "bridge_listen":
                 if self._bridge is None:
@@ -50,7 +51,7 @@ class BridgeController:
                 self._questions.record_keepalive()
 
     def close(self) -> None:
-        """Listens no more."""
+        """Ends all questions and stops listening."""
         self._questions.close()
         if self._bridge is not None:
             self._bridge.close()

@@ -1,4 +1,4 @@
-"""Compares a run's record with its replay, part by part."""
+"""Compares the record of a run with its replay, part by part."""
 
 import json
 import math
@@ -19,9 +19,10 @@ from pinel_desktop.execution.clock import TICK_HZ
 from storage import RunRow
 from storage.runs.telemetry import COLUMNS, STEPS, Rows, pack, unpack
 
-EQUAL_M = 1e-4  # between platforms, whose mathematical functions differ in the last digit
-_EQUAL_OVER_ALL_M = 1e-2  # the length of a long path adds up many of those
-_ADDED_METRIC = "estimated_closing_error_m"  # null when such a record is repeated, which lacks it
+EQUAL_M = 1e-4  # tolerance between platforms: their math functions differ in the last digit
+_EQUAL_OVER_ALL_M = 1e-2  # a long path's length sums up many such differences
+# records of releases before 0.3 lack this field; their replay gives null
+_ADDED_METRIC = "estimated_closing_error_m"
 _ANGLES = ("yaw_rad", "goal_yaw_rad", "true_yaw_rad")
 _SHA256 = re.compile(r"[0-9a-f]{64}\Z")
 _HEAD = ("v", "type", "run", "seq", "tick")
@@ -33,7 +34,7 @@ Wire = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Discrepancy:
-    """A part of a record that was changed or is missing: `code` and `params` choose the words."""
+    """A part of a record that was changed or is missing; `code` and `params` select the message."""
 
     code: str
     params: dict[str, Any]
@@ -41,7 +42,7 @@ class Discrepancy:
 
 @dataclass(frozen=True, slots=True)
 class FirstDivergence:
-    """The first tick at which a replay is not what was recorded, beyond what the record rounds to."""
+    """The first value of a replay that differs from the record by more than the tolerance."""
 
     tick: int
     column: str
@@ -50,13 +51,13 @@ class FirstDivergence:
 
     @property
     def time_s(self) -> float:
-        """Robot time since the start."""
+        """Robot time since the start, in s."""
         return self.tick / TICK_HZ
 
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """What the store holds of a run; `rows` as in `storage.runs.telemetry.COLUMNS`."""
+    """The stored data of a run; the columns of `rows` are `storage.runs.telemetry.COLUMNS`."""
 
     row: RunRow
     rows: Rows
@@ -64,13 +65,13 @@ class Record:
 
     @property
     def ended(self) -> Wire:
-        """Its closing event; one without anything when there is none."""
+        """The closing event; an empty mapping if the record lacks it."""
         last = self.events[-1] if self.events else _NOTHING
         return last if last.get("type") == RunEnded.type else _NOTHING
 
 
 class ReplayLog:
-    """The events and telemetry of a replay, as the store would keep them."""
+    """The events and telemetry of a replay, in the form in which the store returns them."""
 
     def __init__(self) -> None:
         self.events: list[Wire] = []
@@ -78,27 +79,27 @@ class ReplayLog:
         self._stamp = EventSequencer("")
 
     def observe(self, tick: int, event: Event) -> None:
-        """To be called with every event."""
+        """Adds an event; must be called with every event of the replay."""
         if type(event) is Sample:
             self._samples.append((tick, *_sample(event)))
         elif event.is_recorded:
             self.events.append(json.loads(json.dumps(self._stamp.wire(tick, event))))
 
     def rows(self) -> Rows:
-        """The telemetry, rounded as the record is."""
+        """Returns the telemetry, rounded as the store rounds it."""
         rows = np.array(self._samples, dtype=np.float64).reshape(-1, len(COLUMNS))
         return unpack(pack(rows), len(rows))
 
 
 def gaps(record: Record) -> list[Discrepancy]:
-    """Ticks that a record lacks in its midst."""
+    """Returns the first missing tick of a record as a discrepancy, if any tick is missing."""
     ticks = record.rows[:, 0]
     wrong = np.flatnonzero(ticks != np.arange(1, len(ticks) + 1))
     return [Discrepancy("part_ticks", {"tick": int(wrong[0]) + 1})] if len(wrong) else []
 
 
 def inconsistencies(record: Record) -> list[Discrepancy]:
-    """Where the record of a run that came to its end contradicts itself, whatever a replay says."""
+    """Returns the contradictions within the record of a run that reached its end; needs no replay."""
     row, ended, n_rows = record.row, record.ended, len(record.rows)
     parts = gaps(record)
     if not parts and ended and n_rows != ended["tick"]:
@@ -114,7 +115,11 @@ def inconsistencies(record: Record) -> list[Discrepancy]:
 
 
 def discrepancies(record: Record, replay: ReplayLog, *, exactly: bool) -> list[Discrepancy]:
-    """What of a record is not what its replay gave; `exactly` where the same numbers came out."""
+    """Returns the parts of a record that differ from its replay.
+
+    Args:
+        exactly: allows no tolerance; for a replay that gave the recorded `telemetry_sha256`.
+    """
     parts: list[Discrepancy] = []
     rows, everything = replay.rows(), record.row.app_version == __version__
     if len(record.rows) != len(rows):
@@ -132,10 +137,10 @@ def discrepancies(record: Record, replay: ReplayLog, *, exactly: bool) -> list[D
 def first_difference(
     recorded: Rows, repeated: Rows, *, exactly: bool = False
 ) -> FirstDivergence | None:
-    """The first row in which they differ, as far as both go; the record is rounded, and so must be what is repeated.
+    """Returns the first difference in the rows that both tables have; both must be rounded as the store rounds them.
 
     Args:
-        exactly: whether a last digit is a difference, too.
+        exactly: reports differences below the tolerance, too.
     """
     n = min(len(recorded), len(repeated))
     was, now = recorded[:n], repeated[:n]
@@ -157,7 +162,7 @@ def first_difference(
 
 
 def _limit(step: float) -> float:
-    """Of numbers that are both rounded to the step; ticks and bumper are whole."""
+    """Returns the tolerance for numbers that are rounded to `step`; ticks and bumper are whole numbers."""
     return 0.5 if step >= 1.0 else 1.5 * max(step, EQUAL_M)
 
 
@@ -203,15 +208,14 @@ def _wrong_events(
 
 
 def _is_same_event(was: Wire, now: Wire, limit: float, *, everything: bool) -> bool:
-    if (
-        limit and was["type"] == now["type"] == RunEnded.type
-    ):  # its other figures are compared by themselves
+    # `_wrong_fields` compares the other fields
+    if limit and was["type"] == now["type"] == RunEnded.type:
         return _same(was.get(_ADDED_METRIC), now.get(_ADDED_METRIC), _EQUAL_OVER_ALL_M)
     return _same(was, _comparable(was, now, everything=everything), limit)
 
 
 def _comparable(was: Wire, now: Wire, *, everything: bool) -> dict[str, Any]:
-    """The fields of a repeated event that its record must have; events of another release may have told less."""
+    """Returns the fields of a repeated event that its record must have; an older release may have recorded fewer."""
     return {
         name: value
         for name, value in now.items()
@@ -222,13 +226,13 @@ def _comparable(was: Wire, now: Wire, *, everything: bool) -> dict[str, Any]:
 def same_beginning(
     recorded: Sequence[Wire], repeated: Sequence[Wire], tick: int
 ) -> list[Discrepancy]:
-    """The same for a record that breaks off at a tick: what came before it."""
+    """Compares the events before `tick`, at which the record of an interrupted run breaks off."""
     was, now = ([e for e in events if e["tick"] < tick] for events in (recorded, repeated))
     return _wrong_events(was, now, EQUAL_M, everything=False)
 
 
 def _plain(events: Sequence[Wire]) -> Iterator[dict[str, Any]]:
-    """Without run and number: those who watched a run have taken numbers for what is not kept."""
+    """Yields events without `run` and `seq`: lossy events are numbered, too, and differ between run and replay."""
     for event in events:
         yield {name: value for name, value in event.items() if name not in ("run", "seq")}
 

@@ -1,4 +1,4 @@
-"""Whether a real robot can be reached, and which ones there are; every robot is left standing."""
+"""Discovers real robots and tests the connection to one of them; commands zero velocity only."""
 
 import math
 import time
@@ -14,12 +14,12 @@ _LISTEN_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """What a robot told of itself.
+    """State that a robot reported.
 
     Attributes:
-        x_m, y_m, heading_deg: pose in its own odometry frame.
-        rate_hz: messages about its pose in a second.
-        battery: charge from 0 to 1; None if it does not tell.
+        x_m, y_m, heading_deg: pose in the robot's own odometry frame.
+        rate_hz: odometry messages per second.
+        battery: charge from 0 to 1; None if the robot does not report it.
     """
 
     x_m: float
@@ -29,12 +29,12 @@ class Contact:
     battery: float | None
 
     def as_message(self) -> dict[str, Any]:
-        """Plain JSON data."""
+        """Returns plain JSON data."""
         return asdict(self)
 
 
 def robots_in_domain(robot: RobotProfile) -> list[dict[str, Any]]:
-    """The robots in the domain of a record of ROS 2, as plain JSON data (`links.dds.finding.FoundRobot`).
+    """Returns the robots in the domain of a ROS 2 profile, as plain JSON data (`links.dds.discovery.DiscoveredRobot`).
 
     Raises PinelError `network_missing`, `peer_unknown`.
     """
@@ -45,7 +45,7 @@ def robots_in_domain(robot: RobotProfile) -> list[dict[str, Any]]:
 
 
 def probe_robot(robot: RobotProfile) -> Contact:
-    """Connects with a robot, which is commanded zeros only. Raises what connecting with it raises."""
+    """Connects to a robot and commands zero velocity only. Raises what the link's `connect` and `read` raise."""
     link = open_link(robot.link, world=robot.room.as_world(), robot=robot)
     assert isinstance(link, RealLink)
     try:

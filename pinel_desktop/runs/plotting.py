@@ -1,6 +1,6 @@
-"""A run as the dissertation shows its experiments: path, position, heading, control signals; desired and obtained.
+"""Plots a run as the figures of the dissertation do: path, position, heading and control signals, desired and obtained.
 
-matplotlib is large and only here: it is the extra `plot`, and the package does without it.
+Only this file needs matplotlib, which is large: it is the extra `plot`, and the package does not include it.
 """
 
 import importlib.util
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _ENDINGS = (".png", ".svg", ".pdf")
-# each is `plot_NAME` of the messages
+# message codes, each with the prefix `plot_`
 _LABELS = (
     "path",
     "position",
@@ -47,7 +47,7 @@ _COLUMNS = (
     "true_x_m",
     "true_y_m",
 )
-# of Okabe and Ito's palette, which colour-blind people tell apart
+# from Okabe and Ito's palette, which colour-blind people can distinguish
 _BLUE, _ORANGE, _GREEN, _GREY = "#0072B2", "#D55E00", "#009E73", "#555555"
 _VISIBLE_M = 0.005
 _INCHES, _DPI = (11.0, 8.5), 120
@@ -55,7 +55,7 @@ _INCHES, _DPI = (11.0, 8.5), 120
 
 @dataclass(slots=True)
 class Curves:
-    """Telemetry of a run, column by column; `observe` is to be called with all of its events."""
+    """Telemetry of a run by column; `observe` must be called with all events of the run."""
 
     columns: dict[str, list[float]] = field(
         default_factory=lambda: {name: [0.0] for name in _COLUMNS}
@@ -72,14 +72,14 @@ class Curves:
 
     @property
     def time_s(self) -> list[float]:
-        """Time of each row since the start."""
+        """Robot time of each row since the start, in s."""
         return [tick / TICK_HZ for tick in range(len(self["x_m"]))]
 
 
 def plot_format(file: str) -> str:
-    """The kind of picture that the file's name ends in.
+    """Returns the picture format by the extension of the file's name.
 
-    Raises PinelError `plot_ending` for any other, `plot_missing` without matplotlib.
+    Raises PinelError `plot_ending` for an unknown extension, `plot_missing` without matplotlib.
     """
     ending = Path(file).suffix.lower()
     if ending not in _ENDINGS:
@@ -90,7 +90,7 @@ def plot_format(file: str) -> str:
 
 
 def draw(curves: Curves, file: str, *, title: str, language: str) -> None:
-    """Writes a picture (PNG, SVG or PDF, by the ending of its name).
+    """Writes a picture in the format of the file's extension (PNG, SVG or PDF).
 
     Raises PinelError as `plot_format` does, or `plot_unwritable` with the reason.
     """
@@ -133,7 +133,7 @@ def _path(axes: "Axes", curves: Curves, labels: dict[str, str]) -> None:
 
 
 def _differ(curves: Curves, name: str) -> bool:
-    """Whether the robot was ever visibly elsewhere than it believed."""
+    """Returns whether the estimated position ever differs visibly from the true one."""
     pairs = zip(curves[f"{name}_m"], curves[f"true_{name}_m"], strict=True)
     return any(abs(believed - true) > _VISIBLE_M for believed, true in pairs)
 
@@ -169,7 +169,7 @@ def _finish(axes: "Axes", title: str, x: str, y: str) -> None:
 
 
 def _unwrapped(yaws_rad: Sequence[float]) -> list[float]:
-    """Headings in degrees without jumps at 180."""
+    """Returns headings in degrees without jumps at 180 degrees."""
     degrees: list[Any] = []
     turned = 0.0
     for i, yaw in enumerate(yaws_rad):

@@ -1,4 +1,4 @@
-"""A run's spec as the store keeps it, and back."""
+"""Converts a run's spec to the record in the store, and back."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -22,13 +22,13 @@ def record_of(
     program_id: str | None = None,
     more: dict[str, Any] | None = None,
 ) -> RunStart:
-    """What is kept of a run when it begins; its inputs follow as events.
+    """Returns the data that the store records when a run starts; the run's inputs follow as events.
 
     Args:
-        version_id: of the stored version that holds the document; without one the document itself is kept.
-        activity: what was to be solved.
-        program_id: of a run whose document grows, as in `RunStart`.
-        more: further parameters, for people to look up.
+        version_id: id of the stored version that holds the document; without an id the document itself is recorded.
+        activity: the activity that the run should solve.
+        program_id: only for a run whose document grows, as in `RunStart`.
+        more: further parameters, recorded for people only.
     """
     assert isinstance(spec.world, dict)
     assert isinstance(spec.document, dict)
@@ -52,7 +52,7 @@ def record_of(
 
 
 def spec_of(row: RunRow, document: Document, inputs: RunInputs) -> RunSpec:
-    """The spec of a recorded run. Raises PinelError `run_damaged`, `run_newer`."""
+    """Returns the spec of a recorded run. Raises PinelError `run_damaged`, `run_newer`."""
     return RunSpec(
         document=document,
         world=row.world_document,
@@ -65,7 +65,7 @@ def spec_of(row: RunRow, document: Document, inputs: RunInputs) -> RunSpec:
 
 
 def _semantics_of(parameters: Mapping[str, Any]) -> int:
-    """What commands and sensors meant in a recorded run."""
+    """Returns the semantics version of a recorded run (`execution.semantics`)."""
     version = parameters.get(_SEMANTICS)
     if not isinstance(version, int) or isinstance(version, bool) or version < FIRST:
         raise PinelError("run_damaged", part="parameters")

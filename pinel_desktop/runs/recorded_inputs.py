@@ -1,4 +1,4 @@
-"""The inputs of a recorded run, given again at the same ticks and between the same commands."""
+"""Inputs for the replay of a recorded run, given at the same ticks and between the same commands."""
 
 import math
 from collections import deque
@@ -16,13 +16,14 @@ WireEvent = Mapping[str, Any]
 
 
 class _Request(NamedTuple):
-    """A pause or stop that was requested by a person or a breakpoint.
+    """A pause or stop that a person or a breakpoint requested.
 
     Attributes:
-        event_index: its place among the recorded events; of one that came together with an input, the input's.
-        at: the tick; for `hold`, how many commands had begun.
-        when: what the run did at that tick. While it `awaited` a person, when one had just `answered`, or while it was
-            `paused`, robot time stood still.
+        event_index: index of the request among the recorded events; if it came together with an input, the input's
+            index.
+        at: the tick; for `hold`, the number of commands that had started.
+        when: state of the run at that tick. In all states but `running` robot time was stopped: the run `awaited` a
+            person, a person had just `answered`, or the run was `paused`.
     """
 
     what: Literal["pause", "hold", "stop"]
@@ -36,7 +37,7 @@ T = TypeVar("T")
 
 
 class _Input(NamedTuple, Generic[T]):
-    """A recorded result or answer, and the tick at which it was given."""
+    """A recorded result or answer, and its tick."""
 
     event_index: int
     tick: int
@@ -47,11 +48,11 @@ class RecordedInputs:
     """Inputs and requests of a recorded run, for its replay.
 
     Args:
-        events: of the recorded run in their order, as they are on the wire; telemetry may be missing.
-        until_tick: where the record breaks off, so that the replay stops there too; None where it does not.
+        events: events of the recorded run in their order, in wire format; telemetry may be missing.
+        until_tick: the tick at which the replay stops; None for no limit.
 
-    Raises PinelError `run_not_repeatable` for a record that does not tell when the run was stopped or held,
-    `run_damaged` where an event is none.
+    Raises PinelError `run_not_repeatable` if the record lacks the tick of a stop or the command of a pause,
+    `run_damaged` if an event is malformed.
     """
 
     is_live = False
@@ -61,7 +62,7 @@ class RecordedInputs:
         self.answers = _Recorded[str](self, self._answer_missing)
         self.tick = 0
         self._control = RunControl()
-        self._is_paused = False  # the robot still comes to rest then, which takes ticks
+        self._is_paused = False  # a paused robot still comes to rest, which takes ticks
         self._requests: deque[_Request] = deque()
         self._ended: WireEvent = {}
         try:
@@ -72,21 +73,21 @@ class RecordedInputs:
             self._requests.append(_Request("stop", math.inf, until_tick))
 
     def attach(self, control: RunControl) -> Callable[[int, Event], None]:
-        """Gives recorded requests to `control`; returns what must observe the replay."""
+        """Passes recorded requests to `control`; returns the observer that must receive the replay's events."""
         self._control = control
         if self._ended.get("state") == "stopped":
             control.stop_reason = self._ended["reason"]
         return self._observe
 
     def is_requested_before(self, place: float) -> bool:
-        """Whether a pause or stop is due that came while the program waited, before the event at that place."""
+        """Returns whether a pause or stop is due that came during the wait for the input at event index `place`."""
         if not self._requests:
             return False
         request = self._requests[0]
         return request.when == "awaited" and self.tick >= request.at and request.event_index < place
 
     def stop_if_it_came_with(self, place: int) -> None:
-        """Makes the request to stop that came in the same moment as the input at that place."""
+        """Requests the stop that came at the same time as the input at event index `place`, if there is one."""
         if (
             self._requests
             and self._requests[0].when == "answered"
@@ -95,7 +96,7 @@ class RecordedInputs:
             self._control.stop()
 
     def pause_or_stop(self) -> None:
-        """Makes the request that is due."""
+        """Makes the next recorded request."""
         if self._requests[0].what == "stop":
             self._control.stop()
         else:
@@ -135,7 +136,7 @@ class RecordedInputs:
                         self._requests.append(_stop(place, event, moment))
 
     def _request(self) -> None:
-        """Makes the next request, if its time has come."""
+        """Makes the next recorded request if it is due."""
         if not self._requests:
             return
         request = self._requests[0]
@@ -145,7 +146,7 @@ class RecordedInputs:
             self.pause_or_stop()
 
     def _resume(self) -> None:
-        """After a pause, which is over at once."""
+        """Ends a pause of the replay at once."""
         self._requests.popleft()
         self._control.resume()
         if self._requests and self._requests[0].when == "paused":
@@ -153,10 +154,12 @@ class RecordedInputs:
 
 
 class _Recorded(Generic[T]):
-    """Gives recorded inputs at their ticks: at once where robot time stood still, else when its ticks have passed.
+    """Gives recorded inputs at their ticks.
+
+    If robot time was stopped during the recorded wait, gives the input at once; otherwise after the recorded ticks.
 
     Args:
-        at_end: called with the question where the record has no input left.
+        at_end: called with the question when no recorded input is left.
     """
 
     def __init__(
@@ -192,7 +195,7 @@ class _Recorded(Generic[T]):
 
 
 def _capture(event: WireEvent) -> Capture:
-    """The whole result; records of earlier releases tell the sign only."""
+    """Returns the recorded result; records of earlier releases contain only the sign."""
     return Capture(
         _text(event["result"]), event.get("by"), event.get("confidence"), event.get("second", "")
     )
@@ -210,12 +213,13 @@ def _as_typed(value: object) -> str:
 
 
 class _RecordCursor:
-    """Where the recorded run stood, and whether robot time stood still there.
+    """State of the recorded run at the current event, and whether robot time was stopped.
 
     Attributes:
-        paused: whether it was paused.
-        awaited_at: the tick since which it waited for an input; None while it did not.
-        answered_at, answered_index: of the last input, where no tick had passed while it was awaited.
+        paused: whether the run was paused.
+        awaited_at: the tick at which the run began to wait for an input; None while it did not wait.
+        answered_at, answered_index: tick and event index of the last input; the tick is None if ticks passed in the
+            wait.
     """
 
     def __init__(self) -> None:

@@ -1,4 +1,4 @@
-"""What a program asks of a robot that this robot cannot tell: known before the run, so said before it."""
+"""Static checks of a program against a robot: reports missing sensors and places before the run starts."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -13,7 +13,7 @@ _Found = Iterator[tuple[str, Path, dict[str, object]]]
 
 
 def missing_on_real_robots(document: Any) -> list[Fault]:
-    """A fault at each block of a sound document that reads what no real robot senses, or drives to a place by name.
+    """Returns faults of a valid document on real robots: simulator-only sensors, and drives to places by name.
 
     Codes: `sensor_missing`, `places_missing`.
     """
@@ -30,9 +30,9 @@ def missing_on_real_robots(document: Any) -> list[Fault]:
 
 
 def missing_on_model(document: Any, robot: RobotModel) -> list[Fault]:
-    """A fault at each block of a sound document that reads a sensor which the robot model does not have.
+    """Returns a fault for each block of a valid document that reads a sensor which the robot model lacks.
 
-    Codes: `sensor_missing`; `angle_out_of_range` for an angle outside of its laser scanner's field.
+    Codes: `sensor_missing`; `angle_out_of_range` for an angle outside the field of the model's laser scanner.
     """
 
     def found() -> _Found:
@@ -60,7 +60,7 @@ def _faults(document: Any, found: _Found) -> list[Fault]:
 
 
 def _objects(value: Any, path: Path) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Every object of a document, in order."""
+    """Yields every object of a document with its path, in order."""
     if isinstance(value, dict):
         yield path, value
         children = list(value.items())

@@ -1,4 +1,4 @@
-"""A run as one value: everything that decides what happens in it."""
+"""A run as one value (`RunSpec`): everything that determines what happens in the run."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.robot import SimulationConfig, simulation_config_from
 
-if TYPE_CHECKING:  # heavy, and the app starts without it
+if TYPE_CHECKING:  # a slow import, which the app's start avoids
     from pinel_desktop.execution.control import RunControl
     from pinel_desktop.execution.executor import Observer
     from pinel_desktop.program.model import Program
@@ -18,36 +18,37 @@ if TYPE_CHECKING:  # heavy, and the app starts without it
 
 Pace = Literal["live", "max"]
 Document = dict[str, Any] | list[Any]
-# reasons of runs that PINEL or the PC lost: their record breaks off, and the program has no part in it
+# reasons of runs that ended by a failure of PINEL or of the PC, not of the program; their record is
+# incomplete
 INTERRUPTED_REASONS = ("interrupted", "engine_lost", "real_engine_lost", "internal_error")
 
 
 class RunInputs(Inputs, Protocol):
-    """Inputs that may also make requests: those of a recorded run bring its pauses and its Stop."""
+    """Inputs that may also make requests: a recorded run's inputs replay its pauses and its stop."""
 
     def attach(self, control: RunControl) -> Observer | None:
-        """Called once before the run begins; returns what must observe the run, or None."""
+        """Returns the observer that must receive the run's events, or None. Called once, before the run starts."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class RunSpec:
-    """What is run, on what, and where its inputs come from; `runs.start.start` executes it.
+    """Everything that determines a run; `runs.start.start` executes it.
 
-    The same spec gives the same run, tick by tick, on a simulated link. Replaying a recorded run is starting its spec
+    On a simulated link, the same spec gives the same run, tick by tick. A replay starts the spec of a recorded run
     with `RecordedInputs`.
 
     Attributes:
         document: the program document.
-        world: name or document of the simulator's world, or of the room that a real robot drives in.
+        world: name or document of the simulator's world, or of the room in which a real robot drives.
         link: name of the robot link (`links.LINK_NAMES`).
-        robot: how the link reaches its robot, and what it may do; None for the simulator.
-        setting: the robot, how it is simulated and what it knows of its pose.
-        seed: of the run's random numbers.
-        inputs: where results of captures and answers to questions come from.
-        pace: `live` for ticks in real time, `max` for as fast as they can; a real robot runs live only.
-        semantics: version of what commands and sensors mean (`execution.semantics`).
-        program: `document` when it has been read before, which spares `start` the reading.
+        robot: profile of a real robot: its connection and its limits; None for the simulator.
+        setting: robot model, realism of the simulation, and source of the robot's pose.
+        seed: seed of the run's random numbers.
+        inputs: source of capture results and of answers to questions.
+        pace: `live` paces ticks in real time, `max` does not pace them; a real robot's run is always live.
+        semantics: version of the meaning of commands and sensors (`execution.semantics`).
+        program: `document` if it was read before; `start` then does not read it again.
     """
 
     document: Document
@@ -62,7 +63,7 @@ class RunSpec:
     program: Program | None = field(default=None, compare=False)
 
     def as_message(self) -> dict[str, Any]:
-        """Plain JSON data for the engine's process, without the inputs, which are live there."""
+        """Returns plain JSON data for the engine's process. Lacks the inputs, because they are live there."""
         return {
             "document": self.document,
             "world": self.world,
@@ -76,9 +77,9 @@ class RunSpec:
 
 
 def spec_from(message: Mapping[str, Any], inputs: RunInputs) -> RunSpec:
-    """The spec of a message.
+    """Returns the spec of an engine message.
 
-    Raises PinelError `run_damaged` for a setting that never was one, and what `record_from` raises for the robot.
+    Raises PinelError `run_damaged` for an invalid setting, and what `profile_from` raises for the robot.
     """
     robot = message["robot"] and _profile_from(message["robot"])
     setting = simulation_config_from(message["setting"])

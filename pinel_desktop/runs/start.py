@@ -1,4 +1,4 @@
-"""The one way to execute a run: the engine, `pinel run`, verification and the activities' checker use it."""
+"""The only way to execute a run: the engine, `pinel run`, verification and the activities' checks use it."""
 
 import contextlib
 import gc
@@ -18,7 +18,7 @@ from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import RobotLink, RobotModel
 from pinel_desktop.runs.spec import RunSpec
 
-# what a person did in a recorded run takes no time when it is done again
+# people's actions in a recorded run take no time in its replay
 _NO_TIME = WallTime(now=lambda: 0.0, sleep=lambda seconds: None)
 
 
@@ -36,13 +36,13 @@ def start(
     Args:
         observer: called with every event.
         control: lets other threads pause, stop and inspect the run.
-        wall: the time of live ticks and of people.
-        step_limit: for a run that nobody watches.
+        wall: wall-clock time, for live ticks and for people's inputs.
+        step_limit: ends a run that nobody watches; None for no limit.
         on_link: called with the run's link before it connects.
 
     Raises:
         PinelError: before the robot moves, what reading the document and opening the link raise: `invalid_program`,
-            `unknown_link`, `unknown_robot`, `unknown_world`. Whatever goes wrong later is the run's outcome.
+            `unknown_link`, `unknown_robot`, `unknown_world`. Later errors become the outcome of the run.
     """
     control = control or RunControl()
     program = spec.program or _read(spec)
@@ -86,14 +86,14 @@ def _goals(spec: RunSpec) -> Goals:
 
 
 def _clock(spec: RunSpec, link: RobotLink, control: RunControl, wall: WallTime) -> Clock:
-    """A real robot has one speed; that of the simulator is chosen."""
+    """Returns the clock of the run. Only the simulator has a variable speed."""
     if not link.simulated:
         return LiveClock(wall)
     return UnpacedClock() if spec.pace == "max" else LiveClock(wall, speed=lambda: control.pace)
 
 
 def all_of(*observers: Observer | None) -> Observer | None:
-    """One observer for all; None where there is none, which is faster."""
+    """Returns one observer that calls all given observers; None without any, which is faster."""
     there = [observer for observer in observers if observer is not None]
     if len(there) < 2:
         return there[0] if there else None
@@ -107,7 +107,7 @@ def all_of(*observers: Observer | None) -> Observer | None:
 
 @contextlib.contextmanager
 def _frozen_garbage() -> Iterator[None]:
-    """Keeps the garbage collector off what is there already: a search through a long program takes several ticks."""
+    """Exempts existing objects from garbage collection: scanning a long program takes several ticks."""
     gc.freeze()
     try:
         yield

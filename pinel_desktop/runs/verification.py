@@ -1,4 +1,4 @@
-"""Whether a recorded run comes out the same when it is run again, and where it first differs if not."""
+"""Verifies a recorded run: repeats it, and finds the first difference between record and replay."""
 
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -30,13 +30,14 @@ class VerificationResult:
     """The result of a verification.
 
     Attributes:
-        outcome: `identical` to the bit; `equal` within 0.1 mm and 0.1 mrad; `different`; or `altered`: the record does
-            not agree with itself, or with a replay that gave the recorded `telemetry_sha256`.
-        n_ticks: how many ticks were compared.
-        whole: whether that is the whole run; a run that was cut off is compared as far as its record goes.
-        recorded_sha256, repeated_sha256: `telemetry_sha256` of both; that of a run that was cut off is None.
-        difference: where they first differ; None where they do not.
-        parts: what of an altered record was changed or is missing.
+        outcome: `identical`: equal bit by bit; `equal`: within 0.1 mm and 0.1 mrad; `different`; or `altered`: the
+            record contradicts itself, or contradicts a replay with the recorded telemetry.
+        n_ticks: number of compared ticks.
+        whole: whether the whole run was compared; an interrupted run is compared up to the end of its record.
+        recorded_sha256, repeated_sha256: `telemetry_sha256` of record and replay; the record of an interrupted run
+            has None.
+        difference: the first difference; None without one.
+        parts: the changed or missing parts of an altered record.
     """
 
     outcome: Outcome
@@ -49,12 +50,15 @@ class VerificationResult:
 
 
 def verify_run(store: Store, row: RunRow) -> VerificationResult:
-    """Runs a recorded run again in this process and compares all that the store holds of it.
+    """Repeats a recorded run in this process, and compares it with everything that the store holds of the run.
 
-    It is run with what commands and sensors meant then (`execution.semantics`). Raises PinelError `run_not_simulated`
-    for a real robot's, `run_not_ended` for one that has not, `run_not_repeatable` for a record of an earlier release
-    that does not tell all that is needed, `run_newer` for one of a later release, `run_damaged` and StoreError
-    `run_damaged` for one that cannot be read, and what reading and opening raise.
+    The replay uses the recorded semantics version (`execution.semantics`).
+
+    Raises:
+        PinelError: `run_not_simulated` for a real robot's run, `run_not_ended` for a run without its end,
+            `run_not_repeatable` for a record of an earlier release that lacks necessary data, `run_newer` for a
+            record of a later release, `run_damaged` for an unreadable record, and what reading and opening raise.
+        StoreError: `run_damaged` for an unreadable record.
     """
     if row.link != "sim":
         raise PinelError("run_not_simulated", link=row.link)
@@ -63,7 +67,8 @@ def verify_run(store: Store, row: RunRow) -> VerificationResult:
     record = Record(row, store.runs.telemetry(row.id).rows, store.runs.events(row.id))
     until = len(record.rows) if row.reason in INTERRUPTED_REASONS else None
     replay = ReplayLog()
-    # a replay that goes beyond the record differs: a made-up program need not be run to its end, which may be far
+    # The replay stops one tick after the record's end: one more tick proves a difference. A
+    # forged program might run for long.
     max_ticks = len(record.rows) + 1 if until is None else until
     spec = spec_of(row, _document(store, row), RecordedInputs(record.events, max_ticks))
     result = start(spec, replay.observe)
@@ -89,7 +94,7 @@ def verify_run(store: Store, row: RunRow) -> VerificationResult:
 def _parts(
     record: Record, replay: ReplayLog, result: RunResult, difference: FirstDivergence | None
 ) -> list[Discrepancy]:
-    """What was changed of the record; nothing where it is sound and the replay merely differs."""
+    """Returns the changed parts of the record; none if the record is consistent and only the replay differs."""
     row = record.row
     if row.reason in INTERRUPTED_REASONS:
         beginning = same_beginning(record.events, replay.events, len(record.rows))

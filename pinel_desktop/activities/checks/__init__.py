@@ -1,8 +1,8 @@
-"""The table of all kinds of checks, in the order in which the teacher's form offers them.
+"""The table of all kinds of checks, in the order of the teacher's form.
 
-Every kind is a file below: its model, whose docstring is its row in docs/activities.md, how it is evaluated, what
-pupils read of it, what a teacher chooses. Its words stand in `messages/catalogue/LANGUAGE/activities.json`, those of
-the form in `ui/src/i18n/LANGUAGE/teacher.ts`.
+Each kind has a file in the folders below: its model, its evaluation, its texts for pupils, its fields in the form.
+The model's docstring is the kind's row in docs/activities.md. The texts are in
+`messages/catalogue/LANGUAGE/activities.json`, the form's labels in `ui/src/i18n/LANGUAGE/teacher.ts`.
 """
 
 from typing import Annotated, get_args

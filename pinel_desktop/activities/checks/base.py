@@ -1,4 +1,4 @@
-"""What every kind of check has: its model, how it is evaluated, and what pupil and teacher read and choose of it."""
+"""Base of all kinds of checks: model, evaluation, texts for pupils, and fields of the teacher's form."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -18,22 +18,23 @@ Length = Annotated[float, Field(gt=0, le=10_000)]
 Value = float | str | None
 Path = tuple[str | int, ...]
 MAX_ITEMS = 100
-NO_LIMIT = 5_000  # a limit that an activity leaves out is far above
-# how much is lacking, which says nothing of a check that passes
+NO_LIMIT = 5_000  # far below the default of a limit that an activity omits
+# progress codes of a remaining deviation; not shown for a check that passes
 _SHORTFALLS = frozenset({"measured_off", "measured_gap", "measured_drawing", "measured_net"})
 
-# What only the simulator tells of a run: which zone of the world the robot or a mark is in, where boxes are, each touch
-# of a wall or box of the world, and how fast a robot is that nobody slows down for people's safety.
+# Data that only the simulator provides: the zone of the robot or of a mark, the positions of boxes,
+# each contact with a wall or box of the world, and a duration without the speed limits for people's
+# safety.
 SimulatorRequirement = Literal["zones", "boxes", "contact", "pace"]
 
 
 @dataclass(frozen=True, slots=True)
 class RealRobotTolerance:
-    """How exactly a real robot does what a person calls arrived.
+    """Errors of a real robot's motions, which checks must tolerate.
 
     Attributes:
-        move_m, turn_deg: error of a pose at the end of a motion.
-        path: share of the length of its path: it drives past its goals a little, and back.
+        move_m, turn_deg: error of position and heading at the end of a motion.
+        path: relative error of the path length: the robot overshoots its goals a little and returns.
     """
 
     move_m: float
@@ -43,14 +44,14 @@ class RealRobotTolerance:
 
 @dataclass(frozen=True, slots=True)
 class CheckResult:
-    """What evaluating a check gave.
+    """Result of evaluating a check.
 
     Attributes:
-        measured, target: what was measured, and what it should be: m, degrees, s, a number or a name.
+        measured, target: measured and required value: m, degrees, s, a number or a name.
         pointer: JSON pointer of the command to look at, or None.
-        code: the words where it does not pass; `values` fill them.
-        progress: code of the words of how far the run is; "" where they say nothing more.
-        is_irrecoverable: whether nothing that the run still does can make it pass.
+        code: message code for a check that does not pass; `values` are its parameters.
+        progress: message code of the progress; "" if a number adds nothing.
+        is_irrecoverable: whether the rest of the run cannot make the check pass any more.
     """
 
     passed: bool
@@ -63,14 +64,14 @@ class CheckResult:
     is_irrecoverable: bool = False
 
     def progress_text(self, language: str) -> str:
-        """How far the run is: "agora a 12 cm"; "" where a number says nothing more."""
+        """Returns the progress as text, such as "agora a 12 cm"; "" if a number adds nothing."""
         if not self.progress or (self.passed and self.progress in _SHORTFALLS):
             return ""
         return text(self.progress, language, **self.values)
 
 
 class CheckFault(NamedTuple):
-    """Why no program could pass a check: path within it, code and params of the fault."""
+    """A reason why no program could pass a check: path within the check, code and params of the fault."""
 
     path: Path
     code: str
@@ -82,9 +83,9 @@ class FormField:
     """A parameter of a check in the teacher's form.
 
     Attributes:
-        key: of the check.
-        input: `number`; `text`; `zone`, one of the world's; `shown`, a list to read; `fixed`, always `value`.
-        label: of a number, among `making.numbers` of the page's texts.
+        key: name of the parameter.
+        input: `number`; `text`; `zone`, a zone of the world; `shown`, a list to read; `fixed`, always `value`.
+        label: label of a number, a key of `making.numbers` in the page's texts.
         min, max, step: of the number in the form, which is the parameter times `factor`.
     """
 
@@ -99,21 +100,21 @@ class FormField:
 
 
 def centimetres(key: str, min_cm: int = 1, max_cm: int = 500) -> FormField:
-    """A length in m, which the form has in cm."""
+    """Returns the field of a length, which is in m in the check and in cm in the form."""
     return FormField(key, "number", "cm", min_cm, max_cm, factor=100)
 
 
 class CheckBase(Model):
-    """Base of all kinds.
+    """Base of all kinds of checks.
 
     Attributes:
-        requires: what it needs that only the simulator tells; None where the program, the run's events and the robot's
+        requires: data of the simulator that the check needs; None if the program, the run's events and the robot's
             own odometry suffice. Every kind declares it.
-        is_about_end: whether it is about where the robot is at the end, which tells nothing before it has been
-            elsewhere.
-        form: what the teacher chooses of it; None for a kind that the form does not offer.
-        label: what the check list of the card calls it; None for the words of its kind.
-        check: the name of its kind.
+        is_about_end: whether the check is about the end of the run. During a run such a check counts as
+            met only after it did not pass once, because the start may already satisfy it.
+        form: fields of the teacher's form; None for a kind that the form does not offer.
+        label: text in the check list; None for the criterion of the kind.
+        check: name of the kind.
     """
 
     requires: ClassVar[SimulatorRequirement | None]
@@ -124,36 +125,36 @@ class CheckBase(Model):
     check: str
 
     def evaluate(self, evidence: Evidence) -> CheckResult:
-        """Whether the check passes by what is known of a run."""
+        """Returns the result of the check for the evidence of a run."""
         raise NotImplementedError
 
     def criterion(self, language: str) -> str:
-        """What counts, as an order: "Terminar em “padaria”"."""
+        """Returns the criterion as an instruction, such as "Terminar em “padaria”"."""
         return text(f"criterion_{self.check}", language, **self.model_dump())
 
     @classmethod
     def proposed(cls, solution: Evidence) -> dict[str, Any] | None:
-        """Parameters that the teacher's form begins with; None where it is of no use for that solution."""
+        """Returns the initial parameters in the teacher's form; None if the check is of no use for the solution."""
         return None
 
     def requirements(self) -> frozenset[SimulatorRequirement]:
-        """All that it needs of the simulator."""
+        """Returns all data of the simulator that the check needs."""
         return frozenset() if self.requires is None else frozenset((self.requires,))
 
     def with_tolerance(self, tolerance: RealRobotTolerance) -> Self:
-        """The check for a run on a real robot, with a tolerance that its motions can meet."""
+        """Returns the check for a run on a real robot, with a tolerance that the robot's motions can meet."""
         return self
 
     def zones_named(self) -> dict[Path, str]:
-        """The zones of the world that it names, by where it names them."""
+        """Returns the zones of the world that the check names, by their path in the check."""
         return {}
 
     def goal_zones(self) -> list[str]:
-        """The zones where the robot has to get, for the picture of the goal."""
+        """Returns the zones that the robot must reach, for the picture of the goal."""
         return list(self.zones_named().values())
 
     def faults(self, world: World | None) -> Iterator[CheckFault]:
-        """Why no program could pass it in a world; None for a world that is not known."""
+        """Yields the reasons why no program could pass the check in a world; `world` is None if unknown."""
         known = [zone.name for zone in world.zones] if world else None
         for path, name in self.zones_named().items():
             if known is not None and name not in known:
@@ -161,33 +162,33 @@ class CheckBase(Model):
                 yield CheckFault(path, "activity_unknown_zone", params)
 
     def line(self, language: str) -> str:
-        """What the check list calls it."""
+        """Returns the text of the check in the check list."""
         return self.label.of(language) if self.label else self.criterion(language)
 
 
 def text(code: str, language: str, **values: Any) -> str:
-    """The message of a code with values in the form of the language."""
+    """Returns the message of a code, with values formatted for the language."""
     return describe(code, formatted_values(values, language), language).message
 
 
 def counted(code: str, n: int, language: str, **values: Any) -> str:
-    """Words for none, one or several."""
+    """Returns the message for none, one or several."""
     ending = {0: "_none", 1: "_one"}.get(n, "")
     return text(f"{code}{ending}", language, n=n, **values)
 
 
 def side(angle_deg: float, language: str) -> str:
-    """To the left or to the right."""
+    """Returns the word for left or right; a positive angle is to the left."""
     return text("block_left" if angle_deg > 0 else "block_right", language)
 
 
 def rounded(value: float, digits: int = 2) -> float:
-    """A number as a form shows it."""
+    """Rounds a number as the form shows it."""
     return round(value, digits) + 0.0  # no -0.0
 
 
 def limits_faults(key: str, min_value: float, max_value: float) -> Iterator[CheckFault]:
-    """The fault of a least value, by its key, that is above the greatest."""
+    """Yields a fault if a lower limit exceeds its upper limit; `key` is the key of the lower limit."""
     if min_value > max_value:
         params: dict[str, object] = {"name": key, "value": min_value, "max": max_value}
         yield CheckFault((key,), "activity_limits_crossed", params)

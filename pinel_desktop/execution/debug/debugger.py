@@ -10,15 +10,15 @@ from pinel_desktop.execution.control import RunControl
 class Debugger:
     """Decides before each command whether the run pauses there.
 
-    A step ends at the next command that begins: with `into` anywhere, with `over` outside functions called from here,
-    with `out` after the running function. The command before which the run paused begins on resume.
+    A step ends at the next command that starts: with `into` anywhere, with `over` outside functions called from
+    here, with `out` after the running function. The command before which the run paused starts on resume.
 
     Args:
         depth: number of functions on the stack.
 
     Attributes:
         cause: cause of the current or next pause.
-        n_started: number of commands that have begun.
+        n_started: number of commands that have started.
     """
 
     def __init__(self, control: RunControl, depth: Callable[[], int]) -> None:
@@ -50,11 +50,11 @@ class Debugger:
         return self._is_held
 
     def paused(self) -> None:
-        """The run has paused: the next step begins here."""
+        """Records that the run has paused: the next step starts here."""
         self._depth_of_pause = self._depth()
 
     def resumed(self) -> None:
-        """The run has resumed; the next pause is a person's unless a command causes it."""
+        """Records that the run has resumed: the cause of the next pause is a person, unless a command changes it."""
         self.cause = "person"
 
     def _step_is_over(self) -> bool:

@@ -51,9 +51,8 @@ def inspect(expression: Any, context: RunContext) -> Any:
     except StopIteration as end:
         return cut_value(end.value)
     finally:
-        context.n_evaluated = (
-            worked  # inspection must not count as work of the program: it would change the ticks
-        )
+        # inspection must not count as work of the program: it would change the ticks
+        context.n_evaluated = worked
 
 
 def _has_effect(node: Any) -> bool:

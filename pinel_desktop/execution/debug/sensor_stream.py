@@ -30,7 +30,7 @@ class SensorStream:
             self._report_ranges()
 
     def report_new_subscriptions(self) -> None:
-        """Called while robot time stands still; reports new subscriptions once."""
+        """Called while robot time is stopped; reports new subscriptions once."""
         if self._subscribed != self._control.subscriptions:
             self._report_ranges()
 

@@ -1,8 +1,9 @@
 """Evaluation of expressions while a program runs.
 
-An expression is compiled once per run. A short one without calls becomes one function, which computes the value at
-once. Function calls may contain motion, and an expression may be a megabyte long: such ones become generators, which
-yield `Invoke` and `Preempt`. Evaluated parts are counted in `n_evaluated` and are work like commands.
+An expression is compiled once per run. A short expression without calls becomes one function, which computes the
+value at once. Function calls may contain motion, and an expression may be a megabyte long: such expressions become
+generators, which yield `Invoke` and `Preempt`. Evaluated parts are counted in `n_evaluated` and are work like
+commands.
 """
 
 from collections.abc import Callable, Generator, Mapping, Sequence
@@ -31,9 +32,8 @@ from pinel_desktop.program.sensors import SENSORS
 
 Simple = Callable[[], Value]
 
-_MAX_PARTS_AT_ONCE = (
-    500  # parts; less than a millisecond, except with texts of thousands of letters
-)
+# takes less than a millisecond, except with texts of thousands of letters
+_MAX_PARTS_AT_ONCE = 500
 _JOINED = ("and", "or")
 _COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 # expression parts that take about as long as copying a list

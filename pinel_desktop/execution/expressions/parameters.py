@@ -29,7 +29,7 @@ class Bounds:
         return Bounds(name, PARAMETER_SPECS[kind, name])
 
     def narrowed(self, max_abs: float) -> Bounds:
-        """The same for a number within -most to most."""
+        """Returns the bounds with the limits -max_abs and max_abs."""
         return Bounds(self.name, replace(self.spec, ge=-max_abs, le=max_abs))
 
     def checked(self, value: Value) -> float:
@@ -57,7 +57,7 @@ class Bounds:
         return value
 
     def _choice(self, value: Value) -> str:
-        """The choice that a value means, in any case. Raises RunFailureError, such as `symbol_unknown`."""
+        """Returns the choice that equals the value; ignores case. Raises RunFailureError, such as `symbol_unknown`."""
         for choice in self.spec.choices:
             if fold_case(value) == fold_case(choice):
                 return choice

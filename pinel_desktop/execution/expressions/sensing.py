@@ -15,7 +15,8 @@ from pinel_desktop.robot.sensors import missing
 _ROUNDING_DEG = 1e-9
 _DRIVE_DIRECTIONS = ("front", "back")  # the robot cannot drive sideways
 _ALONG = math.sin(math.radians(15.0))
-# beside the hull; what is nearer than half a metre then always counts, also between the beams that look along the way
+# Clearance beside the hull. With this value an echo nearer than 0.5 m always counts, also between
+# the beams along the path.
 _CLEAR_M = 0.15
 
 
@@ -54,7 +55,7 @@ def _in_degrees(read: Callable[..., Any]) -> Callable[..., Value]:
 
 
 def _distance(context: EvaluationContext, direction: str) -> Value:
-    """Smallest measurement (m) of the sonars in a direction; ahead and behind, of what lies in the robot's way."""
+    """Returns the smallest measurement (m) of the sonars in a direction; ahead and behind, only of the robot's path."""
     robot, measured = context.robot, context.sensors.sonar
     indices = robot.distance_sonars[direction]  # type: ignore[index]
     if not indices:
@@ -69,10 +70,10 @@ def _distance(context: EvaluationContext, direction: str) -> Value:
 
 
 def _is_in_path(robot: RobotModel, angle_rad: float, measured_m: float) -> bool:
-    """Whether an echo counts ahead or behind.
+    """Returns whether an echo ahead or behind counts.
 
-    That of a sonar that looks along the way always does: nothing is known of the way beyond it. That of one beside it
-    does where the hull would touch it, or nearly so; it is a side wall otherwise.
+    An echo of a sonar along the path always counts, because the path behind the echo is unknown. An echo of another
+    sonar counts if the hull would touch the obstacle, or nearly so; otherwise it is a side wall.
     """
     aside = abs(math.sin(angle_rad))
     return aside <= _ALONG or (robot.radius_m + measured_m) * aside <= robot.radius_m + _CLEAR_M
@@ -88,7 +89,7 @@ def _heading_deg(yaw_rad: float) -> float:
     return degrees if degrees > -180.0 + _ROUNDING_DEG else 180.0
 
 
-# derived from the run's state or other sensors; links have no method for them
+# derived from the run's state or from other sensors; links have no method for them
 _OF_THE_RUN: dict[str, Callable[..., Value]] = {
     "x": lambda context: context.pose.x_m,
     "y": lambda context: context.pose.y_m,

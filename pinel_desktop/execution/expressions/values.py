@@ -53,7 +53,10 @@ def fold_case(value: Value) -> Value:
 
 
 def position_of(items: list[Any], target: Value) -> int:
-    """Position, from 1, of the first item that is equal, 0 without one; texts in any case, as typed and signed ones."""
+    """Returns the position, from 1, of the first equal item, else 0.
+
+    Ignores case, because typed and signed texts differ in it.
+    """
     if not isinstance(target, str):
         return next((i for i, item in enumerate(items, 1) if same(item, target)), 0)
     folded = target.casefold()  # never shorter than the text

@@ -14,7 +14,7 @@ class Variables:
     """Names and their values. Lists have value semantics: assignment copies them.
 
     Attributes:
-        parameters: those of the running function, empty outside functions; they hide globals of the same name.
+        parameters: parameters of the running function, empty outside functions; they hide globals of the same name.
         version: counts changes, for observers.
     """
 
@@ -71,7 +71,7 @@ class Variables:
         self.version += 1
 
     def _list(self, name: str, value: Value) -> list[Any]:
-        """The list of that name, which is to hold the value. Raises RunFailureError."""
+        """Returns the list of that name, to which the value will be added. Raises RunFailureError."""
         items = self.get(name)
         if not isinstance(items, list):
             raise RunFailureError("wrong_type_list", name=name)

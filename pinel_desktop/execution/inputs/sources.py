@@ -17,10 +17,10 @@ class Capture:
     """The result of a capture.
 
     Attributes:
-        label: name of the sign; "" when none was recognised.
-        by: who gave it; None after the timeout.
-        confidence: of the camera, 0 to 1; None from all others.
-        second: the camera's second best sign; "" when there is none.
+        label: name of the sign; "" if no sign was recognised.
+        by: source of the result; None after the timeout.
+        confidence: confidence of the camera, 0 to 1; None for other sources.
+        second: the camera's second best sign; "" without one.
     """
 
     label: str
@@ -35,8 +35,9 @@ NO_CAPTURE = Capture("")
 class Pending(Enum):
     """No input yet: the kind of time to let pass before the next poll.
 
-    TICK: a tick of robot time.
-    PERSON: real time. In a simulator robot time stands still; a real robot's ticks go on.
+    Attributes:
+        TICK: a tick of robot time.
+        PERSON: real time. In a simulator robot time stops; a real robot's ticks continue.
     """
 
     TICK = "tick"
@@ -47,7 +48,7 @@ class InputSource(Protocol[Given_co]):
     """Provides one input at a time: the result of a capture, or the answer to a question."""
 
     def begin(self, question: str) -> None:
-        """Begins a wait and discards earlier inputs. `question` is "" for a capture."""
+        """Starts a wait and discards earlier inputs. `question` is "" for a capture."""
 
     def poll(self) -> Given_co | Pending:
         """The input, or `Pending`. May raise RunFailureError."""
@@ -104,7 +105,7 @@ class ScriptedInputs:
     """Inputs of a run without a person; past the end a capture gives no sign and a question fails the run.
 
     Args:
-        all_gestures: whether `gestures` are all there are: past their end a capture fails the run too, since a program
+        all_gestures: whether `gestures` are complete. Past their end a capture then fails the run, too: a program
             that waits for another sign would wait for ever.
     """
 

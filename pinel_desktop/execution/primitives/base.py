@@ -15,7 +15,7 @@ class Primitive(NamedTuple):
     """Implementation of a command; exactly one of `instant` and `routine` is set.
 
     Attributes:
-        parameters: attributes of the command's model that hold expressions; evaluated before the command begins.
+        parameters: attributes of the command's model that hold expressions; evaluated before the command starts.
         instant: function of a command that takes no time; may return a jump out of enclosing bodies.
         routine: generator function; yields requests to the stack (`execution.requests`).
         is_flow: whether it runs other commands; such a command is not counted as one.

@@ -85,7 +85,7 @@ def drive(context: RunContext, _command: Drive, linear: float, angular: float) -
 def set_speed(
     context: RunContext, _command: SetSpeed, linear: float | None, angular: float | None
 ) -> None:
-    """Limits later motions, in m/s and degrees/s; None keeps a limit.
+    """Limits later motions, in m/s and degrees/s; None leaves a limit unchanged.
 
     Raises RunFailureError `speed_out_of_range` above the robot's limits.
     """

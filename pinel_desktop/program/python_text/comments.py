@@ -62,7 +62,7 @@ class Anchor:
     """A command or function in a Python text, to which comments can be attached.
 
     Attributes:
-        line, column: its begin, line from 1, column from 0.
+        line, column: its start, line from 1, column from 0.
         last_line: its last line, without the body.
         target: the part of the document that gets the comment, usually the command; None if there is none.
     """

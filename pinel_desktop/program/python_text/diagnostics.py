@@ -30,7 +30,7 @@ class Diagnostics:
         self.lines: dict[int, Line] = {}
 
     def position(self, node: Positioned) -> TextPosition:
-        """The begin of a node of Python's syntax tree, whose own columns count bytes."""
+        """Returns the start of a node of Python's syntax tree, whose own columns count bytes."""
         line = self._lines[node.lineno - 1]
         if line.isascii():
             return TextPosition(node.lineno, node.col_offset)
@@ -73,9 +73,8 @@ class Diagnostics:
         """Records a fault. A replaced line may be longer than the original, so the column is limited."""
         if self.is_full or (self._is_too_deep and fault.code == "nesting_too_deep"):
             return
-        self._is_too_deep |= (
-            fault.code == "nesting_too_deep"
-        )  # reported once; all inner parts are too deep as well
+        # reported once; all inner parts are too deep as well
+        self._is_too_deep |= fault.code == "nesting_too_deep"
         column = min(place.column, len(self._lines[place.line - 1]))
         params = {**fault.params, "line": place.line, "column": column + 1}
         self._faults.append((place, Fault(fault.code, fault.pointer, fault.block, params)))

@@ -24,9 +24,8 @@ def python_name(name: str) -> str:
     if name in RESERVED:
         return f"{name}_"
     text = _escaped(name, {char for char in set(name) if _is_plain(char)})
-    if (
-        unicodedata.normalize("NFKC", text) != text
-    ):  # combining characters, which Python would normalise
+    # combining characters, which Python would normalise
+    if unicodedata.normalize("NFKC", text) != text:
         text = _escaped(name, {char for char in set(name) if char.isascii() and _is_plain(char)})
     return text
 

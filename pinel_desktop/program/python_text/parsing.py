@@ -138,7 +138,7 @@ class _Parser:
             self._lines[line - 1] = f"{heading} pass"
 
     def _replace(self, first: int, last: int) -> None:
-        """Replaces a command so that the following lines keep their indentation level."""
+        """Replaces a command so that the following lines retain their indentation level."""
         begin = self._lines[first - 1]
         indent = begin[: _indent(begin)]
         heading = "pass"

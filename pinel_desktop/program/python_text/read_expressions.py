@@ -21,9 +21,8 @@ from pinel_desktop.program.python_text.forms import (
 )
 from pinel_desktop.program.python_text.names import program_name, python_name
 
-PLACEHOLDER = {
-    "var": "x"
-}  # replaces an expression that cannot be read, so that the rest can be checked
+# replaces an expression that cannot be read, so that the rest can be checked
+PLACEHOLDER = {"var": "x"}
 _MAX_WHOLE = 2**53
 _BINARY: dict[type[ast.operator], str] = {
     ast.Add: "+",

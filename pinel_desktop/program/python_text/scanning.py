@@ -59,10 +59,10 @@ class Scan:
 
     Attributes:
         comments: all comments.
-        elifs: begin of each `elif`.
+        elifs: start of each `elif`.
         problems: problems that prevent parsing.
         spans: first and last line of each command.
-        max_command_start: begin of the command with the most tokens.
+        max_command_start: start of the command with the most tokens.
     """
 
     comments: list[Comment] = field(default_factory=list)

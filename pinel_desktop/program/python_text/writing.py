@@ -34,7 +34,7 @@ class PythonText:
 
 
 def write_python(document: Mapping[str, Any]) -> PythonText:
-    """The Python text of a document in its normal form (`Reading.document`)."""
+    """The Python text of a document in its normal form (`ParseResult.document`)."""
     functions = document.get("functions", [])
     signatures = {function["name"]: function.get("parameters", []) for function in functions}
     writer = _Writer(signatures)

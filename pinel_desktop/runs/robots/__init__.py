@@ -1,11 +1,11 @@
-"""Real robots outside of runs: heard while a page asks for it, moved by held keys, let go before a run."""
+"""Real robots between runs: monitoring while a page requests it, jogging by keys, and reservation for a run."""
 
-# Types of the messages of the app about a real robot; each has the robot's record.
+# Types of the app's messages about a real robot; each message carries the robot's profile.
 WATCH, JOG, HALT, AT_START = "watch_robot", "jog_robot", "halt_robot", "robot_at_start"
 ROBOT_MESSAGES = frozenset({WATCH, JOG, HALT, AT_START})
 
-# A page asks every two seconds; one that does not ask any more has gone.
+# A page renews its lease every 2 s; a page that no longer does so was closed.
 LEASE_S = 6.0
 
-# Type of the message that tells how a robot is; its fields are those of `events.app_events.RobotStateTold`.
+# Type of the state message; `events.app_events.RobotStateChanged` declares its fields.
 ROBOT_STATE = "robot_state"

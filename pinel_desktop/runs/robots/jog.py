@@ -1,4 +1,4 @@
-"""Moves a real robot slowly while a key is held: a command counts for a fifth of a second, then the robot stands."""
+"""Jogs a real robot: drives it slowly while a key is held. A command expires after 0.2 s, then the robot stops."""
 
 import logging
 import math
@@ -14,11 +14,11 @@ from pinel_desktop.runs.robots.monitor import RobotMonitor
 
 MAX_JOG_MPS = 0.15
 MAX_JOG_RADPS = math.radians(30.0)
-# A command that was so long on its way may have been taken back since.
+# Drops a command whose transmission took longer: the key may have been released since.
 TOO_LATE_S = 0.25
-# For so long after the last use the link is kept, so that the next press need not connect again.
+# The link stays open for so long after the last command: the next key press need not connect again.
 _IDLE_TIMEOUT_S = 3.0
-# After a stop or a problem the keys count again once nothing has been held for so long.
+# After a stop or a problem, ignores held keys until no key was held for so long.
 _RELEASED_S = 0.5
 _POLL_S = 0.05
 
@@ -26,9 +26,9 @@ _log = logging.getLogger(__name__)
 
 
 class Jog:
-    """Takes the robot at the first command as a run does, and lets go soon after the last one.
+    """Connects to the robot at the first command, as a run does, and disconnects soon after the last one.
 
-    `command` is called on the engine's reading thread and never waits; the link's own sender expires its commands.
+    `command` runs on the engine's reading thread and never waits; the link's velocity publisher expires commands.
     """
 
     def __init__(self, robot: RobotMonitor) -> None:
@@ -40,10 +40,10 @@ class Jog:
         self._is_halted = False
 
     def command(self, record: RobotProfile, drive: float, turn: float, sent_s: float) -> None:
-        """What is held: ahead (1) or back (-1), left (1) or right (-1).
+        """Commands the velocity for the held keys: ahead (1) or back (-1), left (1) or right (-1).
 
         Args:
-            sent_s: when the page sent it, by the PC's clock (s since 1970).
+            sent_s: the time at which the page sent the command, by the PC's clock (s since 1970).
         """
         now_s, is_held = time.monotonic(), drive != 0.0 or turn != 0.0
         with self._lock:
@@ -64,7 +64,7 @@ class Jog:
                 self._drive.command(_twist(record, drive, turn))
 
     def halt(self) -> None:
-        """The robot stands at once and is let go; what is held now counts no more."""
+        """Stops the robot at once and disconnects; ignores the held keys until they are released."""
         with self._lock:
             self._is_halted = True
             drive = self._drive
@@ -72,7 +72,7 @@ class Jog:
             drive.stop()
 
     def end(self) -> None:
-        """As `halt`; returns when the robot was let go."""
+        """Does the same as `halt`, and waits until the robot is disconnected."""
         self.halt()
         drive = self._drive
         if drive is not None:
@@ -80,7 +80,7 @@ class Jog:
 
 
 class _Drive:
-    """One connection, on a thread of its own."""
+    """One connection to the robot, on a thread of its own."""
 
     def __init__(self, jog: Jog, robot: RobotMonitor, record: RobotProfile) -> None:
         self._jog, self._robot, self._profile = jog, robot, record
@@ -138,7 +138,7 @@ class _Drive:
         self._link = link
 
     def _stay(self, link: RealLink) -> None:
-        """Until nobody uses it any more. Raises what is wrong with the robot."""
+        """Returns when no key was held for `_IDLE_TIMEOUT_S`, or at `stop`. Raises the robot's problem."""
         while not self._ending.wait(_POLL_S):
             link.read()
             if time.monotonic() - self._used_s > _IDLE_TIMEOUT_S:
@@ -146,7 +146,7 @@ class _Drive:
 
 
 def _twist(record: RobotProfile, drive: float, turn: float) -> Twist2D:
-    """At most half of the record's speeds."""
+    """Returns the velocity for the keys, at most half of the profile's limits."""
     slow = record.slowed()
     v = min(MAX_JOG_MPS, slow.max_v_mps)
     omega = min(MAX_JOG_RADPS, math.radians(slow.max_omega_dps))

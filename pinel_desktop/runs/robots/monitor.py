@@ -1,4 +1,4 @@
-"""One real robot: listened to while a page asks for it, reserved by whoever drives it."""
+"""Monitors one real robot while a page requests it; a run or a jog reserves the robot before driving it."""
 
 import contextlib
 import logging
@@ -16,7 +16,8 @@ from pinel_desktop.robot.robot_profile import RobotProfile
 from pinel_desktop.runs.robots import LEASE_S
 from pinel_desktop.runs.robots.state import UPDATE_INTERVAL_S, RobotSnapshot, StatePublisher, Use
 
-# A robot that is silent for so long may have begun anew, with other types of messages or another address.
+# Reconnects after such a pause of the odometry: the robot may have restarted with other message
+# types or another address.
 _RECONNECT_AFTER_S = 10.0
 _AGAIN_S = 2.0
 _RELEASED_WITHIN_S = 5.0
@@ -26,9 +27,9 @@ Follow = Callable[[RobotLink], None]
 
 
 class RobotMonitor:
-    """Listens on a thread of its own, which ends some seconds after the last `renew_lease`.
+    """Listens to a robot on a thread of its own, which ends some seconds after the last `renew_lease`.
 
-    Whoever drives the robot reserves it: listening ends first, and the state is then told from the link that drives.
+    A run or a jog reserves the robot. Listening then ends, and the published state comes from the link that drives.
     """
 
     def __init__(self, record: RobotProfile, send: Callable[[Message], None]) -> None:
@@ -41,17 +42,17 @@ class RobotMonitor:
         self._is_listening = False
         self._link: RealLink | None = None
         self._start: Pose2D | None = None
-        self._missing: PinelError | None = None  # while nothing is heard
-        self._trouble: PinelError | None = None  # of the last drive by keys
+        self._missing: PinelError | None = None  # problem of listening
+        self._trouble: PinelError | None = None  # problem of the last jog
         self._publisher = StatePublisher(send)
 
     @property
     def start(self) -> Pose2D | None:
-        """Where it stood at the room's start, in its odometry frame; None while nobody knows."""
+        """Pose of the robot at the room's start, in its odometry frame; None if unknown."""
         return self._start
 
     def renew_lease(self, record: RobotProfile) -> None:
-        """Listens for a while longer; with another record than before, anew."""
+        """Extends monitoring by `LEASE_S`; connects again if the profile has changed."""
         with self._changed:
             self._lease_ends_s = time.monotonic() + LEASE_S
             if not self._n_users:
@@ -61,16 +62,16 @@ class RobotMonitor:
                 self._thread.start()
 
     def set_start_here(self) -> None:
-        """It stands at the room's start: from now on its place in the room is counted from here."""
+        """Declares that the robot is at the room's start: its later poses in the room refer to this pose."""
         with self._changed:
             self._start = self._link.pose if self._link else None
             self._trouble = None
 
     @contextlib.contextmanager
     def reserved(self, use: Use, record: RobotProfile) -> Iterator[Follow]:
-        """Nothing listens to the robot meanwhile; the link that is followed tells its state.
+        """Reserves the robot: ends listening, and publishes the state of the link that the yielded function receives.
 
-        Raises PinelError `robot_in_use` for keys while a run or a try has it.
+        Raises PinelError `robot_in_use` for a jog while a run or a connection test has reserved the robot.
         """
         with self._changed:
             if use == "jog" and self._n_users:
@@ -90,11 +91,11 @@ class RobotMonitor:
                 self._changed.notify_all()
 
     def fail(self, problem: PinelError) -> None:
-        """Tells why it is driven no more, until it is reserved again."""
+        """Publishes the problem that ended a jog, until the robot is reserved again."""
         self._trouble = problem
 
     def close(self) -> None:
-        """Ends listening."""
+        """Ends monitoring."""
         with self._changed:
             self._lease_ends_s = -math.inf
             thread = self._thread
@@ -115,7 +116,7 @@ class RobotMonitor:
                 self._changed.notify_all()
 
     def _update_start(self) -> None:
-        """Where a drive began, its place is counted from; after a lost reference nobody knows where it is."""
+        """Takes over the start of the link that drove; after a lost reference the start is unknown."""
         if self._link is None:
             return
         problem = self._link.problem
@@ -160,7 +161,7 @@ class RobotMonitor:
             self._wait(lambda: self._is_over(record), _AGAIN_S)
 
     def _receive(self, link: RealLink, record: RobotProfile) -> None:
-        """Tells what is heard, until the robot is needed, or must be looked for again."""
+        """Publishes the robot's state until the robot is reserved or must be connected again."""
         while not self._is_over(record):
             if link.problem is not None:
                 self._start = None
@@ -186,5 +187,5 @@ class RobotMonitor:
         self._publisher.publish(snapshot)
 
 
-# After these nobody knows where the robot is.
+# Problems after which the robot's pose in the room is unknown.
 _LOST = frozenset({"reference_lost", "odometry_frame_changed"})

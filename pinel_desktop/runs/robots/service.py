@@ -1,4 +1,4 @@
-"""The real robots between runs: heard while a page asks for it, moved by held keys, let go before a run."""
+"""Monitors and jogs the real robots of an engine, and reserves them for runs."""
 
 import contextlib
 import threading
@@ -12,7 +12,7 @@ from pinel_desktop.runs.robots.monitor import Follow, RobotMonitor
 
 
 class RobotService:
-    """One watched robot for each kind of link. Called on the engine's reading thread, and on those of runs.
+    """One monitor and one jog for each kind of link. Called on the engine's reading thread and on the threads of runs.
 
     Args:
         send: writes a message to the app; safe from any thread.
@@ -25,7 +25,7 @@ class RobotService:
         self._lock = threading.Lock()
 
     def handle(self, message: Message) -> None:
-        """Does what a message of one of the `ROBOT_MESSAGES` asks. Never waits."""
+        """Executes a message of one of the `ROBOT_MESSAGES`. Never waits."""
         record = profile_from(message["robot"])
         if message["type"] == JOG:
             self._jog(message, record)
@@ -38,9 +38,9 @@ class RobotService:
 
     @contextlib.contextmanager
     def reserved(self, record: RobotProfile) -> Iterator[Follow]:
-        """The robot for a run or a try: nothing else of this engine uses it, keys are let go first.
+        """Reserves the robot for a run or a connection test; ends a jog first.
 
-        The link that is followed tells its state.
+        The monitor publishes the state of the link that the yielded function receives.
         """
         jog = self._jogs.get(record.link)
         if jog is not None:
@@ -49,7 +49,7 @@ class RobotService:
             yield follow
 
     def close(self) -> None:
-        """Stops what is jogged, and ends all links."""
+        """Stops jogged robots and closes all links."""
         for jog in tuple(self._jogs.values()):
             jog.end()
         for robot in tuple(self._robots.values()):

@@ -1,4 +1,4 @@
-"""What is told of a real robot between and during runs: when it changes, at most twice a second."""
+"""State messages about a real robot, between and during runs: sent on change, at most twice a second."""
 
 import math
 import time
@@ -19,13 +19,13 @@ Use = Literal["watch", "run", "jog"]
 
 
 class RobotSnapshot(NamedTuple):
-    """A robot at a moment.
+    """State of a robot at one time.
 
     Attributes:
-        use: what its link is there for.
-        link: None while there is none.
-        start: where it stood at the room's start, in its odometry frame; None where nobody knows.
-        problem: what is wrong, or was when it was driven last.
+        use: what the link is used for.
+        link: None without a connection.
+        start: pose of the robot at the room's start, in its odometry frame; None if unknown.
+        problem: the current problem, or the problem that ended the last jog.
     """
 
     profile: RobotProfile
@@ -36,7 +36,7 @@ class RobotSnapshot(NamedTuple):
 
 
 class StatePublisher:
-    """Sends the state of one robot."""
+    """Sends the state of one robot to the app."""
 
     def __init__(self, send: Callable[[Message], None]) -> None:
         self._send = send
@@ -46,7 +46,7 @@ class StatePublisher:
         self._rate_hz: float | None = None
 
     def publish(self, snapshot: RobotSnapshot) -> None:
-        """Tells the state if it is another one; a use that begins or ends at once, all else in its turn."""
+        """Sends a changed state: a change of `use` at once, other changes at most every `UPDATE_INTERVAL_S`."""
         state, now_s = self._state(snapshot), time.monotonic()
         is_due = now_s - self._published_s >= UPDATE_INTERVAL_S
         is_other_use = self._last is None or self._last["use"] != state["use"]
@@ -55,7 +55,7 @@ class StatePublisher:
             self._send(state)
 
     def force_next(self) -> None:
-        """Whatever comes next is news."""
+        """Makes `publish` send the next state, changed or not."""
         self._last = None
 
     def _state(self, snapshot: RobotSnapshot) -> Message:
@@ -94,8 +94,8 @@ class StatePublisher:
         }
 
     def _rate(self, link: RealLink) -> float | None:
-        """Messages in a second. One that trembles by a tenth is no news."""
-        now_s, n_received = time.monotonic(), link.n_odometry
+        """Returns the odometry messages per second; ignores changes of up to 1 Hz or a tenth."""
+        now_s, n_heard = time.monotonic(), link.n_odometry
         counted, since_s, before = self._counted
         if counted is not link:
             self._counted, self._rate_hz = (link, now_s, n_received), None

@@ -1,1 +1,1 @@
-"""Checks of what a run leaves on the floor: boxes, marks, drawings."""
+"""Checks of the traces that a run leaves on the floor: boxes, marks, drawings."""

@@ -37,7 +37,7 @@ class Closed(CheckBase):
 
 
 def gap_of(evidence: Evidence) -> float | None:
-    """Distance of the first from the last point that the pen drew; None where it drew nothing."""
+    """Returns the distance between the first and the last point that the pen drew, in m; None without a drawing."""
     if not evidence.trails:
         return None
     return math.dist(evidence.trails[0].line[0], evidence.trails[-1].line[-1])

@@ -20,7 +20,7 @@ from pinel_desktop.activities.drawing import Fit, Freedom, Points, Sampled, best
 from pinel_desktop.activities.evidence import Evidence
 
 _MAX_POINTS = 500
-_STEP_M = 0.02  # between the points of a template that is made of a solution
+_STEP_M = 0.02  # between the points of a template that a solution provides
 PROGRESS = "measured_drawing"
 
 Point = Annotated[list[Metres], Field(min_length=2, max_length=2)]
@@ -28,10 +28,10 @@ Line = Annotated[list[Point], Field(min_length=2, max_length=_MAX_POINTS)]
 
 
 class Draws(CheckBase):
-    """What the pen drew, or the path (`of`: `trail`, `path`), is the `template`, lines of points in m: no point of
-    either is farther than `tolerance` (0.06) from the other. `scale`, `rotate` and `move` (true) say that size,
-    direction and place are free, `mirror` (false) that the mirrored figure is right too. `figure` names it where
-    several are right.
+    """The drawing of the pen, or the path (`of`: `trail`, `path`), matches the `template`, lines of points in
+    m: no point of one is farther than `tolerance` (0.06) from the other. `scale`, `rotate` and `move` (true)
+    make size, direction and place free, `mirror` (false) accepts the mirrored figure, too. `figure` names the
+    figure if several are right.
     """
 
     requires = None
@@ -78,11 +78,11 @@ class Draws(CheckBase):
         return self.model_copy(update={"tolerance": max(self.tolerance, tolerance.move_m)})
 
     def drawing(self, evidence: Evidence) -> Sampled:
-        """The points that the template is compared with."""
+        """Returns the points to compare with the template."""
         return evidence.trail_points if self.of == "trail" else evidence.path_points
 
     def fit(self, drawing: Sampled, *, mirrored: bool = False) -> Fit:
-        """The fit of a drawing; `mirrored` to the mirrored template only."""
+        """Returns the fit of a drawing; if `mirrored`, to the mirrored template only."""
         template = _points(tuple(tuple(tuple(point) for point in line) for line in self.template))
         if mirrored:
             template = template * (1.0, -1.0)
@@ -91,7 +91,7 @@ class Draws(CheckBase):
 
 
 def nothing_drawn(evidence: Evidence, target: float) -> CheckResult:
-    """A check that fails because the robot did not drive, or left no line."""
+    """Returns the failed result for a robot that did not drive or left no line."""
     if evidence.path_m <= 0.02:
         return CheckResult(False, 0.0, target, None, "check_no_motion")
     first = next(
@@ -107,7 +107,7 @@ def _points(lines: tuple[tuple[tuple[float, ...], ...], ...]) -> Points:
 
 
 def _template_of(solution: Evidence) -> list[list[list[float]]]:
-    """What it drew, or its path where it drew nothing: lines of at most as many points as a template may have."""
+    """Returns the drawing of a solution, else its path: lines of at most as many points as a template may have."""
     trails = [one.line for one in solution.trails] or [solution.log.poses[:, :2]]
     return [line for trail in trails for line in _cut(_thinned(trail))]
 
@@ -123,6 +123,6 @@ def _thinned(trail: Points) -> list[list[float]]:
 
 
 def _cut(line: list[list[float]]) -> Iterator[list[list[float]]]:
-    """The line in pieces that share their ends; a single point is none."""
+    """Splits a line into pieces that share their end points; a single point gives no piece."""
     for first in range(0, len(line) - 1, _MAX_POINTS - 1):
         yield line[first : first + _MAX_POINTS]

@@ -7,7 +7,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class Marks(CheckBase):
-    """It leaves the `symbol` in the `zone`."""
+    """The run leaves the `symbol` in the `zone`."""
 
     requires = "zones"
     check: Literal["marks"]

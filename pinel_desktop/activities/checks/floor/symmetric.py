@@ -9,7 +9,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class Symmetric(CheckBase):
-    """The drawing has at least `axes` mirror axes through its centroid; `tolerance` (0.06) in r.m.s. radii."""
+    """The drawing has at least `axes` mirror axes through its centroid; `tolerance` (0.06) is in r.m.s. radii."""
 
     requires = None
     check: Literal["symmetric"]
@@ -28,7 +28,7 @@ class Symmetric(CheckBase):
 
 
 def axes_of(evidence: Evidence, tolerance: float) -> int:
-    """Number of mirror axes of what the pen drew."""
+    """Returns the number of mirror axes of the pen's drawing."""
     step_m = fine_step_m(evidence.trail_points.points)
     fine = sampled([one.line for one in evidence.trails], step_m=step_m)
     return axes_of_symmetry(fine.points, tolerance)

@@ -1,1 +1,1 @@
-"""Checks of where the robot goes."""
+"""Checks of the robot's path and end pose."""

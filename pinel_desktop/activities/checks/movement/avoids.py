@@ -5,7 +5,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class Avoids(CheckBase):
-    """The robot's centre never comes into the `zone`."""
+    """The robot's centre never enters the `zone`."""
 
     requires = "zones"
     form = (FormField("zone", "zone"),)

@@ -15,7 +15,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class EndsHeading(CheckBase):
-    """It ends within `within_deg` (5) of `heading_deg`, in the start frame."""
+    """The robot ends within `within_deg` (5) of `heading_deg`, in the start frame."""
 
     requires = None
     is_about_end = True

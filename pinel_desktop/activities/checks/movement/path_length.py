@@ -19,7 +19,8 @@ from pinel_desktop.activities.commands import DRIVING
 from pinel_desktop.activities.evidence import Evidence
 from sim.world import World
 
-_NEAR = 0.1  # limits that are that much of a length apart are said as one length
+# limits whose difference is at most this share of the upper one are shown as one length
+_NEAR = 0.1
 _STILL_M = 0.1
 
 

@@ -6,7 +6,7 @@ from pinel_desktop.execution.clock import TICK_HZ
 
 
 class TouchesNothing(CheckBase):
-    """It never touches a wall or a box."""
+    """The robot never touches a wall or a box."""
 
     requires = "contact"
     form = ()

@@ -20,8 +20,8 @@ _MAX_DEG = 1_000_000
 
 
 class TurnedTotal(CheckBase):
-    """All turning is from `at_least_deg` to `at_most_deg`; with sign (left is positive) it is `net_deg` within
-    `net_within` (10).
+    """The sum of all turning is from `at_least_deg` to `at_most_deg`; the sum with sign (left is positive) is
+    `net_deg` within `net_within` (10).
     """
 
     requires = None

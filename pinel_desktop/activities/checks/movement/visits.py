@@ -15,7 +15,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class Visits(CheckBase):
-    """Its centre comes through the `zones`, in this order unless `ordered` is false."""
+    """The robot's centre passes through the `zones`, in this order unless `ordered` is false."""
 
     requires = "zones"
     form = (FormField("zones", "shown"),)

@@ -7,7 +7,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class Executed(CheckBase):
-    """Commands with that `action` begin `n` times in the run."""
+    """Commands with the `action` start `n` times in the run."""
 
     requires = None
     check: Literal["executed"]

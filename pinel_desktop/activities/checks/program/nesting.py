@@ -8,7 +8,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class Nesting(CheckBase):
-    """Loops stand in each other, `at_least` so many deep."""
+    """Loops are nested at least `at_least` deep."""
 
     requires = None
     form = (FormField("at_least", "fixed", value=1),)

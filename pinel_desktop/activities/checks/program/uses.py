@@ -19,7 +19,7 @@ from sim.world import World
 
 
 class Uses(CheckBase):
-    """The program has from `at_least` (1) to `at_most` commands with that `action`."""
+    """The program has from `at_least` (1) to `at_most` commands with the `action`."""
 
     requires = None
     check: Literal["uses"]

@@ -15,7 +15,8 @@ from pinel_desktop.activities.checks.floor.draws import PROGRESS as DRAWING
 from pinel_desktop.activities.evidence import Evidence
 
 if TYPE_CHECKING:
-    Check = CheckBase  # the table of kinds, which names this one, says what it is
+    # `checks/__init__.py` declares the union of all kinds, which includes this one
+    Check = CheckBase
 
 
 class AnyOf(CheckBase):
@@ -26,7 +27,7 @@ class AnyOf(CheckBase):
     checks: Annotated[list["Check"], Field(min_length=1, max_length=MAX_ITEMS)]
 
     def evaluate(self, evidence: Evidence) -> CheckResult:
-        """The first that passes, else the nearest drawing, else the first."""
+        """Returns the first result that passes, else the nearest drawing, else the first result."""
         results: list[CheckResult] = []
         for check in self.checks:
             results.append(check.evaluate(evidence))
@@ -43,7 +44,7 @@ class AnyOf(CheckBase):
         return text("criteria_or", language).join(lines)
 
     def requirements(self) -> frozenset[SimulatorRequirement]:
-        """Those of all its checks: another one that passes does not tell that one of these fails."""
+        """Returns the requirements of all its checks: without data for one, a failure of the others proves nothing."""
         return frozenset().union(*(one.requirements() for one in self.checks))
 
     def with_tolerance(self, tolerance: RealRobotTolerance) -> Self:

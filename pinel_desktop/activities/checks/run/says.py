@@ -7,7 +7,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class ShowsText(CheckBase):
-    """It says something that contains `text`, capitals or not."""
+    """The program shows a text that contains `text`; case is ignored."""
 
     requires = None
     form = (FormField("text", "text"),)

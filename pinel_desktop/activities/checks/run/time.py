@@ -8,7 +8,7 @@ from pinel_desktop.activities.evidence import Evidence
 
 
 class Time(CheckBase):
-    """It takes at most `at_most_s` of robot time."""
+    """The run takes at most `at_most_s` of robot time."""
 
     requires = "pace"
     form = (FormField("at_most_s", "number", "most", 1, 1000),)
