@@ -85,7 +85,7 @@ def function_lengths() -> list[int]:
 
 
 def python_imports() -> Edges:
-    """Imports as pairs of paths, including those under TYPE_CHECKING and in functions."""
+    """Returns imports as pairs of paths, including imports under TYPE_CHECKING and in functions."""
     graph = grimp.build_graph(*PACKAGES)
     for module in graph.modules:
         for imported in graph.find_modules_directly_imported_by(module):

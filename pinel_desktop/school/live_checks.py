@@ -107,7 +107,7 @@ class _EventBuffer:
     """A live run with the events that the judge has not received yet.
 
     Attributes:
-        begun: start data of the run. With them the judge decides whether it can evaluate a run on a real robot live.
+        begun: start data of the run, by which the judge decides if it can evaluate the run live.
         is_followed: True after the run's first event.
         stop: set when the run has ended, or its evaluation is no longer needed.
         is_over: True after the run's last event.

@@ -49,7 +49,7 @@ def description() -> dict[str, Any]:
 
 
 def _describe(api: OpenAPI, resource: Resource) -> None:
-    """Adds a resource. Merges paths that two resources share, because the library would keep only the last one."""
+    """Adds a resource. Merges paths that two resources share, because the library would use only the last one."""
     described = APIBlueprint(
         resource.name,
         resource.import_name,

@@ -75,7 +75,7 @@ class PagePath(PathConverter):
 
 @page.get("/<page_path:name>")
 def asset(name: str) -> BaseResponse:
-    """A file of the page. Names under `assets/` contain a hash of the content, so those files never change."""
+    """A file of the page. Names under `assets/` contain a hash of the content, so these files never change."""
     answer = _file(name)
     if name.startswith("assets/") and answer.status_code == 200:
         answer.headers["Cache-Control"] = "private, max-age=31536000, immutable"

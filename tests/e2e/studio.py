@@ -90,7 +90,7 @@ class Studio:
         self.page.wait_for_function(_AT_REST)
 
     def enter_group(self, name: str, level: int | None = 3, *, tour: bool = False) -> None:
-        """Creates a group and waits for its first program. If `level` is None, the level stays that of new groups.
+        """Creates a group and waits for its first program. If `level` is None, it stays the default.
 
         Args:
             tour: stays in the guided first drive; otherwise it is skipped.

@@ -39,7 +39,7 @@ class Resource(Blueprint):
     `@api.get(rule, responses=answers(...))` declares a route.
 
     Attributes:
-        about: what the resource is, for the description.
+        about: title of the resource, for the OpenAPI description.
         operations: the routes in the order of their declaration.
     """
 

@@ -161,7 +161,7 @@ def halt_real_robot(path: LinkPath) -> Response:
     responses=responses(Empty, "unknown_link", "robot_not_set_up", *TEACHER),
 )
 def set_real_robot_start(path: LinkPath) -> Response:
-    """Sets the robot's odometry to the start pose of its room; the robot must be there. For the teacher."""
+    """Defines the robot's current pose as the start pose of its room; moves nothing. For the teacher."""
     require_teacher()
     parts = services()
     parts.engine.set_start_here(parts.robots.profile(path.link))
