@@ -10,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "dist" / "pinel-desktop"
 PROGRAM = FOLDER / ("pinel.exe" if sys.platform == "win32" else "pinel")
-# The same sources give the same bytes. Without these, base_library.zip has the order of a set, another each time.
+# The same sources must give the same bytes; without these, base_library.zip has a set's random order.
 SAME_BYTES = {"PYTHONHASHSEED": "1", "SOURCE_DATE_EPOCH": "315532800"}
 
 

@@ -21,11 +21,11 @@ DATA_FOLDERS = {
     "sim/worlds": "sim/worlds",
     "LICENSE": ".",
 }
-# --self-check prints their versions, or they read their own metadata.
+# `--self-check` prints the versions of these libraries, or they read their own metadata.
 METADATA = ("pywebview", "flask", "werkzeug", "pydantic", "pymunk", "numpy", "sqlite-utils")
 
 _PYTHON_EXTRAS = "tkinter _tkinter turtle idlelib lib2to3 ensurepip venv pydoc_data test pip setuptools pkg_resources"
-# imported by unused optional parts of libraries, and present on some build machines
+# some build machines have these, and unused optional parts of libraries import them
 _OPTIONAL = (
     "cryptography yaml rich pygments markdown_it IPython pandas scipy onnx tflite pygame pyglet "
     "pytest _pytest hypothesis mypy numpy.f2py numpy.testing numpy.distutils "
@@ -33,7 +33,7 @@ _OPTIONAL = (
 )
 _GPL = "readline"
 EXCLUDED = [*_PYTHON_EXTRAS.split(), *_OPTIONAL.split(), *_GPL.split()]
-# Analysing gi.repository would collect the whole desktop; gi loads the system's at import.
+# Analysing gi.repository would collect the whole desktop; gi loads the PC's libraries at import.
 _GTK = (
     "Atk Gdk GdkPixbuf Gio GLib GModule GObject Gtk HarfBuzz JavaScriptCore Pango Soup WebKit2 cairo freetype2 xlib "
     "GIRepository Gst Keybinder IBus"
@@ -51,7 +51,7 @@ _LIBRARIES = Path(__file__).with_name("system-libraries.txt")
 
 @dataclass(frozen=True)
 class SystemLibrary:
-    """A row of system-libraries.txt."""
+    """A row of system-libraries.txt, the table of shared libraries of the building system."""
 
     stem: str
     ships: bool
@@ -60,7 +60,7 @@ class SystemLibrary:
 
 
 def system_libraries() -> list[SystemLibrary]:
-    """The table of shared libraries of the system: which ship, and which stay outside."""
+    """Returns the rows of system-libraries.txt."""
     lines = _LIBRARIES.read_text("utf-8").splitlines()
     rows = [line.split("|") for line in lines if line and not line.startswith("#")]
     cells = [[cell.strip() for cell in (*row, "")] for row in rows]
@@ -68,24 +68,27 @@ def system_libraries() -> list[SystemLibrary]:
 
 
 def library_of(file: str) -> SystemLibrary | None:
-    """The row of a shared library, by its file's name; None if the table has none."""
+    """Returns the row of a shared library, by its file's name; None if the table has none."""
     name = file.partition(".so")[0]
     return next((row for row in system_libraries() if _is_called(name, row.stem)), None)
 
 
 def _is_called(name: str, stem: str) -> bool:
-    """Whether a name is the stem, or that with a version (libpython3.11); not libzstd for libz."""
+    """True if the name is the stem, with or without a version (libpython3.11); false for libzstd and libz."""
     return name == stem or name.startswith(f"{stem}.")
 
 
 def without_shared(binaries: Iterable[Entry]) -> list[Entry]:
-    """The binaries without those of the system that stay outside. Wheels keep theirs, whose names are their own."""
+    """Removes the system's shared libraries that must not ship.
+
+    Libraries of wheels stay: their file names are not in the table.
+    """
     entries = [(entry, library_of(Path(entry[0]).name)) for entry in binaries]
     return [entry for entry, row in entries if row is None or row.ships]
 
 
 def system_modules() -> list[str]:
-    """Modules of the build machine outside the environment, to exclude; only gi ships."""
+    """Returns modules of the build machine outside the environment, to exclude; only gi ships."""
     environment = [Path(folder) for folder in sys.path if "site-packages" in folder]
     system = [Path(folder) for folder in sys.path if "dist-packages" in folder]
     ours = {entry.name.partition(".")[0] for folder in environment for entry in folder.glob("*")}
@@ -94,12 +97,12 @@ def system_modules() -> list[str]:
 
 
 def without_bytecode(data: Iterable[Entry]) -> list[Entry]:
-    """The data without what a Python that ran their sources left beside them: it names folders of this machine."""
+    """Removes bytecode that Python left beside the data files: it contains names of folders of this machine."""
     return [entry for entry in data if "__pycache__" not in Path(entry[0]).parts]
 
 
 def without_gtk(binaries: Iterable[Entry]) -> list[Entry]:
-    """The binaries without the system libraries that only GTK's bindings need."""
+    """Removes the system libraries that only GTK's bindings need."""
     from PyInstaller.depend import bindepend  # noqa: PLC0415 - installed only where packages are built
 
     entries = list(binaries)
@@ -118,13 +121,13 @@ def without_gtk(binaries: Iterable[Entry]) -> list[Entry]:
 
 
 def _is_root(name: str, file: str) -> bool:
-    """Whether a binary ships for itself: an extension module, or Python, which the bootloader loads."""
+    """True if a binary ships even if no other one needs it: an extension module, or Python for the bootloader."""
     from_system = file.startswith(_SYSTEM_FOLDERS) and "/python3" not in file
     return name.startswith("libpython") or not (from_system or name.startswith("gi/"))
 
 
 def write_manifest(file: Path, analysis: Any) -> None:
-    """Writes what was packed, for the notices: modules, and the origin of each binary."""
+    """Writes the packed modules and the origin of each binary, for the licence notices."""
     manifest = {
         "modules": sorted(name for name, _, _ in analysis.pure),
         "binaries": sorted([name, source] for name, source, _ in analysis.binaries),

@@ -6,9 +6,9 @@ import sys
 
 
 def _restore_library_path() -> None:
-    """Restores LD_LIBRARY_PATH, which the bootloader has pointed at the package's libraries.
+    """Restores LD_LIBRARY_PATH, because the bootloader has set it to the package's libraries.
 
-    This process has already read it. WebKit's helper processes and browsers that it starts need the system's libraries.
+    This process has already read the variable. WebKit's helper processes and browsers need the system's libraries.
     """
     original = os.environ.pop("LD_LIBRARY_PATH_ORIG", None)
     os.environ.pop("LD_LIBRARY_PATH", None)
@@ -21,7 +21,7 @@ if sys.platform == "linux":
 
 from pinel_desktop.__main__ import main  # noqa: E402 - after the environment is restored
 
-# worker processes of multiprocessing also start here; this call does not return in them
+# worker processes of multiprocessing start here too; in them this call does not return
 multiprocessing.freeze_support()
 
 main()

@@ -1,8 +1,9 @@
-"""Runs the package in another system's folder, as an ordinary user without network, and prints what was found as JSON.
+"""Runs the package in another system's folder, as an ordinary user without network, and prints the results as JSON.
 
     unshare --mount --net --ipc --pid --fork --kill-child python3 packaging/in_system.py SYSTEM PACKAGE SCREENSHOT
 
-Called by systems.py as root. All is imported before the root folder changes: later there is another Python, or none.
+systems.py calls it as root. It imports everything before the root folder changes, because the new root folder has
+another Python, or none.
 """
 
 import contextlib
@@ -24,12 +25,12 @@ _PROGRAM = Path("/opt/Laboratório de Robótica 1/PINEL (cópia)/pinel")
 _SIZE = "1366x768x24"
 _TIMEOUT_S = 240
 _PERIOD_S = 0.5
-# the first page has 2,600, its header alone 340, a screen without a window one
+# The app's first page has 2,600 colours, its header alone 340; a screen without a window has one.
 MIN_COLOURS = 1000
 
 
 def enter(system: Path, package: Path) -> None:
-    """Makes `system` the root folder, with the package in it, read-only; from then on as an ordinary user."""
+    """Makes `system` the root folder, with the package mounted read-only, and switches to an ordinary user."""
     program = system / _PROGRAM.parent.relative_to("/")
     program.mkdir(parents=True, exist_ok=True)
     for command in (
@@ -59,7 +60,7 @@ def _bring_loopback_up() -> None:
 
 @contextlib.contextmanager
 def screen() -> Iterator[str]:
-    """Runs a virtual screen, whose picture is a file in the home folder; yields its name."""
+    """Runs a virtual screen, which writes its picture to a file in the home folder; yields its name."""
     reading, writing = os.pipe()
     command = ["/usr/bin/Xvfb", "-displayfd", str(writing), "-screen", "0", _SIZE]
     with subprocess.Popen(
@@ -76,7 +77,7 @@ def screen() -> Iterator[str]:
 
 
 def run(display: str, *arguments: str) -> "subprocess.Popen[str]":
-    """Starts the packaged program with nothing but a home, a language and a screen."""
+    """Starts the packaged program in an environment with only home, language and screen."""
     return subprocess.Popen(
         [str(_PROGRAM), *arguments],
         env={"HOME": str(_HOME), "LANG": "pt_BR.UTF-8", "DISPLAY": display},
@@ -88,24 +89,24 @@ def run(display: str, *arguments: str) -> "subprocess.Popen[str]":
 
 
 def output_of(display: str, *arguments: str) -> str:
-    """What the program prints; what it has to complain about goes where this script's complaints go."""
+    """Returns the program's standard output; its standard error is the standard error of this script."""
     return run(display, *arguments).communicate(timeout=_TIMEOUT_S)[0]
 
 
 def picture() -> tuple[int, bytes]:
-    """The picture that the screen shows now, in the format XWD, and its number of colours."""
+    """Returns the current picture of the screen, in the format XWD, and its number of colours."""
     with (
         (_HOME / "Xvfb_screen0").open("rb") as file,
         mmap.mmap(file.fileno(), 0, prot=mmap.PROT_READ) as mapped,
     ):
         data = mapped[:]
-    # header's length; number of entries of the colour table behind it, 12 bytes each
+    # the header's length; the number of entries of the colour table after the header, 12 bytes each
     start = struct.unpack_from(">I", data)[0] + 12 * struct.unpack_from(">I", data, 76)[0]
     return len(set(memoryview(data)[start:].cast("I"))), data
 
 
 def shown(display: str) -> tuple[int, bytes]:
-    """Opens the program as a person does; the picture as soon as the page is drawn, else that after a time-out."""
+    """Opens the program as a person does; returns the picture when the page is drawn, or at the timeout."""
     program, deadline, before = run(display), time.monotonic() + _TIMEOUT_S, 0
     while True:
         n_colours, data = picture()
@@ -114,7 +115,7 @@ def shown(display: str) -> tuple[int, bytes]:
         before = n_colours
         with contextlib.suppress(subprocess.TimeoutExpired):
             program.wait(_PERIOD_S)
-    program.kill()  # its other processes end with this namespace
+    program.kill()  # the end of this process namespace ends its other processes
     return n_colours, data
 
 

@@ -18,7 +18,7 @@ import contents  # beside this file
 
 _TEXTS = re.compile(r"(^|/)(licen[cs]e|copying|notice|authors)[^/]*$", re.IGNORECASE)
 _FORBIDDEN = re.compile(r"(?<![A-Z])A?GPL|GNU (AFFERO )?GENERAL PUBLIC")
-# A dependency of Blockly for use without a browser; the page does not contain it.
+# A dependency of Blockly for use without a browser; not in the page.
 NOT_IN_THE_PAGE = ("jsdom",)
 # Distributions whose metadata names no licence; their licence text is in their folder.
 UNNAMED_LICENCES = {"pysqlite3": "Zlib; SQLite in it: blessing (public domain)"}
@@ -40,13 +40,13 @@ class Notice:
 
 
 class LicenceError(Exception):
-    """A part must not ship, or its licence is unknown."""
+    """A part that must not ship, or whose licence is unknown."""
 
 
 def collect(root: Path) -> str:
-    """The text of the notices for the package just built. Raises LicenceError."""
+    """Returns the text of the notices for the package just built. Raises LicenceError."""
     manifest = json.loads((root / "build" / "package-contents.json").read_text("utf-8"))
-    # of a library that loads itself, such as cv2, only its binaries were packed
+    # a library that loads itself, such as cv2, is packed as binaries only
     folders = [name.partition("/")[0] for name, _ in manifest["binaries"]]
     found = [
         *python_notices([*manifest["modules"], *folders]),
@@ -68,7 +68,7 @@ def check(found: list[Notice]) -> None:
 
 
 def may_ship(licence: str) -> bool:
-    """Whether an alternative of a licence expression is neither GPL nor AGPL; runtime exceptions are allowed."""
+    """True if one alternative of a licence expression is neither GPL nor AGPL; runtime exceptions are allowed."""
     choices = re.split(r"\bOR\b", licence)
     return any(not _FORBIDDEN.search(choice.upper()) or "exception" in choice for choice in choices)
 
@@ -94,7 +94,7 @@ def python_notices(modules: list[str]) -> Iterator[Notice]:
 
 
 def _licence_of(fields: Any) -> str:
-    """The licence expression, else the classifiers, else the first line of the free text."""
+    """Returns the licence expression, else the classifiers, else the first line of the free text."""
     if expression := fields.get("License-Expression"):
         return str(expression)
     classifiers = [
@@ -153,7 +153,7 @@ def system_notices(binaries: list[list[str]]) -> Iterator[Notice]:
 
 
 def gesture_notices(root: Path) -> Iterator[Notice]:
-    """The networks that find hands, which set-up converts, and the pictures from which the letters were learnt."""
+    """Notices of the hand networks, which set-up converts, and of the training pictures of the letters' classifier."""
     licence = root / "pinel_desktop" / "gestures" / "weights" / "mediapipe-LICENSE.txt"
     pinned = re.search(
         r"^mediapipe==(\S+)", (root / "requirements-models.lock").read_text("utf-8"), re.M
@@ -164,7 +164,7 @@ def gesture_notices(root: Path) -> Iterator[Notice]:
 
 
 def as_text(found: list[Notice]) -> str:
-    """The list of parts, then each licence text once."""
+    """Returns the list of parts, then each licence text once."""
     lines = ["PINEL Desktop ships the following works of others, with thanks.", ""]
     lines += [
         f"{notice.name} {notice.version}".strip() + f": {notice.licence}"

@@ -1,8 +1,8 @@
 """Smoke test of the package: in another folder, as an ordinary user, with an empty environment, without a network.
 
-Holds the shared libraries of dist/pinel-desktop against system-libraries.txt. Copies it to a folder whose name has
-spaces and accents, runs `--self-check` there and checks the JSON output. As root it switches to the user `nobody` in a
-network namespace with loopback only; as an ordinary user it reports that it could not.
+Checks the shared libraries of dist/pinel-desktop against system-libraries.txt. Copies the package to a folder whose
+name has spaces and accents, runs `--self-check` there and checks the JSON output. Root switches to the user `nobody` in
+a network namespace with loopback only. An ordinary user cannot do so, and the output reports this.
 """
 
 import json
@@ -40,7 +40,7 @@ def copy_to(folder: Path) -> Path:
 
 
 def command_for(program: Path, home: Path) -> list[str]:
-    """Command line of the self-check with an empty environment."""
+    """Returns the command line of the self-check with an empty environment."""
     check = [str(program), "--self-check"]
     bare = ["/usr/bin/env", "-i", f"HOME={home}", "LANG=pt_BR.UTF-8"]
     if os.geteuid() != 0:
@@ -52,9 +52,10 @@ def command_for(program: Path, home: Path) -> list[str]:
 
 
 def library_faults(package: Path) -> list[str]:
-    """Shared libraries of the system that lie in the package and may not, in words.
+    """Returns messages about the system's shared libraries that lie in the package and must not.
 
-    Those of wheels lie in folders, under names of their own: one there is at fault if it has the name of the system's.
+    Libraries of wheels lie in subfolders and have other file names. A library there is a fault only if the table names
+    it.
     """
     faults = []
     for file in sorted(package.rglob("lib*.so*")):
@@ -68,7 +69,7 @@ def library_faults(package: Path) -> list[str]:
 
 
 def faults_of(found: dict[str, Any]) -> list[str]:
-    """Faults found in the JSON object that the program printed."""
+    """Returns the names of the failed conditions in the JSON object that the program printed."""
     expected = {
         "ok": found.get("ok") is True,
         "window.backend": found.get("window", {}).get("backend") == "gtk",
@@ -85,12 +86,12 @@ def faults_of(found: dict[str, Any]) -> list[str]:
 
 
 def _is_current(sqlite: str) -> bool:
-    """Without the WAL-reset fault: where the package lost its own SQLite, the system's is used (storage/sqlite.py)."""
+    """True for a SQLite without the WAL-reset bug; false means the system's SQLite was used (storage/sqlite.py)."""
     return tuple(int(part) for part in sqlite.split(".")) >= (3, 51, 3)
 
 
 def files_of(folder: Path) -> dict[str, int]:
-    """Sizes in bytes of all files below a folder, by path."""
+    """Returns the sizes in bytes of all files below a folder, by path."""
     return {str(file): file.stat().st_size for file in folder.rglob("*") if file.is_file()}
 
 

@@ -1,10 +1,10 @@
-"""Runs the package in systems older and newer than the one that built it: Debian, without network, as an ordinary user.
+"""Runs the package in older and newer Debian systems than the build system, without network, as an ordinary user.
 
     python packaging/systems.py [CODENAME...]    as root; without names all of SYSTEMS
 
-Each system is made by debootstrap, from the mirror of Debian that this machine's apt uses, with what
-debian-depends.txt names and a virtual screen. In it, in_system.py runs `pinel doctor`, `pinel --self-check` and
-`pinel`, whose page must be drawn. A picture of that screen is left in build/systems/CODENAME.png.
+debootstrap makes each system from the Debian mirror of this machine's apt. It gets the packages of debian-depends.txt
+and a virtual screen. In it, in_system.py runs `pinel doctor`, `pinel --self-check` and `pinel`, whose page must be
+drawn. The picture of that screen is written to build/systems/CODENAME.png.
 """
 
 import json
@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import cv2
-import in_system  # beside this file, as the next
+import in_system  # beside this file, as smoke
 import numpy as np
 import smoke
 
@@ -36,7 +36,8 @@ _BARE = (
 )
 _APT_GET = (
     *("apt-get", "-qq", "-y", "-o", "APT::Install-Recommends=false", "-o", "Dpkg::Use-Pty=0"),
-    *("-o", "Dpkg::Options::=--force-unsafe-io"),  # the system lives for minutes
+    # no fsync, which is slow: the system is deleted after some minutes
+    *("-o", "Dpkg::Options::=--force-unsafe-io"),
 )
 
 
@@ -45,7 +46,7 @@ class NotPossibleError(Exception):
 
 
 def check_machine() -> None:
-    """Raises NotPossibleError with the reason where no system can be made."""
+    """Raises NotPossibleError with the reason if no system can be made."""
     if sys.platform != "linux" or os.geteuid() != 0:
         raise NotPossibleError("only root on Linux may make another system and enter it")
     if shutil.which("debootstrap") is None:
@@ -57,7 +58,7 @@ def check_machine() -> None:
 
 
 def sources(codename: str) -> list[tuple[str, str]]:
-    """Address and suite of each archive of Debian that a system reads, as this machine's apt reads its own."""
+    """Returns address and suite of each Debian archive for a system, like the archives of this machine's apt."""
     form = ["--format", "$(REPO_URI) $(CODENAME)", "Created-By: Packages", "Origin: Debian"]
     done = subprocess.run(
         ["apt-get", "indextargets", *form], capture_output=True, text=True, check=True
@@ -72,13 +73,13 @@ def sources(codename: str) -> list[tuple[str, str]]:
 
 
 def dependencies() -> str:
-    """What the package depends on, as one line for apt."""
+    """Returns the dependencies of the package as one line for apt."""
     lines = DEPENDS.read_text("utf-8").splitlines()
     return ", ".join(line for line in lines if line and not line.startswith("#"))
 
 
 def make(codename: str) -> Path:
-    """Makes a minimal system with what the package depends on; returns its folder."""
+    """Makes a minimal system with the dependencies of the package; returns its folder."""
     system = FOLDER / codename
     shutil.rmtree(system, ignore_errors=True)
     system.with_suffix(".log").unlink(missing_ok=True)
@@ -101,7 +102,7 @@ def make(codename: str) -> Path:
 
 
 def _run(codename: str, *command: str) -> None:
-    """Runs a step of making a system; its output goes to a log, and to the error if it fails."""
+    """Runs a step of making a system; writes its output to a log, and to the error if it fails."""
     log = (FOLDER / codename).with_suffix(".log")
     with log.open("a", encoding="utf-8") as output:
         done = subprocess.run(
@@ -113,7 +114,7 @@ def _run(codename: str, *command: str) -> None:
 
 
 def try_package(system: Path, package: Path = smoke.PACKAGE) -> dict[str, Any]:
-    """Runs the package in a system; returns what in_system.py found, and leaves the picture."""
+    """Runs the package in a system; returns the results of in_system.py and saves the picture."""
     raw = system.with_suffix(".xwd")
     inside = [sys.executable, str(ROOT / "packaging" / "in_system.py")]
     done = subprocess.run(
@@ -141,7 +142,7 @@ def _size_of(system: Path) -> int:
 
 
 def faults_of(found: dict[str, Any]) -> list[str]:
-    """What the package did not do in a system, in words."""
+    """Returns messages about functions of the package that failed in a system."""
     try:
         check, findings = json.loads(found["check"]), json.loads(found["doctor"])["findings"]
     except ValueError:
@@ -156,7 +157,7 @@ def faults_of(found: dict[str, Any]) -> list[str]:
 
 
 def report(codename: str) -> bool:
-    """Makes a system, tries the package in it and prints what was found; True if all of it works."""
+    """Makes a system, tries the package in it and prints the results; True if everything works."""
     started = time.monotonic()
     system = make(codename)
     size, made_s = _size_of(system), time.monotonic() - started

@@ -1,5 +1,5 @@
-// Prints as JSON what figures.py asks of the page: [importer, imported] of its files, and the lines of each component.
-// Types are imports as well, and so is what import("...") fetches later. Files that a glob names are not seen.
+// Prints the page's structure as JSON for figures.py: pairs [importer, imported] of files, and the lines of each component.
+// Includes imports of types and lazy imports by import("..."); omits files that only a glob names.
 
 import { readdirSync, readFileSync } from "node:fs"
 import { createRequire } from "node:module"
@@ -30,7 +30,7 @@ function visit(file, source, node) {
   ts.forEachChild(node, (child) => visit(file, source, child))
 }
 
-/** Of `import ... from "..."`, `export ... from "..."` and `import("...")`. */
+/** Returns the path in `import ... from "..."`, `export ... from "..."` and `import("...")`. */
 function specifierOf(node) {
   if (ts.isImportDeclaration(node) || ts.isExportDeclaration(node)) return node.moduleSpecifier?.text
   const isLater = ts.isCallExpression(node) && node.expression.kind === ts.SyntaxKind.ImportKeyword

@@ -1,7 +1,7 @@
-"""Prints structural figures of the code in the working tree.
+"""Prints metrics of the code's structure in the working tree.
 
-With --check: fails on folders of more than FOLDER_LIMIT sources, and on import circles or upward imports of the page
-(import-linter checks those of Python).
+With --check: fails if a folder has more than FOLDER_LIMIT sources, or if the page has import circles or upward imports.
+import-linter checks the imports of Python.
 """
 
 import ast
@@ -34,7 +34,7 @@ TEXT_FILES = re.compile(r"ui/src/i18n/[\w-]+/")
 PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/: imported only by tests
 SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
 RAW_CONTROL = re.compile(r"<(?:button|select)\b")
-# folders of ui/src in order of layers, lowest first: none imports a later one; "screens" are all others
+# folders of ui/src by layer, lowest first: none imports a later one; "screens" are all others
 LAYERS = (
     "api", "i18n", "kit", "blocks", "editor", "shell", "run", "scene plots camera", "screens", "frame",
 )  # fmt: skip
@@ -47,7 +47,7 @@ def run(*command: str) -> str:
 
 
 def tree(pattern: re.Pattern[str]) -> list[str]:
-    """Files of the working tree that match and that git does not ignore."""
+    """Returns the files of the working tree that match and that git does not ignore."""
     listed = run("git", "ls-files", "--cached", "--others", "--exclude-standard").splitlines()
     return [name for name in listed if pattern.match(name) and (ROOT / name).exists()]
 
@@ -61,7 +61,7 @@ def n_lines(names: Iterable[str]) -> int:
 
 
 def product() -> list[str]:
-    """The hand-written files of the product, without those that hold its words."""
+    """Returns the hand-written files of the product, without files of texts for people."""
     left_out = (TEXT_FILES, PAGE_TEST)
     files = [name for name in tree(CODE) if name not in GENERATED]
     return [name for name in files if not any(kind.match(name) for kind in left_out)]
@@ -85,7 +85,7 @@ def function_lengths() -> list[int]:
 
 
 def python_imports() -> Edges:
-    """Imports as pairs of paths, including those under TYPE_CHECKING and in functions."""
+    """Returns imports as pairs of paths, including imports under TYPE_CHECKING and in functions."""
     graph = grimp.build_graph(*PACKAGES)
     for module in graph.modules:
         for imported in graph.find_modules_directly_imported_by(module):
@@ -93,7 +93,7 @@ def python_imports() -> Edges:
 
 
 def siblings(edges: Edges) -> Edges:
-    """Each import as one between the sibling folders or files where the two paths diverge."""
+    """Replaces each import by an import between the sibling folders or files where the two paths diverge."""
     for importer, imported in edges:
         a, b = importer.split("/"), imported.split("/")
         shared = next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), None)
@@ -102,7 +102,7 @@ def siblings(edges: Edges) -> Edges:
 
 
 def import_cycles(edges: Edges) -> list[str]:
-    """Import circles; one import of each is removed before the search for the next."""
+    """Returns the import circles; removes one import of each before the search for the next."""
     graph: dict[str, dict[str, None]] = {}
     for importer, imported in sorted(edges):
         graph.setdefault(importer, {})[imported] = None
@@ -119,11 +119,11 @@ def import_cycles(edges: Edges) -> list[str]:
 
 
 def layer_violations(edges: Edges) -> list[str]:
-    """Imports of a higher layer of the page by a lower one."""
+    """Returns imports of a higher layer of the page by a lower one."""
     named = {folder: place for place, names in enumerate(LAYERS) for folder in names.split()}
 
     def level(folder: str) -> int:
-        """Files directly in ui/src (`main.tsx`, the lists of style sheets) stand above all folders."""
+        """Files directly in ui/src (`main.tsx`, the lists of style sheets) are above all folders."""
         return len(LAYERS) if "." in folder else named.get(folder, named["screens"])
 
     pairs = [

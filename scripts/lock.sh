@@ -1,10 +1,13 @@
 #!/bin/sh
-# Pins every Python dependency anew, with hashes, for all platforms and Python 3.11 and later.
+# Updates all lock files: pins every Python dependency with hashes, for all platforms and Python 3.11 and later.
 #
-# requirements-dev.lock: everything; requirements.lock: what runs the program; requirements-node.lock: Node.js;
-# requirements-bench.lock and requirements-bench-alone.lock: what benchmarks compare with, the second without what it
-# needs to run; requirements-ros.lock: rclpy for tests; requirements-models.lock: the wheel that holds the hand networks, without what it needs to run.
-# The second keeps the versions of the first, so that one environment can hold both.
+# requirements-dev.lock: everything for development
+# requirements.lock: the program, in the versions of requirements-dev.lock, so that one environment can have both
+# requirements-node.lock: Node.js
+# requirements-bench.lock: libraries that benchmarks compare with
+# requirements-bench-alone.lock: such libraries that are installed without their dependencies
+# requirements-ros.lock: rclpy for tests
+# requirements-models.lock: the wheel with the hand networks, without its dependencies
 set -eu
 python=.venv/bin/python
 "$python" -c 'import uv' 2>/dev/null || "$python" -m pip install --quiet uv

@@ -1,4 +1,4 @@
-// Prints as JSON what names.py asks of the page: [file, line, name] of each declaration in ui/src.
+// Prints [file, line, name] of each declaration in ui/src as JSON, for names.py.
 
 import { readdirSync, readFileSync } from "node:fs"
 import { createRequire } from "node:module"
@@ -9,7 +9,7 @@ const src = join(ui, "src")
 const ts = createRequire(join(ui, "package.json"))("typescript")
 const found = []
 
-/** Declarations have a `name`; so do keys of object literals, which often are properties of no declared type. */
+/** Declarations have a `name`. So have keys of object literals, whose properties often have no declared type. */
 function visit(file, source, node) {
   if (node.name && (ts.isIdentifier(node.name) || ts.isPrivateIdentifier(node.name)) && !isUse(node)) {
     const { line } = source.getLineAndCharacterOfPosition(node.name.getStart(source))
@@ -18,7 +18,7 @@ function visit(file, source, node) {
   ts.forEachChild(node, (child) => visit(file, source, child))
 }
 
-/** `a.name`, `{ name }` of a value and `import { name }` use what is declared somewhere else. */
+/** `a.name`, `{ name }` of a value and `import { name }` are uses of another declaration. */
 function isUse(node) {
   return (
     ts.isPropertyAccessExpression(node) ||

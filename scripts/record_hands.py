@@ -1,7 +1,7 @@
-"""Writes a recording of hands from pictures: `python -m scripts.record_hands OUT.npz PICTURE... [--aspect W:H]`.
+"""Writes a landmark sequence from pictures: `python -m scripts.record_hands OUT.npz PICTURE... [--aspect W:H]`.
 
-Each picture is shown for a while by a hand that trembles a little, then no hand is there. It made
-tests/camera/recordings: what a network saw of a hand is kept, no picture.
+Each picture becomes frames of a slightly trembling hand, followed by frames without a hand. This script made
+tests/camera/recordings. A recording has only the detected landmarks, no picture.
 """
 
 import argparse
@@ -39,7 +39,7 @@ def main() -> None:
 def _views(
     finder: HandDetector, picture: Picture, random: np.random.Generator
 ) -> list[RecordedHand]:
-    """The hand of a picture that is shifted by a few pixels each time."""
+    """Returns detected hands of a picture that is shifted by a few pixels each time."""
     found = []
     for _ in range(_N_VIEWS):
         shift = random.normal(0, _TREMBLE * picture.shape[1], 2).astype(int)

@@ -26,14 +26,14 @@ _N_CORES = os.cpu_count() or 1
 
 
 def side_by_side(n_workers: int) -> tuple[str, ...]:
-    """Tests on so many workers; robots that drive in real time would run late on many more than there are cores."""
+    """Options for parallel tests on `n_workers`; robots in real time run late on many more workers than cores."""
     return ("-n", str(min(n_workers, 12)), "--dist", "worksteal")
 
 
-# the more a step waits, the more of its tests are needed to keep the cores at work
+# a step that mostly waits needs more workers to use all cores
 WORKING = side_by_side(_N_CORES + 1)
 WAITING = side_by_side(4 * _N_CORES)
-# another order of answers each night; the log says which
+# another order of responses each night; the log shows the seed
 LATE = f"--delay-requests={int(time.time())}"
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 # pytest: "3 passed, 1 skipped in 0.5s", between = without -q; vitest: "Tests  3 passed (3)"
@@ -59,9 +59,9 @@ class Step:
     """One command.
 
     Attributes:
-        counts: it is a test runner, whose summary line is parsed.
-        is_aside: goes on beside the steps after it, until one of its group is due.
-        n_busy: busy loops that run beside it, to find races.
+        counts: True for a test runner, whose summary line is parsed.
+        is_aside: True if it runs in parallel with the steps after it, until the next step of its group.
+        n_busy: busy loops that run in parallel with it, to find races.
     """
 
     name: str
@@ -73,11 +73,14 @@ class Step:
 
 
 def environment() -> dict[str, str]:
-    """Of all steps. Hundreds of processes are started: none compiles again what another compiled.
+    """Returns the environment of all steps.
 
-    Thousands of small databases are written: in memory where it has room, so that no test waits for the disk. It is the
-    folder for temporary files of all processes: work elsewhere is remembered, and missed by a later test in a folder of
-    the same name.
+    Python may write bytecode, so that hundreds of processes do not compile the same files again. If `_MEMORY_DISK` has
+    enough space, temporary files are in memory: tests write thousands of small databases and need not wait for the
+    disk.
+
+    All processes get this temporary folder as `TMPDIR`. The app records the location of a database outside of `TMPDIR`,
+    and a later test in a folder of the same name would report that database as missing.
     """
     found = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
     if _MEMORY_DISK.is_dir() and _has_room(_MEMORY_DISK):
@@ -86,19 +89,19 @@ def environment() -> dict[str, str]:
 
 
 def _has_room(disk: Path) -> bool:
-    """Whether all files of the tests fit in, programs among them."""
+    """True if a disk has space for all files of the tests and can execute programs."""
     state = os.statvfs(disk)
     return state.f_bavail * state.f_frsize > _NEEDED_BYTES and not state.f_flag & os.ST_NOEXEC
 
 
 def npm(*arguments: str) -> tuple[str, ...]:
-    """Command line of npm in ui/, with a Node.js new enough for the page."""
+    """Returns the command line of npm in ui/, with a Node.js new enough for the page."""
     script = 'PATH="$(sh scripts/node.sh):$PATH" && cd ui && exec npm "$@"'
     return ("sh", "-c", script, "npm", *arguments)
 
 
 def files_with(marker: str) -> list[str]:
-    """Files of the tests with a marker: to collect all tests takes each process a quarter of a minute."""
+    """Returns the test files with a marker, because each process needs 15 s to collect all tests."""
     files = sorted((ROOT / "tests").rglob("test_*.py"))
     return [
         str(file.relative_to(ROOT))
@@ -110,7 +113,7 @@ def files_with(marker: str) -> list[str]:
 def marked_tests(
     name: str, group: str, *options: str, only: str, without: str = "", n_busy: int = 0
 ) -> Step:
-    """Runs the tests with a marker, without those that have another one too."""
+    """Returns a step of the tests with a marker `only`, without tests that also have the marker `without`."""
     markers = f"{only} and not {without}" if without else only
     command = (*PYTEST, *files_with(only), *options, "-m", markers)
     return Step(name, group, command, counts=True, n_busy=n_busy)
@@ -149,18 +152,18 @@ class Outcome:
 
     @property
     def closing(self) -> str:
-        """The runner's summary line, or "" without one."""
+        """Returns the runner's summary line, or "" without one."""
         lines = _CLOSING.findall(self.output)
         return lines[-1].strip() if lines else ""
 
     @property
     def failed(self) -> bool:
-        """Whether the step failed; a runner that ran no test counts as failed."""
+        """True if the step failed; a runner that ran no test counts as failed."""
         return self.status != 0 or (self.step.counts and not _COUNT.search(self.closing))
 
 
 def run_all(steps: Sequence[Step]) -> list[Outcome]:
-    """Runs the steps in their order; those that only read the code two at a time, for most of them use one core."""
+    """Runs the steps in their order; steps that only read the code run in pairs, because most use one core."""
     reading = [step for step in steps if step.group == "lint"]
     with ThreadPoolExecutor(2) as pool:
         outcomes = list(pool.map(lambda step: run(step, is_live=False), reading))
@@ -177,7 +180,7 @@ def run_all(steps: Sequence[Step]) -> list[Outcome]:
 
 @contextmanager
 def busy_loops(n: int) -> Iterator[None]:
-    """So many processes that do nothing but work."""
+    """Runs `n` processes that only use the processor."""
     loops = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(n)]
     try:
         yield
@@ -188,7 +191,7 @@ def busy_loops(n: int) -> Iterator[None]:
 
 
 def run(step: Step, *, is_live: bool = True) -> Outcome:
-    """Runs one step; shows its output, at once or in the end, and writes it to the log."""
+    """Runs one step; shows its output, live or at its end, and writes it to the log."""
     title = f"\n--- {step.name}: {' '.join(step.command[-4:])}"
     if is_live:
         print(title, flush=True)
@@ -221,7 +224,7 @@ def run(step: Step, *, is_live: bool = True) -> Outcome:
 
 
 def totals(outcomes: Sequence[Outcome]) -> dict[str, int]:
-    """Tests passed, failed and skipped over all runners; an aborted step counts as one failure."""
+    """Returns the tests passed, failed and skipped over all runners; an aborted step counts as one failure."""
     total = {"passed": 0, "failed": 0, "skipped": 0}
     for outcome in outcomes:
         before = total["failed"]
@@ -234,13 +237,13 @@ def totals(outcomes: Sequence[Outcome]) -> dict[str, int]:
 
 
 def by_duration(outcomes: Sequence[Outcome]) -> list[tuple[float, str]]:
-    """Seconds and names of the slowest tests of all pytest steps, the slowest first."""
+    """Returns seconds and names of the slowest tests of all pytest steps, the slowest first."""
     found = [hit for outcome in outcomes for hit in _DURATION.findall(outcome.output)]
     return sorted(((float(seconds), name) for seconds, name in found), reverse=True)[:N_DURATIONS]
 
 
 def report(outcomes: Sequence[Outcome], seconds: float) -> None:
-    """Prints the slowest tests, one line per step, then the totals; `seconds` is what all steps took."""
+    """Prints the slowest tests, one line per step, then the totals; `seconds` is the duration of all steps."""
     print("\n--- slowest tests")
     for duration, name in by_duration(outcomes):
         print(f"{duration:6.1f} s  {name}")

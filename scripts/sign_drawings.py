@@ -1,7 +1,7 @@
-"""Writes the landmarks that the page draws signs from: `python -m scripts.sign_drawings DATA RECORDINGS.npz`.
+"""Writes the landmarks for the page's drawings of signs: `python -m scripts.sign_drawings DATA RECORDINGS.npz`.
 
-Of each letter the most typical hand is taken: the photograph of a person at a webcam whose features lie nearest to the
-letter's mean. Only its 21 landmarks are kept, as a right hand looks in a mirror.
+For each letter it selects the most typical hand: the photograph of a person at a webcam whose features are nearest to
+the letter's mean. It writes only the 21 landmarks, as a right hand appears in a mirror.
 """
 
 import json
@@ -42,7 +42,7 @@ def _hand(finder: HandDetector, photo: Photo) -> Hand:
 
 
 def _landmarks(hand: Hand) -> list[list[float]]:
-    """x to the right, y down, z away from who looks, in units of the larger side, as a right hand in a mirror."""
+    """Landmarks of a right hand in a mirror, in units of the larger side: x right, y down, z away from the viewer."""
     mirrored: NDArray[np.float64] = hand.points * [1 if hand.mirrored else -1, 1, 1]
     low, high = mirrored[:, :2].min(0), mirrored[:, :2].max(0)
     mirrored[:, :2] -= (low + high) / 2

@@ -3,8 +3,8 @@
     .venv/bin/python scripts/sweep_gains.py
 
 Prints for each value the distance and the heading error at the end (95th percentile over seeds and figures), the
-cross-track error (root mean square) and the change of the commanded speed from tick to tick (root mean square). The
-value in use is marked. docs/control.md explains the choice.
+cross-track error (root mean square) and the change of the commanded speed from tick to tick (root mean square). Marks
+the value in use. docs/control.md explains the choice.
 """
 
 import itertools
@@ -32,7 +32,7 @@ VALUES = {
 
 
 class Quality(NamedTuple):
-    """Errors of one run at its end and on the way."""
+    """Errors of one run at its end and along its path."""
 
     end_m: float
     heading_rad: float
@@ -63,7 +63,7 @@ def drive(figure: str, gains: Gains, seed: int) -> Quality:
 
 
 def _true(value: float | None) -> float:
-    assert value is not None  # a simulator always has it
+    assert value is not None  # a simulator always has the true pose
     return value
 
 

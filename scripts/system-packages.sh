@@ -1,11 +1,11 @@
 #!/bin/sh
-# Names the Debian or Ubuntu packages that this PC lacks for a purpose, then installs them.
+# Lists the Debian or Ubuntu packages that this PC lacks for a purpose, then installs them.
 #
 #   sh scripts/system-packages.sh [--dry-run] serve|run|test|package|nightly
 #
-# serve: Python only.  run: and the native window.  test: and browser and virtual screen.
-# package: what PyInstaller needs (asks the Python of .venv).  nightly: what makes other systems to try the package in.
-# --dry-run names what is missing, installs nothing, and exits 1 when something is.
+# serve: Python.  run: also the native window.  test: also browser and virtual screen.
+# package: the library that PyInstaller needs, for the Python of .venv.  nightly: debootstrap, which makes systems for tests.
+# --dry-run lists the missing packages and installs nothing; if any is missing, exits with 1.
 set -eu
 . "$(dirname "$0")/words.sh"
 
@@ -36,14 +36,14 @@ wanted() {
             ! has_fast_dds || printf '%s\n' "$DDS_PACKAGES"
             ;;
         package)
-            # Debian's python3 does not link its own shared library; PyInstaller ships that library.
+            # Debian's python3 is not linked with its shared library, but PyInstaller ships that library.
             printf '%s\n' "libpython$(.venv/bin/python -c 'import sys; print("%d.%d" % sys.version_info[:2])')|Python inside the package|Python dentro do pacote|Python dentro del paquete"
             ;;
         nightly) printf '%s\n' "$NIGHTLY_PACKAGES" ;;
     esac
 }
 
-# Debian has Chromium without a window, which is all that tests need; Ubuntu's chromium-browser brings the snap.
+# Debian has a headless Chromium, which is enough for tests; Ubuntu's chromium-browser installs the snap.
 browser_package() {
     for package in chromium-headless-shell chromium chromium-browser; do
         if apt-cache show "$package" >/dev/null 2>&1; then
@@ -54,13 +54,13 @@ browser_package() {
     echo chromium
 }
 
-# Fast DDS 2. Where it is another one, no package has this name: the tests with it are skipped there, and say so.
+# True for Fast DDS 2. Systems with another version lack a package of this name; there its tests are skipped.
 has_fast_dds() {
     apt-cache show libfastrtps-dev >/dev/null 2>&1 ||
         { [ -z "$(package_lists)" ] && grep -q '^VERSION_CODENAME=bookworm$' "${PINEL_OS_RELEASE:-/etc/os-release}"; }
 }
 
-# Names of installed packages and of what they provide (Ubuntu renames: libpython3.12t64 provides libpython3.12).
+# Prints names of installed packages and of the packages that they provide (Ubuntu's libpython3.12t64 provides libpython3.12).
 installed() {
     dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' |
         sed -n 's/^installed //p' | sed 's/([^)]*)//g' | tr ', ' '\n\n' | sort -u
@@ -81,17 +81,17 @@ show() {
     done
 }
 
-# One of apt's package lists that `find` with these conditions finds.
+# Prints one of apt's package lists that match these conditions of `find`.
 package_lists() {
     find "${PINEL_APT_LISTS:-/var/lib/apt/lists}" -name '*Packages*' "$@" 2>/dev/null | head -n 1
 }
 
-# Package lists that are absent or a week old answer "404 Not Found" for the newest versions.
+# With missing lists, or lists older than a week, apt may get "404 Not Found" for the newest versions.
 lists_are_old() {
     [ -z "$(package_lists -mtime -7)" ]
 }
 
-# Runs apt-get; of what it says, faults are shown, and each package that is ready.
+# Runs apt-get; shows only its errors and the name of each installed package.
 apt() {
     failed=$(mktemp)
     {
@@ -103,7 +103,7 @@ apt() {
     return "${status:-0}"
 }
 
-# Sets AS_ROOT to what makes a command run as root, or returns 1.
+# Sets AS_ROOT to the prefix that runs a command as root; returns 1 if there is none.
 find_root() {
     AS_ROOT=
     [ "$(id -u)" -ne 0 ] || return 0
@@ -128,7 +128,7 @@ install() {
     find_root || return 1
     say "Installing them (a few minutes)…" "Instalando (alguns minutos)…" "Instalando (unos minutos)…"
     if lists_are_old; then
-        # One dead source among several must not stop us: the installation tells whether it mattered.
+        # One unreachable source must not stop the installation, which fails by itself if it needs that source.
         apt update || true
     fi
     # shellcheck disable=SC2086 # names of packages: one word each

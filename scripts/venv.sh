@@ -3,8 +3,8 @@
 #
 #   sh scripts/venv.sh requirements.lock|requirements-dev.lock
 #
-# The window's bindings (python3-gi) come from the system, for the system's Python only: so the
-# environment is made from that Python and sees its packages.
+# The window's bindings (python3-gi) come from the system and work with the system's Python only.
+# So the environment is made from that Python with its system packages.
 set -eu
 . "$(dirname "$0")/words.sh"
 lock=$1
@@ -41,7 +41,7 @@ if [ "$python" != /usr/bin/python3 ]; then
         "O Python do sistema é antigo demais para a janela: o PINEL abrirá no navegador." \
         "El Python del sistema es demasiado antiguo para la ventana: PINEL se abrirá en el navegador."
 fi
-# One whose Python was upgraded away is of no use; the scripts of one that was moved call the old place.
+# Replace .venv if its Python was removed by an upgrade, or if it was moved: its scripts call the old path.
 if ! .venv/bin/python -c 'import pip' 2>/dev/null || ! grep -qF "$PWD/.venv" .venv/pyvenv.cfg; then
     say "Preparing Python…" "Preparando o Python…" "Preparando Python…"
     "$python" -m venv --clear --system-site-packages .venv

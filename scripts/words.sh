@@ -1,4 +1,4 @@
-# Sourced by the set-up scripts: people read them too, in the language of their PC.
+# Sourced by the set-up scripts: prints texts in the language of the PC.
 
 # say ENGLISH PORTUGUESE SPANISH
 say() {

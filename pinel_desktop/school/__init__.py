@@ -1,1 +1,1 @@
-"""What belongs to the school: the teacher's PIN, removable drives, names of bundle files, the review of a lesson."""
+"""Services for lessons: grading, teacher's PIN, taught signs, robot profiles, removable drives, review of lessons."""

@@ -1,8 +1,8 @@
-"""Confirms runs that came with files: repeats each and judges it anew, while nobody drives.
+"""Re-verifies runs that came with merged files, while no run is live on this PC: repeats each run and judges it again.
 
-A run is repeated by a process of its own at the lowest priority (`pinel runs verify`), one at a time. It is ended when
-a run begins here, and tried again later. Where the record comes out the same, the judge decides as it does for runs
-of this PC; only then its pass counts.
+A process of its own (`pinel runs verify`) repeats one run at a time, at the lowest priority. If a run starts on this
+PC, the repeating process is killed and the repetition is tried again later. If the repeated record is the same, the
+judge decides as for a run of this PC. Only then the pass counts.
 """
 
 import json
@@ -22,20 +22,21 @@ if TYPE_CHECKING:
     from pinel_desktop.judge.messages import Verdict
 
 _log = logging.getLogger(__name__)
-_SCAN_INTERVAL_S = 15.0  # between two looks for something to do
-_POLL_S = 0.2  # between two looks whether a run begins here
-_TIMEOUT_S = 600.0  # a run that takes longer is not repeated
+_SCAN_INTERVAL_S = 15.0  # between two searches for marked runs
+_POLL_S = 0.2  # between two checks whether a run has started on this PC
+_TIMEOUT_S = 600.0  # a run that takes longer to repeat counts as not repeatable
 _SAME = ("identical", "equal")
 Repeated = Literal["same", "different", "impossible", "interrupted"]
 
 
 class Confirmer:
-    """Confirms marked runs on a thread; must be closed.
+    """Re-verifies marked runs on a thread; must be closed.
 
     Args:
-        judge: decides about a run by its record, as the grader does.
-        command: repeats the run whose id follows, as `pinel runs verify --json` does; None is that.
-        interval_s: how often it looks for something to do, without `check_now`.
+        judge: returns the verdict on a run from its record, as the grader does.
+        command: repeats the run whose id is appended, and prints the outcome as JSON; None is
+            `pinel runs verify --json`.
+        interval_s: time between two searches for marked runs without `check_now`.
     """
 
     def __init__(
@@ -54,15 +55,15 @@ class Confirmer:
         self._thread = threading.Thread(target=self._work, name="confirmer", daemon=True)
 
     def start(self) -> None:
-        """Begins to look for marked runs."""
+        """Starts the search for marked runs."""
         self._thread.start()
 
     def check_now(self) -> None:
-        """Looks at once: a file was merged, or a run has ended."""
+        """Searches for marked runs at once; called when a file was merged or a run has ended."""
         self._check_requested.set()
 
     def close(self) -> None:
-        """Ends the process that repeats a run; the run stays marked."""
+        """Kills the process that repeats a run; the run stays marked."""
         self._closing.set()
         self._check_requested.set()
         if self._thread.is_alive():
@@ -74,15 +75,13 @@ class Confirmer:
             try:
                 if self._store.can_write:
                     self._confirm_all()
-            except (
-                StoreError,
-                OSError,
-            ) as error:  # a full disk, no memory for a process: tried again
+            except (StoreError, OSError) as error:
+                # a full disk, or no memory for a process: tried again after the interval
                 _log.warning("runs were not confirmed: %s", error)
             self._check_requested.wait(self._interval_s)
 
     def _confirm_all(self) -> None:
-        """Each once; what comes meanwhile takes its place among them."""
+        """Tries each marked run once, including runs that are merged meanwhile."""
         tried: set[str] = set()
         while left := [key for key in self._store.unconfirmed.waiting() if key not in tried]:
             if self._is_busy():
@@ -94,29 +93,27 @@ class Confirmer:
         return self._closing.is_set() or bool(self._store.runs.running())
 
     def confirm(self, run_id: str) -> None:
-        """Repeats one run and keeps what was found; nothing where a run begins here meanwhile."""
+        """Repeats one run and stores the finding; stores nothing if a run starts on this PC meanwhile."""
         try:
             run = self._store.runs.get(run_id)
             found = self._repeated(run)
             if found == "interrupted":
                 return
             finding = self._finding(run, found)
-        except (
-            PinelError,
-            StoreError,
-        ) as error:  # its activity or its program is not here, or damaged
+        except (PinelError, StoreError) as error:
+            # the run, its activity or its program is missing or damaged
             if isinstance(error, PinelError) and error.code == "judge_lost":
-                return  # the PC was busy, or is closing: tried again
+                return  # the PC was busy, or the app is closing: tried again
             _log.info("run %s cannot be confirmed: %s", run_id, error)
             finding = "not_repeatable"
         if finding is not None:
             self._store.unconfirmed.note(run_id, finding)
             return
         self._store.unconfirmed.confirm(run_id)
-        self._grade(run_id)  # does nothing for one that has its result already
+        self._grade(run_id)  # does nothing if the run already has its result
 
     def _finding(self, run: RunRow, found: Repeated) -> ConfirmationFinding | None:
-        """What keeps the run from being confirmed."""
+        """Returns the finding that prevents the confirmation; None if the run is confirmed."""
         if found == "impossible":
             return "not_repeatable"
         if found == "different":
@@ -154,15 +151,16 @@ class Confirmer:
 def _outcome(output: bytes) -> Repeated:
     try:
         outcome = json.loads(output)["outcome"]
-    except (ValueError, KeyError, TypeError):  # it says in words why it cannot be repeated
+    except (ValueError, KeyError, TypeError):  # no JSON, but a text why the run cannot be repeated
         return "impossible"
     return "same" if outcome in _SAME else "different"
 
 
 def _lower_priority(pid: int) -> None:
-    """The process gets what the others leave of the processor."""
+    """Gives the process only the processor time that other processes leave."""
     import psutil  # noqa: PLC0415 - not needed to start
 
     with suppress(psutil.Error, OSError):
-        lowest = getattr(psutil, "IDLE_PRIORITY_CLASS", 19)  # of Windows, else as for `nice`
+        # the constant exists on Windows only; 19 is the lowest priority for `nice`
+        lowest = getattr(psutil, "IDLE_PRIORITY_CLASS", 19)
         psutil.Process(pid).nice(lowest)

@@ -1,8 +1,8 @@
 """Grades the runs of lessons with an activity.
 
-The run that the group saw is judged where it was a case of the activity; the other cases are run in the simulator
-afterwards, by the judge's process. It passes if it finished and all cases pass. A run on a real robot that came to its
-end is judged by what the robot measured where the activity allows that, else not at all.
+If the run that the group watched was a case of the activity, the judge evaluates its record. The judge's process then
+runs the other cases in the simulator. A run passes if it finished and all cases pass. A finished run on a real robot is
+judged by the robot's measurements if the activity allows that. Otherwise it is not judged.
 """
 
 import contextlib
@@ -28,12 +28,12 @@ _log = logging.getLogger(__name__)
 
 
 class Grader:
-    """Grades ended runs one after the other on a thread; must be closed, which ends the judge.
+    """Grades ended runs one after the other on a thread. Must be closed, which ends the judge.
 
     Args:
         settle: waits until everything recorded of a run is in the store.
         publish: sends an event to the page.
-        judge: finds the verdicts; None is one with a process of its own.
+        judge: returns the verdicts; None is a judge with a process of its own.
     """
 
     def __init__(
@@ -47,35 +47,34 @@ class Grader:
         self._store, self._settle, self._publish = store, settle, publish
         self._language, self._chosen_judge = language, judge
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="grader")
-        self._start_info: dict[str, RunStartInfo] = {}  # the live run
+        self._start_info: dict[str, RunStartInfo] = {}  # of the live run, by its id
 
     @cached_property
     def judge(self) -> "JudgeClient":
-        """Its process starts with the first question, or `prepare`."""
+        """The client of the judge, whose process starts with the first request or with `prepare`."""
         from pinel_desktop.judge.client import JudgeClient  # noqa: PLC0415 - not needed to start
 
         return self._chosen_judge or JudgeClient()
 
     def prepare(self, run_id: str, start_info: "RunStartInfo") -> None:
-        """Starts the judge, so that it is warm when the run that begins now has ended, and keeps what it will need."""
+        """Stores the live run's data for the judge, and starts the judge, so that it is warm when the run ends."""
         self._start_info = {run_id: start_info}
         self.judge.start()
 
     def grade(self, run_id: str) -> None:
         """Queues a run that has ended; does nothing for a run without an activity."""
-        with contextlib.suppress(
-            RuntimeError
-        ):  # the app is closing: `catch_up` of the next start grades it
+        # the app is closing: `catch_up` grades the run at the next start
+        with contextlib.suppress(RuntimeError):
             self._worker.submit(self._grade, run_id)
 
     def catch_up(self) -> None:
-        """Queues the runs that were not yet graded when the app was closed."""
+        """Queues the runs that were not graded before the app was closed."""
         with contextlib.suppress(StoreError):
             for run_id in self._store.grading_results.pending():
                 self.grade(run_id)
 
     def close(self) -> None:
-        """Drops the queue, which `catch_up` of the next start restores."""
+        """Drops the queue; `catch_up` restores it at the next start."""
         self._worker.shutdown(wait=False, cancel_futures=True)
         if "judge" in self.__dict__:
             self.judge.close()
@@ -92,14 +91,14 @@ class Grader:
             verdict = self.verdict_on(run)
             self._store.grading_results.record(run_id, verdict.passed, _report(run, verdict))
             self._publish(self._judged(run, verdict).to_wire())
-        except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
+        except (PinelError, StoreError) as error:  # an activity of a newer release, or a full disk
             _log.warning("run %s was not graded: %s", run_id, error)
             if isinstance(error, PinelError) and error.code == "judge_lost":
                 text = describe(error.code, {}, self._language())
                 self._publish(Judged(run_id, False, f"{text.message} {text.remedy}").to_wire())
 
     def verdict_on(self, run: RunRow) -> "Verdict":
-        """What the judge says of a run now, by its record. Raises PinelError, StoreError."""
+        """Returns the judge's verdict on a run from its record. Raises PinelError, StoreError."""
         from pinel_desktop.judge.messages import Verdict  # noqa: PLC0415 - heavy
 
         if run.link == SIMULATOR:
@@ -127,7 +126,7 @@ class Grader:
         )
 
     def _verdict(self, question: "JudgeRequest") -> "Verdict":
-        """Asks a judge that dies or hangs once more: perhaps the PC was out of memory for a moment."""
+        """Asks the judge; once more if its process exits or hangs, because the PC may have been short of memory."""
         try:
             return self.judge.judge(question)
         except PinelError as error:
@@ -148,7 +147,7 @@ class Grader:
         )
 
     def _observed_run(self, run: RunRow) -> "ObservedRun | None":
-        """The run that the group saw, where its record is whole."""
+        """Returns the recorded run for the judge; None if the run was stopped or has no telemetry."""
         from pinel_desktop.activities.evidence import COLUMNS  # noqa: PLC0415 - heavy
         from pinel_desktop.judge.messages import ObservedRun  # noqa: PLC0415 - heavy
 
@@ -169,7 +168,7 @@ def start_info_of(
     activity: "Activity | None" = None,
     document: Mapping[str, Any] | None = None,
 ) -> "RunStartInfo":
-    """What the judge needs of a run with an activity; activity and document are read where they are not given.
+    """Returns the data of a run that the judge needs. Reads activity and document from the store if they are None.
 
     Raises:
         PinelError: as `known_activity`.
@@ -185,7 +184,7 @@ def start_info_of(
 
 
 def _report(run: RunRow, verdict: "Verdict") -> dict[str, Any]:
-    """What the store keeps beside `passed`: the cases, and by what a run on a real robot was judged, or why not."""
+    """Returns the stored report: the cases, and for a real run whether its measurements were judged, or why not."""
     report: dict[str, Any] = {"cases": verdict.cases}
     if verdict.not_judged:
         return {**report, "not_judged": verdict.not_judged}

@@ -1,8 +1,8 @@
-"""Tells the page how a run that goes on stands with the checks of its activity.
+"""Publishes the check results of a live run to the page.
 
-The judge's process is asked, twice a second at most; a question takes it so long that it works for at most a tenth of
-the time, because the robot's process needs the PC's cores more. A slow answer, as the first one of a judge that has to
-start, keeps the page waiting for ten seconds at most.
+The judge's process is asked twice a second at most. After each response it pauses nine times as long as the evaluation
+took. So the judge works a tenth of the time at most, and the robot's process gets the PC's cores. A pause lasts ten
+seconds at most, also after a slow response such as the first one of a judge that has to start.
 """
 
 import contextlib
@@ -21,19 +21,19 @@ if TYPE_CHECKING:
     from pinel_desktop.judge.messages import RunStartInfo
 
 _EVERY_S = 0.5
-_PAUSES = 9  # a pause is that many times as long as judging took
+_PAUSES = 9  # ratio of a pause to the duration of the evaluation before it
 _MAX_PAUSE_S = 10.0
 
 _log = logging.getLogger(__name__)
 
 
 class LiveChecks:
-    """Follows every run of an activity from its first event to its last; must be closed.
+    """Evaluates every run of an activity from its first event to its last; must be closed.
 
     Args:
-        judge: the judge of the app, which is asked for when there is something to judge.
+        judge: returns the client of the app's judge; called for each evaluation.
         publish: sends an event to the page.
-        language: the chosen language.
+        language: returns the chosen language.
     """
 
     def __init__(
@@ -48,13 +48,13 @@ class LiveChecks:
         self._run: _EventBuffer | None = None
 
     def expect(self, run_id: str, start_info: "RunStartInfo") -> None:
-        """Follows that run as soon as its first event comes."""
+        """Selects the run to follow; its evaluation starts with its first event."""
         if self._run is not None:
             self._run.stop.set()
         self._run = _EventBuffer(run_id, start_info)
 
     def observe(self, event: Mapping[str, Any]) -> None:
-        """Takes an event of the engine, from one thread."""
+        """Handles an event of the engine; called from one thread."""
         run = self._run
         if run is None or run.id != event["run"]:
             return
@@ -65,7 +65,7 @@ class LiveChecks:
         run.add(event)
 
     def close(self) -> None:
-        """Follows no run any longer."""
+        """Stops the evaluation."""
         if self._run is not None:
             self._run.stop.set()
         self._worker.shutdown(wait=False, cancel_futures=True)
@@ -73,13 +73,13 @@ class LiveChecks:
     def _follow(self, run: "_EventBuffer") -> None:
         try:
             self._publish_changes(run)
-        except PinelError as error:  # a lost judge
+        except PinelError as error:  # the judge's process exited or hangs
             _log.warning("the checks of run %s are not followed: %s", run.id, error)
         finally:
             run.forget()
 
     def _publish_changes(self, run: "_EventBuffer") -> None:
-        """Asks the judge again and again until the run is over; tells each change."""
+        """Asks the judge repeatedly until the run has ended; publishes each change of the check results."""
         from pinel_desktop.judge.messages import RunUpdate  # noqa: PLC0415 - heavy
 
         first: RunStartInfo | None = run.start_info
@@ -99,18 +99,18 @@ class LiveChecks:
 
 
 def pause_after_s(judging_s: float) -> float:
-    """How long the judge is left alone after an answer that took so long."""
+    """Returns the pause after an evaluation that took `judging_s`."""
     return min(max(_EVERY_S, _PAUSES * judging_s), _MAX_PAUSE_S)
 
 
 class _EventBuffer:
-    """A run, and what it has told since it was last asked.
+    """A live run with the events that the judge has not received yet.
 
     Attributes:
-        start_info: what the judge needs of it; it knows whether it can follow a run on a real robot.
-        is_followed: whether it has told its first event.
-        stop: set when it is over, or nobody wants to know any more.
-        is_over: whether it has told its last event.
+        begun: start data of the run, by which the judge decides if it can evaluate the run live.
+        is_followed: True after the run's first event.
+        stop: set when the run has ended, or its evaluation is no longer needed.
+        is_over: True after the run's last event.
     """
 
     def __init__(self, run_id: str, start_info: "RunStartInfo") -> None:
@@ -130,12 +130,12 @@ class _EventBuffer:
             self.stop.set()
 
     def drain(self) -> list[Mapping[str, Any]]:
-        """What has come since the last call."""
+        """Returns the events since the last call, and removes them."""
         with self._lock:
             events, self._events = self._events or [], []
         return events
 
     def forget(self) -> None:
-        """Keeps nothing from now on."""
+        """Drops the events, and all later ones."""
         with self._lock:
             self._events = None

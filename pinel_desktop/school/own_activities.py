@@ -1,6 +1,6 @@
-"""Activities by name: those that ship, and those that a teacher made, which the store keeps by their keys.
+"""Activities by name: shipped activities, and own activities, which a teacher made and the store holds by key.
 
-An own activity is data that may come from another PC: it is read by the same rules as a file each time.
+An own activity is data that may come from another PC. It is validated like a file each time it is read.
 """
 
 import json
@@ -20,7 +20,7 @@ _CACHE_SIZE = 64
 
 
 def known_activity(store: Store, name: str) -> "Activity":
-    """The activity of that name, also an own one that was deleted: lessons and programs still name it.
+    """Returns the activity with that name, also a deleted own activity, because lessons and programs still name it.
 
     Raises:
         PinelError: `unknown_activity`, `activity_newer`; `own_activity_unreadable` with faults that no PINEL writes.
@@ -39,7 +39,7 @@ def known_activity(store: Store, name: str) -> "Activity":
 
 
 def own_activity(row: OwnActivityRow) -> "Activity":
-    """The activity of a row, by the row's key. Raises PinelError as `known_activity`."""
+    """Returns the activity of a row, named by the row's key. Raises PinelError as `known_activity`."""
     activity, faults = _read(json.dumps({**row.document, "name": row.id}))
     if activity is not None and not faults:
         return activity
@@ -57,7 +57,7 @@ def _read(text: str) -> "tuple[Activity | None, tuple[Fault, ...]]":
 
 
 def goal_of_known(store: Store, name: str) -> "Goal":
-    """What the picture of an activity's goal shows. Raises StoreError `own_activity_not_found`."""
+    """Returns the shapes in the picture of an activity's goal. Raises StoreError `own_activity_not_found`."""
     from pinel_desktop.activities import activity_names, shipped_goal  # noqa: PLC0415 - heavy
 
     return (
@@ -66,7 +66,7 @@ def goal_of_known(store: Store, name: str) -> "Goal":
 
 
 def own_goal(row: OwnActivityRow) -> "Goal":
-    """The picture of an own activity's goal; only its world where the row holds no picture."""
+    """Returns the picture of an own activity's goal; without shapes if the row has no valid picture."""
     from pydantic import ValidationError  # noqa: PLC0415 - heavy
 
     from pinel_desktop.activities import Goal  # noqa: PLC0415 - heavy
@@ -78,28 +78,28 @@ def own_goal(row: OwnActivityRow) -> "Goal":
 
 
 def all_titles(store: Store, language: str) -> dict[str, str]:
-    """Titles of all activities in a language, by name, also of own ones that were deleted."""
+    """Returns the titles of all activities in a language, by name, including deleted own activities."""
     from pinel_desktop.activities import activity_titles  # noqa: PLC0415 - heavy
 
     return {**activity_titles(language), **store.own_activities.titles()}
 
 
 def in_all_languages(text: str) -> dict[str, str]:
-    """A text that a teacher wrote once, as activities have texts."""
+    """Returns a text that a teacher wrote once under each language, the form of texts in activities."""
     return dict.fromkeys(LANGUAGES, text)
 
 
 def save_activity(
     store: Store, activity: "Activity", document: Mapping[str, Any]
 ) -> OwnActivityRow:
-    """Keeps an activity with the picture of its goal.
+    """Stores an activity with the picture of its goal.
 
     Args:
-        document: of the activity, in JSON.
+        document: the activity as JSON data.
 
     Raises:
         StoreError: `name_empty`, `name_too_long`, `own_activities_too_many`.
-        PinelError: `own_activity_unsound` where its solution does not pass, or a program without commands does.
+        PinelError: `own_activity_unsound` if its solution does not pass, or if a program without commands passes.
     """
     from pinel_desktop.activities import goal_of, trials  # noqa: PLC0415 - heavy
     from pinel_desktop.program.reading import read_document  # noqa: PLC0415

@@ -1,8 +1,8 @@
-"""How often a PIN may be guessed: a wait for each browser session, and a slow rate for all of them together.
+"""Rate limit for attempts to enter the PIN: a wait for each browser session, and a common rate for all sessions.
 
-A wait that all share would let pupils keep the teacher out. A session alone can be begun anew by whoever guesses, so
-that the shared rate is what bounds guessing: 10 tries at once, then one in two minutes while the app runs. Of the
-10,000 PINs of four digits half are tried after 166 hours of nothing else.
+If all sessions shared one wait, pupils could lock the teacher out. If each session had only its own wait, a new session
+would reset it. Therefore the common rate bounds guessing: 10 attempts at once, then one every two minutes while the app
+runs. Trying half of the 10,000 PINs of four digits takes 166 hours.
 """
 
 import time
@@ -13,9 +13,9 @@ from typing import Any, Protocol
 from pinel_desktop.errors import PinelError
 from storage import StoreError
 
-FREE_TRIES = 5  # of a session
+FREE_TRIES = 5  # of one session before its first wait
 FIRST_WAIT_S, MAX_WAIT_S = 30.0, 15 * 60.0
-TOGETHER, ONE_MORE_S = 10, 120.0  # tries of all sessions, and the time in which one comes back
+TOGETHER, ONE_MORE_S = 10, 120.0  # attempts of all sessions; time until one more is allowed
 _MAX_SESSIONS = 20
 _NEARLY = 1e-6
 _TRIES = "teacher_pin_tries"
@@ -30,8 +30,9 @@ class Settings(Protocol):
 
 
 class PinRateLimiter:
-    """Counts wrong PINs in the settings, so that a restart of the app spares nothing; in memory where they cannot be
-    written, so that the teacher can enter on a full disk. Not thread-safe.
+    """Counts wrong PINs in the settings, so that a restart of the app does not reset the limits. Not thread-safe.
+
+    If the settings cannot be written, counts in memory, so that the teacher can sign in on a full disk.
 
     Args:
         clock: wall clock in seconds; runs while the app does not, but anybody can set it.
@@ -45,14 +46,14 @@ class PinRateLimiter:
         steady: Callable[[], float] = time.monotonic,
     ) -> None:
         self._settings, self._clock, self._steady = settings, clock, steady
-        self._stored: Any = None  # as the settings had them last
+        self._stored: Any = None  # the last value read from the settings
         self._tries = _Tries()
-        # session -> steady time of its last try since the start
+        # session -> time of its last attempt since the app's start, by the monotonic clock
         self._tried_at: dict[str, float] = {}
         self._started_at = self._refilled_at = steady()
 
     def check(self, session: str) -> None:
-        """Raises PinelError `pin_wait` with the seconds until the session's next try."""
+        """Raises PinelError `pin_wait` with the seconds until the session's next attempt."""
         self._update()
         failed, at = self._tries.by.get(session, (0, 0.0))
         left_s = max(self._own_wait_s(session, failed, at), self._shared_wait_s())
@@ -60,7 +61,7 @@ class PinRateLimiter:
             raise PinelError("pin_wait", failed=max(failed, 1), seconds=int(left_s) + 1)
 
     def count(self, session: str) -> None:
-        """Counts a try before it is known to be wrong."""
+        """Counts an attempt; called before the PIN is checked."""
         self._update()
         failed, _ = self._tries.by.pop(session, (0, 0.0))
         self._tries.by[session] = (failed + 1, self._clock())
@@ -68,12 +69,11 @@ class PinRateLimiter:
         self._tries.left = max(self._tries.left - 1, 0.0)
         self._tried_at[session] = self._steady()
         if not self._store({"left": self._tries.left, "by": self._tries.by}):
-            self._tries.left = (
-                0.0  # a start would forget the tries: from here on one in two minutes
-            )
+            # a restart would reset the limit of attempts: from now on only one every two minutes
+            self._tries.left = 0.0
 
     def forget(self) -> None:
-        """The right PIN was given, or another is set."""
+        """Resets all limits, after the right PIN or for a new PIN."""
         self._tries = _Tries()
         self._tried_at.clear()
         self._store(None)
@@ -89,9 +89,9 @@ class PinRateLimiter:
         return max(1 - _NEARLY - self._tries.left, 0.0) * ONE_MORE_S
 
     def _passed_s(self, session: str, tried_at: float) -> float:
-        """Seconds since the session's last try.
+        """Seconds since the session's last attempt.
 
-        If the wall clock was set back, they count from the start of the app: the wait is neither skipped nor endless.
+        If the wall clock was set back, counts from the start of the app. So the wait is neither skipped nor endless.
         """
         if session in self._tried_at:
             return self._steady() - self._tried_at[session]
@@ -99,7 +99,10 @@ class PinRateLimiter:
         return self._steady() - self._started_at if by_clock_s < 0 else by_clock_s
 
     def _update(self) -> None:
-        """Takes over what `pinel pin` changed, and gives back tries; only while the app runs, as clocks can be set."""
+        """Reads the changes that `pinel pin` made, and refills the common attempts for the time since the last call.
+
+        Only time while the app runs counts, by the monotonic clock: anybody can set the wall clock.
+        """
         stored, now = self._settings.get(_TRIES), self._steady()
         if stored != self._stored:
             self._stored, self._tries = stored, _tries_of(stored)
@@ -118,7 +121,7 @@ class PinRateLimiter:
 
 @dataclass(slots=True)
 class _Tries:
-    """Tries that are left to all sessions; of each session how many were wrong, and when the last one was."""
+    """Attempts left to all sessions together; by session the number of wrong PINs and the time of the last one."""
 
     left: float = float(TOGETHER)
     by: dict[str, tuple[int, float]] = field(default_factory=dict)
@@ -130,5 +133,5 @@ def _tries_of(stored: Any) -> _Tries:
     try:
         by = {session: (int(n), float(at)) for session, (n, at) in stored["by"].items()}
         return _Tries(float(stored["left"]), by)
-    except (KeyError, TypeError, ValueError, AttributeError):  # damaged by the disk
+    except (KeyError, TypeError, ValueError, AttributeError):  # damaged settings
         return _Tries()

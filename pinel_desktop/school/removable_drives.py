@@ -48,9 +48,9 @@ def folders(
     *,
     partitions: Callable[[], Sequence[Any]] | None = None,
 ) -> list[Folder]:
-    """Removable drives, then the chosen folders; each with its files that end in `suffix`, newest first.
+    """Returns removable drives, then the chosen folders, each with its files that end in `suffix`, newest first.
 
-    Files are searched in the folder and in its subfolder `PINEL`. Drives that cannot be read are left out.
+    Searches the folder and its subfolder `PINEL`. Omits removable drives that cannot be read.
     """
     found = [Path(one.mountpoint) for one in (partitions or _partitions)() if _is_removable(one)]
     drives = [_folder(path, True, suffix) for path in found if _is_folder(path)]

@@ -1,4 +1,4 @@
-"""The real robots of this PC: a record for each kind of link, which the teacher sets up."""
+"""Profiles of the real robots of this PC, one for each kind of link; the teacher sets them up."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -10,7 +10,7 @@ from pinel_desktop.school.pin_rate_limiter import Settings
 
 
 class RobotProfiles:
-    """Keeps the records in the settings of the store.
+    """Stores the profiles in the settings of the store.
 
     Args:
         links: names of the links that this app has.
@@ -21,28 +21,28 @@ class RobotProfiles:
         self.kinds = tuple(link for link in links if link in PROFILES)
 
     def find(self, link: str) -> RobotProfile | None:
-        """The record of a kind, None before it is set up. Raises PinelError `unknown_link`."""
+        """Returns the profile of a link; None before it is set up. Raises PinelError `unknown_link`."""
         stored = self._settings.get(self._key(link))
         if not isinstance(stored, dict):
             return None
         try:
             return profile_from(stored)
-        except PinelError:  # of a newer release
+        except PinelError:  # written by a newer release
             return None
 
     def profile(self, link: str) -> RobotProfile:
-        """The record of a kind. Raises PinelError `unknown_link`, `robot_not_set_up`."""
+        """Returns the profile of a link. Raises PinelError `unknown_link`, `robot_not_set_up`."""
         record = self.find(link)
         if record is None:
             raise PinelError("robot_not_set_up")
         return record
 
     def save(self, link: str, fields: dict[str, Any]) -> RobotProfile:
-        """Sets up a kind; what is missing has its default.
+        """Stores the profile of a link; a missing field gets its default.
 
         Raises:
-            PinelError: `unknown_link`, `robot_record_range`, `robot_record_invalid`, and a start that is not in the
-                room, such as `start_in_wall`.
+            PinelError: `unknown_link`, `robot_record_range`, `robot_record_invalid`, and a start pose outside the room,
+                such as `start_in_wall`.
         """
         key = self._key(link)
         record = profile_from({**fields, "link": link})
@@ -51,7 +51,7 @@ class RobotProfiles:
         return record
 
     def forget(self, link: str) -> None:
-        """Undoes the set-up of a kind. Raises PinelError `unknown_link`."""
+        """Deletes the profile of a link. Raises PinelError `unknown_link`."""
         self._settings.set(self._key(link), None)
 
     def _key(self, link: str) -> str:
@@ -61,7 +61,7 @@ class RobotProfiles:
 
 
 def _require_room(record: RobotProfile) -> None:
-    """Raises PinelError with the first fault of the start, such as `start_in_wall`."""
+    """Raises PinelError with the first fault of the start pose in the room, such as `start_in_wall`."""
     from pinel_desktop.worlds import read_own_world  # noqa: PLC0415 - heavy
 
     _, faults = read_own_world(record.room.as_world(), robot=PIONEER_3DX.name)

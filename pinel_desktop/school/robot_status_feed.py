@@ -1,4 +1,4 @@
-"""What pages are told of the real robots that they ask about."""
+"""Publishes the status of real robots to the pages that ask for it."""
 
 import time
 from collections.abc import Callable
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
 
 class RobotStatusFeed:
-    """Lets the engine listen while a page asks, and publishes what it tells in words of the chosen language.
+    """Keeps the engine listening to a robot while a page asks, and publishes its status in the chosen language.
 
     Args:
-        publish: takes events for all pages.
-        language: gives the chosen language.
+        publish: sends an event to all pages.
+        language: returns the chosen language.
     """
 
     def __init__(
@@ -29,9 +29,9 @@ class RobotStatusFeed:
         self._last: dict[str, dict[str, Any]] = {}
 
     def watch(self, engine: "EngineClient", robot: RobotProfile, *, is_first: bool) -> None:
-        """A page asks; one that asks for the first time is told what is known already."""
+        """Handles a page's request to watch a robot; publishes the last known status for the page's first request."""
         now_s = time.monotonic()
-        if now_s - self._asked_s.get(robot.link, now_s) > LEASE_S:  # what was told last is old
+        if now_s - self._asked_s.get(robot.link, now_s) > LEASE_S:  # the last status is outdated
             self._last.pop(robot.link, None)
         self._asked_s[robot.link] = now_s
         known = self._last.get(robot.link)
@@ -40,7 +40,7 @@ class RobotStatusFeed:
         engine.watch(robot)
 
     def publish_state(self, state: dict[str, Any]) -> None:
-        """A message of the engine."""
+        """Publishes a status message of the engine."""
         values = dict(state)
         code, params = values["code"], values.pop("params")
         del values["type"]

@@ -1,5 +1,4 @@
-"""Signs that a class teaches: recorded through the camera, kept in the store, known to the camera while it is the
-class's turn."""
+"""Signs that a class teaches: recorded through the camera, stored, and loaded into the camera's classifier."""
 
 import contextlib
 from collections.abc import Callable
@@ -14,17 +13,18 @@ from pinel_desktop.gestures.typical_hand import Landmarks, landmarks_of_movement
 from pinel_desktop.messages import explain
 from storage import SignSamples, Store, StoreError
 
-N_SAMPLES = 10  # hands of one recording
+N_SAMPLES = 10  # hands at rest in one recording
 N_MOVEMENTS = 5
 Samples = tuple[bytes, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class KnownSign:
-    """A sign that captures of a class can answer: a letter that ships, with the class's samples of it, or its own.
+    """A sign that a capture can return for a class: a letter of LIBRAS, or a sign that only the class taught.
 
-    `landmarks` are those to draw a sign of the class from; None for a letter, whose drawing ships.
-    n_samples, n_movements: how often the class showed it at rest and in motion.
+    Attributes:
+        n_samples, n_movements: how often the class showed the sign at rest and in motion.
+        landmarks: hand from which the page draws a sign of the class; None for a letter, whose drawing ships.
     """
 
     name: str
@@ -36,7 +36,7 @@ class KnownSign:
 
 @dataclass(frozen=True, slots=True)
 class _Recording:
-    """What is being recorded."""
+    """The recording in progress."""
 
     classroom_id: str
     sign: str
@@ -48,7 +48,7 @@ class _Recording:
 
     @property
     def code_of_stop(self) -> str:
-        """Of the message that it was given up."""
+        """Code of the message that the recording was stopped."""
         return "movement_recording_stopped" if self.is_moving else "sign_recording_stopped"
 
 
@@ -71,7 +71,7 @@ class SignTeaching:
         self._classroom_id: str | None = None
 
     def signs(self, classroom_id: str | None) -> list[KnownSign]:
-        """The letters, then what the class taught besides; of groups without a class the letters.
+        """Returns the letters, then the other signs that the class taught; without a class only the letters.
 
         Raises:
             StoreError: `classroom_not_found`.
@@ -83,10 +83,10 @@ class SignTeaching:
         return letters + [_known(one) for one in taught if one.sign not in LETTERS]
 
     def use(self, classroom_id: str | None) -> None:
-        """From now on the camera knows what this class taught; None is a group without a class.
+        """Loads the signs of a class into the camera's classifier; None is a group without a class.
 
         Raises:
-            StoreError: `classroom_not_found`; the camera then knows what it knew.
+            StoreError: `classroom_not_found`; the classifier then stays unchanged.
         """
         taught = self._store.taught_signs.of_classroom(classroom_id) if classroom_id else []
         self._camera.set_taught_signs(
@@ -95,7 +95,10 @@ class SignTeaching:
         self._classroom_id = classroom_id
 
     def refresh(self) -> None:
-        """To be called when work was deleted or came from another PC: the camera knows what the store has now."""
+        """Loads the class's signs from the store again.
+
+        Must be called after work was deleted or merged from another PC.
+        """
         try:
             self.use(self._classroom_id)
         except StoreError as error:
@@ -104,7 +107,7 @@ class SignTeaching:
         self._publish(SignsChanged(classroom=None).to_wire())
 
     def record(self, classroom_id: str, name: str, *, is_moving: bool = False) -> str:
-        """Begins to record a sign; events tell how it goes on. Returns the name as the class spells it.
+        """Starts the recording of a sign, and publishes its progress. Returns the name as the class spells it.
 
         Args:
             is_moving: records movements, not hands at rest.
@@ -120,7 +123,7 @@ class SignTeaching:
             if len(samples) == recording.n_required:
                 self._save(recording, samples)
 
-        self._publish_progress(recording, 0)  # a hand may take seconds to come
+        self._publish_progress(recording, 0)  # the first hand may appear seconds later
         self._camera.record(
             recording.n_required,
             on_samples,
@@ -132,7 +135,7 @@ class SignTeaching:
         return sign
 
     def stop(self) -> None:
-        """Gives up the recording that goes on."""
+        """Stops the recording in progress; its samples are discarded."""
         self._camera.stop_recording()
 
     def forget(self, classroom_id: str, name: str) -> None:

@@ -1,7 +1,7 @@
 """The teacher's PIN and sessions: a PIN gives access to review and settings for a limited time.
 
-The PIN is stored as a salted scrypt hash. Because it is short, guessing is slowed down (`pin_tries.py`). `pinel pin`
-replaces a forgotten PIN; it needs write access to the database file, and anybody with that access needs no PIN.
+The PIN is stored as a salted scrypt hash. Because a PIN is short, `pin_rate_limiter.py` limits the attempts. `pinel
+pin` replaces a forgotten PIN. It needs write access to the database file; anybody with that access needs no PIN.
 """
 
 import hashlib
@@ -64,10 +64,10 @@ class TeacherSessions:
             self._tries.forget()
 
     def sign_in(self, pin: str, browser: str = "") -> str:
-        """Begins a session and returns its token.
+        """Opens a session and returns its token.
 
         Args:
-            browser: tells apart the browser sessions in which PINs are tried.
+            browser: identifies the browser session in which the PIN is tried.
 
         Raises:
             PinelError: `pin_missing`, `pin_wrong`, or `pin_wait` with the seconds until the next attempt.
@@ -113,7 +113,7 @@ class TeacherSessions:
         return str((self._stored_pin() or {}).get("salt", ""))
 
     def _stored_pin(self) -> dict[str, Any] | None:
-        """What is kept of the PIN; None where there is none, or the disk has damaged it."""
+        """Returns the stored hash of the PIN; None without a PIN, or if the stored value is damaged."""
         stored = self._settings.get(_PIN)
         return stored if _is_whole(stored) else None
 

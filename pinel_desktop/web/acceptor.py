@@ -1,7 +1,7 @@
-"""Accepts connections and hands over those that have sent the head of a request; one thread for all of them.
+"""Accepts connections on one thread, and hands each over when the head of its request is complete.
 
-Nothing that a stranger sends by half costs a thread, or a place of the page. A connection that brings no secret of the
-guard is a stranger's: strangers have few places, and little time.
+So a client that sends half a request occupies no thread. If the head has no secret of the guard, the connection is
+unknown. Unknown connections get few slots and short timeouts, and so do not displace the page.
 """
 
 import re
@@ -13,18 +13,20 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
-HEAD_S = 10.0  # for a whole head; dripping bytes does not prolong it
-# Strangers are refused unread; closed at once, who goes on sending would lose the answer.
+HEAD_S = 10.0  # for a whole head; slow clients cannot prolong it
+# Unknown connections are refused without reading the body. If the socket were closed at once, a
+# client that still sends would lose the response.
 _REFUSED_S = 2.0
-_BODY_PART_S = 30.0  # between two parts of the page's body: a file on a slow stick goes on
-_MAX_HEAD = 2**16  # a longer one is answered as it is
+# between two parts of the page's body; long enough to read a file from a slow stick
+_BODY_PART_S = 30.0
+_MAX_HEAD = 2**16  # a longer head is handed over incomplete
 _END_OF_HEAD = re.compile(rb"\r?\n\r?\n")
 _POLL_S = 0.05
 _BUSY = b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nContent-Length: 0\r\n\r\n"
 
 
 class Connection(socket.socket):
-    """An accepted connection. Reading gives out the bytes that came with the head first, and b"" when time is up."""
+    """An accepted connection. Reading returns the bytes received with the head first, and b"" after the timeout."""
 
     def __init__(self, accepted: socket.socket, head_s: float) -> None:
         super().__init__(fileno=accepted.detach())
@@ -34,7 +36,7 @@ class Connection(socket.socket):
         self.is_known = False
 
     def receive_head(self) -> bool:
-        """Takes what has come; whether that is the whole head, or all there will be of it. Raises OSError."""
+        """Receives available bytes; True if the head is complete or exceeds `_MAX_HEAD`. Raises OSError."""
         received = self.recv(_MAX_HEAD)
         if not received:
             raise ConnectionAbortedError
@@ -42,7 +44,7 @@ class Connection(socket.socket):
         return len(self.head) > _MAX_HEAD or _END_OF_HEAD.search(self.head) is not None
 
     def begin_body(self, *, is_known: bool) -> None:
-        """From now on the thread that answers reads."""
+        """Prepares the connection for the thread that answers the request, which reads the body."""
         self.is_known = is_known
         self.deadline_s = time.monotonic() + _REFUSED_S
         self.setblocking(True)
@@ -67,10 +69,10 @@ class Acceptor:
     """Accepts connections with `run`, until `close`.
 
     Args:
-        is_known: whether the head of a request brings a secret of this server.
-        answer: called with a connection whose head is whole; must not wait. May raise RuntimeError or OSError.
-        max_waiting: connections without a whole head; beyond, the oldest is closed.
-        max_answered: strangers that are answered at the same time.
+        is_known: True if the head of a request contains a secret of this server.
+        answer: called with a connection whose head is complete; must not block. May raise RuntimeError or OSError.
+        max_waiting: connections without a complete head; if there are more, the oldest is closed.
+        max_answered: unknown connections that are answered at the same time.
     """
 
     def __init__(
@@ -94,7 +96,7 @@ class Acceptor:
         self._closing.set()
 
     def run(self) -> None:
-        """Accepts and hands over until `close`."""
+        """Accepts connections and hands them over until `close`."""
         self._listener.setblocking(False)
         with selectors.DefaultSelector() as self._selector:
             self._selector.register(self._listener, selectors.EVENT_READ)
@@ -106,14 +108,14 @@ class Acceptor:
                 self._close_oldest()
 
     def forget(self, connection: Connection) -> None:
-        """Called on any thread when a connection has been answered."""
+        """Releases the slot of an answered connection; called on any thread."""
         if not connection.is_known:
             self._stranger_slots.release()
 
     def _serve(self, ready: object) -> None:
         if ready is self._listener:
             self._accept()
-        elif ready in self._waiting:  # or it was closed for a newer one a moment ago
+        elif ready in self._waiting:  # else it was just closed in favour of a newer connection
             assert isinstance(ready, Connection)
             self._receive(ready)
 
@@ -122,7 +124,7 @@ class Acceptor:
             accepted, _ = self._listener.accept()
         except (BlockingIOError, ConnectionAbortedError):
             return
-        except OSError:  # no more files may be opened
+        except OSError:  # the limit of open files is reached
             if self._waiting:
                 self._close_oldest()
             else:
@@ -133,7 +135,8 @@ class Acceptor:
         connection = Connection(accepted, self._head_s)
         self._waiting[connection] = None
         self._selector.register(connection, selectors.EVENT_READ)
-        self._receive(connection)  # it has mostly come already, and is safe then from newer ones
+        # the head has usually arrived already; then newer connections cannot displace this one
+        self._receive(connection)
 
     def _receive(self, connection: Connection) -> None:
         try:
@@ -155,7 +158,7 @@ class Acceptor:
         connection.begin_body(is_known=is_known)
         try:
             self._respond(connection)
-        except (RuntimeError, OSError):  # no more threads can be started
+        except (RuntimeError, OSError):  # the limit of threads is reached
             connection.close()
             self.forget(connection)
 

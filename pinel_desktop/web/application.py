@@ -58,9 +58,9 @@ def _finite(text: str) -> float:
 
 
 def _check_body() -> None:
-    """Raises PinelError `invalid_json` for a body that is not JSON, for a better message than the models give.
+    """Raises PinelError `invalid_json` if the body is no JSON: its message is better than the models' message.
 
-    Requests that take a file are exempt and get a larger limit.
+    Requests with a file are exempt and get a larger limit.
     """
     if request.path in _UPLOAD_PATHS and request.mimetype == "application/octet-stream":
         request.max_content_length = MAX_FILE

@@ -1,4 +1,4 @@
-"""What a handler is called with: the parts of a request, validated by the models that annotate its parameters."""
+"""Arguments of handlers: the parts of a request, validated by the models that annotate the handler's parameters."""
 
 from collections.abc import Callable, Mapping
 from functools import cache, wraps
@@ -21,7 +21,7 @@ _READERS: Mapping[str, Callable[[Any], object]] = {
 
 
 def with_arguments(handler: Handler) -> Handler:
-    """The handler as Flask calls it. A request that does not fit is answered with `invalid_request`."""
+    """Wraps a handler for Flask. If a request does not fit the models, the response is the error `invalid_request`."""
 
     @wraps(handler)
     def view(**of_path: object) -> Response:
@@ -36,6 +36,6 @@ def with_arguments(handler: Handler) -> Handler:
 
 @cache
 def _parts_of(handler: Handler) -> dict[str, Any]:
-    """The annotations of a handler's parameters, read with its first request."""
+    """Returns the annotations of a handler's parameters; read at its first request."""
     hints = get_type_hints(handler)
     return {name: hints[name] for name in _READERS if name in hints}

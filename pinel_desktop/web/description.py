@@ -1,7 +1,7 @@
-"""The OpenAPI 3.1 description of all routes, made when somebody asks for it.
+"""The OpenAPI 3.1 description of all routes, generated at the first request for it.
 
 flask-openapi3 derives it from the models that validate the bodies, so it cannot differ from the code. It was chosen
-over apiflask (marshmallow first) and spectree (no OpenAPI 3.1). The app starts without it, as it is slow to import.
+over apiflask (marshmallow first) and spectree (no OpenAPI 3.1). The app starts without it, because its import is slow.
 """
 
 import json
@@ -49,7 +49,7 @@ def description() -> dict[str, Any]:
 
 
 def _describe(api: OpenAPI, resource: Resource) -> None:
-    """Adds a resource. Merges paths shared by two resources, of which the library would keep only the last."""
+    """Adds a resource. Merges paths that two resources share, because the library would use only the last one."""
     described = APIBlueprint(
         resource.name,
         resource.import_name,

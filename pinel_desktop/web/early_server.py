@@ -1,6 +1,6 @@
 """Serves the page while the rest of the app is still being imported.
 
-The browser loads and evaluates the page's code meanwhile, which takes about as long as the imports.
+Meanwhile the browser loads and evaluates the page's code, which takes about as long as the imports.
 """
 
 import threading
@@ -26,7 +26,7 @@ class EarlyServer:
     """Server and guard of one app; serves the page at once, the API after `open`.
 
     Args:
-        settings: what was chosen on this PC; kept in memory only without it.
+        settings: settings of this PC; None stores them in memory only.
 
     Raises:
         PinelError: `port_taken`.
@@ -43,16 +43,16 @@ class EarlyServer:
         self._server.start(self, self.guard.is_known)
 
     def open(self, app: Wsgi) -> None:
-        """Lets `app` answer all requests from now on."""
+        """Passes all requests to `app` from now on."""
         self._app = app
         self._decided.set()
 
     def abandon(self) -> None:
-        """Ends waiting requests with status 503, because the app cannot start."""
+        """Answers waiting requests with status 503, because the app cannot start."""
         self._decided.set()
 
     def close(self) -> None:
-        """Ends the server. Close the hub first, which ends the streams."""
+        """Stops the server. Close the hub first, which ends the streams."""
         self.abandon()
         self._server.close()
 
@@ -65,7 +65,10 @@ class EarlyServer:
         return answer(environ, start_response)
 
     def _is_for_page(self, asked: Request) -> bool:
-        """True for an authorised request for a file of the page; all others, also refusals, wait for the app."""
+        """True for an authorised request for a file of the page.
+
+        All other requests, also refused ones, wait for the app.
+        """
         if asked.method != "GET" or asked.path.partition("/api")[0] == "":
             return False
         try:

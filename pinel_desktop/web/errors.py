@@ -1,4 +1,4 @@
-"""Error handlers: every exception, expected or not, becomes the same JSON error shape."""
+"""Error handlers: convert every exception, expected or not, to the same JSON error shape."""
 
 import logging
 from typing import Any
@@ -35,7 +35,7 @@ class InvalidWorldError(PinelError):
 
 
 class InvalidActivityError(PinelError):
-    """An activity that no program could pass, or that is no activity."""
+    """An invalid activity, or one that no program could pass."""
 
     def __init__(self, faults: list[Fault]) -> None:
         super().__init__("invalid_activity", count=len(faults))
@@ -51,7 +51,7 @@ def install(app: Flask) -> None:
 
 
 def invalid_request(error: ValidationError) -> Response:
-    """The answer to an invalid body or query, with a message about its first error."""
+    """Returns the response to an invalid body or query, with a message about its first error."""
     message_code, params = first_problem(error)
     return _response("invalid_request", params, message_code=message_code)
 

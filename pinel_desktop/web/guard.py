@@ -1,8 +1,9 @@
 """Access control of the server: only the page that the app opened may use it.
 
 The server is bound to 127.0.0.1. A one-time key in the first address, which expires, sets an HttpOnly SameSite=Strict
-cookie; every request must carry it and come from our own origin. Requests that a foreign web page makes a browser send
-are refused by Host (DNS rebinding), Origin and Sec-Fetch-Site (forged requests), even with the cookie.
+cookie. Every request must carry this cookie and come from our own origin. If a foreign web page makes a browser send
+requests, the guard refuses them even with the cookie. It checks Host (DNS rebinding), Origin and Sec-Fetch-Site
+(cross-site request forgery).
 """
 
 import hmac
@@ -16,10 +17,12 @@ from typing import Protocol
 from pinel_desktop.errors import PinelError
 
 SECRET_HEADER = "X-Pinel-Secret"
-_OWN_SITE = ("same-origin", "none")  # none: typed, from a bookmark, or opened by another program
+# "none": the address was typed, from a bookmark, or opened by another program
+_OWN_SITE = ("same-origin", "none")
 _MAX_KEYS = 16
 _SECRETS = re.compile(rb"[\w-]{32,}")  # in the alphabet of `secrets.token_urlsafe`
-KEY_S = 300.0  # a slow PC needs a minute for its window, and a person has to copy the address of `pinel serve`
+# A slow PC needs a minute for its window; a person has to copy the address of `pinel serve`.
+KEY_S = 300.0
 
 
 class Headers(Protocol):
@@ -42,7 +45,7 @@ class Guard:
         self.cookie_value = secrets.token_urlsafe(32)
         self._authority = ""
         self._clock = clock
-        self._keys: list[tuple[str, float]] = []  # each with the time of its making
+        self._keys: list[tuple[str, float]] = []  # key, and the time when it was made
         self._lock = threading.Lock()
 
     def bind(self, host: str, port: int) -> None:
@@ -56,11 +59,14 @@ class Guard:
 
     @property
     def cookie_name(self) -> str:
-        """Contains the port, because cookies are shared by all ports: two apps on one PC each have their own."""
+        """Name of the cookie; contains the port, because all ports of a host share cookies.
+
+        So two apps on one PC have a cookie each.
+        """
         return f"pinel_{self._authority.rpartition(':')[2]}"
 
     def fresh_link(self) -> str:
-        """A new address that opens the page once, within `KEY_S`."""
+        """Returns a new address that opens the page once, within `KEY_S`."""
         key = secrets.token_urlsafe(24)
         with self._lock:
             self._keys = [*self._keys[1 - _MAX_KEYS :], (key, self._clock())]
@@ -78,7 +84,10 @@ class Guard:
         return any(self._clock() - made <= KEY_S for _, made in found)
 
     def is_known(self, head: bytes) -> bool:
-        """True if the head of a request contains the cookie, the secret or a key; uses up none, and permits nothing."""
+        """True if the head of a request contains the cookie, the secret or a key.
+
+        The check uses up no key and permits no request.
+        """
         with self._lock:
             keys = [key for key, _ in self._keys]
         known = {credential.encode() for credential in (self.cookie_value, self.secret, *keys)}

@@ -29,7 +29,7 @@ _KINDS = {
 
 
 def first_problem(error: ValidationError) -> tuple[str, dict[str, object]]:
-    """Code and parameters of the message for the first validation error."""
+    """Returns code and parameters of the message for the first validation error."""
     first = error.errors(include_url=False, include_input=False)[0]
     loc = first["loc"]
     if first["type"].startswith("union_tag"):
@@ -37,11 +37,11 @@ def first_problem(error: ValidationError) -> tuple[str, dict[str, object]]:
     if not loc:
         return "invalid_request_body", {"where": ""}
     model = _models().get(error.title)
-    if error.title == LiveCommand.__name__:  # its locations begin with the command's name
+    if error.title == LiveCommand.__name__:  # its error locations start with the command's name
         model, loc = COMMANDS[str(loc[0])], loc[1:]
     where = str(loc[0])
     params: dict[str, object] = {"where": where, "problem": first["type"]}
-    # a longer location lies in a union of object and list, which only `document` is
+    # a longer location is inside a union of object and list, which only `document` is
     kind = "document" if len(loc) > 1 else _KINDS.get(first["type"])
     field = model.model_fields.get(where) if model else None
     if field is not None:
@@ -54,7 +54,7 @@ def _models() -> dict[str, type[BaseModel]]:
 
 
 def _limits(field: FieldInfo) -> dict[str, object]:
-    """The field's limits of value or length, and its allowed values, if any."""
+    """Returns the field's limits of value or length, and its allowed values, if any."""
     found = {
         "min": _first(getattr(limit, "ge", None) for limit in field.metadata),
         "max": _first(

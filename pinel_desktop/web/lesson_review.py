@@ -1,4 +1,4 @@
-"""Reads the review of a lesson from the store and converts it to answers."""
+"""Reads the review of a lesson from the store and converts it to responses."""
 
 import contextlib
 from collections.abc import Iterable
@@ -36,14 +36,14 @@ class LessonReport:
     """A lesson with its review.
 
     Attributes:
-        activity: of all its parts; None without one, or if they differ.
-        differing: titles of the activities of its parts, if these have several.
-        parts: titles of the lesson and of those joined to it, by their key.
+        activity: of all parts of the lesson; None without one, or if they differ.
+        differing: titles of the activities of the parts if they differ.
+        parts: titles of the lesson and of the lessons joined to it, by their key.
         reasons: messages why runs ended, by run id.
-        mistake_key: what activities said about runs that did not pass, by run id.
-        not_started: names of the groups of the class without work in the lesson; empty where it is over.
+        advice_texts: diagnoses and check texts for runs that did not pass, by run id.
+        not_started: names of the groups of the class without work in the lesson; empty if the lesson is over.
         titles: of activities, by name.
-        hints: of activities of which some were opened, by name.
+        hints: of activities with opened hints, by name.
     """
 
     lesson: LessonRow
@@ -60,7 +60,7 @@ class LessonReport:
     language: str
 
     def model(self) -> shapes.LessonReview:
-        """The answer for the page."""
+        """Returns the response for the page."""
         found = summary(self.review, self.activity)
         texts = self.reasons | self.advice_texts
         heads = {group.id: shapes.GroupHead.of(group) for group in self.history.groups}
@@ -97,13 +97,13 @@ class LessonReport:
         )
 
     def table(self) -> str:
-        """The marks as CSV text."""
+        """Returns the timelines as CSV text."""
         computers, titles = self.history.computers, self.titles
         return timeline_csv(self.review, computers, self.parts, self.reasons, titles, self.language)
 
 
 def read_lesson(lesson_id: str, parts: Services) -> LessonReport:
-    """Reads a lesson with all lessons joined to it; the workspaces of one group at a time, to save memory.
+    """Reads a lesson with all lessons joined to it. Reads the workspaces of one group at a time, to save memory.
 
     Raises:
         StoreError: `lesson_not_found`.
@@ -137,7 +137,7 @@ def read_lesson(lesson_id: str, parts: Services) -> LessonReport:
 
 
 def _activities(lessons: list[LessonRow]) -> list[str]:
-    """Names of the activities of joined lessons, each once."""
+    """Returns the names of the activities of joined lessons, each once."""
     return list(dict.fromkeys(one.activity for one in lessons if one.activity))
 
 
@@ -162,7 +162,7 @@ def _advice_texts(lines: LessonHistory, language: str) -> dict[str, str]:
 
 
 def _not_started(store: Store, lesson: LessonRow, lines: LessonHistory) -> list[str]:
-    """Later than the lesson, groups may be new or may have left the class."""
+    """Names of groups without work; empty after the lesson, because groups may have joined or left the class since."""
     now = store.lessons.current(lesson.classroom_id)
     if lesson.classroom_id is None or now is None or now.id != lesson.id:
         return []
@@ -172,7 +172,7 @@ def _not_started(store: Store, lesson: LessonRow, lines: LessonHistory) -> list[
 
 
 def _hints(names: Iterable[str], parts: Services) -> dict[str, list[str]]:
-    """Hints of activities, by name; none of one that this release cannot use."""
+    """Returns the hints of activities, by name; none for an activity that this release cannot use."""
     found: dict[str, list[str]] = {}
     for name in names:
         with contextlib.suppress(PinelError):
@@ -218,7 +218,7 @@ def _of_run(run: Run | None, texts: dict[str, str]) -> dict[str, Any]:
 
 
 def _blocks(use: BlocksInUse) -> list[shapes.BlockCount]:
-    """Types in alphabetical order, because an order by count would be a ranking."""
+    """Counts of block types in alphabetical order, because an order by count would be a ranking."""
     return [
         shapes.BlockCount(type=kind, count=use.attached.get(kind, 0), loose=use.loose.get(kind, 0))
         for kind in sorted({*use.attached, *use.loose})

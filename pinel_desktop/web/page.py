@@ -33,7 +33,7 @@ h1 {{ font-size: 1.75rem; line-height: 1.25 }}
 
 
 def message_page(code: str, params: dict[str, object], language: str, status: int) -> Response:
-    """An HTML page with a message and its remedy."""
+    """Returns an HTML page with a message and its remedy."""
     text = describe(code, params, language)
     html = _MESSAGE.format(
         language=escape(language), message=escape(text.message), remedy=escape(text.remedy)
@@ -56,7 +56,7 @@ def index() -> BaseResponse:
 
 
 def _with_settings(answer: BaseResponse, settings: Settings) -> BaseResponse:
-    """The page with its settings: it needs no request for them, and is drawn in its theme from the first moment on."""
+    """Inserts the settings into the page, so that it needs no request for them and has its theme from the start."""
     more = {"data-settings": json.dumps(settings.of_page())}
     if settings[THEME]:
         more["data-theme"] = settings[THEME]
@@ -75,7 +75,7 @@ class PagePath(PathConverter):
 
 @page.get("/<page_path:name>")
 def asset(name: str) -> BaseResponse:
-    """A file of the page. Names under `assets/` contain a hash of the content, so those files never change."""
+    """A file of the page. Names under `assets/` contain a hash of the content, so these files never change."""
     answer = _file(name)
     if name.startswith("assets/") and answer.status_code == 200:
         answer.headers["Cache-Control"] = "private, max-age=31536000, immutable"
@@ -84,7 +84,7 @@ def asset(name: str) -> BaseResponse:
 
 def _file(name: str, *, conditional: bool = True) -> BaseResponse:
     answer = send_from_directory(STATIC, name, conditional=conditional)
-    # read at once: the server would leave the file open if the browser disconnected during the transfer
+    # read at once: the server would leave the file open if the browser disconnected meanwhile
     close = getattr(answer.response, "close", lambda: None)
     answer.direct_passthrough = False
     answer.freeze()

@@ -1,4 +1,4 @@
-"""With what the groups of a class begin, as the store keeps it."""
+"""Presets of classes: the stored level, world and activity with which groups start."""
 
 from typing import Any
 
@@ -15,7 +15,7 @@ _OWN = "own"
 
 
 def preset_of(classroom_id: str, store: Store) -> ClassPreset:
-    """What is set for a class; nothing where this release cannot read it. Raises StoreError `classroom_not_found`."""
+    """Returns the preset of a class; empty if this release cannot read it. Raises StoreError `classroom_not_found`."""
     stored = store.class_presets.get(classroom_id)
     try:
         return ClassPreset.model_validate(stored)
@@ -24,7 +24,7 @@ def preset_of(classroom_id: str, store: Store) -> ClassPreset:
 
 
 def world_of_preset(name: str, parts: Services) -> dict[str, Any] | None:
-    """The world of an own activity by its key; None for a shipped world, which is known by its name.
+    """Returns the world of an own activity by its key; None for the name of a shipped world.
 
     Raises:
         PinelError: `unknown_world`.
@@ -41,7 +41,7 @@ def world_of_preset(name: str, parts: Services) -> dict[str, Any] | None:
 
 
 def prepare_program(program: ProgramRow, group: GroupRow, parts: Services) -> None:
-    """Puts a new program in the world that is set for the class, as its first version; a world that is gone is not."""
+    """Sets the world of the class's preset in a new program, as its first version; ignores a deleted world."""
     preset = preset_of(group.classroom_id, parts.store) if group.classroom_id else ClassPreset()
     if preset.world is None:
         return

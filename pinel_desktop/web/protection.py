@@ -1,4 +1,4 @@
-"""Applies the guard to every request, and security headers to every answer."""
+"""Applies the guard to every request, and adds security headers to every response."""
 
 from flask import Response, request
 
@@ -42,12 +42,12 @@ def check_guard() -> None:
 
 
 def _uses_key(guard: Guard) -> bool:
-    """Uses up the key of the address, whatever becomes of the request; not for HEAD, which only looks."""
+    """Uses up the key in the address, even if the request is refused later; HEAD requests use up no key."""
     return request.method != "HEAD" and guard.redeem(request.args.get("key", ""))
 
 
 def add_headers(answer: Response) -> Response:
-    """Adds security headers, and disables caching for answers of the API."""
+    """Adds security headers, and disables caching of the API's responses."""
     answer.headers.update(_HEADERS)
     if request.path.startswith("/api"):
         answer.headers["Cache-Control"] = "no-store"

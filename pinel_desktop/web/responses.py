@@ -1,4 +1,4 @@
-"""HTTP answers from models, and error answers from codes."""
+"""HTTP responses from models, and error responses from codes."""
 
 import json
 import re
@@ -78,9 +78,10 @@ _MAX_MAGNITUDE = 10**300
 
 
 def plain(value: object) -> object:
-    """JSON data of a model.
+    """Returns the JSON data of a model.
 
-    pydantic's own dump refuses nesting beyond 255, which workspaces exceed: Blockly nests each block in the previous.
+    pydantic's own dump refuses nesting beyond 255. Workspaces exceed it, because Blockly nests each block in the
+    previous one.
     """
     if isinstance(value, BaseModel):
         aliases = {name: field.alias or name for name, field in type(value).model_fields.items()}
@@ -91,7 +92,7 @@ def plain(value: object) -> object:
 
 
 def json_response(model: BaseModel, status: int = 200) -> Response:
-    """A JSON answer with the model."""
+    """Returns a JSON response with the model."""
     text = json.dumps(plain(model), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     return Response(encodable(text), status=status, mimetype="application/json")
 
@@ -118,7 +119,7 @@ def json_safe(value: object) -> Any:
 
 
 def notice(code: str, params: Mapping[str, object], language: str) -> Notice:
-    """A message for a person, in the given language."""
+    """Returns a message for a person, in the given language."""
     text = describe(code, json_safe(params), language)
     return Notice(code=code, message=text.message, remedy=text.remedy)
 
@@ -150,11 +151,11 @@ def error_response(
     status: int | None = None,
     message_code: str | None = None,
 ) -> Response:
-    """An error answer with its message in the given language.
+    """Returns an error response with its message in the given language.
 
     Args:
-        status: HTTP status; None is that of the code.
-        message_code: code of a more specific message; None is that of `code`.
+        status: HTTP status; None is the status of the code.
+        message_code: code of a more specific message; None is `code`.
     """
     body = error_body(code, params, language, faults=faults, message_code=message_code)
     return json_response(ErrorAnswer(error=body), status or status_of(code))
@@ -168,7 +169,7 @@ def error_body(
     faults: Iterable[Fault] = (),
     message_code: str | None = None,
 ) -> ErrorBody:
-    """What an error answer says; `message_code` as in `error_answer`."""
+    """Returns the body of an error response; `message_code` as in `error_response`."""
     shown = json_safe(params)
     text = describe(message_code or code, shown, language)
     return ErrorBody(

@@ -1,6 +1,6 @@
-"""Werkzeug's threaded server on 127.0.0.1: a thread per request, so that streams do not block, and a clean end.
+"""Werkzeug's threaded server on 127.0.0.1: one thread per request, so that streams do not block, and a clean end.
 
-Connections come from the `Acceptor`: Werkzeug alone would give each a thread, for as long as it likes.
+Connections come from the `Acceptor`, because Werkzeug alone gives each connection a thread without a timeout.
 """
 
 import logging
@@ -16,12 +16,12 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.web.acceptor import HEAD_S, Acceptor, Connection
 
 HOST = "127.0.0.1"
-_OPEN_FILES = 4096  # more than an app needs; most systems let a process have 1,024 unasked
-_MAX_WAITING = 256  # Windows waits for 512 at most
-_DEFER_S = 1  # without any byte it is accepted after that
-_BACKLOG = 128  # a longer one would make the page wait behind a flood
-# Blockly nests each block in the one above it, two levels of JSON per block, and Python's JSON parser recurses;
-# this is enough for a stack of thousands of blocks.
+_OPEN_FILES = 4096  # more than the app needs; most systems allow a process 1,024 by default
+_MAX_WAITING = 256  # on Windows, `select` handles 512 sockets at most
+_DEFER_S = 1  # a connection without any byte is accepted after this time
+_BACKLOG = 128  # with a longer one the page would wait behind a flood of connections
+# Blockly nests each block in the block above it, two levels of JSON per block, and Python's JSON
+# parser recurses. This limit is enough for a stack of thousands of blocks.
 _RECURSION_LIMIT = 10_000
 _STACK_BYTES = 16 * 2**20  # address space; memory only where used
 
@@ -48,8 +48,8 @@ class Server:
         """Answers requests, each on its own thread, until `close`.
 
         Args:
-            is_known: whether the head of a request brings a secret of this server.
-            head_s: within which a head must be whole.
+            is_known: True if the head of a request contains a secret of this server.
+            head_s: timeout for a complete head.
         """
         sys.setrecursionlimit(max(sys.getrecursionlimit(), _RECURSION_LIMIT))
         threading.stack_size(_STACK_BYTES)
@@ -60,7 +60,8 @@ class Server:
             is_known,
             self._answering.respond,
             max_waiting=max_waiting,
-            max_answered=max_waiting // 4,  # the rest is for the page, the database and processes
+            # the other files are for the page, the database and processes
+            max_answered=max_waiting // 4,
             head_s=head_s,
         )
         self._thread = threading.Thread(target=self._acceptor.run, name="web", daemon=True)
@@ -85,7 +86,10 @@ class _Answering(ThreadedWSGIServer):
         super().__init__(host, port, app, _QuietHandler, fd=listener.fileno())
 
     def respond(self, connection: Connection) -> None:
-        """Raises RuntimeError if no thread can be started, OSError if the client has left."""
+        """Answers a connection.
+
+        Raises RuntimeError if no thread can be started, OSError if the client has disconnected.
+        """
         self.process_request(connection, connection.getpeername())
 
     def close_request(self, request: Any) -> None:
@@ -94,14 +98,14 @@ class _Answering(ThreadedWSGIServer):
 
 
 class _QuietHandler(WSGIRequestHandler):
-    """Does not log addresses, because the first contains a one-time key."""
+    """Does not log addresses, because the first address contains a one-time key."""
 
     def log(self, type: str, message: str, *args: Any) -> None:
         _log.debug("%s: request", type)
 
 
 def _raised_file_limit() -> int:
-    """How many files this process may open, after it has raised that as far as it may and makes sense."""
+    """Raises the limit of open files to `_OPEN_FILES`, as far as the system allows, and returns the limit."""
     if sys.platform == "win32":
         return _OPEN_FILES
     import resource  # noqa: PLC0415 - not on Windows
@@ -114,11 +118,14 @@ def _raised_file_limit() -> int:
 
 
 def _listening(port: int) -> socket.socket:
-    """Linux accepts a connection with its first bytes: the page's is whole then, whoever connects after it."""
+    """Returns a listening socket. On Linux it accepts a connection only with its first bytes.
+
+    So the head of the page's request is complete at once, and later connections cannot displace it.
+    """
     listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     if hasattr(socket, "TCP_DEFER_ACCEPT"):
         listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_DEFER_ACCEPT, _DEFER_S)
-    if sys.platform == "win32":  # where SO_REUSEADDR would let another program take over the port
+    if sys.platform == "win32":  # SO_REUSEADDR would let another program take over the port
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
     else:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

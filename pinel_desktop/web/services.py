@@ -29,7 +29,7 @@ ReadDocument = Callable[[dict[str, object] | list[object]], "ParseResult"]
 
 
 class ReadWorld(Protocol):
-    """Reads a world document: its normal form, or None and its faults."""
+    """Reads a world document; returns its normal form, or None, and its faults."""
 
     def __call__(
         self, source: Any, *, robot: str | None = None
@@ -55,11 +55,11 @@ class Services:
     """All dependencies of the handlers.
 
     Attributes:
-        flush_recording: writes the pending events of the live run; returns once they can be read, or if that fails.
-        prepare_judge: hands a run of an activity that begins to the judge, whose process starts before the run ends.
-        confirm_runs: looks for runs that came with a file and are to be repeated, when nobody drives.
-        unsaved_end: the `run_ended` event of a run that is over, as far as it is not on disk; else None.
-        begin_empty: lets the next start begin with an empty database where the known one is away.
+        flush_recording: writes the pending events of the live run; returns when they can be read, or if that fails.
+        prepare_judge: sends the start data of a run with an activity to the judge, whose process starts during the run.
+        confirm_runs: searches for merged runs that must be re-verified, while no run is live.
+        unsaved_end: the `run_ended` event of an ended run while it is not on disk completely; else None.
+        begin_empty: makes the next start use an empty database if the known one is unreachable.
         show_window: brings the window forward; does nothing without a window.
     """
 

@@ -1,4 +1,4 @@
-"""The teacher's session on a request: its cookie, and the check for requests that only the teacher may make."""
+"""The teacher's session of a request: its cookie, and the check for requests that only the teacher may make."""
 
 import secrets
 
@@ -11,7 +11,7 @@ _SESSION_LETTERS = 32
 
 
 def require_teacher() -> None:
-    """Raises PinelError `pin_missing` before a PIN is set, else `teacher_only` outside of a teacher's session."""
+    """Raises PinelError `pin_missing` before a PIN is set, else `teacher_only` outside a teacher's session."""
     sessions = services().teacher
     if not sessions.has_pin:
         raise PinelError("pin_missing")
@@ -20,7 +20,7 @@ def require_teacher() -> None:
 
 
 def require_teacher_if_there_is_one() -> None:
-    """Raises PinelError `teacher_only` outside of a teacher's session; a PC without a PIN has no teacher yet."""
+    """Raises PinelError `teacher_only` outside a teacher's session; a PC without a PIN has no teacher yet."""
     if services().teacher.has_pin and not is_teacher():
         raise PinelError("teacher_only")
 
@@ -46,7 +46,7 @@ def end_session(answer: Response) -> Response:
 def browser_session() -> str:
     """Returns the id of this browser session, from a cookie that the browser deletes when its window closes.
 
-    The response sets the cookie where there is none. A new session does not help to guess PINs.
+    The response sets the cookie if the request has none. A new session gives no additional attempts to guess the PIN.
     """
     name = f"{services().guard.cookie_name}_browser"
     known = request.cookies.get(name, "")

@@ -1,4 +1,4 @@
-"""The marks of a lesson as a CSV table, with headings and values in the given language."""
+"""The timelines of a lesson as a CSV table, with headings and values in the given language."""
 
 from collections.abc import Mapping
 from datetime import datetime
@@ -40,11 +40,11 @@ def timeline_csv(
     titles: Mapping[str, str],
     language: str,
 ) -> str:
-    """CSV with one row for each mark of each group.
+    """Returns CSV text with one row for each timeline entry of each group.
 
     Args:
         computers: names of PCs by their key.
-        lessons: titles of the lesson and of those joined to it, by their key.
+        lessons: titles of the lesson and of the lessons joined to it, by their key.
         reasons: messages why runs ended, by run id.
         titles: of activities, by name.
     """
@@ -96,13 +96,13 @@ _YES_NO = {True: "passed_yes", False: "passed_no"}
 
 
 def _robot(link: str, language: str) -> str:
-    """The kind of robot; the link itself of a newer release."""
+    """Returns the name of the robot's kind; the link itself if only a newer release knows it."""
     code = f"review_robot_{link}"
     return describe(code, {}, language).message if code in catalogue(language) else link
 
 
 def _local(time: str) -> str:
-    """A time in the time zone of this PC, in a form that spreadsheets read; invalid text is unchanged."""
+    """Converts a time to the time zone of this PC, in a form that spreadsheets read; invalid text stays unchanged."""
     try:
         return f"{datetime.fromisoformat(time).astimezone():%Y-%m-%d %H:%M:%S}"
     except (ValueError, OverflowError):

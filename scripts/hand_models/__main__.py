@@ -1,8 +1,7 @@
-"""Makes the two hand networks: `python -m scripts.hand_models`.
+"""Makes the two hand networks from MediaPipe's wheel: `python -m scripts.hand_models`.
 
-They are taken out of the pinned wheel of mediapipe (requirements-models.lock), which pip downloads and checks. Of the
-wheel nothing is installed or executed: it asks for another numpy. What is taken and what is made of it has a
-checksum each.
+pip downloads the pinned wheel of mediapipe (requirements-models.lock) and checks it. The wheel is not installed or
+executed, because it needs another numpy. Each extracted network and each converted one has a checksum.
 """
 
 import hashlib
@@ -19,14 +18,14 @@ from scripts.hand_models.convert import convert
 ROOT = Path(__file__).resolve().parents[2]
 LOCK = ROOT / "requirements-models.lock"
 WHEELS = ROOT / "build" / "hand-models"
-# any of its platforms holds the same networks; this one is taken everywhere
+# the wheels of all platforms contain the same networks; this one is used everywhere
 PLATFORM = ("--platform=manylinux_2_28_x86_64", "--python-version=3.11", "--only-binary=:all:")
 LICENCE = "mediapipe-LICENSE.txt"
 
 
 @dataclass(frozen=True)
 class Original:
-    """A network in the wheel: its member and SHA-256, and the tensors of it that become inputs and outputs."""
+    """A network in the wheel: its member and SHA-256, and its tensors that become inputs and outputs."""
 
     member: str
     sha256: str
@@ -47,7 +46,7 @@ ORIGINALS = (
         "mediapipe/modules/hand_landmark/hand_landmark_full.tflite",
         "11c272b891e1a99ab034208e23937a8008388cf11ed2a9d776ed3d01d0ba00e3",
         "crop",
-        # the last is no output of the original: the activations before its last blocks, 14 x 14 x 112
+        # "map" is no output of the original: the activations before its last blocks, 14 x 14 x 112
         {"landmarks": 165, "presence": 164, "handedness": 162, "world": 166, "map": 142},
         networks.HAND,
     ),
@@ -55,7 +54,7 @@ ORIGINALS = (
 
 
 def download(folder: Path) -> Path:
-    """The wheel, as pip finds it and checks it against the lock."""
+    """Returns the wheel, which pip downloads and checks against the lock."""
     ready = sorted(folder.glob("mediapipe-*.whl"))
     if not ready:
         options = ("-qq", "--disable-pip-version-check", "--no-deps", "--require-hashes", *PLATFORM)

@@ -1,9 +1,9 @@
-"""TensorFlow Lite to ONNX, for the operators that MediaPipe's two hand networks use.
+"""Converts TensorFlow Lite to ONNX, for the operators that MediaPipe's two hand networks use.
 
 tf2onnx needs the whole of TensorFlow, and tflite2onnx has had no release since 2022. These networks are plain
-convolutions with float16 weights, so each operator is written down once in ONNX's terms. A tensor of rank 4 is NHWC in
-TensorFlow Lite and NCHW here; inputs and outputs of the graph keep the layout of the original. The weights stay float16
-in the file and are cast when the graph is loaded.
+convolutions with float16 weights, so this file translates each operator once. A tensor of rank 4 is NHWC in TensorFlow
+Lite and NCHW here; inputs and outputs of the graph have the layout of the original. The weights stay float16 in the
+file and are cast when the graph is loaded.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -27,14 +27,14 @@ _DTYPES = {
 
 
 class ConversionError(Exception):
-    """The network holds something that is not written down here."""
+    """The network has an operator or activation without a translation here."""
 
 
 def convert(content: bytes, inputs: Sequence[str], outputs: Mapping[str, int]) -> bytes:
-    """The first subgraph of a .tflite file as an ONNX file.
+    """Converts the first subgraph of a .tflite file to an ONNX file.
 
-    `inputs` names the inputs in their order; `outputs` names the tensors, by their number, that are put out.
-    Raises ConversionError.
+    `inputs` names the inputs in their order. `outputs` names the output tensors, by their number. Raises
+    ConversionError.
     """
     source = _Source(content)
     target = _Target()
@@ -77,11 +77,11 @@ class _Source:
     def __init__(self, content: bytes) -> None:
         self._model = tflite.Model.GetRootAs(content, 0)
         self._graph = self._model.Subgraphs(0)
-        self._float16: dict[int, int] = {}  # a dequantized tensor -> where its values are stored
+        self._float16: dict[int, int] = {}  # dequantized tensor -> tensor with its values
         self.inputs: list[int] = self._graph.InputsAsNumpy().tolist()
 
     def operators(self) -> list[_Operator]:
-        """Those that compute something, in their order; DEQUANTIZE of weights is resolved here."""
+        """Returns the operators that compute, in their order; resolves DEQUANTIZE of weights."""
         found = []
         for i in range(self._graph.OperatorsLength()):
             table = self._graph.Operators(i)
@@ -98,7 +98,10 @@ class _Source:
         return [int(n) for n in self._graph.Tensors(tensor).ShapeAsNumpy()]
 
     def constant(self, tensor: int) -> NDArray[Any]:
-        """The values of a tensor that does not depend on the input; weights as float16. Raises ConversionError."""
+        """Returns the values of a tensor that does not depend on the input; weights as float16.
+
+        Raises ConversionError.
+        """
         tensor = self._float16.get(tensor, tensor)
         info = self._graph.Tensors(tensor)
         content = self._model.Buffers(info.Buffer()).DataAsNumpy()
@@ -124,7 +127,7 @@ class _Target:
         activation: int = _NONE,
         **attributes: Any,
     ) -> None:
-        """A node, with a node behind it for a fused activation. Raises ConversionError for one not known."""
+        """Adds a node, and a node for a fused activation. Raises ConversionError for an unknown activation."""
         if activation not in (_NONE, _RELU6):
             raise ConversionError(f"activation {activation}")
         computed = output if activation == _NONE else f"{output}_linear"
@@ -136,7 +139,7 @@ class _Target:
             )
 
     def constant(self, values: Any, name: str) -> str:
-        """Adds values, and a cast to float32 where they are float16; returns the name to use them by."""
+        """Adds values, and a cast to float32 if they are float16; returns their name in the graph."""
         values = np.ascontiguousarray(values) if np.ndim(values) else np.asarray(values)
         stored = f"{name}_half" if values.dtype == np.float16 else name
         self._constants.append(numpy_helper.from_array(values, stored))
@@ -172,7 +175,7 @@ def _names(operator: _Operator) -> list[str]:
 def _window(
     source: _Source, operator: _Operator, options: Any, size: Sequence[int]
 ) -> dict[str, Any]:
-    """Strides and padding of a sliding window of `size` (height, width): SAME puts the odd pixel at the end."""
+    """Returns strides and padding of a sliding window of `size` (height, width); SAME puts the odd pixel at the end."""
     strides = (options.StrideH(), options.StrideW())
     before, after = source.shape(operator.inputs[0])[1:3], source.shape(operator.output)[1:3]
     missing = [
@@ -187,7 +190,7 @@ def _window(
 
 
 def _convolution(source: _Source, target: _Target, operator: _Operator) -> None:
-    """A kernel is OHWI in the original and OIHW here; that of a depthwise convolution is 1HWC and C1HW."""
+    """Adds a convolution. A kernel is OHWI in the original and OIHW here, a depthwise kernel 1HWC and C1HW."""
     depthwise = operator.kind == "DEPTHWISE_CONV_2D"
     options = operator.options(tflite.DepthwiseConv2DOptions if depthwise else tflite.Conv2DOptions)
     image, kernel, bias = operator.inputs
@@ -216,7 +219,7 @@ def _max_pool(source: _Source, target: _Target, operator: _Operator) -> None:
 
 
 def _prelu(source: _Source, target: _Target, operator: _Operator) -> None:
-    """One slope for each channel: 11C -> C11."""
+    """Adds a PReLU with one slope for each channel: 11C -> C11."""
     image, slope = operator.inputs
     output = _name(operator.output)
     slopes = target.constant(source.constant(slope).transpose(2, 0, 1), f"{output}_slope")
@@ -247,7 +250,7 @@ def _resize(source: _Source, target: _Target, operator: _Operator) -> None:
 
 
 def _reshape(source: _Source, target: _Target, operator: _Operator) -> None:
-    """Rows and columns come before channels in what is flattened."""
+    """Adds a reshape; in the flattened order, rows and columns precede channels."""
     image, output = operator.inputs[0], _name(operator.output)
     if len(source.shape(image)) != 4:
         raise ConversionError("RESHAPE of what is no picture")

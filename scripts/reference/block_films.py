@@ -1,4 +1,4 @@
-"""`ui/src/studio/help/films.json`: what the robot does at a block, as the simulator drives it, for the page's help."""
+"""Generates `ui/src/studio/help/films.json`: animations of the simulated robot for each block, for the page's help."""
 
 import json
 import math
@@ -14,7 +14,7 @@ from pinel_desktop.runs.start import start
 
 Wall = dict[str, list[float]]
 
-# programs of which the named block is the point; a block without a film does not move the robot
+# Each program demonstrates the named block; a block without a film does not move the robot.
 _PROGRAMS = {
     "move_forward": "robot.move_forward(1.0)",
     "move_backward": "robot.move_backward(1.0)",
@@ -42,7 +42,7 @@ _PROGRAMS = {
         "    robot.pen(down=False)\n    robot.move_forward(0.5)"
     ),
 }
-# a room with a wall ahead, for blocks that measure
+# blocks that measure are demonstrated in a room with a wall ahead
 _BEFORE_A_WALL = {"while", "until", "wait_until", "if", "distance_sensor", "bumper"}
 _WALL_AHEAD: list[Wall] = [{"from": [2.2, -1.0], "to": [2.2, 1.0]}]
 _SIDE_M = 12.0
@@ -51,7 +51,7 @@ _POSES_PER_S = 5
 
 
 def films() -> str:
-    """The whole file; one film a line."""
+    """Returns the text of the file; one film a line."""
     lines = [f"{json.dumps(name)}: {json.dumps(_film(name))}" for name in _PROGRAMS]
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
@@ -67,7 +67,7 @@ def _film(name: str) -> dict[str, Any]:
 
 
 def _world(walls: list[Wall]) -> dict[str, Any]:
-    """A room so large that its own walls are out of sight."""
+    """Returns a room so large that its own walls are out of sight."""
     half = _SIDE_M / 2
     corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
     around = [
@@ -86,13 +86,13 @@ def _world(walls: list[Wall]) -> dict[str, Any]:
 
 
 class _PoseSampler:
-    """Keeps the poses of a run at equal distances of time, and between which of them the pen was down."""
+    """Samples the poses of a run at equal time intervals, and records between which samples the pen was down."""
 
     def __init__(self) -> None:
         self.control = RunControl()
         self._poses: list[list[float]] = [[0.0, 0.0, 0]]
         self._pens: list[tuple[str | None, int]] = []
-        self._degrees = 0.0  # without jumps from 180 to -180
+        self._degrees = 0.0  # unwrapped: without jumps from 180 to -180
         self._tick = 0
 
     def observe(self, tick: int, event: Event) -> None:
@@ -109,7 +109,7 @@ class _PoseSampler:
             self._pens.append((event.color if event.down else None, len(self._poses)))
 
     def film(self) -> dict[str, Any]:
-        """Seconds, poses (x and y in m, heading in degrees) and strokes from one pose to another."""
+        """Returns duration in s, poses (x and y in m, heading in degrees), and strokes as ranges of poses."""
         ends = [*self._pens, (None, len(self._poses) - 1)]
         strokes = [
             {"color": color, "from": begin, "to": end}

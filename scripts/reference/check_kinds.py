@@ -1,4 +1,4 @@
-"""What the declarations of checks say elsewhere: the page's form, and the table of docs/activities.md."""
+"""Generates, from the declarations of checks, the fields of the page's form and the table of docs/activities.md."""
 
 from dataclasses import asdict
 from inspect import getdoc
@@ -18,7 +18,7 @@ export const CHECK_FIELDS = {
 
 
 def check_fields() -> str:
-    """The whole of `ui/src/teacher/making/check_fields.ts`."""
+    """Returns the text of `ui/src/teacher/making/check_fields.ts`."""
     rows = [
         f"  {name}: {typescript([_field(one) for one in kind.form])},\n"
         for name, kind in KINDS.items()
@@ -28,7 +28,7 @@ def check_fields() -> str:
 
 
 def _field(field: FormField) -> dict[str, Any]:
-    """Without what a field of its kind does not have."""
+    """Removes the attributes that a field of this kind of input does not use."""
     if field.input == "number":
         names = {"key", "input", "label", "min", "max", "step", "factor"}
     else:
@@ -37,7 +37,7 @@ def _field(field: FormField) -> dict[str, Any]:
 
 
 def checks_of_activities() -> list[str]:
-    """The table of docs/activities.md."""
+    """Returns the table of docs/activities.md."""
     rows = [f"| `{name}` | {_holds(kind)} | {_on_robot(kind)} |" for name, kind in KINDS.items()]
     return ["| check | holds when | on a real robot |", "|---|---|---|", *rows]
 

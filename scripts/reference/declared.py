@@ -1,4 +1,4 @@
-"""`ui/src/api/declared.ts`: limits and choices that the page has in common with Python."""
+"""Generates `ui/src/api/declared.ts`: limits and choices that the page shares with Python."""
 
 import json
 from collections.abc import Iterable, Mapping

@@ -1,4 +1,4 @@
-"""The generated files: whole, between two marks, or from a mark to the end."""
+"""The generated files and generated parts of files: between two markers, or from a marker to the end."""
 
 from pathlib import Path
 
@@ -30,7 +30,7 @@ _MARK = "<!-- what follows is made by `python -m scripts.reference` -->\n"
 
 
 def files(root: Path) -> dict[str, str]:
-    """Text of each file by its path from the repository's root; includes the hand-written parts of pages."""
+    """Returns the text of each file by its path from the repository's root, with the hand-written parts of pages."""
     pages = {name: (root / name).read_text("utf-8") for name in (*_TABLES, *_ENDS)}
     for name, made in _TABLES.items():
         for mark, rows in made.items():
@@ -52,7 +52,7 @@ def files(root: Path) -> dict[str, str]:
 
 
 def _with_rows(page: str, mark: str, rows: list[str]) -> str:
-    """The page with these lines between its two marks, which are HTML comments."""
+    """Replaces the lines of a page between two markers, which are HTML comments."""
     begin, end = f"<!-- {mark} -->\n", f"<!-- end of {mark} -->"
     before, _, rest = page.partition(begin)
     _, _, after = rest.partition(end)

@@ -1,4 +1,4 @@
-"""The pictures of activities and examples: `goal.json` of each that ships."""
+"""Generates the pictures of activities and examples: `goal.json` of each shipped one."""
 
 import json
 
@@ -18,7 +18,7 @@ from pinel_desktop.program.reading import read_document
 
 
 def goals() -> dict[str, str]:
-    """Text of each file by its path from the repository's root."""
+    """Returns the text of each file by its path from the repository's root."""
     folder = "pinel_desktop/activities"
     of_activities = {
         f"{folder}/catalogue/{name}/goal.json": _text(_goal(name)) for name in activity_names()

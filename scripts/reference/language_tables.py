@@ -70,7 +70,7 @@ def _parameters(model: type[CommandBase]) -> str:
 
 
 def _type_text(annotation: Any) -> str:
-    """Type of a parameter as text; "" where its name implies it."""
+    """Returns the type of a parameter as text; "" if its name implies the type."""
     spec = parameter_spec(annotation)
     if spec is not None:
         return _bounds(spec)

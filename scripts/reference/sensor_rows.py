@@ -1,4 +1,4 @@
-"""`ui/src/blocks/table/sensor_rows.ts`: the page's data of the blocks that read sensors."""
+"""Generates `ui/src/blocks/table/sensor_rows.ts`: the page's data of the blocks that read sensors."""
 
 from itertools import groupby
 from typing import Any
@@ -16,7 +16,7 @@ _GIVES = {"number": "Number", "text": "String", "boolean": "Boolean"}
 
 
 def sensor_rows() -> str:
-    """The whole file as TypeScript."""
+    """Returns the text of the file as TypeScript."""
     groups = groupby(SENSORS.values(), key=lambda sensor: sensor.block_type)
     rows = [_row(block, list(sensors)) for block, sensors in groups]
     return "".join([_HEAD, *(f"  {typescript(row)},\n" for row in rows), "] as const;\n"])

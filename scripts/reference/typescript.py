@@ -1,11 +1,11 @@
-"""Plain data as TypeScript."""
+"""Converts plain data to TypeScript."""
 
 import json
 from typing import Any
 
 
 def typescript(value: Any) -> str:
-    """A literal on one line."""
+    """Returns a literal on one line."""
     if isinstance(value, dict):
         return "{ " + ", ".join(f"{key}: {typescript(part)}" for key, part in value.items()) + " }"
     if isinstance(value, list):

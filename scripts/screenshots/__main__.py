@@ -26,7 +26,10 @@ from scripts.screenshots.camera import (
 
 
 def pupils_screens(browser: Browser, folder: Path, settings: list[ScreenSettings]) -> None:
-    """Screens of pupils: an empty app, and a class at work; without looks the pictures of the README."""
+    """Takes the pupils' screens: an empty app, and a class at work.
+
+    Without settings, takes the pictures of the README.
+    """
     with tempfile.TemporaryDirectory() as home, application(Path(home)) as address:
         camera = Photographer(browser, address, folder)
         camera.of("group-name").wait_for()
@@ -41,7 +44,7 @@ def pupils_screens(browser: Browser, folder: Path, settings: list[ScreenSettings
 
 
 def lesson_screens(browser: Browser, folder: Path, settings: list[ScreenSettings]) -> None:
-    """Screens of the lesson review; without looks the picture of the README."""
+    """Takes the screens of the lesson review; without settings, the picture of the README."""
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as stick:
         past = lesson.play(Path(home))
         with application(Path(home)) as address:

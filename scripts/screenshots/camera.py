@@ -54,7 +54,7 @@ ALL = [
 
 @contextmanager
 def application(home: Path) -> Iterator[str]:
-    """Runs the app on a data folder; yields the one-time address of the page. A drawn hand is before its webcam."""
+    """Runs the app on a data folder, with a drawn hand as its webcam; yields the one-time address of the page."""
     (home / "webcam").mkdir()
     frame = cv2.cvtColor(on_wall(drawn_hand(OPEN, 560), 1280, 720, 360, 80), cv2.COLOR_RGB2BGR)
     cv2.imwrite(str(home / "webcam" / "hand.png"), frame)

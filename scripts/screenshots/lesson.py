@@ -35,7 +35,7 @@ def play(home: Path) -> Past:
 def _group(
     lesson: PastLesson, name: str, minute: float, tries: list[list[Step]]
 ) -> tuple[list[str], list[str]]:
-    """Each attempt is an edit and, minutes later, a run; only the square passes the activity."""
+    """Writes a group's attempts: each is an edit and, minutes later, a run; only the square passes the activity."""
     group = lesson.group(name)
     versions, runs = [], []
     for place, steps in enumerate(tries):
@@ -48,7 +48,7 @@ def _group(
 
 
 def photograph(camera: Photographer, past: Past, stick: Path) -> None:
-    """Takes every screen of the review in the current look."""
+    """Takes every screen of the review in the current settings."""
     _enter(camera)
     camera.go(f"#/lesson/{past.lesson}")
     camera.of("review-group").first.wait_for()

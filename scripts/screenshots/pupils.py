@@ -69,7 +69,7 @@ def drive(camera: Photographer, program: str, seconds: int) -> None:
 
 
 def photograph(camera: Photographer, seeded: Seed) -> None:
-    """Takes every screen in the current look."""
+    """Takes every screen in the current settings."""
     camera.go("#/")
     camera.of("group-card").first.wait_for()
     camera.page.wait_for_timeout(500)
@@ -93,7 +93,7 @@ def photograph(camera: Photographer, seeded: Seed) -> None:
 
 
 def teacher(camera: Photographer) -> None:
-    """The teacher's sign-in, and each screen of the teacher's part."""
+    """Takes the teacher's sign-in, and each of the teacher's screens."""
     camera.go("#/teacher")
     camera.of("pin").wait_for()
     camera.round("teacher-door")
@@ -145,7 +145,7 @@ def wait_for_hand(camera: Photographer) -> None:
 
 
 def world_editor(camera: Photographer, program: str) -> None:
-    """The editor of a world: empty, filled, and with a fault."""
+    """Takes the world editor: empty, filled, and with a fault."""
     camera.open_program(program)
     camera.of("world").select_option("empty_room")
     camera.of("world-change").click()

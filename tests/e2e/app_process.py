@@ -18,14 +18,14 @@ class AppProcess:
     """`pinel serve` on its own folder; the first line that it prints is the one-time address.
 
     Args:
-        open_files: how many the app may open at most; None for as many as the test may.
+        open_files: limit of files that the app may open; None is the limit of the test process.
     """
 
     def __init__(self, home: Path, *options: str, open_files: int | None = None) -> None:
         self._home, self._options, self._open_files = home, options, open_files
         self._process: subprocess.Popen[str] | None = None
         self.link = ""
-        self.signed_in: Any = None  # cookie of the first browser, for further ones
+        self.signed_in: Any = None  # cookie of the first browser context, for further contexts
 
     def start(self) -> str:
         """Starts the app; returns its one-time address."""
@@ -52,7 +52,7 @@ class AppProcess:
         return self._home / "pinel.db"
 
     def fresh_link(self) -> str:
-        """A further one-time address of the running app, as a second start prints it."""
+        """Returns another one-time address of the running app, as a second start prints it."""
         second = self._spawn(subprocess.DEVNULL)
         try:
             link = self._first_line(second)
@@ -62,7 +62,7 @@ class AppProcess:
         return link
 
     def freeze_engine(self) -> None:
-        """Stops the engine's process where it is, as a system that is out of order might."""
+        """Suspends the engine's process, as a hang does."""
         for child in psutil.Process(self.pid).children():
             if child.cmdline()[-1] == "engine":
                 child.suspend()

@@ -1,4 +1,4 @@
-"""Checks a screen with axe: roles and names, and contrast in all themes."""
+"""Checks a screen for accessibility with axe: roles, names, and contrast in all themes."""
 
 from pathlib import Path
 from typing import Any
@@ -8,7 +8,7 @@ from playwright.sync_api import Locator, Page
 from tests.e2e.studio import Studio
 
 AXE = Path(__file__).parents[2] / "ui" / "node_modules" / "axe-core" / "axe.min.js"
-# Blockly's toolbox and blocks have roles whose children axe does not find
+# Blockly's toolbox and blocks have roles whose children axe does not recognise
 BLOCKLYS = {
     "aria-required-children",
     "aria-valid-attr-value",
@@ -23,11 +23,12 @@ THEMES = {"light", "dark", "contrast"}
 
 
 def violations(studio: Studio, shows: str | Locator, *, every_theme: bool = True) -> list[str]:
-    """Findings of axe without those of Blockly's own elements; restores the theme.
+    """Returns axe's violations except in Blockly's own elements; restores the theme.
 
     Args:
-        shows: what is on this screen, as for `wait_for_screen`.
-        every_theme: False for a screen that was seen in every theme in another language or size: colours are the same.
+        shows: an element that only this screen shows, as for `wait_for_screen`.
+        every_theme: False for a screen that another test checks in every theme: colours do not depend on language or
+            size.
     """
     page = studio.page
     studio.wait_for_screen(shows)
@@ -40,7 +41,8 @@ def violations(studio: Studio, shows: str | Locator, *, every_theme: bool = True
     visited = {first}
     while _next_theme(page) != first:
         visited.add(_theme(page))
-        studio.wait_for_screen(shows)  # what fades has another contrast until then
+        # fading elements have another contrast until their animation ends
+        studio.wait_for_screen(shows)
         # the only rule that depends on the theme
         found += _found(page, "{ runOnly: ['color-contrast'] }")
     assert visited == THEMES

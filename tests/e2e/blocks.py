@@ -23,13 +23,13 @@ class Place:
 Box = dict[str, float]
 T = TypeVar("T")
 
-# read when the drag begins: until then, what the page fetches may move the blocks
+# read at the start of the drag, because requests of the page may move the blocks before
 Target = Callable[[], Place]
 _A_FRAME = "new Promise(requestAnimationFrame)"
 
 
 class Blocks:
-    """Finds blocks by their text, or its beginning."""
+    """Finds blocks by their text, or by its start."""
 
     def __init__(self, page: Page) -> None:
         self._page = page
@@ -85,13 +85,13 @@ class Blocks:
         self.click_in_flyout(text)
 
     def open_category(self, name: str) -> None:
-        """Clicks a category, unless its palette is open: a second click would close it."""
+        """Clicks a category, unless its flyout is open: a second click would close it."""
         category = self.category(name)
         if category.get_attribute("aria-selected") != "true":
             category.click()
 
     def click_in_flyout(self, text: str) -> None:
-        """Clicks near the upper left corner, where a loop is no hole."""
+        """Clicks near the upper left corner of a block, where a loop has no statement input."""
         expected = self.all().count() + self._parts(text)
         self.in_flyout(text).click(position={"x": 12, "y": 18})
         expect(self.all()).to_have_count(expected)
@@ -115,7 +115,7 @@ class Blocks:
         return lambda: _place(block, lambda box: (box["width"] + gap_px, 40))
 
     def type_into(self, block: Locator, value: str, number: int = 0) -> None:
-        """Clicks a field of the block and types over what it holds."""
+        """Clicks a field of the block and overwrites its value."""
         block.locator(".blocklyInputField").nth(number).click()
         editor = self._page.locator(".blocklyHtmlInput")
         editor.fill(value)
@@ -134,13 +134,14 @@ class Blocks:
         mouse.down()
         end = (place.x + GRIP_PX[0], place.y + GRIP_PX[1])
         mouse.move(*end, steps=6)
-        # a hand arrives with small movements; the gap that the block opened last closes on the first of them
+        # a hand arrives with small movements; the first of them closes the gap that the drag opened
+        # last
         for step in (3, -3, 1, -1):
             mouse.move(end[0] + step, end[1] + step)
         mouse.up()
 
     def _at_rest(self, read: Callable[[], T]) -> T:
-        """What is read twice in a row, a frame apart."""
+        """Reads repeatedly until two values, a frame apart, are equal."""
         last, now = None, read()
         while now != last:
             self._page.evaluate(_A_FRAME)
@@ -148,7 +149,7 @@ class Blocks:
         return now
 
     def _parts(self, text: str) -> int:
-        """Number of blocks that a block of the open category consists of."""
+        """Number of blocks in a block of the open category, including nested blocks."""
         inner = ".blocklyDraggable:not(.blocklyShadow)"
         return 1 + self.in_flyout(text).locator(inner).count()
 

@@ -1,4 +1,4 @@
-"""The real app and a real browser, both checked for unexpected requests and errors."""
+"""Fixtures with the real app and a real browser; both are checked for unexpected requests and errors."""
 
 import itertools
 import os
@@ -35,7 +35,7 @@ OpenStudio = Callable[..., Studio]
 
 @pytest.hookimpl(trylast=True)  # after the markers of the tests are known
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Late answers take their time."""
+    """Gives tests longer time limits if responses are delayed (`--delay-requests`)."""
     for item in items if slower() > 1 else ():
         own = item.get_closest_marker("timeout")
         usual_s = float(own.args[0] if own else config.getini("timeout"))
@@ -63,7 +63,7 @@ def app(tmp_path: Path) -> Iterator[AppProcess]:
 
 @pytest.fixture(scope="module")
 def lasting_app(tmp_path_factory: pytest.TempPathFactory) -> Iterator[AppProcess]:
-    """One app per test file, for tests that need no empty folder; each test has its own group."""
+    """One app per test file, for tests that need no empty folder; each test uses its own group."""
     yield from _started(tmp_path_factory.mktemp("home"))
 
 
@@ -86,7 +86,7 @@ def watch() -> Iterator[Watch]:
 def open_studio(
     browser: Browser, app: AppProcess, watch: Watch, request: pytest.FixtureRequest
 ) -> Iterator[OpenStudio]:
-    """Opens a browser context at the given address, or with the cookie of an earlier one."""
+    """Opens a browser context at the given address, or with the cookie of an earlier context."""
     contexts: list[BrowserContext] = []
 
     def open_(link: str = "", **options: Any) -> Studio:
@@ -102,13 +102,12 @@ def open_studio(
         return studio
 
     yield open_
-    if contexts and {"lasting_app", "school"} & set(request.fixturenames):  # the next test uses it
+    # the next test uses the same app
+    if contexts and {"lasting_app", "school"} & set(request.fixturenames):
         for page in itertools.chain.from_iterable(context.pages for context in contexts):
             watch.settle(page)
-        settings, newest = (
-            f"{app.origin}api/settings",
-            contexts[-1],
-        )  # a restart signs out the others
+        # a restart of the app signs out all contexts but the newest
+        settings, newest = f"{app.origin}api/settings", contexts[-1]
         assert newest.request.put(settings, data={"language": "pt-BR"}).ok
         for name in PAGE_SETTINGS:
             assert newest.request.put(f"{settings}/page", data={"name": name, "value": ""}).ok
@@ -127,7 +126,7 @@ def studio(open_studio: OpenStudio) -> Studio:
 def open_pc(
     browser: Browser, watch: Watch, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[OpenStudio]:
-    """Opens the page of one more PC: an app with an empty file, started with the given options."""
+    """Opens the page of another PC: an app with an empty database, started with the given options."""
     with ExitStack() as stack:
 
         def open_(*options: str) -> Studio:

@@ -1,19 +1,19 @@
-"""The switch `--delay-requests SEED`: each answer to the page is late, and the tests are more patient.
+"""The option `--delay-requests SEED`: delays each response to the page, and lengthens the tests' time limits.
 
-What a test looks at without waiting for it is then not there yet, so that the race shows.
+If a test reads an element without waiting for it, the element does not exist yet. So the test shows its race condition.
 """
 
 import os
 from collections.abc import Sequence
 
-SEED = "PINEL_TEST_DELAYS"  # in the environment, which the apps of the tests read too
+SEED = "PINEL_TEST_DELAYS"  # environment variable, which the apps of the tests read too
 
 
 def slower() -> int:
-    """How many times longer than usual the tests wait for a thing."""
+    """Returns the factor of the tests' time limits."""
     return 3 if SEED in os.environ else 1
 
 
 def app_module() -> Sequence[str]:
-    """Which module Python starts as the app."""
+    """Returns the arguments of Python for the module that it starts as the app."""
     return ("-m", "tests.e2e.late_app" if SEED in os.environ else "pinel_desktop")

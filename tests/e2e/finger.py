@@ -1,4 +1,4 @@
-"""A finger on the screen; Playwright itself only taps."""
+"""Touches the screen with a finger; Playwright itself only taps."""
 
 from playwright.sync_api import Locator, Page
 
@@ -8,13 +8,13 @@ _STEPS = 8
 
 
 class Finger:
-    """Sends touches the way the browser gets them from a screen."""
+    """Sends touch events as the browser gets them from a touch screen."""
 
     def __init__(self, page: Page) -> None:
         self._screen = page.context.new_cdp_session(page)
 
     def drag(self, outline: Locator, to: Place) -> None:
-        """Takes a block at its icon and lets it go with its corner at the place."""
+        """Touches a block at its icon and drags its upper left corner to the place."""
         box = box_of(outline)
         x, y = box["x"] + GRIP_PX[0], box["y"] + GRIP_PX[1]
         end_x, end_y = to.x + GRIP_PX[0], to.y + GRIP_PX[1]

@@ -1,7 +1,7 @@
-"""Starts the app so that each request of the page takes 200 to 600 ms longer, whatever other requests do meanwhile.
+"""Starts the app with delays: each request of the page takes 200 to 600 ms longer, independently of other requests.
 
-A part of the delay lies before the work of a request, the rest between the work and its answer; a stream begins late.
-Requests of the tests themselves are not delayed: only a browser says from which site one comes.
+A part of the delay precedes the processing of a request, the rest lies between processing and response. A stream starts
+late. Requests of the tests themselves are not delayed, because only browsers send `Sec-Fetch-Site`.
 """
 
 import os
@@ -20,7 +20,7 @@ _MIN_S, _MAX_S = 0.2, 0.6
 
 
 class LateAnswers:
-    """The app behind a slow line: each request waits on its own thread."""
+    """Wraps the app and delays each request on its own thread."""
 
     def __init__(self, app: Wsgi, seed: str, sleep: Callable[[float], None] = time.sleep) -> None:
         self._app, self._sleep = app, sleep

@@ -1,4 +1,4 @@
-"""A group whose program was made by requests, for tests of what comes after building."""
+"""Creates a group's program by requests, for tests of features other than building programs."""
 
 from tests.e2e.past_lesson import Step, document_of, workspace_of
 from tests.e2e.studio import Studio
@@ -8,8 +8,8 @@ def enter_made_group(studio: Studio, *versions: list[Step], speed: float = 1.0) 
     """Opens the program of a new group, in the last of these versions.
 
     Args:
-        versions: the steps of each, the oldest first.
-        speed: how many times faster than the clock it runs, as chosen beside Run.
+        versions: the steps of each version, the oldest first.
+        speed: the chosen speed of runs, in multiples of real time.
     """
     group = studio.send("POST", "/groups", {"name": studio.unique("Os Tatus")})["id"]
     program = studio.send("POST", f"/groups/{group}/programs", {"name": "Programa 1"})["id"]

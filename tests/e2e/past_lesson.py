@@ -35,7 +35,7 @@ class PastLesson:
         self.lesson = store.lessons.open(self.classroom, "Quadrados e desvios", "square").id
 
     def at(self, minute: float) -> None:
-        """Sets the clock to a minute of the lesson, which begins at 0."""
+        """Sets the clock to a minute of the lesson, which starts at 0."""
         self.now = STARTED_AT + timedelta(minutes=minute)
 
     def group(self, name: str) -> "PastGroup":
@@ -62,7 +62,7 @@ def past_lesson(home: Path) -> Iterator[PastLesson]:
 def school_after(
     home: Path, play: Callable[[PastLesson], Past]
 ) -> Iterator[tuple[AppProcess, Past]]:
-    """The app on a database with a lesson written by `play`, and the return value of `play`."""
+    """Yields the app on a database with a lesson written by `play`, and the return value of `play`."""
     with past_lesson(home) as lesson:
         past = play(lesson)
     app = AppProcess(home)
@@ -73,7 +73,7 @@ def school_after(
 
 
 def _waits_for_its_verdict(database: Path) -> bool:
-    """Whether the app has still to judge a run that the lesson left unjudged."""
+    """True while the app has not judged a run of the lesson."""
     with open_for_reading(database) as store:
         return bool(store.grading_results.pending())
 

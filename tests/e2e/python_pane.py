@@ -20,7 +20,7 @@ def edit_python(studio: Studio, text: str) -> None:
 
 
 def write_program(studio: Studio, text: str) -> None:
-    """Replaces the program by that of a Python text, and waits until it is saved."""
+    """Replaces the program by the program of a Python text, and waits until it is saved."""
     edit_python(studio, text)
     studio["python-put"].click()
     expect(studio["swap-back"]).to_be_visible()

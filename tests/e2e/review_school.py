@@ -12,7 +12,7 @@ LONG_NAME = "Tatus da Silva Xavier e o Robô Que Não Parava na Parede"
 
 
 class Past(NamedTuple):
-    """Content of the database; groups by name, runs in the order of the timeline."""
+    """Content of the database: groups by name, runs in the order of the timeline."""
 
     lesson: str
     empty: str

@@ -11,20 +11,21 @@ from playwright.sync_api import APIResponse, Locator, Page, Request, Response, R
 from tests.e2e.blocks import Blocks
 from tests.e2e.delays import slower
 
-TIMEOUT_MS = 15_000 * slower()  # for one thing, on a busy PC
+TIMEOUT_MS = 15_000 * slower()  # for one wait, on a busy PC
 RUN_MS = 60_000 * slower()  # a run in real time
 SAVE_S = 10.0 * slower()
 POLL_MS = 50
 
 _OVER = re.compile("finished|stopped|failed")
-# what observes a size, as the header does, changes the page only at the end of the frame after a resize
+# observers of an element's size, such as the header's, change the page at the end of the frame
+# after a resize
 _TWO_FRAMES = (
     "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 )
-# but for a card that somebody opened under it
+# except in an open card below the header
 _IN_HEADER = "one => !!one.closest('header.header') && !one.closest('.card')"
-# nothing loads, no font that texts are set in is still to come, no request of a button is on its way, nothing moves
-# but what always does
+# no request and no used font is loading, no button waits for its request, and no element moves
+# except permanent animations
 _AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.fonts.status === 'loaded'
   && document.getAnimations()
   .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity)"""
@@ -32,13 +33,13 @@ _NUMBERS = itertools.count(1)
 
 # a picture or a stream may never end
 _FETCHED = {"document", "fetch", "script", "stylesheet", "xhr"}
-_N_IDLE_POLLS, _IDLE_POLL_MS = 2, 20  # what an answer leads to is asked for a moment later
+_N_IDLE_POLLS, _IDLE_POLL_MS = 2, 20  # a response may cause another request a moment later
 
 T = TypeVar("T")
 
 
 class PendingRequests:
-    """The requests of a page that are not answered yet."""
+    """The requests of a page that have no response yet."""
 
     def __init__(self, page: Page) -> None:
         self._page, self._requests = page, set[Request]()
@@ -47,7 +48,7 @@ class PendingRequests:
         page.on("requestfailed", self._end)
 
     def wait_for_none(self) -> None:
-        """Waits until every answer is there. Raises AssertionError that names those that never come."""
+        """Waits until every request has its response. Raises AssertionError with the requests that have none."""
         deadline, calm = time.monotonic() + TIMEOUT_MS / 1000, 0
         while calm < _N_IDLE_POLLS:
             assert time.monotonic() < deadline, [one.url for one in self._requests]
@@ -56,7 +57,7 @@ class PendingRequests:
 
     def _begin(self, request: Request) -> None:
         if request.is_navigation_request() and request.frame == self._page.main_frame:
-            self._requests.clear()  # what the page before asked for concerns nobody
+            self._requests.clear()  # the previous page's requests do not matter
         if request.resource_type in _FETCHED and not request.url.endswith("/stream"):
             self._requests.add(request)
 
@@ -76,10 +77,10 @@ class Studio:
         return self.page.get_by_test_id(test_id)
 
     def wait_for_screen(self, shows: str | Locator) -> None:
-        """Waits until the screen that is meant is there as a whole: all of it is fetched, and nothing moves.
+        """Waits until the screen is complete: all requests have responses, and no element moves.
 
         Args:
-            shows: what this screen shows and the one before does not, by its test id.
+            shows: an element that only this screen shows, not the one before, or its test id.
         """
         one = (self[shows] if isinstance(shows, str) else shows).first
         expect(one).to_be_visible()
@@ -89,22 +90,22 @@ class Studio:
         self.page.wait_for_function(_AT_REST)
 
     def enter_group(self, name: str, level: int | None = 3, *, tour: bool = False) -> None:
-        """Types a new group's name and waits for its first program; None leaves the level of new groups.
+        """Creates a group and waits for its first program. If `level` is None, it stays the default.
 
         Args:
-            tour: stays in the guided first drive, which is skipped otherwise.
+            tour: stays in the guided first drive; otherwise it is skipped.
         """
         self["group-name"].fill(name)
         self["create-group"].click()
         self.wait_until_open()
-        # a group that enters a lesson is not offered it
+        # a group in a lesson is not offered the tour
         if not tour and self.api(f"/programs/{self.program_id}")["version"] is None:
             self["tour-skip"].click()
         if level is not None:
             self.choose_level(level)
 
     def choose_level(self, level: int) -> None:
-        """Chooses a level and waits until the editor has it: above the first one, its palette does not stay open."""
+        """Chooses a level and waits for the editor; above the first level, the flyout does not stay open."""
         self["level"].select_option(str(level))
         if level > 1:
             expect(self.page.locator(".blocklyToolboxFlyout")).to_be_hidden()
@@ -115,11 +116,11 @@ class Studio:
 
     @staticmethod
     def unique(name: str) -> str:
-        """The name with a number that no other group of these tests has."""
+        """Returns the name with a number, unique among the groups of these tests."""
         return f"{name} {next(_NUMBERS)}"
 
     def choose_language(self, language: str) -> None:
-        """Chooses a language and waits until the page speaks it."""
+        """Chooses a language and waits until the page is in that language."""
         self["language"].select_option(language)
         expect(self.page.locator("html")).to_have_attribute("lang", language)
 
@@ -137,16 +138,16 @@ class Studio:
         expect(self["saved-mark"]).to_have_attribute("data-state", "saved")
 
     def api(self, path: str) -> Any:
-        """A GET request with the page's cookie."""
+        """Sends a GET request with the page's cookie and returns the response's data."""
         return self._answer(path, self.page.context.request.get(f"{self.origin}/api{path}"))
 
     def send(self, method: str, path: str, data: Any = None) -> Any:
-        """A request with the page's cookie."""
+        """Sends a request with the page's cookie and returns the response's data."""
         send = self.page.context.request.fetch
         return self._answer(path, send(f"{self.origin}/api{path}", method=method, data=data))
 
     def open_teacher_part(self, pin: str) -> None:
-        """Signs in as the teacher by a request, which sets the PIN where there is none yet."""
+        """Signs in as the teacher by a request, which sets the PIN if there is none yet."""
         has_pin = self.api("/teacher")["has_pin"]
         method, path = ("POST", "/teacher/enter") if has_pin else ("PUT", "/teacher/pin")
         self.send(method, path, {"pin": pin})
@@ -161,13 +162,13 @@ class Studio:
         return answer.json()
 
     def expect_each(self, locator: Locator, attribute: str, values: Sequence[str]) -> None:
-        """Waits until there are as many elements as values, and each has its value."""
+        """Waits until there are as many elements as values, and each element has its value."""
         expect(locator).to_have_count(len(values))
         for place, value in enumerate(values):
             expect(locator.nth(place)).to_have_attribute(attribute, value)
 
     def eventually(self, read: Callable[[], T], expected: T) -> None:
-        """Polls until the value is as wanted: the server receives edits with a delay."""
+        """Polls until the value is as expected: the server receives edits with a delay."""
         deadline = time.monotonic() + SAVE_S
         while (value := read()) != expected and time.monotonic() < deadline:
             self.page.wait_for_timeout(POLL_MS)
@@ -184,7 +185,7 @@ class Studio:
         return version and version["workspace"]
 
     def stacks(self) -> int:
-        """Number of stored stacks of blocks, the loose ones included."""
+        """Number of stored stacks of blocks, including loose ones."""
         return len(self.workspace()["blocks"]["blocks"])
 
     def commands(self) -> list[dict[str, Any]]:
@@ -211,7 +212,7 @@ class Studio:
         self.eventually(lambda: _inner(self.commands(), "distance"), [metres, None])
 
     def run(self) -> None:
-        """Presses Run and waits until the run has begun: what the page shows then is not of the run before."""
+        """Presses Run and waits until the run has started, so that the page no longer shows the run before."""
         run = self["run"]
         expect(run).to_have_attribute("data-does", "run")
         expect(run).to_be_enabled(timeout=RUN_MS)
@@ -219,11 +220,11 @@ class Studio:
             run.click()
 
     def hurry(self) -> None:
-        """Runs that begin from now on go ten times faster than the clock: for those that nobody watches."""
+        """Sets runs started from now on to ten times real time, for runs that the test does not check meanwhile."""
         self.page.route("**/api/runs", _ten_times_faster)
 
     def run_to_the_end(self) -> None:
-        """Runs the program until the page says how it ended."""
+        """Runs the program until the page shows how the run ended."""
         self.run()
         expect(self["scene"]).to_have_attribute("data-phase", _OVER, timeout=RUN_MS)
 
@@ -231,11 +232,11 @@ class Studio:
         expect(self["scene"]).to_have_attribute("data-phase", phase, timeout=timeout_ms)
 
     def number(self, test_id: str) -> float:
-        """The exact value of a number shown in the page, from `data-value`, now."""
+        """Returns the exact value of a number that the page shows now, from `data-value`."""
         return float(self[test_id].get_attribute("data-value") or "nan")
 
     def expect_number(self, test_id: str, value: Any) -> None:
-        """Waits until the page shows a number: a float, `approx`, or what else compares as equal."""
+        """Waits until the page shows a number: a float, `approx`, or another object that compares as equal."""
         self.eventually(lambda: self.number(test_id), value)
 
 

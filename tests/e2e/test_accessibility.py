@@ -1,4 +1,4 @@
-"""The first screens, as somebody meets them who does not see them or sees them badly."""
+"""The first screens, for people who are blind or have low vision."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""A block page made for the original PINEL, over http and opened as a file, drives what `pinel serve --bridge` has."""
+"""A block page made for the original PINEL, from HTTP and from a file, drives the robot of `pinel serve --bridge`."""
 
 import functools
 import http.server
@@ -40,7 +40,7 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 @pytest.fixture(scope="module")
 def origins() -> Iterator[dict[str, str]]:
-    """The page's addresses: over http from another port of this PC, and as a file."""
+    """The page's addresses: over HTTP from another port of this PC, and as a file."""
     handler = functools.partial(Quiet, directory=str(PAGE.parent))
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -50,7 +50,7 @@ def origins() -> Iterator[dict[str, str]]:
 
 
 class Served:
-    """`pinel serve --bridge` with a camera that sees B, and the robot that its calls drive."""
+    """`pinel serve --bridge` with a camera that shows B, and the robot that its calls drive."""
 
     def __init__(self, home: Path, robot: str, *options: str) -> None:
         self.port = free_port()
@@ -59,12 +59,13 @@ class Served:
         self._app = AppProcess(home, *bridge, "--camera", str(B), *options)
         self.browser = Browser.signed_in(self._app.start())
         due_s = time.monotonic() + WAIT_S
-        while f"http://127.0.0.1:{self.port}" not in self._app.log():  # it says so once it listens
+        # the app logs its address when it listens
+        while f"http://127.0.0.1:{self.port}" not in self._app.log():
             assert time.monotonic() < due_s
             time.sleep(0.1)
 
     def only_run(self) -> dict[str, Any]:
-        """The record of the run, which ends by itself soon after the batch of the page."""
+        """Returns the run, which ends by itself soon after the page's batch."""
         due_s = time.monotonic() + WAIT_S
         while True:
             (group,) = self.browser.get("/api/groups").data["groups"]
@@ -87,7 +88,7 @@ def opened(page: Page, address: str, port: int, *, flags: bool) -> None:
 
 
 def played(page: Page) -> Any:
-    """What the page has read when it is over."""
+    """Returns the responses that the page has read, when it has finished."""
     page.click("#run")
     page.wait_for_function("window.over", timeout=OVER_MS)
     over = page.evaluate("window.over")
@@ -118,7 +119,7 @@ def test_a_page_of_this_pc_plays_a_program_with_a_gesture(
         opened(page, origins[origin], served.port, flags=True)
         assert played(page) == conversation(flags=True)
         run = served.only_run()
-        if served.aurora:  # it leaves when nothing is active any more and it has moved
+        if served.aurora:  # the client ends when no run is active and the robot has moved
             assert served.aurora.has_ended(within_s=WAIT_S)
     finally:
         page.close()
@@ -127,7 +128,8 @@ def test_a_page_of_this_pc_plays_a_program_with_a_gesture(
     actions = [one["action"] for one in run["version"]["document"]["commands"]]
     assert actions == ["classify_gestures", *(one["action"] for one in DRIVEN)]
     assert run["estimated_closing_error_m"] == pytest.approx(0.2, abs=0.02)
-    assert (run["closing_error_m"] is None) == (robot == "bridge")  # nobody else knows where it is
+    # only the robot's own estimate exists
+    assert (run["closing_error_m"] is None) == (robot == "bridge")
 
 
 def test_the_page_of_august_sets_no_flag(

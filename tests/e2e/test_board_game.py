@@ -1,4 +1,4 @@
-"""The board game of experiment 6, played by clicks: X signs, O answers on the screen, the robot brings the marks."""
+"""The board game of experiment 6, played by clicks: X is signed, O is answered on the screen, the robot draws marks."""
 
 import pytest
 from playwright.sync_api import expect
@@ -43,7 +43,7 @@ def expect_status(studio: Studio, text: str) -> None:
 
 
 def marks(studio: Studio) -> list[tuple[str, str]]:
-    """The marks that a person who does not see the floor is told of: symbol and place."""
+    """Returns the marks announced to people who cannot see the floor: symbol and zone."""
     label = studio["scene"].get_attribute("aria-label") or ""
     _, _, spoken = label.partition("Marcas no chão: ")
     spoken = spoken.partition(".")[0]

@@ -1,4 +1,4 @@
-"""Signs before a camera: in a program that waits for one, and practised without a program."""
+"""Signs at a camera: in a program that waits for a sign, and in practice without a program."""
 
 import re
 import time
@@ -65,12 +65,12 @@ def test_signs_are_practised_and_spelled_without_a_program(studio: Studio) -> No
     assert studio.page.evaluate("document.querySelector('.camera img').naturalWidth") > 0
     studio["practice-text"].fill("XYZ")
     studio["practice-clear"].click()
-    # the hand goes on showing B, which may be spelled again at once
+    # the hand still shows B, which may be spelled again at once
     expect(studio["practice-text"]).to_have_value(re.compile("^B*$"))
 
 
 def each_layout(studio: Studio) -> Iterator[str]:
-    """Every language in every window size, one after the other; their words are for what is said of a fault."""
+    """Yields each combination of language and window size; the texts of faults depend on the language."""
     for language in LANGUAGES:
         studio.choose_language(language)
         for width, height in SCREENS:
@@ -97,7 +97,7 @@ def test_without_a_camera_the_buttons_answer_and_nothing_is_cut_off(studio: Stud
 
 
 def expect_names_and_contrast(studio: Studio, shown: str) -> None:
-    """In every language on a usual screen; colours are the same in all of them."""
+    """Checks names in every language and contrast in one; colours do not depend on the language."""
     studio.page.set_viewport_size({"width": 1366, "height": 768})
     for language in LANGUAGES:
         studio.choose_language(language)
@@ -144,7 +144,7 @@ def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:
 
 
 def sign_on_block(studio: Studio) -> Locator:
-    """The sign that the only comparison names."""
+    """Returns the sign that the only comparison names."""
     field = studio.page.locator(".blocklyDropdownField")
     return studio.page.locator(".blocklyBlockCanvas .blocklyShadow").filter(has=field).last
 
@@ -157,7 +157,7 @@ def choose_sign(studio: Studio, name: str) -> None:
 
 
 def warned(studio: Studio) -> Locator:
-    """Blocks that name a sign which the camera does not know."""
+    """Blocks that name a sign which the camera does not recognise."""
     return studio.page.locator(".blocklyBlockCanvas .pinelNotice")
 
 

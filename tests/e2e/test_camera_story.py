@@ -1,4 +1,4 @@
-"""A lesson with the camera by clicks: the teacher prepares, three groups sign, the teacher reads."""
+"""A lesson with the camera by clicks: the teacher prepares it, three groups sign, the teacher reviews it."""
 
 import time
 from collections.abc import Iterator
@@ -73,7 +73,7 @@ def test_a_lesson_with_the_camera(studio: Studio, open_studio: OpenStudio) -> No
 
 
 def drive(studio: Studio, group: str) -> dict[str, Any]:
-    """Runs the program and returns the run when it was judged."""
+    """Runs the program and returns the run after its verdict."""
 
     def runs() -> list[dict[str, Any]]:
         found: list[dict[str, Any]] = studio.api(f"/groups/{group_id(studio, group)}/runs")["runs"]

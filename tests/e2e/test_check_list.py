@@ -1,4 +1,4 @@
-"""The card's check list fills while the robot drives; what the run lacks is shown at its block; success is a moment."""
+"""The card's check list during a run, missing results at their block, and the message of success."""
 
 import pytest
 from playwright.sync_api import Locator, expect
@@ -33,7 +33,7 @@ def open_mission(studio: Studio, name: str) -> None:
 
 
 def hurry(studio: Studio) -> None:
-    """For a run that nobody watches."""
+    """Sets the speed for a run that the test does not check meanwhile."""
     studio.choose_level(2)
     studio["speed"].select_option("10")
 
@@ -117,9 +117,8 @@ def test_success_is_seen_heard_where_wanted_and_leads_on(studio: Studio) -> None
     assert cut(studio, "mission-done") == []
     studio["success-sound"].click()
     assert len(studio.page.evaluate("tones")) == 4
-    studio.page.unroute(
-        "**/api/runs"
-    )  # at the clock's pace: what goes while it drives is looked at
+    # in real time, because the test checks what disappears while the robot drives
+    studio.page.unroute("**/api/runs")
     studio.run()
     studio.wait_for_phase("running")
     expect(studio["mission-done"]).to_have_count(0)

@@ -1,4 +1,4 @@
-"""Classes, groups by their pictures, the first day, the sign-in of the teacher."""
+"""Classes, groups by their pictures, the first set-up, and the teacher's sign-in."""
 
 import pytest
 from playwright.sync_api import Locator, expect
@@ -25,12 +25,12 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 @pytest.fixture
 def first_day(open_pc: OpenStudio) -> Studio:
-    """The page of a PC with an empty file."""
+    """The page of a PC with an empty database."""
     return open_pc()
 
 
 def prepare(studio: Studio, classroom: str = "9º A") -> None:
-    """What a teacher does on the first day."""
+    """Does the teacher's first set-up."""
     studio["prepare"].click()
     studio["pin"].fill(PIN)
     studio["pin-again"].fill(PIN)
@@ -54,13 +54,13 @@ def open_lesson(studio: Studio, title: str, activity: str = "") -> None:
 
 
 def open_class(studio: Studio, part: str = "classes", *, named: str = "9º A") -> str:
-    """The teacher's part at a class of this test, which is the one that is shown; returns its name."""
+    """Opens the teacher's part with a new class of this test selected; returns the class's name."""
     studio.open_teacher_part(PIN)
     name = studio.unique(named)
     made = studio.send("POST", "/classrooms", {"name": name})
     studio.send("PUT", "/settings/page", {"name": "pinel_class", "value": made["id"]})
     studio.page.goto(f"{studio.origin}/#/teacher/{part}")
-    studio.page.reload()  # the page has not heard of the class
+    studio.page.reload()  # the open page does not know the new class
     expect(studio["class-chip"].and_(studio.page.locator("[aria-pressed=true]"))).to_have_text(name)
     return name
 
@@ -277,7 +277,7 @@ def test_what_was_typed_stays_when_the_door_shuts(studio: Studio, watch: Watch) 
     open_class(studio)
     new = studio.unique("9º C")
     studio["new-class"].fill(new)
-    studio.send("POST", "/teacher/leave", {})  # as half an hour without a touch does
+    studio.send("POST", "/teacher/leave", {})  # as after half an hour without use
     studio["make-class"].click()
     expect(studio["pin"]).to_be_visible()
     expect(studio["class-chip"].first).to_be_hidden()
@@ -356,7 +356,7 @@ def test_twelve_groups_with_long_names_are_not_cut(studio: Studio) -> None:
 
 
 def expect_uncut(studio: Studio, shown: str) -> None:
-    """In every language and in windows of two widths."""
+    """Checks in every language and in windows of two widths that no text is cut off."""
     for language in LANGUAGES:
         studio.choose_language(language)
         for width in (1366, 1024):

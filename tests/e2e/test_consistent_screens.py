@@ -1,4 +1,4 @@
-"""A screen looks the same, whatever was opened before it."""
+"""A screen has the same layout, whichever screens were opened before."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -15,7 +15,7 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
-# What is on each screen when it stands.
+# An element that shows when each screen is complete.
 _SHOWN = {
     "start": "group-card",
     "studio": "run",
@@ -27,8 +27,8 @@ _SHOWN = {
     "runs": "history-run",
     "work": "run-card",
 }
-# Boxes of all that is drawn with a class of ours, less Blockly's own and what stands where the mouse is. The header
-# says whereto its way back leads, which is another place after another screen.
+# Boxes of all elements with a class of ours, except Blockly's own and the tooltip at the mouse. The
+# header is left out, because its link back names the previous screen.
 _BOXES = """() => [...document.querySelectorAll('#app .page [class]')]
   .filter((e) => !e.closest('.injectionDiv, .tip, .header'))
   .map((e) => {
@@ -39,7 +39,7 @@ _BOXES = """() => [...document.querySelectorAll('#app .page [class]')]
 
 
 def _play(lesson: PastLesson) -> dict[str, str]:
-    """The place of each screen that looks at the lesson."""
+    """Writes the lesson; returns the address of each screen that shows it."""
     lesson.at(2)
     group = lesson.group("Abelhas")
     first = group.edit(("move_forward", 1))
@@ -62,7 +62,7 @@ def _play(lesson: PastLesson) -> dict[str, str]:
 
 @pytest.fixture(scope="module")
 def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProcess, dict[str, str]]]:
-    """The app on a file with a lesson, and the place of each screen that looks at it."""
+    """The app on a database with a lesson, and the address of each screen that shows it."""
     with school_after(tmp_path_factory.mktemp("school"), _play) as school:
         yield school
 
@@ -77,9 +77,10 @@ def test_screens_look_the_same_whatever_was_opened_before(
 ) -> None:
     places = school[1]
     studio = _teacher(open_studio())
-    studio.eventually(lambda: studio.api("/status")["engine"], "ready")  # the studio says so
+    # the studio shows this status
+    studio.eventually(lambda: studio.api("/status")["engine"], "ready")
     page = studio.page
-    page.reload()  # the page learns that the teacher is in
+    page.reload()  # the page reads that the teacher is signed in
     there = _boxes_by_screen(studio, places, places)
     page.reload()
     back = _boxes_by_screen(studio, places, reversed(places))
@@ -100,7 +101,7 @@ def test_two_runs_side_by_side_have_a_floor_each(
     page.reload()
     floors = page.get_by_test_id("scene")
     expect(floors).to_have_count(2)
-    for floor in (floors.first, floors.last):  # beside its blocks, which have the greater half
+    for floor in (floors.first, floors.last):  # beside the blocks, which have the greater half
         box = box_of(floor)
         assert box["height"] > 300
         assert box["width"] > 250
@@ -137,7 +138,7 @@ def _boxes_by_screen(
 
 
 def _boxes(studio: Studio, name: str) -> list[str]:
-    """The boxes, once all parts of the screen are fetched and stand still."""
+    """Returns the boxes when all parts of the screen are loaded and at rest."""
     studio.wait_for_screen(_SHOWN[name])
     before: list[str] = []
     for _ in range(100):

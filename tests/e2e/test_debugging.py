@@ -1,4 +1,4 @@
-"""Steps, breakpoints and speed, as a pupil uses them."""
+"""Steps, breakpoints and speed of a run."""
 
 import time
 
@@ -18,7 +18,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 
 def put_two_moves(studio: Studio, back_m: float = 0.2) -> None:
-    """Forward a little, then backward."""
+    """Builds two moves: forward, then backward."""
     write_program(studio, f"robot.move_forward(0.2)\nrobot.move_backward({back_m})\n")
     studio.eventually(lambda: studio.values("distance"), [0.2, back_m])
 
@@ -118,16 +118,16 @@ def test_sensors_calls_and_variables_are_watched_while_the_run_stands(studio: St
     studio["step"].click()
     expect_paused_before(studio, assign)
     watched = studio.page.locator('[data-testid="watch-value"]')
-    expect(watched.filter(visible=True)).to_have_count(1)  # the sonar; nothing has a value yet
+    # the sonar's; no variable has a value yet
+    expect(watched.filter(visible=True)).to_have_count(1)
     for block in (call, speech_block):
         studio["step"].click()
         expect_paused_before(studio, block)
     expect(studio.page.locator('[data-name="side"]')).to_have_text("2")
     expect(studio.page.locator('[data-name="n"]')).to_have_text("2")
     expect(studio.page.locator('[data-name="dentro de"]')).to_contain_text("look")
-    expect(studio.page.locator('[data-name="sonar 3 (m)"]')).to_have_text(
-        "3,83"
-    )  # (4 - 0.229) / cos 10°
+    # (4 - 0.229) / cos 10°
+    expect(studio.page.locator('[data-name="sonar 3 (m)"]')).to_have_text("3,83")
     studio["step-out"].click()
     studio.wait_for_phase("finished")
 

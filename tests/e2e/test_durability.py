@@ -1,4 +1,4 @@
-"""What a group did is on disk before it can think of saving."""
+"""A group's work is on disk without an explicit save."""
 
 import pytest
 from playwright.sync_api import expect
@@ -20,7 +20,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
 def test_an_edit_survives_a_cut_of_power(
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
-    watch.expect("Failed to load resource")  # the open page asks for a server that is gone
+    watch.expect("Failed to load resource")  # the open page sends requests to the stopped server
     name = studio.unique("Os Tatus")
     studio.enter_group(name)
     blocks = studio.blocks
@@ -78,7 +78,7 @@ def test_what_was_typed_last_is_kept_by_who_leaves_at_once(studio: Studio) -> No
 
 
 def two_windows(studio: Studio, open_studio: OpenStudio) -> Studio:
-    """The program that is open, in a second window too."""
+    """The open program in a second window too."""
     enter_made_group(studio, [("move_forward", 1)])
     other = open_studio()
     other.page.goto(studio.page.url)
@@ -141,7 +141,8 @@ def test_a_program_that_is_thrown_away_in_another_window_says_so_and_can_be_take
 
 
 def test_a_save_tells_that_the_program_is_in_the_bin(studio: Studio, watch: Watch) -> None:
-    watch.expect("Failed to load resource")  # the line over which the window would hear of it
+    # the stream that would report the deletion to the window
+    watch.expect("Failed to load resource")
     studio.enter_new_group()
     studio.page.route("**/api/stream", lambda route: route.abort())
     studio.page.reload()

@@ -1,4 +1,4 @@
-"""The workspace in the page: fields, loose blocks, undo, copies, trash, languages, looks."""
+"""The workspace in the page: fields, loose blocks, undo, copies, trash, languages, themes."""
 
 import pytest
 from playwright.sync_api import expect

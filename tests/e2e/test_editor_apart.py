@@ -1,4 +1,4 @@
-"""The editor without the page around it: programs of a size that no hand would build, and its levels."""
+"""The editor without the page around it: very large programs, and its levels."""
 
 import subprocess
 from collections.abc import Iterator
@@ -54,7 +54,7 @@ def built() -> Path:
 
 @pytest.fixture
 def page(browser: Browser, built: Path) -> Iterator[Page]:
-    """A page with nothing but an empty element for the editor; its files come from this PC."""
+    """A page with only an empty element for the editor; its files come from this PC."""
 
     def give(route: Route) -> None:
         path = route.request.url.removeprefix(ADDRESS) or "index.html"
@@ -67,13 +67,14 @@ def page(browser: Browser, built: Path) -> Iterator[Page]:
     page = browser.new_page(viewport={"width": 1366, "height": 768})
     page.route("**", give)
     page.goto(ADDRESS)
-    page.wait_for_function("'createEditor' in window")  # it waits for the texts of its language
+    # exists after the texts of the language are loaded
+    page.wait_for_function("'createEditor' in window")
     yield page
     page.close()
 
 
 def open_editor(page: Page, level: int, length: int) -> dict[str, float]:
-    """Opens a program of that many commands of two blocks; says how long things took, in ms."""
+    """Opens a program of `length` commands of two blocks each; returns durations in ms."""
     timings: dict[str, float] = page.evaluate(_OPEN, [level, length, DOCUMENT_MS])
     return timings
 

@@ -1,4 +1,4 @@
-"""Finished programs to play with: a press opens a copy that runs at once and can be taken apart."""
+"""Examples, finished programs: a press opens a copy that runs at once and can be changed."""
 
 import pytest
 from playwright.sync_api import expect

@@ -1,4 +1,4 @@
-"""Work goes from PC to PC by stick, and is deleted for good."""
+"""Work is transferred between PCs by USB stick, and deleted for good."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -30,7 +30,7 @@ def stick(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def far_pc(tmp_path: Path) -> Iterator[Browser]:
-    """The teacher at another PC, who asks for everything by requests: its page is not looked at."""
+    """The teacher at another PC, by requests only; its page is not tested."""
     with App(tmp_path / "far" / "pinel.db", make_engine=FakeEngine) as app:
         pc = Browser.signed_in(app.address)
         pc.put("/api/teacher/pin", {"pin": PIN})
@@ -38,7 +38,7 @@ def far_pc(tmp_path: Path) -> Iterator[Browser]:
 
 
 def make_group(pc: Browser | Studio, name: str = "Os Tatus", classroom: str | None = None) -> str:
-    """A group with its first program."""
+    """Creates a group with its first program; returns the group's id."""
     group: str = ask(pc, "POST", "/groups", {"name": name, "classroom_id": classroom})["id"]
     ask(pc, "POST", f"/groups/{group}/programs", {"name": "Programa 1"})
     return group
@@ -53,16 +53,16 @@ def ask(pc: Browser | Studio, method: str, path: str, body: Any = None) -> Any:
 
 
 def save_bundle(pc: Browser | Studio, folder: Path) -> str:
-    """Saves what the PC has, as the button does; returns the file."""
+    """Saves the PC's work as the button does; returns the file."""
     return str(ask(pc, "POST", "/bundles", {"folder": str(folder)})["path"])
 
 
 def at_the_files(studio: Studio, folder: Path) -> None:
-    """The exchange panel with the folder as the shared one."""
+    """Opens the exchange panel with `folder` as the shared folder."""
     studio.send("PUT", "/teacher/pin", {"pin": PIN})
     studio.send("PUT", "/folders/shared", {"path": str(folder)})
     studio.page.goto(f"{studio.origin}/#/teacher/files")
-    studio.page.reload()  # the page has not heard of the PIN
+    studio.page.reload()  # the open page does not know the PIN
     expect(studio["shared-folder"]).to_have_value(str(folder))
 
 
@@ -109,7 +109,7 @@ def test_a_group_is_deleted_for_good(studio: Studio, stick: Path) -> None:
 def test_a_group_goes_on_with_its_program_at_another_pc(
     studio: Studio, open_pc: OpenStudio, watch: Watch, tmp_path: Path
 ) -> None:
-    watch.expect("422 (UNPROCESSABLE ENTITY)")  # of the file that is none
+    watch.expect("422 (UNPROCESSABLE ENTITY)")  # response for the file that is no bundle
     enter_made_group(studio, [("move_forward", 0.5)])
     studio["open-work"].click()
     with studio.page.expect_download() as download:
@@ -339,5 +339,5 @@ def test_a_school_folder_that_does_not_answer_stays_in_its_field_and_is_named(
     expect(places.filter(has_text=stick.name)).to_contain_text("não responde agora")
     expect(studio["save-bundle"]).to_have_count(0)
     away.rename(stick)
-    expect(studio["save-bundle"]).to_be_visible()  # looked for again every few seconds
+    expect(studio["save-bundle"]).to_be_visible()  # the page checks again every few seconds
     expect(studio.page.get_by_text("não responde agora")).to_have_count(0)

@@ -1,4 +1,4 @@
-"""How few actions a novice needs: from the first launch to a driving robot, and for a square."""
+"""Number of actions that a novice needs: from the first start to a driving robot, and for a square."""
 
 import time
 
@@ -13,7 +13,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 MAX_TO_DRIVE = 5
 MAX_FOR_A_SQUARE = 8
-CHOICE_S = 2.0  # a novice looks that long before each action
+CHOICE_S = 2.0  # time before each action of a novice
 MOVED_M = 0.05
 
 # a click, a drag and a typed value are an action each
@@ -86,7 +86,7 @@ def test_a_square_with_dragged_blocks_and_a_typed_length(studio: Studio) -> None
     blocks.drag_from_toolbox("flow", "repetir", blocks.below(blocks.start()))
     loop = blocks.by_text("repetir")
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.inside(loop))
-    # the palette is open at motion
+    # the flyout is open at motion
     move = blocks.by_text("andar para frente")
     blocks.drag_from_toolbox("motion", "girar", blocks.below(move))
     blocks.type_into(blocks.by_text("andar para frente"), "0,5")

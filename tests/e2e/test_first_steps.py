@@ -10,7 +10,7 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
-ROOM_PX = 340  # of the workspace beside the open palette: a turn inside a loop is 310 px wide
+ROOM_PX = 340  # of the workspace beside the open flyout: a turn inside a loop is 310 px wide
 
 
 @pytest.fixture
@@ -25,7 +25,7 @@ def beginners(studio: Studio) -> Studio:
 
 
 def announcement(studio: Studio) -> Locator:
-    """What a screen reader announces."""
+    """The element whose text a screen reader announces."""
     return studio.page.locator("#blocklyAriaAnnounce")
 
 

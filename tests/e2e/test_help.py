@@ -1,4 +1,4 @@
-"""Help beside the program: what can be done, each block of the level to try, the keys, and a search in all of it."""
+"""Help beside the program: tasks, the blocks of the level to try, keys, and a search in all of them."""
 
 import re
 

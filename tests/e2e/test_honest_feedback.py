@@ -1,4 +1,4 @@
-"""What the page says of a program that did nothing, failed, or was changed while it ran."""
+"""Messages of the page about a program that did nothing, failed, or was changed during its run."""
 
 import math
 
@@ -12,7 +12,7 @@ from tests.e2e.studio import RUN_MS, Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
-N_TURNS = 12  # more than the workspace is high
+N_TURNS = 12  # more blocks than fit in the height of the workspace
 
 
 @pytest.fixture
@@ -137,7 +137,7 @@ SEED = {"seed": 1}
 
 
 def choose_wheels(studio: Studio) -> None:
-    """The realistic robot that knows its wheels only, with noise that is the same each time."""
+    """Chooses the realistic robot that has only its odometry, with noise of a fixed seed."""
     studio.page.route("**/api/runs", _with_seed)
     studio["lifelike"].select_option("wheels")
     studio["speed"].select_option("10")

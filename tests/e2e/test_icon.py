@@ -1,4 +1,4 @@
-"""The icon of the window is the drawing of the page's, as pixels."""
+"""The icon of the window has the pixels of the page's drawing."""
 
 import base64
 

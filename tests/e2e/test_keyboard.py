@@ -1,4 +1,4 @@
-"""The same square without a mouse."""
+"""A square, built and driven with the keyboard only."""
 
 import pytest
 from playwright.sync_api import expect
@@ -9,7 +9,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
 
 class Keys:
-    """Blockly's own keys: T to the toolbox, arrows to go, Enter to append, to set down and to edit."""
+    """Blockly's own keys: T to the toolbox, arrows to move, Enter to append, to drop and to edit."""
 
     def __init__(self, studio: Studio) -> None:
         self._keyboard = studio.page.keyboard
@@ -20,7 +20,7 @@ class Keys:
             self._keyboard.press(key)
 
     def walk_to(self, text: str, key: str, max_presses: int = 12) -> None:
-        """Presses a key until what has the focus says the words."""
+        """Presses a key until the focused element contains the text."""
         for _ in range(max_presses):
             if text in self._label():
                 return
@@ -30,7 +30,7 @@ class Keys:
     def add_block(
         self, category: str, block: str, key: str = "t", direction_key: str = "ArrowDown"
     ) -> None:
-        """Out of the toolbox, which the key goes to, to the end of the loop or the program."""
+        """Appends a block from the toolbox to the loop or the program; `key` moves the focus to the toolbox."""
         self.press(key)
         self.walk_to(category, direction_key)
         self.press("ArrowRight")
@@ -67,7 +67,7 @@ def test_a_square_is_built_and_run_by_keyboard_alone(studio: Studio) -> None:
     keys.press("w")
     keys.walk_to("quando rodar", "ArrowDown")
     keys.add_block("Controle", "repetir")
-    # the palette stays open
+    # the flyout stays open
     keys.add_block("Movimento", "andar para frente", key="ArrowLeft", direction_key="ArrowUp")
     keys.walk_to("girar", "ArrowDown")
     keys.press("Enter", "Escape")

@@ -32,14 +32,14 @@ def flyout(studio: Studio) -> Locator:
 
 
 def press_on_block(studio: Studio, block: Locator, label: str) -> None:
-    """A plus or a minus that stands on a block."""
+    """Presses a plus or minus button on a block."""
     before = block.text_content() or ""
     block.locator(f'[aria-label="{label}"]').last.click()
     expect(block).not_to_have_text(before)
 
 
 def answer(page: Page, text: str) -> None:
-    """Types into the question that is open."""
+    """Types the answer to the open question."""
     field = page.locator("dialog input")
     field.fill(text)
     field.press("Enter")
@@ -218,7 +218,7 @@ def test_a_program_that_was_saved_before_opens_and_is_the_same(empty: Studio) ->
 
 
 def without_empty_branches(value: Any) -> Any:
-    """The reader writes out branches that a conditional does not have."""
+    """Removes empty branches of conditionals, which the reader of documents adds."""
     if isinstance(value, list):
         return [without_empty_branches(one) for one in value]
     if not isinstance(value, dict):

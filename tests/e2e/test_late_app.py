@@ -1,4 +1,4 @@
-"""The app behind a slow line, for tests that are to wait for what they look at."""
+"""The delayed app (`late_app.py`), with which tests show missing waits."""
 
 from concurrent.futures import ThreadPoolExecutor
 from threading import Barrier
@@ -12,7 +12,7 @@ PAGE = {"HTTP_SEC_FETCH_SITE": "same-origin"}
 
 
 def delays(seed: str, requests: int, environ: dict[str, str]) -> list[float]:
-    """How long requests in sequence are held up, before and after their work."""
+    """Returns the delays of successive requests, before and after their processing."""
     slept: list[float] = []
     late = LateAnswers(lambda environ, start: [b""], seed, slept.append)
     for _ in range(requests):

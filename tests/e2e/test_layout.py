@@ -1,4 +1,4 @@
-"""Nothing is cut off on the screens that schools have."""
+"""No text or control is cut off on the screen sizes of schools."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -13,8 +13,8 @@ from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
-# Elements whose words are wider than they are, or that leave the window. What a group or a class called itself may be
-# shortened, and says itself in full when pointed at.
+# Elements whose text is wider than the element, or that leave the window. Names of groups and
+# classes may be shortened, with the whole name as a tooltip.
 _CUT = """() => {
   const cut = [];
   for (const element of document.querySelectorAll('body *')) {
@@ -41,7 +41,7 @@ _SMALL = """() => [...document.querySelectorAll('button, .select, a.button')]
   .map((e) => [e.dataset.testid ?? e.className, e.getBoundingClientRect()])
   .filter(([, box]) => box.width < 43.5 || box.height < 43.5)
   .map(([name, box]) => `${name}: ${box.width} x ${box.height}`)"""
-# Controls of which a click in the middle reaches something else.
+# Controls whose centre another element covers.
 _COVERED = """() => [...document.querySelectorAll('button, a, select, input')]
   .filter((e) => !e.closest('.visually-hidden, .injectionDiv, [data-scrolls]') && !e.disabled)
   .map((e) => [e, e.getBoundingClientRect()])
@@ -59,7 +59,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 
 def cut(studio: Studio, shows: str | Locator) -> list[Any]:
-    """What is cut off on the screen that shows this, as for `wait_for_screen`."""
+    """Returns the elements that are cut off on a screen; `shows` as for `wait_for_screen`."""
     studio.wait_for_screen(shows)
     studio.page.evaluate("document.fonts.ready")
     return list(studio.page.evaluate(_CUT))
@@ -71,7 +71,7 @@ Layout = tuple[str, tuple[int, int]]
 def layouts(
     studio: Studio, languages: Sequence[str], sizes: Sequence[tuple[int, int]]
 ) -> Iterator[Layout]:
-    """Every language in every window size, one after the other."""
+    """Yields each combination of language and window size."""
     for language in languages:
         studio.choose_language(language)
         for width, height in sizes:
@@ -95,7 +95,7 @@ def test_no_words_are_cut(studio: Studio) -> None:
 
 
 def expect_uncut(studio: Studio, shows: str, screen: str, *, is_large: bool = False) -> None:
-    """In every language and window size; large: every button is large enough, too."""
+    """Checks in every language and window size that nothing is cut off; `is_large`: and that buttons are large."""
     for layout in layouts(studio, LANGUAGES, SCREENS):
         assert cut(studio, shows) == [], (screen, layout)
         if is_large:
@@ -160,7 +160,7 @@ def _expect_exits(studio: Studio, layout: Layout) -> None:
 
 
 def _begin_lesson(studio: Studio, title: str) -> None:
-    """For the group that is in."""
+    """Starts a lesson for the class of the current group."""
     studio.open_teacher_part("314159")
     group = studio.api("/groups")["groups"][0]
     classroom = studio.send("POST", "/classrooms", {"name": f"Turma de {group['name']}"})["id"]
@@ -170,7 +170,7 @@ def _begin_lesson(studio: Studio, title: str) -> None:
 
 
 def _cut_names(studio: Studio) -> list[str]:
-    """Of group and program, short as they are."""
+    """Returns the names of group and program that are cut off."""
     studio.wait_for_screen("editor")
     names = studio.page.locator(".header__group-name, .program-name__input").all()
     return [

@@ -1,4 +1,4 @@
-"""A lesson of five groups on three PCs, as it goes: prepared by file, worked in, forged, merged, checked, and read."""
+"""A lesson of five groups on three PCs: prepared by file, with a forged run, merged, re-verified and reviewed."""
 
 import shutil
 from collections.abc import Callable
@@ -24,7 +24,7 @@ CHECKED_MS = 90_000  # two runs are repeated, by processes of their own on a bus
 
 @pytest.fixture
 def pcs(open_pc: OpenStudio) -> list[Studio]:
-    """Three PCs with an empty file each; the first is the teacher's."""
+    """Three PCs with an empty database each; the first is the teacher's."""
     return [open_pc() for _ in range(3)]
 
 
@@ -62,7 +62,7 @@ def test_a_lesson_on_three_pcs_is_read_on_one(pcs: list[Studio], stick: Path) ->
 
 
 def forge(stick: Path) -> None:
-    """Pupils change a copy of the file of their PC: the run into the wall is to count as passed."""
+    """Changes a copy of a PC's file, as pupils might: the run into the wall is marked as passed."""
     [file] = stick.glob("PC 2*.pinel")
     forged = stick / "PC 2 melhor.pinel"
     shutil.copy(file, forged)
@@ -70,17 +70,17 @@ def forge(stick: Path) -> None:
 
 
 def come_together(mine: Studio, stick: Path) -> None:
-    """All files of the stick come to the teacher's PC; merging them again changes nothing."""
+    """Merges all files of the stick on the teacher's PC; merging them again changes nothing."""
     before = merge_all(mine, stick)
     results = mine["merge-results"].get_by_role("listitem")
     waiting = results.filter(has_text="contam depois que o PINEL as conferir")
-    expect(waiting.filter(has_text="PC 2")).to_have_count(2)  # the forged file too
+    expect(waiting.filter(has_text="PC 2")).to_have_count(2)  # including the forged file
     expect(mine["unconfirmed"]).to_be_visible()
     assert merge_all(mine, stick) == before
 
 
 def prepare(pc: Studio, name: str, from_file: Path | None = None) -> None:
-    """Day one: PIN, the PC's name, and class and lesson, from the file where there is one."""
+    """Prepares a PC: PIN, the PC's name, and class and lesson, from the file if there is one."""
     pc["prepare"].click()
     pc["pin"].fill(PIN)
     pc["pin-again"].fill(PIN)
@@ -109,7 +109,7 @@ def open_lesson(pc: Studio) -> None:
 
 
 def lesson_file(pc: Studio, stick: Path) -> Path:
-    """The file that takes class and lesson to the other PCs, which is no work: it goes with no merging."""
+    """Writes the lesson file for the other PCs and returns it; it is no bundle of work and is not merged."""
     with pc.page.expect_download() as saved:
         pc["lesson-file-save"].click()
     file = stick.with_name("aula.pinel")
@@ -124,10 +124,10 @@ def save_on(pc: Studio, stick: Path) -> None:
 
 
 def merge_all(pc: Studio, stick: Path) -> str:
-    """Merges every file of the stick; what the store holds then."""
+    """Merges every file of the stick; returns the content of the store afterwards."""
     at_the_stick(pc, stick)
     n_files = len(list(stick.glob("*.pinel")))
-    expect(pc["found-file"]).to_have_count(n_files)  # it may still show those of the last look
+    expect(pc["found-file"]).to_have_count(n_files)  # the list may still be of the last check
     with pc.page.expect_response(lambda answer: answer.url.endswith("/merge")) as merged:
         pc["merge-files"].click()
     expect(pc["merge-results"].get_by_role("listitem")).to_have_count(n_files)
@@ -145,7 +145,7 @@ def at_the_stick(pc: Studio, stick: Path) -> None:
 
 
 def with_group(pc: Studio, name: str, work: Callable[[Studio], None]) -> None:
-    """A group finds itself by its picture, works, and leaves."""
+    """A group selects itself by its picture, works, and leaves."""
     pc["home"].click()
     pc["group-card"].filter(has_text=name).click()
     pc.wait_until_open()
@@ -199,7 +199,7 @@ def finish(pc: Studio) -> None:
 
 
 def follows_the_checking(pc: Studio) -> None:
-    """The page goes on by itself, with the group that the teacher opened; the forged pass does not count."""
+    """The page updates by itself after re-verification, with the open group; the forged pass does not count."""
     cinzas = pc["review-group"].and_(pc.page.locator("[data-name=Cinzas]"))
     cinzas.get_by_test_id("review-open").click()
     summary = pc["lesson-summary"]
@@ -211,14 +211,14 @@ def follows_the_checking(pc: Studio) -> None:
 
 
 def names_the_run_that_failed_verification(pc: Studio) -> None:
-    """What was forged stays without its pass."""
+    """Checks that the forged run is shown without its pass."""
     pc.page.goto(f"{pc.origin}/#/teacher/files")
     expect(pc["unconfirmed"]).to_contain_text("1 rodada não confere")
     assert violations(pc, "unconfirmed") == []
 
 
 def read_the_lesson(pc: Studio) -> None:
-    """What happened, in the teacher's page: a line for each group, and each mark opens its replay."""
+    """Reviews the lesson in the teacher's page: a timeline for each group; each entry opens its replay."""
     pc.page.goto(f"{pc.origin}/#/teacher/lessons")
     pc["lesson-link"].filter(visible=True).first.click()
     expect(pc["lesson-page"]).to_be_visible()

@@ -1,4 +1,4 @@
-"""The teacher's forty seconds: who has passed, who needs help, what went wrong most often, which hints were read."""
+"""Overview of a lesson for the teacher: who has passed, who needs help, the commonest mistake, and opened hints."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -18,7 +18,7 @@ SETUP: dict[str, Any] = {"world": "empty_room", "activity": "square"}
 
 
 def play(lesson: PastLesson) -> Past:
-    """Two groups that need help, one that still works, one that has passed."""
+    """Writes two groups that need help, one that is still working, and one that has passed."""
     runs: list[str] = []
     for place, (name, tries) in enumerate(
         (
@@ -81,7 +81,7 @@ def test_the_hints_that_a_group_read_are_shown(teacher: Teacher) -> None:
     row = teacher.row("Grupo 2")
     row.locator("[data-testid=review-figure][data-name=n_hints]").focus()
     expect(teacher.page.get_by_role("tooltip")).to_contain_text("as dicas 1 e 2")
-    teacher.studio.wait_for_screen(row)  # a group that needs help may be open already
+    teacher.studio.wait_for_screen(row)  # a group that needs help may be expanded already
     if row.get_by_test_id("review-open").get_attribute("aria-expanded") == "false":
         row.get_by_test_id("review-open").click()
     expect(row.get_by_test_id("review-hints")).to_contain_text("Quantos cantos o quadrado tem?")

@@ -1,4 +1,4 @@
-"""A lesson's page while the lesson goes on, and of lessons of several days that were joined."""
+"""A lesson's page during the lesson, and of joined lessons of several days."""
 
 import json
 import re
@@ -22,14 +22,14 @@ DAY = 24 * 60
 
 
 class Past(NamedTuple):
-    """What is in the file."""
+    """Content of the database."""
 
     lesson: str
     group: str
 
 
 def _play(lesson: PastLesson) -> Past:
-    """A group builds on two days, with a pause on the first of them; nobody runs anything."""
+    """A group edits on two days, with a pause on the first of them; there are no runs."""
     store = lesson.store
     lesson.at(1)
     emas = lesson.group("Emas")
@@ -48,7 +48,7 @@ def _play(lesson: PastLesson) -> Past:
 
 @pytest.fixture(scope="module")
 def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProcess, Past]]:
-    """The app on a file with two lessons that are one."""
+    """The app on a database with two joined lessons."""
     with school_after(tmp_path_factory.mktemp("school"), _play) as school:
         yield school
 
@@ -65,7 +65,7 @@ def past(school: tuple[AppProcess, Past]) -> Past:
 
 @pytest.fixture
 def studio(open_studio: OpenStudio) -> Studio:
-    """The page with the sign-in of the teacher open."""
+    """The page with the teacher signed in."""
     studio = open_studio()
     sign_in(studio)
     return studio

@@ -1,4 +1,4 @@
-"""The plan of a lesson: opens its activities for a class, goes on paper and into a file, and has cards to cut out."""
+"""The plan of a lesson: opens its activities for a class, is printed and saved, and has cards to cut out."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,7 +16,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 
 def play(lesson: PastLesson) -> Past:
-    """A class with a group, whose lesson is over."""
+    """Writes a class with a group, whose lesson is over."""
     group = lesson.group("Araras")
     group.edit(("move_forward", 1))
     lesson.store.lessons.close(lesson.lesson)

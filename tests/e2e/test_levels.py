@@ -1,4 +1,4 @@
-"""How many blocks the toolbox offers."""
+"""Number of blocks in the toolbox at each level."""
 
 import pytest
 from playwright.sync_api import expect

@@ -1,4 +1,4 @@
-"""The folder with the work is away: the page says so, and a person chooses."""
+"""The folder of the database is unreachable: the page reports it, and a person chooses."""
 
 import shutil
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 @pytest.fixture
 def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[AppProcess]:
-    """An app whose stick was pulled since its last start."""
+    """An app whose USB stick was removed since its last start."""
     (tmp_path / "temporary").mkdir()
     monkeypatch.setenv("TMPDIR", str(tmp_path / "temporary"))
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "share"))
@@ -35,7 +35,7 @@ def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[AppProcess]
 def test_a_folder_that_is_away_is_named_and_a_person_may_begin_empty(
     app: AppProcess, open_studio: OpenStudio, watch: Watch
 ) -> None:
-    watch.expect("Failed to load resource")  # the open page asks for a server that is gone
+    watch.expect("Failed to load resource")  # the open page sends requests to the stopped server
     studio = open_studio()
     expect(studio["notice"]).to_contain_text("não está aqui ou está vazia")
     studio["begin-empty"].click()

@@ -1,4 +1,4 @@
-"""An activity sets the stage: its world, its start, its robot; the group is told what to do and when it is done."""
+"""An activity sets world, start pose and robot; the group reads the task and is notified of the pass."""
 
 import pytest
 from playwright.sync_api import Locator, expect
@@ -11,7 +11,7 @@ from tests.e2e.test_layout import cut
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
-POLL_INTERVAL_MS = 15_000  # a lesson that the teacher opens meanwhile
+POLL_INTERVAL_MS = 15_000  # interval at which the page detects a lesson that the teacher opened
 MOVE = "andar para frente"
 
 

@@ -1,4 +1,4 @@
-"""Notices on blocks: the program runs, but hardly does what was meant."""
+"""Notices on blocks: the program runs, but probably not as intended."""
 
 import pytest
 from playwright.sync_api import Locator, expect

@@ -1,4 +1,4 @@
-"""A teacher makes an activity and opens a lesson with it; one file prepares another PC, where a group solves it."""
+"""A teacher makes an activity and opens a lesson with it. One file prepares another PC, where a group solves it."""
 
 from pathlib import Path
 
@@ -20,7 +20,7 @@ TWO_METRES = "robot.move_forward(2)\n"
 
 @pytest.fixture
 def pcs(open_pc: OpenStudio) -> list[Studio]:
-    """The teacher's PC and a PC of the lab, with an empty file each."""
+    """The teacher's PC and a PC of the lab, with an empty database each."""
     return [open_pc(), open_pc()]
 
 
@@ -28,7 +28,7 @@ def test_an_activity_of_the_teacher_is_solved_on_another_pc(
     pcs: list[Studio], watch: Watch, tmp_path: Path
 ) -> None:
     mine, lab = pcs
-    watch.expect("/api/own-activities")  # one that does not tell right from nothing is refused
+    watch.expect("/api/own-activities")  # an activity that an empty program passes is refused
     prepare(mine, "Mesa da professora")
     for name in ("Professora", "Tatus"):
         mine["new-group-name"].fill(name)
@@ -48,7 +48,7 @@ def part_of_teacher(pc: Studio, name: str) -> None:
 
 
 def build_solution(pc: Studio) -> None:
-    """The teacher builds the solution as any group does."""
+    """The teacher builds the solution as a group builds a program."""
     pc["home"].click()
     pc["group-card"].filter(has_text="Professora").click()
     pc.wait_until_open()
@@ -71,7 +71,7 @@ def make_activity(pc: Studio) -> None:
     pc["making-hint"].first.fill("Contem os quadros do chão.")
     expect(pc["making-notice"]).to_have_count(0)
 
-    pc["making-try"].click()  # an empty program passes: nothing is asked for
+    pc["making-try"].click()  # an empty program passes, because there is no check
     expect(pc["making-trials"]).to_have_attribute("data-right", "false")
     pc["making-save"].click()
     expect(pc.page.get_by_role("alert")).to_contain_text("Experimentar")
@@ -97,7 +97,7 @@ def make_activity(pc: Studio) -> None:
 
 
 def open_its_lesson(pc: Studio) -> None:
-    """Without a title the lesson has that of the activity."""
+    """Opens a lesson without a title, which gets the title of the activity."""
     part_of_teacher(pc, "lessons")
     pc["preset-level"].select_option("2")
     expect(pc["preset-saved"]).to_have_text("Salvo.")
@@ -118,7 +118,7 @@ def saved_file(pc: Studio, folder: Path) -> Path:
 
 
 def open_on(pc: Studio, file: Path) -> None:
-    """On a PC without a PIN anybody opens the file, on the first screen; once more changes nothing."""
+    """Opens the file on the first screen of a PC without a PIN; opening it again changes nothing."""
     for _ in range(2):
         pc["lesson-file-open"].set_input_files(file)
         expect(pc["group-card"]).to_have_count(2)

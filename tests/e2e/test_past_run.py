@@ -1,4 +1,4 @@
-"""The time of the run that is over, under the floor: its moments on the floor, in the blocks and in words."""
+"""The time strip of the ended run below the floor: pose, block and values at a chosen time."""
 
 import re
 
@@ -23,20 +23,20 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 
 def drive(studio: Studio) -> None:
-    """A run of two blocks that ends."""
+    """Executes a run of two blocks to its end."""
     enter_made_group(studio, [("move_forward", 0.5), ("turn", 90)], speed=10)
     studio.run()
     studio.wait_for_phase("finished")
     group = studio.api(f"/programs/{studio.program_id}")["group_id"]
     (run,) = studio.api(f"/groups/{group}/runs")["runs"]
-    # the last samples and what a screen reader says come after the end
+    # the last samples and the announcement for screen readers follow the end
     end = round(run["duration_s"] * 30)
     expect(studio["past-run-slider"]).to_have_attribute("max", str(end))
     expect(studio["status-line"].get_by_role("status")).to_contain_text("O programa terminou")
 
 
 def floor_picture(studio: Studio) -> str:
-    """What is drawn on the floor."""
+    """Returns the picture of the floor."""
     picture: str = studio["scene"].evaluate("canvas => canvas.toDataURL()")
     return picture
 

@@ -1,4 +1,4 @@
-"""What a PC keeps outlives window and app: a browser without cookies shows it again."""
+"""Settings stored on a PC survive window and app: a browser without cookies shows them again."""
 
 import pytest
 from playwright.sync_api import Route, expect
@@ -46,7 +46,7 @@ def test_the_page_arrives_in_its_theme(open_studio: OpenStudio) -> None:
     studio = open_studio()
     studio["theme"].click()
     expect(studio.page.locator("html")).to_have_attribute("data-theme", "dark")
-    # a choice that the server has not answered is sent again by the next page
+    # a setting without the server's response is sent again by the next page
     studio.page.wait_for_function("() => sessionStorage.length === 0")
     assert 'data-theme="dark"' in studio.page.context.request.get(studio.origin).text()
     asked: list[str] = []

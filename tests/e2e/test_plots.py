@@ -1,4 +1,4 @@
-"""The plots of a run: live beside the floor, in the replay with the slider, and taken along."""
+"""The plots of a run: live beside the floor, in the replay with the slider, and saved as files."""
 
 import csv
 import io
@@ -17,7 +17,7 @@ from tests.e2e.studio import Studio
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
 _PNG = b"\x89PNG\r\n\x1a\n"
-_AXIS_PX = 60  # room for the numbers beside a plot
+_AXIS_PX = 60  # width of the numbers beside a plot
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def show(studio: Studio, figure: str) -> None:
 
 
 def drive(studio: Studio) -> None:
-    """A group's half metre, to its end."""
+    """Drives half a metre, to the end of the run."""
     enter_made_group(studio, [("move_forward", 0.5)], speed=10)
     studio.run()
     studio.wait_for_phase("finished")
@@ -126,7 +126,7 @@ def open_replay(studio: Studio) -> None:
 
 
 def inked(studio: Studio) -> bool:
-    """Something is drawn in the plot."""
+    """True if the plot has drawn pixels."""
     return bool(
         studio.page.evaluate(
             """() => {
@@ -142,7 +142,7 @@ def inked(studio: Studio) -> bool:
 
 
 def pixel(studio: Studio, picture: bytes, x: int, y: int) -> list[int]:
-    """The colour of a point of a picture, as the browser sees it."""
+    """Returns the colour of a point of a picture, as the browser decodes it."""
     found = studio.page.evaluate(
         """async ([bytes, x, y]) => {
             const image = await createImageBitmap(new Blob([new Uint8Array(bytes)]));

@@ -1,4 +1,4 @@
-"""The program as Python: read beside the blocks, written, and made into blocks."""
+"""The program as Python: read beside the blocks, written, and converted to blocks."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""A real robot in a lesson: set up by the teacher, chosen, checked, driven, stopped by the emergency key, reviewed."""
+"""A real robot in a lesson: set up, chosen, checked, driven, stopped by the emergency key, and reviewed."""
 
 import contextlib
 from collections.abc import Iterator, Mapping
@@ -31,7 +31,7 @@ FAST_IN_A_HALL = {
 
 @contextlib.contextmanager
 def client(port: int) -> Iterator[Aurora]:
-    """A client of the bridge for one run; it ends with its run, as the original's does."""
+    """A client of the bridge for one run; it ends with its run, like the original's client."""
     aurora = Aurora(port)
     try:
         yield aurora
@@ -44,7 +44,7 @@ def field(studio: Studio, name: str) -> Locator:
 
 
 def set_up(studio: Studio, port: int, fields: Mapping[str, str] = NEAR_THE_EDGE) -> None:
-    """What a teacher types for a robot."""
+    """Types the teacher's settings of a robot."""
     to_part(studio, "robot")
     studio.page.locator("[data-testid=robot-kind][data-value=bridge]").click()
     for name, typed in {"port": str(port), **fields}.items():
@@ -54,7 +54,7 @@ def set_up(studio: Studio, port: int, fields: Mapping[str, str] = NEAR_THE_EDGE)
 
 
 def check_off(studio: Studio) -> None:
-    """Goes through the check list and runs."""
+    """Ticks all points of the check list and runs."""
     expect(studio["before-go"]).to_be_disabled()
     studio.wait_for_screen("before-point")
     for point in studio["before-point"].all():
@@ -107,7 +107,7 @@ def test_group_drives_the_robot_that_its_teacher_set_up_and_stops_it_by_the_emer
     studio.blocks.type_into(studio.blocks.by_text("andar para frente"), "2,5")
     studio.eventually(lambda: studio.values("distance"), [2.5])
     with client(port) as aurora:
-        studio.run()  # the list is gone through once
+        studio.run()  # the check list is needed once only
         expect(studio["before-run"]).to_have_count(0)
         studio.wait_for_phase("running")
         studio.eventually(lambda: studio.number("pose-x") > 0.2, True)
@@ -164,7 +164,7 @@ def test_a_mission_driven_on_the_robot_is_judged_by_what_it_measured(studio: Stu
 
 
 def judged_in_review(studio: Studio) -> None:
-    """The teacher sees in the lesson and in the replay by what the run was judged."""
+    """Lesson and replay show the teacher that the robot's measurements were judged."""
     studio["home"].click()
     studio["teacher-link"].click()
     studio["pin"].fill(PIN)
@@ -198,7 +198,7 @@ def test_teacher_tries_whether_the_robot_responds(studio: Studio) -> None:
 
 @contextlib.contextmanager
 def pioneer() -> Iterator[int]:
-    """A Pioneer on DDS, and its domain."""
+    """A Pioneer on DDS; yields its domain."""
     with own_domain() as domain:
         double = Double(domain)
         try:
@@ -240,7 +240,7 @@ def test_teacher_finds_the_robot_moves_it_by_a_held_key_and_makes_its_place_the_
 
 
 def hold_until_moved(studio: Studio) -> None:
-    """Holds the arrow key until the robot has gone a way, and lets go; it stands."""
+    """Presses the arrow key until the robot has moved, and releases it; the robot stops."""
     studio.page.locator("[data-testid=jog][data-direction=back]").focus()
     studio.page.keyboard.down("ArrowUp")
     expect(studio.page.locator("[data-testid=jog][data-direction=ahead]")).to_have_attribute(
@@ -249,7 +249,8 @@ def hold_until_moved(studio: Studio) -> None:
     expect(studio["emergency-stop"]).to_be_visible(timeout=RUN_MS)
     studio.eventually(lambda: place(studio)[0] > 0.2, True)
     studio.page.keyboard.up("ArrowUp")
-    expect(studio["emergency-stop"]).to_have_count(0, timeout=RUN_MS)  # let go
+    # after the release of the key
+    expect(studio["emergency-stop"]).to_have_count(0, timeout=RUN_MS)
     let_go = place(studio)
     studio.eventually(lambda: is_still(studio), True)  # it brakes, and the picture follows
     rest_pose = place(studio)
@@ -257,14 +258,14 @@ def hold_until_moved(studio: Studio) -> None:
 
 
 def is_still(studio: Studio) -> bool:
-    """Whether the drawn robot keeps its place for so long that no picture can be on its way any more."""
+    """True if the drawn robot stays at rest so long that no further pose can arrive."""
     before = place(studio)
     studio.page.wait_for_timeout(1500)
     return place(studio) == before
 
 
 def place(studio: Studio) -> tuple[float, float]:
-    """Where the robot is drawn in the room, in m."""
+    """Position of the drawn robot in the room, in m."""
     drawn = studio["robot-place"].get_attribute("transform") or ""
     x, y = drawn.partition("(")[2].partition(")")[0].split(" ")
     return float(x), -float(y)
@@ -283,7 +284,7 @@ def test_wrong_field_is_named_and_a_forgotten_robot_is_offered_no_more(
     studio: Studio, watch: Watch
 ) -> None:
     watch.expect("422")
-    watch.expect("/real-robots/bridge/watch")  # the page may be asking for it while it is forgotten
+    watch.expect("/real-robots/bridge/watch")  # the page may request it while it is deleted
     prepare(studio)
     to_part(studio, "robot")
     studio.page.locator("[data-testid=robot-kind][data-value=bridge]").click()

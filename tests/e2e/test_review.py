@@ -1,4 +1,4 @@
-"""What the teacher sees of a lesson after class: its page, its paper and its table."""
+"""The review of a lesson for the teacher: its page, its print and its table."""
 
 import csv
 import io
@@ -115,7 +115,7 @@ def test_lines_on_the_clock_have_the_time_on_the_wall(teacher: Teacher) -> None:
     teacher.studio.wait_for_screen(first)
     own = box_of(first)["x"]
     teacher.page.locator("[data-testid=lesson-time][data-value=clock]").click()
-    # the other group began three minutes before
+    # the other group started three minutes before
     teacher.studio.eventually(lambda: box_of(first)["x"] > own + 20, True)
     expect(row.locator(".line__tick text").first).to_have_text(re.compile(r"^\d\d:\d\d$"))
 
@@ -221,7 +221,7 @@ def _scrolled(teacher: Teacher) -> float:
 
 
 def _not_whole(row: Locator) -> list[str]:
-    """What paper would have to be pulled wider or pointed at for."""
+    """Returns texts of a row that are cut off, and so could not be read on paper."""
     expect(row).to_be_visible()
     parts = row.locator(".group-row__who :is(.group-row__name > span, .chips)").all()
     cut = "e => e.scrollWidth > e.clientWidth + 1 || e.scrollHeight > e.clientHeight + 1"

@@ -1,4 +1,4 @@
-"""What the teacher sees of runs: the list, a replay, two side by side, and the notes about them."""
+"""Runs for the teacher: the list, a replay, two runs side by side, and notes about them."""
 
 import re
 import time
@@ -95,7 +95,7 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     sides = teacher["compare-side"]
     expect(sides).to_have_count(2)
     slider = teacher["replay-slider"]
-    # a square takes longer than what was stopped after a second
+    # a square takes longer than the run that was stopped after a second
     teacher.studio.eventually(lambda: int(slider.get_attribute("max") or 0) > 300, True)
     slider.fill("20")
     expect(sides.nth(0)).to_have_attribute("data-tick", "20")
@@ -250,7 +250,7 @@ def _sides(teacher: Teacher) -> list[Locator]:
 
 
 def _long_runs(teacher: Teacher) -> list[str]:
-    """Two runs of one program of thirty turns; the second waits after them."""
+    """Executes two runs of one program of thirty turns; the second waits after them."""
     name = {"name": f"Longo {time.monotonic()}"}
     program = teacher.studio.send("POST", f"/groups/{teacher.past.group}/programs", name)["id"]
     turns: list[Step] = [("turn", 1)] * 30
@@ -273,7 +273,7 @@ def _notes(teacher: Teacher, run: str) -> list[dict[str, Any]]:
 
 
 def _begin_note(teacher: Teacher, n: int, text: str) -> str:
-    """Types a note at the replay of the lesson's run of that number, from 0; returns the run."""
+    """Types a note at the replay of the lesson's n-th run, counted from 0; returns the run's id."""
     teacher.open_lesson()
     run = teacher.past.runs[n]
     teacher.go(f"run/{run}")

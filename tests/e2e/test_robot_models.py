@@ -1,4 +1,4 @@
-"""The TurtleBot3 Burger, chosen by clicks in place of the Pioneer."""
+"""The TurtleBot3 Burger, chosen by clicks instead of the Pioneer."""
 
 import pytest
 from playwright.sync_api import expect
@@ -34,7 +34,7 @@ def test_the_turtlebot_drives_and_is_the_robot_of_its_run(studio: Studio) -> Non
     group = studio.api(f"/programs/{studio.program_id}")["group_id"]
     (run,) = studio.api(f"/groups/{group}/runs")["runs"]
     assert run["model"] == TURTLEBOT
-    assert run["duration_s"] > 0.3 / 0.22  # no Pioneer would take that long
+    assert run["duration_s"] > 0.3 / 0.22  # a Pioneer would be faster
     studio.page.reload()
     studio.wait_until_open()
     expect(studio["robot-model"]).to_have_value(TURTLEBOT)

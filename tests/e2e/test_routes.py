@@ -1,4 +1,4 @@
-"""Screens by their address: what the browser calls them, and fetching one before it is asked for."""
+"""Screens by address: their titles in the browser, and prefetching."""
 
 import re
 

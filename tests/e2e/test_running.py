@@ -1,4 +1,4 @@
-"""Run, Stop, faults and failures, as they meet a group."""
+"""Run, Stop, faults and failures in the page."""
 
 import pytest
 from playwright.sync_api import expect
@@ -124,7 +124,7 @@ def test_the_words_of_a_fault_stand_once_however_quickly_they_are_asked_for(stud
 
     studio["fault"].evaluate("button => { button.click(); button.click(); }")
     expect(blocks.fault_text()).to_be_visible()
-    studio.page.wait_for_timeout(500)  # a second one would come a moment later
+    studio.page.wait_for_timeout(500)  # a second message would appear a moment later
     expect(blocks.fault_text()).to_have_count(1)
 
 

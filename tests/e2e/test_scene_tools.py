@@ -1,4 +1,4 @@
-"""The floor as a place to work: another start, back to the start, ruler, protractor, sensors, follow, picture."""
+"""Tools of the floor: start pose, return to the start, ruler, protractor, sensors, follow, picture."""
 
 from pathlib import Path
 from typing import Any
@@ -32,7 +32,7 @@ def last_run(studio: Studio) -> Any:
 
 
 def drag(studio: Studio, begin: tuple[float, float], end: tuple[float, float]) -> None:
-    """From one place of the floor to another, each as parts of its width and height."""
+    """Drags from one point of the floor to another, each as fractions of its width and height."""
     box = box_of(studio["scene"])
     places = [(box["x"] + box["width"] * x, box["y"] + box["height"] * y) for x, y in (begin, end)]
     mouse = studio.page.mouse
@@ -43,7 +43,7 @@ def drag(studio: Studio, begin: tuple[float, float], end: tuple[float, float]) -
 
 
 def robot_place(studio: Studio) -> tuple[float, float]:
-    """Where on the floor the robot is drawn: the only red thing, as parts of width and height."""
+    """Position of the drawn robot, the only red object, as fractions of the floor's width and height."""
     found = studio.page.evaluate(
         """() => {
             const canvas = document.querySelector('[data-testid=scene]');

@@ -1,4 +1,4 @@
-"""What a group sees when a screen's requests fail, or what it shows is gone."""
+"""Screens whose requests fail, or whose content was deleted."""
 
 import re
 
@@ -33,8 +33,9 @@ def test_a_group_that_is_deleted_while_its_program_is_open_is_reported_once_and_
     studio.blocks.type_into(studio.blocks.by_text("andar para frente"), "0,5")
     expect(studio["deleted"]).to_contain_text("O grupo foi apagado")
     studio["run"].click()
-    studio.page.clock.run_for(10_000)  # longer than any pause between two tries
-    studio.page.evaluate("fetch('/api/status')")  # a try would be answered before
+    studio.page.clock.run_for(10_000)  # longer than the interval between two attempts
+    # the response to another attempt would come before this one
+    studio.page.evaluate("fetch('/api/status')")
     assert answers.count(404) == 1
     expect(studio["problem"]).to_have_count(0)
     expect(studio["unsaved"]).to_have_count(0)
@@ -129,10 +130,12 @@ def test_a_screen_whose_first_question_is_answered_with_an_error_says_so_and_can
     expect(studio["problem"]).to_be_visible()
     expect(studio.page.get_by_role("main")).not_to_have_attribute("aria-busy", "true")
 
-    failing.hold()  # others may ask the same; the screen's own request is on its way when its button is busy
+    # other parts of the page may send the same request; the button is busy while the screen's own
+    # is pending
+    failing.hold()
     studio["try-again"].click()
     expect(studio["try-again"]).to_have_attribute("aria-busy", "true")
-    failing.release()  # and it goes on failing
+    failing.release()  # requests still fail
     expect(studio["try-again"]).not_to_have_attribute("aria-busy", "true")
     studio.page.unroute(question)
     studio["try-again"].click()

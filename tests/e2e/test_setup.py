@@ -1,4 +1,4 @@
-"""World, robot setting and speed belong to a program: they are there tomorrow, and in no other program."""
+"""World, robot setting and speed belong to a program: they persist, and do not affect other programs."""
 
 import pytest
 from playwright.sync_api import expect
@@ -21,7 +21,7 @@ def expect_chosen(studio: Studio, *values: str) -> None:
 def test_what_was_chosen_for_a_program_is_there_tomorrow_and_nowhere_else(
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
-    watch.expect("Failed to load resource")  # the open page asks for a server that is gone
+    watch.expect("Failed to load resource")  # the open page sends requests to the stopped server
     studio.enter_group("Os Tatus")
     at_first = ("empty_room", "ideal", "1")
     expect_chosen(studio, *at_first)
@@ -43,7 +43,7 @@ def test_what_was_chosen_for_a_program_is_there_tomorrow_and_nowhere_else(
     reopened.page.goto(f"{reopened.origin}/#/")
     reopened["group-card"].filter(has_text="Os Tatus").click()
     reopened.wait_until_open()
-    reopened.choose_level(3)  # this window knows no choice of the group
+    reopened.choose_level(3)  # this window has no choice of the group
     expect_chosen(reopened, *now)
     reopened.run()
     reopened.wait_for_phase("finished")

@@ -1,4 +1,4 @@
-"""What the page shows of a running program: words, questions, variables, marks, trails and beeps."""
+"""The page during a run: speech, questions, variables, marks, trails and beeps."""
 
 import pytest
 from playwright.sync_api import expect
@@ -11,7 +11,7 @@ from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
-# How many pixels of the floor have a colour, or nearly.
+# Number of pixels of the floor with nearly this colour.
 _PIXELS = """(wanted) => {
   const canvas = document.querySelector('[data-testid=scene]');
   const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
@@ -21,7 +21,7 @@ _PIXELS = """(wanted) => {
   }
   return count;
 }"""
-# Notes in the page itself whether more pixels than that were ever drawn: a look from outside may come too late.
+# Records in the page whether more pixels were ever drawn: a check from outside may come too late.
 _WATCH_PIXELS = f"""([wanted, most]) => {{
   window.wasSeen = false;
   const pixels = {_PIXELS};
@@ -35,9 +35,10 @@ RED, GREEN = (215, 40, 31), (35, 154, 69)
 MARK_X, MARK_O = (122, 31, 162), (179, 71, 0)
 YELLOW_FLOOR = (247, 224, 137)
 INK = (33, 31, 27)
-SIGN_PIXELS = 2000  # of a beep; the robot itself has some of this colour
+# pixels of the symbol of a beep; the robot itself has some pixels of this colour
+SIGN_PIXELS = 2000
 
-# The tones that the page has begun.
+# The tones that the page has started.
 _COUNT_TONES = """() => {
   window.tones = 0;
   const { start } = AudioScheduledSourceNode.prototype;
@@ -67,7 +68,7 @@ def newest_run(studio: Studio) -> str:
 
 
 def recorded_events(studio: Studio) -> list[str]:
-    """The types of the newest run's events on the server's disk."""
+    """Returns the types of the newest run's events on the server's disk."""
     events = studio.api(f"/runs/{newest_run(studio)}/events")["events"]
     return [event["type"] for event in events]
 
@@ -160,7 +161,7 @@ def test_variables_are_watched_as_they_change(studio: Studio) -> None:
 
 
 def test_trails_and_marks_are_on_the_floor_live_and_replayed(studio: Studio, watch: Watch) -> None:
-    watch.expect("willReadFrequently")  # of reading pixels, which only this test does
+    watch.expect("willReadFrequently")  # warning about reading pixels, which only this test does
     studio.enter_new_group()
     write_program(
         studio,
@@ -235,8 +236,8 @@ def test_a_beep_is_seen_at_the_robot_also_without_sound_and_motion(
     for tick, is_shown in (("20", True), ("5", False), ("80", False), ("20", True)):
         slider.fill(tick)
         studio.eventually(lambda: pixels(studio, INK) > calm + SIGN_PIXELS, is_shown)
-    studio.page.wait_for_timeout(1500)  # a sign of a beep that sounds goes sooner
-    assert pixels(studio, INK) > calm + SIGN_PIXELS  # for as long as the moment is looked at
+    studio.page.wait_for_timeout(1500)  # longer than the symbol of a beep shows
+    assert pixels(studio, INK) > calm + SIGN_PIXELS  # visible while this time of the run is shown
 
 
 def test_a_replay_beeps_unless_it_hurries(studio: Studio) -> None:

@@ -1,4 +1,4 @@
-"""A group's first lesson: a square out of three blocks, driven, kept and looked at again."""
+"""A group's first lesson: a square of three blocks, run, stored and replayed."""
 
 import pytest
 from playwright.sync_api import expect
@@ -34,7 +34,7 @@ def test_a_group_drags_a_square_and_sees_the_robot_drive_it(studio: Studio) -> N
     expect(active).to_have_count(0)
     for axis in ("pose-x", "pose-y"):
         studio.expect_number(axis, pytest.approx(0, abs=0.001))
-    # the robot is back where it began, so what is new on the floor is its path
+    # the robot is at its start pose again, so the difference on the floor is its path
     studio.eventually(lambda: studio["scene"].screenshot() != floor_before, True)
     [run] = studio.api(f"/groups/{_group_of(studio)}/runs")["runs"]
     assert run["state"] == "finished"
@@ -81,7 +81,7 @@ def test_a_program_and_its_run_are_there_the_next_day(
 def test_the_link_of_a_second_start_opens_the_same_app(
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
-    watch.expect("(UNAUTHORIZED)")  # the address that was used already
+    watch.expect("(UNAUTHORIZED)")  # response for the address that was used before
     studio.enter_group("Os Tatus")
     other = open_studio(app.fresh_link())
     expect(other["group-card"]).to_have_count(1)
@@ -95,7 +95,7 @@ def _group_of(studio: Studio) -> str:
 
 
 def _first_ticks(studio: Studio) -> dict[str, int]:
-    """When each block of the run that is shown began for the first time."""
+    """Returns the tick of the first start of each block in the shown run."""
     run = studio.page.url.rsplit("/", 1)[-1]
     ticks: dict[str, int] = {}
     for event in studio.api(f"/runs/{run}/events")["events"]:

@@ -1,4 +1,4 @@
-"""A screen of the teacher's part whose first request fails says so, and can be tried again."""
+"""If the first request of a teacher's screen fails, the screen reports it and offers another attempt."""
 
 import re
 

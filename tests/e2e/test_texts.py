@@ -1,4 +1,4 @@
-"""The main screens with the keys of the texts for words: what reads otherwise is written into the code."""
+"""The main screens with keys in place of all texts: any other text is hard-coded."""
 
 import re
 from typing import Any
@@ -13,7 +13,7 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
-# the texts of a language, each instead of its words with its key between brackets and the places it leaves
+# exports a language's texts, each replaced by its key in brackets, with its parameters
 _SHOWING_KEYS = """
 import {{ {name} as real }} from "{url}?real";
 const shown = (value, path) => {{
@@ -44,9 +44,9 @@ _SHOWN_TEXTS = """attributes => {
   }
   return seen;
 }"""
-# how the browser writes days in the language of the page
+# dates as the browser formats them in the page's language
 _DAY = re.compile(r"(?i)(?:\b\w+(?:-feira|\.)?, )?\b\d\d?\sde\s\w+\.?(?:\sde\s\d{4})?")
-# the program's own name, units, and how an axis or a key is called everywhere
+# the program's own name, units, and names of axes and keys, which are equal in all languages
 _UNTRANSLATED = re.compile(
     r"PINEL|F\d+|Esc|Ctrl|Shift|Enter|Space|Tab|\b(?:m|s|cm|kg|rad|min|x|y|v)\b"
 )
@@ -64,7 +64,7 @@ def _show_keys(route: Route) -> None:
 
 
 def _hard_coded(page: Page, data: set[str]) -> set[str]:
-    """All that is on the screen and neither a key nor what a person or a world's author wrote."""
+    """Returns the screen's texts that are neither a key nor written by a person or a world's author."""
 
     def rest(text: str) -> str:
         text = _KEYS.sub("", text)
@@ -78,7 +78,7 @@ def _hard_coded(page: Page, data: set[str]) -> set[str]:
 
 
 def _strings(value: Any) -> set[str]:
-    """All texts of an answer of the server."""
+    """Returns all texts of a response of the server."""
     if isinstance(value, str):
         return {value}
     inside = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()

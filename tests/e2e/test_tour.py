@@ -1,4 +1,4 @@
-"""The guided first drive: done, not read; the page stays usable, and it can be left at any moment."""
+"""The guided first drive: its steps, a usable page meanwhile, and leaving it at any time."""
 
 import itertools
 
@@ -26,7 +26,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 
 def begin(studio: Studio) -> str:
-    """A new group at the first step; returns its name."""
+    """Creates a group at the first step; returns its name."""
     name = studio.unique("Os Tatus")
     studio.enter_group(name, level=None, tour=True)
     return name
@@ -90,7 +90,7 @@ def test_another_block_is_fine_and_a_click_will_do(studio: Studio) -> None:
 
 
 def do_step(studio: Studio, step: str) -> None:
-    """Does what a step asks for, in the fewest clicks."""
+    """Completes a step in the fewest clicks."""
     expect_step(studio, step)
     match step:
         case "hello":
@@ -115,21 +115,21 @@ def test_it_can_be_left_at_every_step_and_does_not_come_back(
     if last != "watch":
         studio.hurry()
     for step in STEPS[:n_done]:
-        if step != "watch":  # goes by with the run
+        if step != "watch":  # completed by the run
             do_step(studio, step)
     expect_step(studio, last)
-    watch.settle(studio.page)  # what is kept of a step may arrive after what is kept of the next
+    watch.settle(studio.page)  # a step's setting may arrive after the next step's setting
     studio["tour-free" if last == "end" else "tour-skip"].click()
     expect(studio["tour"]).to_have_count(0)
     built = ["move_forward", "turn"][: (n_done > 1) + (n_done > 4)]
     studio.eventually(studio.actions, built)
-    watch.settle(studio.page)  # the PC has been told that the tour was left
+    watch.settle(studio.page)  # the server has stored that the tour was left
     studio.page.reload()
     studio.wait_until_open()
     studio["home"].click()
     studio["group-card"].filter(has=studio.page.get_by_text(name, exact=True)).click()
     studio.wait_until_open()
-    studio["help"].click()  # its texts are those of the tour
+    studio["help"].click()  # help has the texts of the tour
     expect(studio["help-tour"]).to_be_visible()
     expect(studio["tour"]).to_have_count(0)
 
@@ -142,7 +142,7 @@ def test_a_page_that_is_loaded_again_in_the_middle_goes_on(studio: Studio, watch
         expect_step(studio, reached)
         if reached == "watch":
             studio.hurry()
-            continue  # its run may be over before the page is there
+            continue  # its run may be over before the page is loaded
         studio.wait_until_saved()
         watch.settle(studio.page)
         studio.page.reload()
@@ -268,7 +268,7 @@ def test_it_is_read_in_every_language_and_theme(studio: Studio) -> None:
 
 
 def expect_read(studio: Studio, *, is_whole: bool = False) -> None:
-    """Names in every language, contrast in every theme; whole: and no words are cut."""
+    """Checks names in every language and contrast in every theme; with `is_whole`, also that no text is cut off."""
     for language in LANGUAGES:
         studio.choose_language(language)
         found = violations(studio, "tour", every_theme=language == LANGUAGES[0])

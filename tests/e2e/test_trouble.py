@@ -1,4 +1,4 @@
-"""What a group sees when the file or the disk is in trouble."""
+"""The page with a damaged database, a full disk, or a hung engine."""
 
 from collections.abc import Callable
 from datetime import UTC, datetime
@@ -23,7 +23,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 def test_a_damaged_file_gives_way_to_its_backup_and_the_page_says_so(
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch, tmp_path: Path
 ) -> None:
-    watch.expect("Failed to load resource")  # the open page asks for a server that is gone
+    watch.expect("Failed to load resource")  # the open page sends requests to the stopped server
     studio.enter_group("Os Tatus")
     database = tmp_path / "pinel.db"
     assert make_backup(database, NOON)
@@ -44,7 +44,7 @@ def test_a_damaged_file_gives_way_to_its_backup_and_the_page_says_so(
 def test_a_frozen_engine_is_said_and_the_next_run_works(
     studio: Studio, app: AppProcess, watch: Watch
 ) -> None:
-    watch.expect("503 (SERVICE UNAVAILABLE)")  # a Stop that was not confirmed
+    watch.expect("503 (SERVICE UNAVAILABLE)")  # response for a Stop that was not confirmed
     studio.enter_group("Os Tatus")
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
@@ -55,9 +55,10 @@ def test_a_frozen_engine_is_said_and_the_next_run_works(
     app.freeze_engine()
     studio["stop"].click()
     studio.wait_for_phase("failed")
-    expect(studio["problem"]).to_have_count(0)  # that Stop was not confirmed is over with the run
+    # the end of the run removes the message about the unconfirmed Stop
+    expect(studio["problem"]).to_have_count(0)
     expect(studio["status-line"]).to_contain_text("foi ligado de novo")
-    # until the next engine is ready, Run may be switched off in the moment in which it is pressed
+    # until the next engine is ready, Run may become disabled while it is pressed
     studio.eventually(lambda: studio.api("/status")["engine"], "ready")
     studio.wait_for_screen("scene")
     studio.run()
@@ -90,7 +91,10 @@ def test_a_disk_that_fills_up_is_said_and_the_line_goes_by_itself_when_there_is_
 
 
 def hold_status_of_stream(studio: Studio) -> Callable[[], None]:
-    """Loads the page anew; the status that it asks for when its stream begins is answered, as it was, when called."""
+    """Reloads the page.
+
+    Holds its second status request, sent at the stream's start, until the returned function is called.
+    """
     page, asked = studio.page, list[Route]()
     answer = studio.api("/status")
 

@@ -1,6 +1,6 @@
 """The lesson of two hours (docs/lesson.pt-BR.md) by clicks: five groups on three PCs, and their teacher.
 
-`--pictures FOLDER` keeps a picture of each step, for docs/teacher.pt-BR.md.
+`--pictures FOLDER` saves a picture of each step, for docs/teacher.pt-BR.md.
 """
 
 from collections.abc import Callable
@@ -36,13 +36,13 @@ MOVE_IF_B = 'if robot.gesture_result == "B":\n    robot.move_forward(1.0)\n'
 
 @dataclass
 class Pictures:
-    """Pictures of the steps, in order; without a folder, none."""
+    """Saves pictures of the steps, in order; without a folder, none."""
 
     folder: Path | None
     photographed: set[str] = field(default_factory=set)
 
     def photograph(self, studio: Studio, step: str, shows: str | Locator) -> None:
-        """The first of each step is kept."""
+        """Saves the first picture of each step."""
         studio.wait_for_screen(shows)
         if self.folder is not None and step not in self.photographed:
             self.photographed.add(step)
@@ -58,7 +58,7 @@ def pictures(request: pytest.FixtureRequest) -> Pictures:
 
 @pytest.fixture
 def pcs(open_pc: OpenStudio) -> list[Studio]:
-    """Three PCs with an empty file each, all with a camera that sees B; the first is the teacher's."""
+    """Three PCs with an empty database each, all with a camera that shows B; the first is the teacher's."""
     return [open_pc("--camera", str(RECORDINGS / "b.npz")) for _ in range(3)]
 
 
@@ -83,7 +83,7 @@ def test_two_hours_of_five_groups(pcs: list[Studio], tmp_path: Path, pictures: P
 
 
 def before_the_lesson(pc: Studio, stick: Path, pictures: Pictures) -> None:
-    """The class with its groups, the camera, the plan and its cards."""
+    """Prepares the class with its groups, the camera, the plan and its cards."""
     stick.mkdir()
     prepare(pc, "Mesa da professora")
     for name in GROUPS:
@@ -105,13 +105,13 @@ def before_the_lesson(pc: Studio, stick: Path, pictures: Pictures) -> None:
 
 
 def all_is_checked(pc: Studio) -> None:
-    """This PC has repeated the runs of the others by itself: their passes count."""
+    """Waits until this PC has repeated the runs of the other PCs, so that their passes count."""
     expect(pc["unconfirmed"]).to_be_visible()
     expect(pc["unconfirmed"]).to_have_count(0, timeout=CHECKED_MS)
 
 
 def first_pin(pc: Studio, name: str) -> None:
-    """A PC that the lesson's file prepared has no PIN yet."""
+    """Sets the first PIN on a PC that the lesson file prepared."""
     pc["home"].click()
     pc["teacher-link"].click()
     pc["pin"].fill(PIN)
@@ -122,7 +122,7 @@ def first_pin(pc: Studio, name: str) -> None:
 
 
 def what_does_a_robot_obey(pc: Studio, pictures: Pictures) -> None:
-    """0-15 min: the vacuum cleaner for all to see."""
+    """0-15 min: the teacher shows the example with the vacuum cleaner."""
     to_group(pc, "Araras")
     open_example(pc, "vacuum_cleaner")
     pc["speed"].select_option("10")
@@ -135,7 +135,7 @@ def what_does_a_robot_obey(pc: Studio, pictures: Pictures) -> None:
 
 
 def the_alphabet(pc: Studio, pictures: Pictures) -> None:
-    """15-25 min: large letters to imitate."""
+    """15-25 min: shows large letters to imitate."""
     pc["home"].click()
     pc["practice"].click()
     expect(pc["practice-sign"].first).to_be_visible()
@@ -145,7 +145,7 @@ def the_alphabet(pc: Studio, pictures: Pictures) -> None:
 
 
 def open_on_all(pcs: list[Studio], activity: str, stick: Path, pictures: Pictures) -> None:
-    """A button of the plan opens the activity; the lesson's file opens it on the other PCs, without a PIN."""
+    """Opens the activity by a button of the plan, and on the other PCs by the lesson file, without a PIN."""
     mine, *others = pcs
     as_teacher(mine)
     to_part(mine, "plan")
@@ -186,10 +186,10 @@ Work = Callable[[Studio, Pictures], None]
 
 
 def with_group(pc: Studio, name: str, work: Work, pictures: Pictures) -> None:
-    """A group finds itself by its picture, works, and leaves."""
+    """A group selects itself by its picture, works, and leaves."""
     to_group(pc, name)
     expect(pc["mission"]).to_be_visible()
-    if name != GROUPS[0]:  # the others need not be watched in real time
+    if name != GROUPS[0]:  # only the first group runs in real time
         pc.choose_level(2)
         pc["speed"].select_option("10")
     work(pc, pictures)
@@ -197,7 +197,7 @@ def with_group(pc: Studio, name: str, work: Work, pictures: Pictures) -> None:
 
 
 def append(pc: Studio, *steps: tuple[str, str]) -> None:
-    """Clicks blocks of the palette, one below the other, and types their numbers."""
+    """Clicks blocks of the flyout, which are appended, and types their numbers."""
     for text, value in steps:
         pc.blocks.click_in_toolbox("show" if text == PEN else "motion", text)
         if text != PEN:
@@ -210,7 +210,7 @@ def passed(pc: Studio) -> None:
 
 
 def expect_not_passed(pc: Studio, text: str) -> None:
-    """Not yet, and why."""
+    """Checks that the run did not pass, and the text why."""
     pc.run_to_the_end()
     expect(pc["status-line"]).to_contain_text("Ainda não", timeout=RUN_MS)
     expect(pc["status-line"]).to_contain_text(text)
@@ -299,7 +299,7 @@ LETTERS: dict[str, Work] = {
 def sign_decides(pc: Studio, pictures: Pictures) -> None:
     write_program(pc, READ + MOVE_IF_B)
     pc.run()
-    # the camera may see the sign before anybody sees the panel
+    # the camera may detect the sign before the panel is checked
     sign = pc["capture"].or_(pc["mission-done"])
     expect(sign.first).to_be_visible(timeout=CAMERA_MS)
     pictures.photograph(pc, "sign", sign)
@@ -329,7 +329,7 @@ LESSON = {"around_the_corner": AROUND_THE_CORNER, "letter": LETTERS, "sign_b": S
 
 
 def the_last_eight_minutes(pc: Studio, pictures: Pictures) -> None:
-    """92-100 min: what happened, on the teacher's PC, once the files of the other PCs are merged."""
+    """92-100 min: reviews the lesson on the teacher's PC, after the files of the other PCs are merged."""
     to_part(pc, "lessons")
     pc["lesson-row"].filter(has_text="Aula de duas horas").get_by_test_id("lesson-link").click()
     expect(pc["review-group"]).to_have_count(5)

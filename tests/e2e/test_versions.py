@@ -1,4 +1,4 @@
-"""Nothing that a group did is ever lost: undo after a restart, the line of versions, the bin, notes of the teacher."""
+"""A group's work is never lost: undo after a restart, the version history, the bin, and the teacher's notes."""
 
 import re
 import shutil
@@ -26,14 +26,14 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 
 def enter(studio: Studio) -> str:
-    """A new group; returns its name."""
+    """Creates a group; returns its name."""
     name = studio.unique("Os Tatus")
     studio.enter_group(name)
     return name
 
 
 def enter_made(studio: Studio, *metres: float, speed: float = 1.0) -> str:
-    """A new group whose one block was set to each of these distances, each time a version; returns its name."""
+    """Creates a group whose one block got each of these distances, each in a version of its own; returns its name."""
     enter_made_group(studio, *[[("move_forward", one)] for one in metres], speed=speed)
     return str(studio.api("/groups")["groups"][0]["name"])
 
@@ -47,7 +47,7 @@ def group_of(studio: Studio) -> str:
 
 
 def build(studio: Studio, *distances: str) -> None:
-    """One block, and its distance set anew again and again, each time a version."""
+    """Builds one block and changes its distance repeatedly, each change in a version of its own."""
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", MOVE, blocks.below(blocks.start()))
     studio.eventually(studio.actions, ["move_forward"])
@@ -63,7 +63,7 @@ def set_distance(studio: Studio, distance: str) -> None:
 def test_undo_goes_on_after_the_app_was_closed(
     studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
-    watch.expect("Failed to load resource")  # the open page asks for a server that is gone
+    watch.expect("Failed to load resource")  # the open page sends requests to the stopped server
     name = enter(studio)
     build(studio, "0,7", "2")
     app.stop()
@@ -86,7 +86,7 @@ def test_undo_goes_on_after_the_app_was_closed(
     reopened.eventually(lambda: reopened.values("distance"), [1])
     reopened["undo"].click()
     reopened.eventually(lambda: len(reopened.commands()), 0)
-    reopened["undo"].click()  # nothing is left
+    reopened["undo"].click()  # nothing is left to undo
     for distance in (1, 0.7, 2):
         reopened["redo"].click()
         reopened.eventually(lambda: reopened.values("distance"), [distance])
@@ -113,7 +113,7 @@ def open_history(studio: Studio) -> None:
 
 
 def numbers(studio: Studio) -> list[str]:
-    """The number of the version on the screen, and of the step that is lit in the list."""
+    """Returns the number of the shown version, and the number of the active step in the list."""
     shown = studio["version-shown"].get_attribute("data-number") or ""
     current = studio.page.locator('[data-testid=version-step][aria-current="true"]')
     return [shown, current.get_attribute("data-number") or ""]
@@ -125,13 +125,13 @@ def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio
     open_history(studio)
     page = studio.page
     studio.eventually(lambda: numbers(studio), ["3", "3"])
-    expect(studio["version-step"]).to_have_count(1)  # a burst of edits is one mark
+    expect(studio["version-step"]).to_have_count(1)  # a burst of edits is one entry
     expect(studio["version-go-on"]).to_be_disabled()
 
     page.keyboard.press("ArrowLeft")
     studio.eventually(lambda: numbers(studio)[0], "2")
     expect(studio["version-blocks"]).to_contain_text("0,7")
-    expect(page.locator(".pinelChanged")).to_have_count(1)  # what was set anew in it
+    expect(page.locator(".pinelChanged")).to_have_count(1)  # the value that this version changed
     studio["version-unfold"].click()
     expect(studio["version-step"]).to_have_count(4)
     studio["version-older"].click()
@@ -158,7 +158,7 @@ def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio
     line = studio.api(f"/programs/{studio.program_id}/versions")["versions"]
     assert [one["number"] for one in line] == [4, 3, 2, 1]
     assert line[0]["parent_id"] == line[2]["id"]
-    studio["undo"].click()  # goes back from the version that was gone on from
+    studio["undo"].click()  # goes back from the version that was continued
     studio.eventually(lambda: studio.values("distance"), [1])
 
 
@@ -253,7 +253,7 @@ def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
     expect(reopened["difference-count"]).to_have_text("0 diferenças")
     reopened.page.go_back()
     reopened.wait_until_open()
-    expect(reopened["elsewhere"]).to_have_count(0)  # it was seen
+    expect(reopened["elsewhere"]).to_have_count(0)  # the notice was read
     reopened.page.goto(f"{app.origin}#/versions/{program}")
     expect(reopened["version-fork"]).to_contain_text("2 computadores")
     expect(reopened["version-branch"]).to_have_count(2)
@@ -270,7 +270,7 @@ def test_a_program_goes_into_the_bin_and_comes_back(studio: Studio) -> None:
     expect(studio["program-card"]).to_have_count(1)
     studio["throw-away"].click()
     expect(studio["program-card"]).to_have_count(0)
-    expect(studio["run-card"]).to_have_count(1)  # what was driven stays
+    expect(studio["run-card"]).to_have_count(1)  # runs stay
     studio["throw-back"].click()
     expect(studio["program-card"]).to_have_count(1)
 
@@ -395,7 +395,7 @@ def test_where_the_disk_damaged_the_newest_version_the_last_sound_one_is_opened_
     name = enter_made(studio, 1, 2)
     program = studio.program_id
     app.stop()
-    shutil.rmtree(app.database.parent / "backups", ignore_errors=True)  # one would mend it
+    shutil.rmtree(app.database.parent / "backups", ignore_errors=True)  # a backup would repair it
     with closing(sqlite3.connect(app.database)) as db, db:
         db.execute(
             "UPDATE versions SET workspace = '{' WHERE number = 2 AND program_id = ?", (program,)

@@ -1,4 +1,4 @@
-"""A group draws the world that its robot drives in."""
+"""A group draws the world for its robot."""
 
 import json
 from pathlib import Path
@@ -286,7 +286,7 @@ def test_no_words_are_cut(studio: Studio, board: WorldBoard) -> None:
 
 
 def expect_uncut(studio: Studio, shown: str) -> None:
-    """In every language and in windows of two widths."""
+    """Checks in every language and in windows of two widths that no text is cut off."""
     for language in LANGUAGES:
         studio.choose_language(language)
         for width in (1024, 1366):

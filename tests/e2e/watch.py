@@ -1,4 +1,4 @@
-"""Checks of every test of the page: no foreign requests, no errors."""
+"""Checks that the page in tests sends no foreign requests and has no errors."""
 
 from dataclasses import dataclass, field
 from urllib.parse import urlsplit
@@ -30,9 +30,11 @@ class Watch:
         self.expected.append(part)
 
     def settle(self, page: Page) -> None:
-        """Waits until the server has answered every setting that the page sent: nobody waits for these requests."""
+        """Waits until the server has responded to every setting that the page sent; the page itself does not wait."""
         calm = 0
-        while calm < 2:  # of two languages the page sends the second once the first is answered
+        # if the language was chosen twice, the page sends the second choice after the response to
+        # the first
+        while calm < 2:
             calm = 0 if any(one.frame.page == page for one in self.unsettled) else calm + 1
             page.wait_for_timeout(_POLL_MS)
 

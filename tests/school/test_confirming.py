@@ -1,4 +1,4 @@
-"""Runs that came with files are repeated while nobody drives, and given up for a run that begins here."""
+"""Merged runs are re-verified while no run is live; a run that starts here interrupts this."""
 
 import sys
 import time
@@ -36,7 +36,7 @@ def pupil(tmp_path: Path) -> Iterator[Pc]:
 
 @pytest.fixture
 def store(tmp_path: Path, pupil: Pc) -> Iterator[Store]:
-    """A store with a run that waits."""
+    """A store with a run that waits for re-verification."""
     pupil.drives()
     with open_store(tmp_path / "pinel.db") as opened:
         opened.exchange.merge(pupil.file())

@@ -1,4 +1,4 @@
-"""The real app over HTTP on a real database; the engine is a fake with the same interface."""
+"""Fixtures: the real app over HTTP on a real database, with a fake engine of the same interface."""
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack

@@ -1,4 +1,4 @@
-"""An engine controlled by the test: no process is behind it."""
+"""An engine controlled by the test, without a process."""
 
 from collections.abc import Callable, Sequence
 from typing import Any

@@ -1,4 +1,4 @@
-"""The camera over HTTP: its state, its choice, its picture, its answer. A recording of hands stands in for a webcam."""
+"""The camera over HTTP: its state, its choice, its picture and its result. A landmark sequence replaces the webcam."""
 
 import http.client
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Classes, lessons, the sign-in of the teacher, the bin and notes over HTTP."""
+"""Classes, lessons, the teacher's sign-in, the bin and notes over HTTP."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ PIN = "314159"
 
 @pytest.fixture
 def teacher(app: App) -> Browser:
-    """Another tab, in which the teacher has given the first PIN."""
+    """Another browser, in which the teacher has set the first PIN."""
     tab = Browser.signed_in(app.address)
     assert tab.put("/api/teacher/pin", {"pin": PIN}).data == {"has_pin": True, "is_open": True}
     return tab
@@ -106,7 +106,7 @@ def test_activities_have_a_picture_of_their_goal(browser: Browser) -> None:
     pictures = {name: one["goal_picture"] for name, one in activities(browser).items()}
     assert pictures["maze"]["world"]["name"] == "maze"
     assert pictures["maze"]["zones"] == ["meta"]
-    assert pictures["maze"]["lines"] == []  # the pupils find the way themselves
+    assert pictures["maze"]["lines"] == []  # the pupils search for the path themselves
     assert [line["sign"] for line in pictures["b_or_a"]["lines"]] == ["B", "A"]
     assert pictures["square"]["lines"][0]["points"][1] == [1.0, 0.0]
     assert pictures["pushing"]["boxes"] == {"0": [2.87, 0.0, 0.0]}

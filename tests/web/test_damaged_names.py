@@ -1,4 +1,4 @@
-"""Values without a sum that the disk has damaged: names, settings, what a teacher prepared, taught signs."""
+"""Damaged values without a checksum: names, settings, the teacher's preparations, taught signs."""
 
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
@@ -51,7 +51,7 @@ def disk(database: Path) -> Iterator[sqlite3.Connection]:
 
 
 def prepared(app: App) -> list[str]:
-    """Two groups in a class with all a teacher prepares; gives what the page asks for."""
+    """Creates two groups in a class with all a teacher prepares; returns the addresses that the page requests."""
     tab = Browser.signed_in(app.address)
     tab.put("/api/teacher/pin", {"pin": PIN})
     classroom = tab.post("/api/classrooms", {"name": "9º A"}).data["id"]

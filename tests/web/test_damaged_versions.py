@@ -1,4 +1,4 @@
-"""Versions that the disk has damaged, over HTTP: one error in words, and every list still answers."""
+"""Damaged versions over HTTP: each is one error with a message, and every list still works."""
 
 from contextlib import closing
 from pathlib import Path
@@ -16,7 +16,7 @@ DAMAGES = {
     "other JSON": "UPDATE versions SET workspace = '[]', faults = '5', setup = '7' WHERE number = 2",
     "no time": "UPDATE versions SET created_at = CAST(x'ff' AS TEXT) WHERE number = 2",
 }
-# of a row of an earlier release the store has no sum yet: what cannot be read is damaged
+# the store has no checksum of a row of an earlier release; a value is damaged if it cannot be read
 UNREADABLE = ("malformed JSON", "no text", "other JSON")
 
 

@@ -1,4 +1,4 @@
-"""Before the app is imported, the server serves the page to authorised requests; all others wait."""
+"""While the app is being imported, the server serves the page to authorised requests; all other requests wait."""
 
 import threading
 import urllib.error

@@ -1,4 +1,4 @@
-"""Every error answer has the same JSON shape with a message, whatever raised the error."""
+"""Every error response has the same JSON shape with a message, whatever raised the error."""
 
 from typing import Any
 

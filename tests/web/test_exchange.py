@@ -81,7 +81,8 @@ def test_a_group_hears_what_its_file_lacks(
     whole = browser.get(f"{place}/file")
     assert "Pinel-Left-Out" not in whole.headers
     browser.post(f"{place}/versions", {"workspace": {"more": 1}, "document": SQUARE})
-    with closing(opened(app._store.path, "rw")) as disk:  # as a disk does it: no sum is renewed
+    # damages the value without updating its checksum, as a disk does
+    with closing(opened(app._store.path, "rw")) as disk:
         disk.execute("UPDATE versions SET workspace = '{}' WHERE number = 2")
     lacks = json.loads(browser.get(f"{place}/file").headers["Pinel-Left-Out"])
     assert lacks["code"] == "program_file_left_out"

@@ -1,4 +1,4 @@
-"""Grading: after a run of a lesson with an activity, the result is stored and sent on the stream."""
+"""Grading: after a run of a lesson with an activity, the result is stored and published on the stream."""
 
 from collections.abc import Callable
 from typing import Any
@@ -17,7 +17,7 @@ Begin = Callable[..., str]
 
 @pytest.fixture
 def begin(app: App, browser: Browser) -> Begin:
-    """Begins a run of a group whose class has a lesson about the square."""
+    """Starts a run of a group whose class has a lesson with the activity "square"."""
     store = app._store
     classroom = store.classrooms.create("9º A").id
     store.lessons.open(classroom, "Aula 1", "square")
@@ -105,7 +105,7 @@ def test_what_could_not_be_judged_is_judged_at_the_next_start(
 
 
 class LostJudge:
-    """A judge whose process dies at each question."""
+    """A judge whose process exits at each request."""
 
     def __init__(self) -> None:
         self.n_asked = 0

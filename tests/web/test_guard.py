@@ -1,4 +1,4 @@
-"""Which requests are answered, and which are refused."""
+"""Accepted and refused requests of the guard."""
 
 from collections.abc import Callable
 from urllib.parse import urlsplit
@@ -25,7 +25,7 @@ def at(app: App, template: str) -> str:
         ({"Host": "127.0.0.1"}, 421, "host_wrong"),
         ({"Host": "127.0.0.1:1"}, 421, "host_wrong"),
         ({"Host": "evil.example:{port}"}, 421, "host_wrong"),
-        ({"Host": "evil..example"}, 421, "host_wrong"),  # no name of DNS
+        ({"Host": "evil..example"}, 421, "host_wrong"),  # no valid DNS name
         ({"Origin": "http://evil.example"}, 403, "origin_wrong"),
         ({"Origin": "http://localhost:{port}"}, 403, "origin_wrong"),
         ({"Origin": "https://127.0.0.1:{port}"}, 403, "origin_wrong"),

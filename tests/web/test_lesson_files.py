@@ -1,4 +1,4 @@
-"""One file prepares all PCs for a lesson; with what the groups of a class begin."""
+"""One lesson file prepares all PCs; presets with which the groups of a class start."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -27,7 +27,7 @@ def classroom(teacher: Browser) -> str:
 
 @pytest.fixture
 def lesson(teacher: Browser, classroom: str) -> dict[str, Any]:
-    """An open lesson with an own activity; the class has two groups, a preset and work of before."""
+    """An open lesson with an own activity; the class has two groups, a preset and earlier work."""
     group = teacher.post("/api/groups", {"name": "Robôs", "classroom_id": classroom}).data["id"]
     teacher.post("/api/groups", {"name": "Tatus", "classroom_id": classroom})
     teacher.post(f"/api/groups/{group}/programs", {"name": "De ontem"})
@@ -41,7 +41,7 @@ def lesson(teacher: Browser, classroom: str) -> dict[str, Any]:
 
 @pytest.fixture
 def other(start_app: Callable[..., App], tmp_path: Path) -> Browser:
-    """The page of another PC, which has nothing and no PIN."""
+    """The page of another PC, which has an empty database and no PIN."""
     return Browser.signed_in(start_app(tmp_path / "other.db").address)
 
 

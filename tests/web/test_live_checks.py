@@ -1,4 +1,4 @@
-"""While a run of an activity goes on, the page is told how it stands with the checks."""
+"""During a run of an activity, the page gets its check results."""
 
 import time
 

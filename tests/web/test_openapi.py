@@ -1,4 +1,4 @@
-"""The OpenAPI description: complete, and consistent with the answers."""
+"""The OpenAPI description: complete, and consistent with the responses."""
 
 import json
 import re
@@ -112,9 +112,9 @@ def test_what_hypothesis_makes_up_is_answered_as_described(
 ) -> None:
     """A few dozen made-up requests: none may end in a 500, or in an answer that is not described."""
     document = description()
-    del document["paths"][STREAM]  # it never ends
+    del document["paths"][STREAM]  # the stream never ends
     base_url = f"http://{browser.host}:{browser.port}"
-    browser.put("/api/teacher/pin", {"pin": "314159"})  # also what is for the teacher only
+    browser.put("/api/teacher/pin", {"pin": "314159"})  # for routes of the teacher
     store = app._store
     classroom = store.classrooms.create("9º A").id
     real = {

@@ -1,4 +1,4 @@
-"""Activities that a teacher makes, over HTTP: the form, the trial, the lists, and runs that are judged by one."""
+"""Own activities over HTTP: the form, the trial, the lists, and runs that an own activity judges."""
 
 from typing import Any
 
@@ -38,7 +38,7 @@ def teacher(app: App) -> Browser:
 
 @pytest.fixture
 def made(teacher: Browser) -> str:
-    """The key of an activity that was kept."""
+    """The key of a stored activity."""
     answer = teacher.post("/api/own-activities", DRAFT)
     assert answer.status == 200, answer.data
     return str(answer.data["id"])

@@ -1,4 +1,4 @@
-"""The page draws every picture that the store knows, in the same order."""
+"""The page draws all group pictures of the store, in the same order."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Runs of activities on a real robot: judged by what the robot measured, or not at all; the review."""
+"""Runs of activities on a real robot: judged by the robot's measurements, or not at all; and their review."""
 
 from collections.abc import Callable
 from contextlib import closing
@@ -48,7 +48,7 @@ class Lesson:
         return str(run_data["id"])
 
     def drive(self, run: str) -> None:
-        """Drives the robot that the engine was asked to drive, and delivers what the run tells."""
+        """Drives the robot of the engine's start request, and delivers the events of the run."""
         asked, stamp = self.engine.start_spec, EventSequencer(run)
 
         def observe(tick: int, event: Event) -> None:
@@ -110,7 +110,7 @@ def test_a_square_driven_on_the_robot_passes_by_what_the_robot_measured(lesson: 
 
 
 def verdict_and_check_list(events: Stream) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """The verdict and the last check list of a run; they are told in either order."""
+    """Returns the verdict and the last check list of a run, which come in either order."""
     judged: dict[str, Any] = {}
     lines: list[dict[str, Any]] = []
     for event in events.events():
@@ -131,7 +131,8 @@ def test_a_short_way_on_the_robot_does_not_pass_and_is_told_what_is_missing(less
         judged = events.until("judged")[-1]
     assert (judged["passed"], judged["by_robot"], judged["block"]) == (False, True, "m")
     assert judged["missing"].startswith("The path is")
-    assert "at least 3.95 m" in judged["missing"]  # what counts, not what is let pass
+    # the required value, not the value with tolerance
+    assert "at least 3.95 m" in judged["missing"]
     assert here.run(run)["passed"] is False
     assert here.tried() == {"square": False}
 

@@ -18,7 +18,7 @@ FAST = {"max_v_mps": 0.4, "max_omega_dps": 40.0, "room": {"width_m": 3.0, "x_m":
 
 @pytest.fixture(autouse=True)
 def links(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Every kind of link, also those that this release cannot drive yet: the engine is a fake."""
+    """Every kind of link, also kinds that this release cannot drive yet, because the engine is a fake."""
     monkeypatch.setattr("pinel_desktop.app.LINK_NAMES", ("sim", *PROFILES))
 
 
@@ -252,7 +252,7 @@ def test_only_the_teacher_finds_robots_moves_one_by_keys_and_says_where_it_stand
     assert engine.of_robots == []
     for path in ("jog", "at-start"):
         assert teacher.post(f"{HERE}/{path}", asked[path]).status == 200
-    assert browser.delete(f"{HERE}/jog").status == 200  # anybody stops it
+    assert browser.delete(f"{HERE}/jog").status == 200  # everybody may stop it
     assert engine.of_robots == [
         ("jog", "bridge", 1.0, 0.0, 5.0),
         ("at_start", "bridge"),
@@ -279,7 +279,7 @@ def test_a_page_that_watches_is_told_how_the_robot_is_in_words(
     with app._hub.subscribe() as subscription:
         browser.post(f"{HERE}/watch", {"is_first": False})
         assert subscription.get(timeout_s=0.0) is None
-        browser.post(f"{HERE}/watch", {"is_first": True})  # a second page hears what is known
+        browser.post(f"{HERE}/watch", {"is_first": True})  # a second page gets the known state
         event = subscription.get(timeout_s=0.0)
     assert event is not None
     assert (event["type"], event["state"], event["code"]) == (

@@ -187,7 +187,7 @@ def test_the_table_has_a_row_for_each_mark(
     header, *rows = csv.reader(io.StringIO(answer.text[1:]), delimiter=comma)
     assert header[0] == {"pt-BR": "Grupo", "en": "Group"}[language]
     assert [len(row) for row in rows] == [len(header)] * 4
-    assert "review_" not in answer.text  # the code of words that are not there
+    assert "review_" not in answer.text  # the code of a missing text
     assert {row[0] for row in rows} == {"Os Robôs"}
     assert {row[4] for row in rows} == {"'=Programa de Os Robôs"}
     assert rows[1][15] == f"2{point}5"

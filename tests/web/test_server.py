@@ -1,4 +1,4 @@
-"""The server gives strangers few places and little time, and the page as much as it needs."""
+"""Unknown connections get few slots and short timeouts; the page gets enough of both."""
 
 import socket
 import threading
@@ -18,7 +18,7 @@ N_PARTS = 20
 
 
 class Echo:
-    """Answers with the length of the body, but with /wait not before it is released."""
+    """Responds with the length of the body; to /wait only after `released` is set."""
 
     def __init__(self) -> None:
         self.released = threading.Event()
@@ -34,7 +34,7 @@ class Echo:
 
 
 class Site:
-    """A server, and clients of it."""
+    """A server and its clients."""
 
     def __init__(self) -> None:
         self.app, self._server, self._stack = Echo(), Server(), ExitStack()
@@ -45,7 +45,10 @@ class Site:
         self._server.start(self.app, lambda head: FRIEND in head, **options)
 
     def client(self, *parts: bytes) -> socket.socket:
-        """Has sent the parts; before `start`, they are there when the server accepts it."""
+        """Returns a client that has sent the parts.
+
+        Before `start`, they arrive before the server accepts the connection.
+        """
         client = socket.create_connection((self._server.host, self._server.port), WAIT_S)
         self._stack.enter_context(client)
         for part in parts:
@@ -60,7 +63,7 @@ class Site:
 
 
 def answer(client: socket.socket) -> bytes:
-    """All that the server sends until it closes the connection."""
+    """Returns all bytes that the server sends until it closes the connection."""
     received = b""
     while part := client.recv(65536):
         received += part
@@ -167,7 +170,7 @@ def test_strangers_who_are_answered_slowly_leave_room_for_the_page(site: Site) -
 
 
 def _refused_or_waiting(site: Site, client: socket.socket) -> bytes:
-    """b"" as soon as the app works on the answer, else what the server says itself."""
+    """Returns b"" when the app processes the request, else the server's own response."""
     client.settimeout(AT_ONCE_S)
     while not site.app.n_waiting.acquire(blocking=False):
         try:

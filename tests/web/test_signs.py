@@ -1,4 +1,4 @@
-"""Signs over HTTP: the letters, and what a class teaches. A recording of hands stands in for a webcam."""
+"""Signs over HTTP: the letters, and the signs that a class teaches. A landmark sequence replaces the webcam."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -38,12 +38,12 @@ def taught(browser: Browser, classroom: str) -> dict[str, int]:
 
 
 def known(app: App) -> list[str]:
-    """Taught signs that the camera is to know."""
+    """Returns the taught signs that the camera should recognise."""
     return [sign for sign, *_ in app._camera._taught]
 
 
 def record(browser: Browser, classroom: str, sign: str) -> list[dict[str, Any]]:
-    """Records until the hands are kept; returns the events."""
+    """Records a sign until its samples are stored; returns the events."""
     with browser.stream() as stream:
         path = f"/api/classrooms/{classroom}/signs/{sign}/samples"
         answer = browser.post(path)

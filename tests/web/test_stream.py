@@ -67,7 +67,7 @@ def test_when_the_disk_is_full_the_page_is_told_and_told_again_when_there_is_roo
 
     with browser.stream() as events:
         events.next()
-        limit(1)  # as many as there are: nothing can be added
+        limit(1)  # less than the present size: the database file cannot grow
         state = {"v": 1, "type": "run_state", "run": run["id"], "tick": 0, "state": "running"}
         engine.send({**state, "seq": 0, "filler": "x" * 20_000})
         notice = events.until("notice")[-1]

@@ -1,4 +1,4 @@
-"""Worlds over HTTP: shipped ones, and those of groups."""
+"""Worlds over HTTP: shipped worlds, and worlds of groups."""
 
 from typing import Any
 

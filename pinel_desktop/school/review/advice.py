@@ -1,4 +1,4 @@
-"""What was said about a run that did not pass its activity, read from the report that was kept of it."""
+"""Diagnosis or check text shown for a run that did not pass its activity, read from the stored report."""
 
 import re
 from typing import Annotated
@@ -9,24 +9,24 @@ _NUMBER = re.compile(r"[0-9]+")
 
 
 class Advice(BaseModel):
-    """What a group was told.
+    """The text that a group was shown about its run.
 
     Attributes:
-        diagnosis: its place in the activity; None for the words of a check.
-        words: by language.
+        diagnosis: index of the diagnosis in the activity; None for the text of a check.
+        words: the text by language.
     """
 
     diagnosis: int | None = None
     words: Annotated[dict[str, str], Field(min_length=1)]
 
     def mistake(self, activity: str) -> str:
-        """Key that is equal for equal mistakes: words of checks differ in numbers."""
+        """Returns a key that is equal for equal mistakes; texts of checks are compared without their numbers."""
         if self.diagnosis is not None:
             return f"{activity} {self.diagnosis}"
         return f"{activity} {_NUMBER.sub('#', self.words[min(self.words)])}"
 
     def of(self, language: str) -> str:
-        """The words in a language; a report of another release may have others."""
+        """Returns the text in a language, or in another one if the report of another release lacks it."""
         return self.words.get(language, self.words[min(self.words)])
 
 
@@ -34,10 +34,10 @@ _CASES: TypeAdapter[list[Advice | None]] = TypeAdapter(list[Advice | None])
 
 
 def advice_of_cases(of_cases: str | None) -> Advice | None:
-    """The advice that was said about all cases: the first diagnosis, else the words of the first check.
+    """Returns the advice for a whole run: its first diagnosis, else the text of its first check.
 
     Args:
-        of_cases: JSON list with the advice about each case, as `storage` hands it out; a damaged one is none.
+        of_cases: JSON list with the advice for each case, as `storage` returns it; a damaged list counts as empty.
     """
     try:
         cases = _CASES.validate_json(of_cases or "[]")

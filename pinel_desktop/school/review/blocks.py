@@ -1,7 +1,7 @@
-"""Flattens a workspace as Blockly serialises it: its blocks, with position and values of each.
+"""Flattens a workspace as Blockly serialises it: its blocks, each with position and values.
 
-Workspaces may be nested deeply and old files may hold anything: nothing here recurses, and anything that is not a
-block is ignored.
+Workspaces may be nested deeply and old files may hold any JSON. So nothing here recurses, and JSON that is no block is
+ignored.
 """
 
 from collections import Counter
@@ -21,7 +21,7 @@ Tokens = tuple[object, ...]
 
 @dataclass(frozen=True, slots=True)
 class Value:
-    """A value set on a block; two are equal if their JSON is."""
+    """A value set on a block; two are equal if their JSON is equal."""
 
     tokens: Tokens
     json_value: Any = field(compare=False)
@@ -131,7 +131,7 @@ def _key(state: dict[str, Any], flat: FlatWorkspace) -> str:
 
 
 def _values(state: dict[str, Any]) -> tuple[dict[str, Value], list[tuple[str, dict[str, Any]]]]:
-    """Values of a block and its shadows, by name; and the blocks in its inputs, as (input, block)."""
+    """Returns the values of a block and its shadows by name, and the blocks in its inputs as (input, block)."""
     values = dict(_settings(state, "", alone=False))
     inside: list[tuple[str, dict[str, Any]]] = []
     if _is_disabled(state):
@@ -153,7 +153,7 @@ def _values(state: dict[str, Any]) -> tuple[dict[str, Value], list[tuple[str, di
 
 
 def _settings(state: dict[str, Any], name: str, *, alone: bool) -> Iterator[tuple[str, Value]]:
-    """Fields and extra state by name; the only field of a shadow has the name of its input."""
+    """Yields fields and extra state by name; if a shadow has one field, it gets the name of the shadow's input."""
     fields = _of(state.get("fields"))
     prefix = f"{name}." if name else ""
     for field_name, value in fields.items():
@@ -175,7 +175,7 @@ def _is_disabled(state: dict[str, Any]) -> bool:
 
 
 def _value(json_value: object) -> Value:
-    """A value with tokens that are equal only for equal JSON; in Python `True == 1`."""
+    """Returns a value with tokens that are equal only for equal JSON; in Python `True == 1`."""
     found: list[object] = []
     todo = [json_value]
     while todo:

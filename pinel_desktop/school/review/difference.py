@@ -67,15 +67,15 @@ class Difference:
 
     @property
     def summary(self) -> Counts:
-        """The number of each."""
+        """The number of blocks in each list."""
         return Counts(len(self.added), len(self.removed), len(self.changed), len(self.moved))
 
 
 def difference(before: object, after: object) -> Difference:
     """Compares two workspaces as Blockly serialises them, by the ids of their blocks.
 
-    Accepts any object and ignores what is not a block. Shadow blocks are values of their parents. The start block
-    never counts as added, removed or moved. With the arguments swapped, added and removed blocks are swapped and the
+    Accepts any object and ignores JSON that is no block. Shadow blocks are values of their parents. The start block
+    never counts as added, removed or moved. If the arguments are swapped, added and removed blocks are swapped and the
     moved blocks are the same.
     """
     return difference_of_flat(flatten(before), flatten(after))
@@ -125,7 +125,7 @@ def _is_covered(name: str, block: Block) -> bool:
 
 
 def _moved(old: FlatWorkspace, new: FlatWorkspace) -> set[str]:
-    """Keys of the moved blocks: the smallest set that explains both orders."""
+    """Keys of the moved blocks: the smallest set whose move turns the old order into the new one."""
     matches = _matching_stacks(old, new)
     moved: set[str] = set()
     for socket, keys in new.sequences.items():
@@ -140,7 +140,7 @@ def _moved(old: FlatWorkspace, new: FlatWorkspace) -> set[str]:
 
 
 def _matching_stacks(old: FlatWorkspace, new: FlatWorkspace) -> dict[Socket, Socket]:
-    """Maps top-level stacks, new to old: first stacks with the same root, then those that share most blocks."""
+    """Maps top-level stacks, new to old: first stacks with the same root, then pairs that share most blocks."""
     shared: Counter[tuple[Socket, Socket]] = Counter()
     first_key: dict[tuple[Socket, Socket], str] = {}
     for key, block in new.blocks.items():
@@ -180,7 +180,7 @@ def _increasing_subsequence(keys: Sequence[str], places: Sequence[int]) -> list[
 
 
 def _chain_lengths(places: Sequence[int]) -> list[int]:
-    """For each index the length of the longest increasing subsequence that begins there."""
+    """For each index, the length of the longest increasing subsequence that starts there."""
     ends: list[int] = []
     lengths = [0] * len(places)
     for index in range(len(places) - 1, -1, -1):

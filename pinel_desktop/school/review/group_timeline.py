@@ -1,4 +1,4 @@
-"""Marks on a group's timeline: bursts of edits, which end at a run or a long pause; runs; repairs of failed runs."""
+"""Timeline of a group: bursts of edits, which end at a run or a long pause, and runs, with repairs of failed runs."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -9,25 +9,25 @@ from pinel_desktop.school.review.difference import Counts, difference_of_flat
 from pinel_desktop.school.review.lesson_events import Edit, Event, GroupWork, Run
 from pinel_desktop.school.review.order import timelines_of
 
-# in place of a version id: the empty program, with which a burst may begin
+# used in place of a version id: the empty program, with which a burst may start
 NOTHING = ""
 
 
 @dataclass(frozen=True, slots=True)
 class TimelineEntry:
-    """A mark on the timeline: a burst of edits or a run.
+    """An entry on the timeline: a burst of edits, or a run.
 
     Attributes:
         version_id: the last version saved in a burst, or the version that ran.
-        at, until: begin and end by the clock of the PC, of a burst its first and last change of blocks; `until` is None
-            while a run is live.
+        at, until: start and end by the clock of the PC. For a burst, its first and last change of blocks; `until` is
+            None while a run is live.
         number: number of that version in its program.
         n_edits: number of versions in the burst that changed blocks; 0 for a run, and for a burst that is not shown.
         run: None for edits.
-        since: the version with which `changes` compares: the one before the burst, or the one whose run is repaired;
+        since: the version with which `changes` compares: the version before the burst, or of the run that is repaired;
             "" for the empty program, None if unknown.
-        changes: difference from `since` to `version_id`, without changes undone in between. None for a run that
-            repairs nothing, and if a version is missing.
+        changes: difference from `since` to `version_id`, without changes undone in between. None for a run that repairs
+            nothing, and if a version is missing.
         repairs: id of the failed run that this run repairs.
     """
 
@@ -57,7 +57,7 @@ class TimelineEntry:
 
 
 def timeline_of(work: GroupWork) -> tuple[TimelineEntry, ...]:
-    """The marks in chronological order, without `changes`; also bursts without a change of blocks (`is_shown`)."""
+    """Returns the entries in chronological order, without `changes`; includes bursts without a change of blocks."""
     marks: list[TimelineEntry] = []
     latest: dict[str, str] = {}  # program -> its latest version so far
     for line in timelines_of(work):
@@ -66,7 +66,7 @@ def timeline_of(work: GroupWork) -> tuple[TimelineEntry, ...]:
 
 
 def with_changes(mark: TimelineEntry, known: Mapping[str, FlatWorkspace]) -> TimelineEntry:
-    """The mark with its `changes`, if both versions are in `known`, which must contain `NOTHING`."""
+    """Returns the entry with its `changes` if both versions are in `known`, which must contain `NOTHING`."""
     if (
         mark.since is None
         or mark.version_id is None
@@ -83,7 +83,7 @@ def is_failing(run: Run) -> bool:
 
 
 def is_repair(run: Run, failing: Run) -> bool:
-    """True if the run passed where the failing one did not pass, or finished where it did not finish."""
+    """True if the run passed and the failing one did not pass, or if it finished and the failing one did not finish."""
     if failing.passed is False:
         return run.passed is True and run.activity == failing.activity
     return run.passed is True or (run.state == "finished" and run.passed is None)
@@ -140,7 +140,7 @@ def _entry(of: Edit | Run, at: str, until: str | None) -> TimelineEntry:
 
 
 def _with_repairs(marks: Iterable[TimelineEntry]) -> Iterator[TimelineEntry]:
-    """Sets `repairs` on the first good run of a program after a failed one: the last failed run before it."""
+    """Sets `repairs` on the first good run of a program after a failed one, to the last failed run before it."""
     failing: dict[str, Run] = {}
     for mark in marks:
         run, program = mark.run, mark.program_id or ""

@@ -1,6 +1,6 @@
-"""The review of a lesson: events and figures of each group. Nothing here compares groups.
+"""Review of a lesson: timeline and metrics of each group. Nothing here compares groups.
 
-What each figure counts is explained to people by `figure_NAME` in `messages/catalogue/LANGUAGE/review.json`.
+For people, `figure_NAME` in `messages/catalogue/LANGUAGE/review.json` explains each metric.
 """
 
 import re
@@ -24,17 +24,17 @@ from pinel_desktop.school.review.order import timelines_of
 
 @dataclass(frozen=True, slots=True)
 class GroupMetrics:
-    """Figures of a group in one lesson.
+    """Metrics of a group in one lesson.
 
     Attributes:
         n_edits: saved versions whose blocks changed.
-        n_runs: runs begun, including stopped ones.
+        n_runs: runs started, including stopped ones.
         n_failed: runs that ended with an error; a stop by hand or a failed activity is not an error.
-        time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC, without absences
-            of more than an hour; None without such a run, if the lesson began with a run, or if the clocks of two PCs
-            are involved.
-        attempts_until_passed: ended runs of the activity that count, up to and including the first that passed; None
-            if none passed. The activity is the lesson's, else that of the first run that passed.
+        time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC, without absences of
+            more than an hour; None without a run, if the lesson started with a run, or if the clocks of two PCs are
+            involved.
+        attempts_until_passed: ended runs of the activity that count, up to and including the first that passed; None if
+            none passed. The activity is the lesson's, else the activity of the first run that passed.
         n_hints: hints of activities that were opened, of all programs of the lesson.
         active_s: time with runs and saved versions of any kind, without pauses of more than five minutes.
     """
@@ -50,10 +50,10 @@ class GroupMetrics:
 
 @dataclass(frozen=True, slots=True)
 class GroupReview:
-    """A group's marks, its figures, and the blocks of its programs at the end of the lesson.
+    """A group's timeline, its metrics, and the blocks of its programs at the end of the lesson.
 
     Attributes:
-        hints: how many hints were opened of each activity, which open one after the other.
+        hints: by activity, how many of its hints were opened; hints open one after the other.
     """
 
     id: str
@@ -82,7 +82,7 @@ def versions_needed(work: GroupWork) -> frozenset[str]:
 def review_group(
     work: GroupWork, workspaces: Mapping[str, object], activity: str | None = None
 ) -> GroupReview:
-    """The review of one group.
+    """Returns the review of one group.
 
     Args:
         workspaces: by version id, for `versions_needed`; changes of missing ones are unknown (None).
@@ -152,7 +152,7 @@ def _time_to_first_run(marks: tuple[TimelineEntry, ...]) -> float | None:
 
 
 def _away(before: tuple[TimelineEntry, ...], first_run: TimelineEntry) -> float:
-    """Seconds in which the group was away; joined lessons are days apart."""
+    """Seconds in which the group was absent: joined lessons may be days apart."""
     pauses = (
         seconds_of(after.at) - seconds_of(mark.until or mark.at)
         for mark, after in pairwise((*before, first_run))
@@ -201,7 +201,11 @@ def _active(line: Iterable[Event]) -> float:
 
 
 def _span(event: Event) -> tuple[float, float]:
-    """Begin and end in s; a run counts with robot time at most, so that a forgotten pause does not."""
+    """Start and end of an event in s.
+
+    A run counts by the PC's clock. If that exceeds robot time by more than five minutes, such as in a forgotten pause,
+    the run counts by robot time.
+    """
     begin = seconds_of(event.at)
     if isinstance(event, Edit):
         return begin, begin

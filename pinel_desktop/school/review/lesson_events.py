@@ -1,4 +1,7 @@
-"""Records of a lesson's events. Times are ISO 8601 text of the PC's clock, which may be wrong."""
+"""Saved versions and runs of a lesson, as the review reads them.
+
+Times are ISO 8601 text by the PC's clock, which may be wrong.
+"""
 
 from dataclasses import dataclass
 
@@ -11,9 +14,10 @@ class Edit:
         number: of the version in its program.
         computer_id: the PC's key; only times of one PC can be compared.
         parent_id: the version that was edited.
-        activity, n_hints: what the program is to solve, and how many hints of it were open.
-        lesson_id: the lesson, or part of a joined one, in which it was saved.
-        setup_only: True if it has the blocks of `parent_id`: world, start, robot, speed or hints changed.
+        activity, n_hints: the activity that the program is to solve, and how many of its hints were open.
+        lesson_id: the lesson, or the part of a joined lesson, in which the version was saved.
+        setup_only: True if the blocks equal the blocks of `parent_id`: only world, start, robot, speed or hints
+            changed.
     """
 
     version_id: str
@@ -38,9 +42,9 @@ class Run:
         state: "running", "finished", "stopped" or "failed"; `reason` is the cause.
         passed: True if the activity was passed; None without an activity, and for a real run that was not judged.
         unconfirmed: why a pass that came with a file does not count; `passed` is None then.
-        lesson_id: the lesson, or part of a joined one, in which it ran.
-        world: its name, "own" for one that the group made.
-        mistake_key: what was said about a run that did not pass, without numbers; equal for equal mistakes.
+        lesson_id: the lesson, or the part of a joined lesson, in which the program ran.
+        world: its name, "own" for a world that the group made.
+        mistake_key: text shown for a run that did not pass, without numbers; equal for equal mistakes.
         link: the robot; "sim" is the simulator.
         duration_s: robot time, which may be slower or faster than wall time.
     """
@@ -66,7 +70,7 @@ class Run:
 
     @property
     def counts(self) -> bool:
-        """Whether it is an attempt at its activity: a run on a real robot is one if it was judged."""
+        """True if the run is an attempt at its activity; a run on a real robot is one only if it was judged."""
         return self.link == "sim" or self.passed is not None
 
 
@@ -84,5 +88,5 @@ Event = Edit | Run
 
 
 def key_of(event: Event) -> str:
-    """The event's id, UUIDv7 text: within one start of the app each is greater than the one before."""
+    """The event's id, UUIDv7 text, which increases within one start of the app."""
     return event.version_id if isinstance(event, Edit) else event.id

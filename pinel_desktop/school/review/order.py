@@ -1,7 +1,7 @@
-"""The order of events on each PC.
+"""Orders the events of each PC.
 
 Keys made on one PC grow with time unless its clock is set back; version numbers of a program always grow. Events are
-ordered by key, except where the numbers contradict the keys. Clocks of two PCs are never compared.
+ordered by key, except where the version numbers contradict the keys. Clocks of two PCs are never compared.
 """
 
 from collections import defaultdict
@@ -14,7 +14,7 @@ _Rank = tuple[str, int, bool, str]
 
 
 def timelines_of(work: GroupWork) -> list[list[Event]]:
-    """The events of each PC in order; a PC follows those whose versions were edited on it."""
+    """Returns the events of each PC in order; a PC follows the PCs whose versions were edited on it."""
     by_computer: dict[str, list[Event]] = defaultdict(list)
     events: list[Event] = [*work.edits, *work.runs]
     for event in events:
@@ -32,7 +32,7 @@ def _timeline(events: list[Event]) -> list[Event]:
 
 
 def _ranked(events: list[Event]) -> list[tuple[_Rank, Event]]:
-    """The events of one program, each with its rank among all events of the PC."""
+    """Returns the events of one program, each with its rank among all events of the PC."""
     found: list[tuple[_Rank, Event]] = []
     reached = latest = ""
     for event in sorted(events, key=_by_number):

@@ -1,4 +1,4 @@
-"""CSV files that spreadsheet programs open correctly by a double click."""
+"""CSV text that spreadsheet programs open correctly by a double click."""
 
 import csv
 import io
@@ -6,18 +6,19 @@ from collections.abc import Iterable, Sequence
 
 from pinel_desktop.messages import decimal_sign
 
-# without it, spreadsheets assume a legacy character set
+# without a byte order mark, spreadsheets assume a legacy character set
 _BYTE_ORDER_MARK = "\ufeff"
-# first characters of formulas, which a name may begin with; some spreadsheets accept full-width signs too
+# first characters of formulas; names may start with them. Some spreadsheets accept full-width signs
+# too.
 _BEGINS_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 
 Cell = str | int | float | bool | None
 
 
 def spreadsheet(header: Sequence[str], rows: Iterable[Sequence[Cell]], language: str) -> str:
-    """CSV text, separated by semicolons if the language has decimal commas, else by commas.
+    """Returns CSV text, separated by semicolons if the language has decimal commas, else by commas.
 
-    A text that a spreadsheet would take for a formula gets an apostrophe in front, so that it stays text.
+    If a spreadsheet would read a text as a formula, an apostrophe is put in front, so that it stays text.
     """
     point = decimal_sign(language)
     text = io.StringIO()

@@ -1,4 +1,4 @@
-"""What a teacher reads first of a lesson: how many groups have passed, who is stuck, what went wrong most often."""
+"""Summary of a lesson for the teacher: how many groups have passed, who is stuck, and the commonest mistake."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -12,16 +12,17 @@ from pinel_desktop.school.review.lesson_events import Run
 Need = Literal["help", "working", "passed"]
 
 _STUCK_AFTER = 3  # failing runs in a row
-_SHARED_BY = 2  # groups; what one group alone does wrong is not common
+_SHARED_BY = 2  # groups; a mistake of one group alone is not common
 
 
 @dataclass(frozen=True, slots=True)
 class CommonMistake:
-    """What most groups did wrong, of those things that at least two did.
+    """The commonest mistake of a lesson; at least two groups made it.
 
     Attributes:
-        run: the latest run with it.
-        is_advice: True if it is what was said about the activity, False if it is the reason why the run failed.
+        run: id of the latest run with the mistake.
+        is_advice: True if the mistake is the diagnosis or check text of the activity; False if it is the reason why the
+            run failed.
     """
 
     run: str
@@ -35,9 +36,9 @@ class Summary:
 
     Attributes:
         n_passed: groups that passed the activity; None if the lesson has none.
-        stuck: names of the groups whose last runs, three or more, all failed or did not pass.
-        needs: of each group by its id: "help" if it is stuck, "passed" if it passed the activity, else "working".
-        mistake: None if groups share none.
+        stuck: names of the groups whose last three runs all failed or did not pass.
+        needs: by the group's id: "help" if the group is stuck, "passed" if it passed the activity, else "working".
+        mistake: None if no mistake is common to two groups.
     """
 
     n_groups: int
@@ -48,7 +49,7 @@ class Summary:
 
 
 def summary(review: LessonReview, activity: str | None) -> Summary:
-    """The summary of a lesson; `activity` is the lesson's, None without one."""
+    """Returns the summary of a lesson; `activity` is the lesson's, None without one."""
     groups = {one.id: [mark.run for mark in one.timeline if mark.run] for one in review.groups}
     needs = {key: _need(runs, activity) for key, runs in groups.items()}
     return Summary(
@@ -65,7 +66,7 @@ def _passed(runs: Iterable[Run], activity: str | None) -> bool:
 
 
 def _need(runs: Sequence[Run], activity: str | None) -> Need:
-    """A group that has passed and tries on at the same activity needs no help."""
+    """Returns the need of a group. If it has passed and its failing runs are of the same activity, it needs no help."""
     has_passed = activity is not None and _passed(runs, activity)
     last = _last_failing(runs)
     tries_on = has_passed and any(run.activity == activity for run in last)
@@ -75,7 +76,7 @@ def _need(runs: Sequence[Run], activity: str | None) -> Need:
 
 
 def _last_failing(runs: Sequence[Run]) -> list[Run]:
-    """The failing runs among the last three that say something: not stopped by hand, and over."""
+    """Returns the failing runs among the last three conclusive runs: runs that ended and were not stopped by hand."""
     conclusive = [
         run for run in runs if is_failing(run) or (run.state == "finished" and _is_conclusive(run))
     ]
@@ -83,12 +84,12 @@ def _last_failing(runs: Sequence[Run]) -> list[Run]:
 
 
 def _is_conclusive(run: Run) -> bool:
-    """False for a real run of an activity that was not judged: it neither failed nor ends a row of failures."""
+    """False for a real run of an activity that was not judged; it neither failed nor ends a series of failures."""
     return run.activity is None or run.counts
 
 
 def _commonest_mistake(groups: Iterable[Sequence[Run]]) -> CommonMistake | None:
-    """What was said counts as well as the reason; of both in as many groups, the former is the more precise."""
+    """Returns the commonest mistake. At equal numbers of groups, advice precedes the reason: it is more precise."""
     latest: dict[tuple[bool, str], Run] = {}
     n_groups: Counter[tuple[bool, str]] = Counter()
     for runs in groups:

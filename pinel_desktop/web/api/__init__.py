@@ -25,7 +25,7 @@ OCTETS = {
 
 @dataclass(frozen=True)
 class Operation:
-    """A route as its handler declares it, for the description."""
+    """A route as its handler declares it, for the OpenAPI description."""
 
     method: str
     rule: str
@@ -39,7 +39,7 @@ class Resource(Blueprint):
     `@api.get(rule, responses=answers(...))` declares a route.
 
     Attributes:
-        about: what the resource is, for the description.
+        about: title of the resource, for the OpenAPI description.
         operations: the routes in the order of their declaration.
     """
 
@@ -63,10 +63,10 @@ class Resource(Blueprint):
 
 
 def responses(good: type[BaseModel] | dict[str, Any], *codes: str) -> Responses:
-    """Declares a route's successful answer and its own errors.
+    """Declares a route's successful response and its own errors.
 
     Args:
-        codes: error codes of this route, besides those of all routes; each code has a fixed status.
+        codes: error codes of this route, besides the codes of all routes; each code has a fixed status.
     """
     by_status: dict[int, list[str]] = {}
     for code in codes:

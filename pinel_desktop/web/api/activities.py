@@ -1,4 +1,4 @@
-"""Activities: what there is to solve, the program of a group that is to solve one, and examples to take apart."""
+"""Activities, the programs of groups for them, and examples."""
 
 import contextlib
 from collections.abc import Iterator
@@ -39,7 +39,7 @@ api = Resource(
 
 @api.get("/activities", responses=responses(ActivityList))
 def list_activities() -> Response:
-    """The activities that a lesson or a group may choose, along the paths; then own ones that this release can use."""
+    """The activities to choose from, in the order of the paths; then own activities that this release can use."""
     from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
 
     chosen = [ActivityChoice(**_choice(shipped_activity(name))) for name in activity_names()]
@@ -60,7 +60,7 @@ def list_examples() -> Response:
     responses=responses(Activity, "unknown_activity", "activity_newer", "own_activity_unreadable"),
 )
 def get_activity(path: ActivityPath) -> Response:
-    """An activity with what its card says."""
+    """An activity with the texts of its card."""
     from pinel_desktop.activities import (  # noqa: PLC0415 - heavy
         initial_check_list,
         not_judgeable_notice,
@@ -88,7 +88,7 @@ def get_activity(path: ActivityPath) -> Response:
 
 @api.get("/groups/<id>/activities", responses=responses(TriedActivities, "group_not_found"))
 def list_tried(path: IdPath) -> Response:
-    """The activities that a group has run programs for, with whether it has passed them."""
+    """The activities that a group has run programs for, and whether it has passed them."""
     tried = services().store.grading_results.of_group(path.id)
     models = [TriedActivity(name=name, passed=passed) for name, passed in tried.items()]
     return json_response(TriedActivities(activities=models))
@@ -99,7 +99,7 @@ def list_tried(path: IdPath) -> Response:
     responses=responses(Program, "group_not_found", "unknown_activity", *WRITES),
 )
 def begin_activity(path: IdPath, body: ChosenActivity) -> Response:
-    """The group's program for an activity, the one changed last; created if there is none."""
+    """The group's program for an activity, the most recently changed one; created if there is none."""
     parts = services()
     mission = known_activity(parts.store, body.activity)
     row = parts.store.programs.of_activity(path.id, mission.name)
@@ -107,7 +107,7 @@ def begin_activity(path: IdPath, body: ChosenActivity) -> Response:
 
 
 def world_name(mission: "Mission") -> str:
-    """The name under which runs of an activity keep their world."""
+    """Returns the name under which runs of an activity record their world."""
     return mission.world if isinstance(mission.world, str) else "own"
 
 
@@ -130,7 +130,7 @@ def _after(mission: "Mission") -> NextActivity | None:
     from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
 
     names = activity_names()
-    if mission.name not in names:  # an own one is on no path
+    if mission.name not in names:  # an own activity is on no path
         return None
     following = names[names.index(mission.name) + 1 :]
     found = next(

@@ -1,4 +1,4 @@
-"""The camera: its state, which one it is, and its picture. What it sees comes with the events."""
+"""The camera: its state, its choice, and its picture. Events report what it detects."""
 
 from collections.abc import Iterator
 
@@ -29,7 +29,7 @@ def get_camera() -> Response:
 
 @api.put("/camera", responses=responses(CameraStatus))
 def put_camera(body: CameraChoice) -> Response:
-    """Chooses the camera to look through."""
+    """Chooses the camera."""
     parts = services()
     parts.settings.choose(CAMERA, body.source)
     parts.camera.set_source(body.source)
@@ -38,7 +38,7 @@ def put_camera(body: CameraChoice) -> Response:
 
 @api.post("/camera/wake", responses=responses(CameraStatus))
 def start_camera() -> Response:
-    """Gets ready to recognise signs; the camera itself stays off until a capture or a preview."""
+    """Starts the recognition of signs; the camera itself stays off until a capture or a preview."""
     parts = services()
     parts.camera.start()
     return _state(parts)
@@ -46,7 +46,7 @@ def start_camera() -> Response:
 
 @api.get("/camera/preview", responses=responses(_PICTURES))
 def preview_camera() -> Response:
-    """The mirrored picture of the camera, which is on as long as somebody watches."""
+    """The mirrored picture of the camera, which is on while a client reads the stream."""
     pictures = _parts(services().camera.previews())
     mimetype = f"multipart/x-mixed-replace; boundary={_BOUNDARY.decode()}"
     return Response(pictures, mimetype=mimetype, headers={"Cache-Control": "no-store"})

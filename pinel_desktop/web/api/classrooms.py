@@ -52,7 +52,7 @@ def rename_classroom(path: IdPath, body: ClassroomName) -> Response:
 
 @api.get("/classrooms/<id>/lesson", responses=responses(CurrentLesson, "classroom_not_found"))
 def get_current_lesson(path: IdPath) -> Response:
-    """The lesson to which work of the class on this PC belongs now."""
+    """The lesson to which new work of the class on this PC belongs."""
     store = services().store
     row = store.lessons.current(store.classrooms.get(path.id).id)
     found = None if row is None else _lesson(row)
@@ -66,7 +66,7 @@ def get_current_lesson(path: IdPath) -> Response:
     ),
 )
 def set_preset(path: IdPath, body: ClassPreset) -> Response:
-    """Sets with what the groups of a class begin. For the teacher."""
+    """Sets the preset of a class, with which its groups start. For the teacher."""
     require_teacher()
     _require_activity(body.activity)
     if body.world is not None:
@@ -80,7 +80,7 @@ def set_preset(path: IdPath, body: ClassPreset) -> Response:
     "/classrooms/<id>/lessons", responses=responses(LessonList, *TEACHER, "classroom_not_found")
 )
 def list_lessons(path: IdPath) -> Response:
-    """Lessons of the class on all PCs, newest first; `none` selects those without a class. For the teacher."""
+    """Lessons of the class on all PCs, newest first; `none` selects lessons without a class. For the teacher."""
     require_teacher()
     store = services().store
     classroom_id = None if path.id == "none" else store.classrooms.get(path.id).id
@@ -108,7 +108,7 @@ def change_lesson(path: IdPath, body: LessonChanges) -> Response:
     lessons = services().store.lessons
     _require_activity(body.activity or None)
     changes = body.model_dump(exclude_none=True, exclude={"closed"})
-    # "" removes the value
+    # an empty text removes the value
     row = lessons.change(path.id, {name: value or None for name, value in changes.items()})
     return json_response(_lesson(lessons.close(path.id) if body.closed else row))
 
@@ -122,7 +122,7 @@ def _classroom(row: ClassroomRow) -> Classroom:
 
 
 def _title_of(activity: str | None) -> str:
-    """The title of an activity, which names a lesson that has no title; "" without an activity."""
+    """Returns the title of an activity, which names a lesson without a title; "" without an activity."""
     if activity is None:
         return ""
     parts = services()

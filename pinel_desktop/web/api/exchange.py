@@ -65,7 +65,8 @@ def choose_shared_folder(body: SharedFolder) -> Response:
     require_teacher()
     store = services().store
     is_known = body.takes_backups is not None and body.path == store.settings.get(SHARED_FOLDER)
-    if body.path and not is_known:  # copies are ended also while the folder is away
+    # copies of backups can be switched off also while the folder is unreachable
+    if body.path and not is_known:
         require_folder(body.path)
     store.settings.set(SHARED_FOLDER, body.path)
     if body.takes_backups is not None:
@@ -141,7 +142,7 @@ def _undecided(one: "UnresolvedDeletion") -> UndecidedDeletion:
 def get_program_file(path: IdPath) -> Response:
     """A program with its group, versions and runs as a file, to continue on another PC.
 
-    Where work had to be left out, the header `Pinel-Left-Out` is a `Notice` about it, in ASCII.
+    If work had to be left out, the header `Pinel-Left-Out` is a `Notice` about it, in ASCII.
     """
     from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415 - see above
     from storage.exchange.scope import Scope  # noqa: PLC0415
@@ -195,7 +196,7 @@ def read_program_file(query: NameOfFile, raw: UploadedFile) -> Response:
 
 @contextmanager
 def uploaded(raw: UploadedFile, name: str) -> Iterator[Path]:
-    """The file of a request's body, which errors name as the person knows it; deleted afterwards."""
+    """Writes the request's body to a temporary file, yields its path and deletes it; errors show the chosen name."""
     with temporary_folder() as folder:
         path = folder / "upload"
         with path.open("wb") as file:
@@ -223,7 +224,7 @@ def require_folder(path: str) -> None:
 
 
 def _is_folder(path: str) -> bool:
-    """True for an existing folder; False also for invalid paths: empty, too long, with forbidden characters."""
+    """True for an existing folder. False also for invalid paths: empty, too long, or with forbidden characters."""
     try:
         return bool(path) and Path(path).is_dir()
     except (OSError, ValueError):
@@ -289,7 +290,7 @@ def _bundle(info: "BundleInfo") -> Bundle:
 
 
 def _left_out(info: "BundleInfo", code: str) -> Notice | None:
-    """What a person should know of a file that lacks work."""
+    """Returns a message about the work that a file lacks; None if it is complete."""
     if not info.left_out:
         return None
     return notice(code, info.left_out_params, services().settings.language)

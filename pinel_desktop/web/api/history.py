@@ -42,7 +42,7 @@ def _filter(query: HistoryPage) -> RunFilter:
 
 
 def _bounds(day: date) -> tuple[str, str]:
-    """Begin and end in UTC of a day in the time zone of this PC."""
+    """Start and end in UTC of a day in the time zone of this PC."""
     if not _FIRST_YEAR <= day.year <= _LAST_YEAR:
         return day.isoformat(), f"{day.isoformat()}~"
     midnights = (datetime.combine(day + timedelta(days=more), time()) for more in (0, 1))

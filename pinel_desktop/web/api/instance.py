@@ -1,4 +1,4 @@
-"""Requests of a second start of the app to the first, authorised by the secret of the instance file."""
+"""Requests of a second start of the app to the first one, authorised by the secret of the instance file."""
 
 from flask import Response
 from pydantic import BaseModel, ConfigDict, Field

@@ -29,7 +29,7 @@ def list_notes_of_run(path: IdPath) -> Response:
 
 @api.post("/runs/<id>/notes", responses=responses(Note, *TEACHER, "run_not_found", *WRITES))
 def write_note(path: IdPath, body: NoteText) -> Response:
-    """Writes a note, which the group sees on its next visit. For the teacher."""
+    """Writes a note; the group reads it on its next visit. For the teacher."""
     require_teacher()
     return json_response(_note(services().store.notes.write(path.id, body.text)))
 

@@ -51,7 +51,7 @@ def _programs(rows: list[ProgramRow]) -> Response:
 
 @api.post("/groups/<id>/programs", responses=responses(Program, "group_not_found", *WRITES))
 def create_program(path: IdPath, body: ProgramName) -> Response:
-    """Creates an empty program, in the world that is set for the class."""
+    """Creates an empty program, in the world of the class's preset."""
     parts = services()
     row = parts.store.programs.create(path.id, body.name)
     prepare_program(row, parts.store.groups.get(path.id), parts)
@@ -63,9 +63,9 @@ def create_program(path: IdPath, body: ProgramName) -> Response:
     responses=responses(ProgramWithVersion, "program_not_found", "version_damaged"),
 )
 def get_program(path: IdPath, query: WhichVersion) -> Response:
-    """A program with its newest version, or with the newest that is as it was saved.
+    """A program with its newest version, or with the newest intact version.
 
-    `version_damaged` tells in `params` the id and the time of the last version that can be opened.
+    The error `version_damaged` has in `params` the id and the time of the last version that can be opened.
     """
     store = services().store
     row = store.programs.get(path.id)
@@ -95,10 +95,10 @@ def rename_program(path: IdPath, body: ProgramName) -> Response:
     ),
 )
 def save_version(path: IdPath, body: NewVersion) -> Response:
-    """Saves the editor's content as a new version, which is on disk when answered.
+    """Saves the editor's content as a new version, which is on disk when the response is sent.
 
-    The server reads the document and stores null if it has faults. A world with faults is refused. Content equal to
-    that of the newest version is not stored again; the answer is then that version.
+    The server reads the document and stores null if it has faults. A world with faults is refused. Content equal to the
+    newest version is not stored again; the response is then that version.
     """
     parts = services()
     document, faults = None, []
@@ -135,7 +135,10 @@ def _notify_windows(program: ProgramRow, version: str | None = None) -> None:
 
 
 def _world_to_save(program_id: str, world: Json, parts: Services) -> Json:
-    """The world in its normal form. A world saved before is accepted unchanged, even if later rules would refuse it."""
+    """Returns the world in its normal form.
+
+    A world saved before is accepted unchanged, even if newer rules would refuse it.
+    """
     newest = parts.store.versions.newest_intact(program_id)
     return world if newest is not None and world == newest.world else valid_world(world)
 
@@ -190,7 +193,7 @@ def check_document(body: DocumentToCheck) -> Response:
 
 
 def version_model(row: VersionRow) -> Version:
-    """The answer for a stored version, with messages for its faults."""
+    """Returns the response for a stored version, with messages for its faults."""
     language = services().settings.language
     return Version(
         id=row.id,
@@ -204,7 +207,7 @@ def version_model(row: VersionRow) -> Version:
 
 
 def _readable_setup(stored: Json | None) -> Setup | None:
-    """What a version keeps of its runs; None if invalid, as in a file of a newer release."""
+    """Returns the version's settings for runs; None if invalid, as in a file of a newer release."""
     try:
         return None if stored is None else Setup.model_validate(stored)
     except ValidationError:
@@ -212,7 +215,7 @@ def _readable_setup(stored: Json | None) -> Setup | None:
 
 
 def _readable_world(document: Json) -> World | None:
-    """The version's world; None if invalid, so that the blocks of a program from a file can still be opened."""
+    """Returns the version's world; None if invalid, so that the blocks of a program from a file can still be opened."""
     try:
         return World.model_validate(document)
     except ValidationError:

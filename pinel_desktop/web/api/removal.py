@@ -39,7 +39,7 @@ def delete_note(path: IdPath) -> Response:
 def _delete(kind: str, key: str) -> Response:
     require_teacher()
     removal = services().store.exchange.purge(kind, key)
-    services().signs.refresh()  # children's hands are forgotten by the camera too
+    services().signs.refresh()  # removes the children's hands from the camera's classifier too
     return json_response(
         Removed(
             n_groups=removal.counts.get("groups", 0),

@@ -27,7 +27,7 @@ def get_lesson_review(path: IdPath) -> Response:
 
 @api.get("/lessons/<id>/review.csv", responses=responses(_CSV, *TEACHER, "lesson_not_found"))
 def get_lesson_table(path: IdPath) -> Response:
-    """All marks of a lesson as a CSV table, one row per mark. For the teacher."""
+    """The timelines of a lesson as a CSV table, one row per entry. For the teacher."""
     from pinel_desktop.web.lesson_review import read_lesson  # noqa: PLC0415 - see above
 
     require_teacher()
@@ -38,7 +38,10 @@ def get_lesson_table(path: IdPath) -> Response:
 
 @api.post("/runs/<id>/accept", responses=responses(Run, *TEACHER, "run_not_found", *WRITES))
 def accept_run(path: IdPath) -> Response:
-    """Lets a run of a file count that cannot be repeated here; changes nothing of another. For the teacher."""
+    """Accepts the pass of a merged run that cannot be repeated here. For the teacher.
+
+    Other runs stay unchanged.
+    """
     require_teacher()
     store = services().store
     store.unconfirmed.accept(path.id)

@@ -1,4 +1,4 @@
-"""Runs: begin, command, list, read events and telemetry."""
+"""Runs: start, command, list, read events and telemetry."""
 
 import contextlib
 import json
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 api = Resource("runs", "Runs: live and recorded.", __name__)
 
 _OWN = "own"
-# what the engine got is not known
+# it is unknown whether the engine received the command
 _UNCERTAIN = ("engine_silent", "stop_unconfirmed", "real_stop_unconfirmed")
 
 
@@ -75,11 +75,11 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
     ),
 )
 def begin_run(body: NewRun) -> Response:
-    """Begins a live run of a version.
+    """Starts a live run of a version.
 
-    World, start and robot of a version that is to solve an activity are the activity's, whatever is asked for. A start
-    pose where the robot does not fit is refused with 422 and the reason, such as `start_in_wall`. A real robot drives
-    in its room whatever is asked for; whether its run can be judged depends on the activity.
+    A version that is to solve an activity gets world, start and robot from the activity, whatever the request names. If
+    the robot does not fit at the start pose, the request is refused with 422 and the reason, such as `start_in_wall`. A
+    real robot drives in its room, whatever the request names; whether its run can be judged depends on the activity.
     """
     parts = services()
     version = parts.store.versions.get(body.version_id)
@@ -106,7 +106,7 @@ def begin_run(body: NewRun) -> Response:
 
 
 def _use_signs_of(group_id: str | None, parts: Services) -> None:
-    """The camera knows what the group's class taught; the run begins all the same where that cannot be read."""
+    """Loads the signs of the group's class into the camera. If they cannot be read, the run starts all the same."""
     with contextlib.suppress(StoreError):
         parts.signs.use(group_id and parts.store.groups.get(group_id).classroom_id)
 
@@ -114,10 +114,11 @@ def _use_signs_of(group_id: str | None, parts: Services) -> None:
 def _prepare_judge(
     row: RunRow, activity: "Activity | None", version: VersionRow, parts: Services
 ) -> None:
-    """The judge has activity and document of a run from its beginning; an activity of a newer release it has not."""
+    """Sends activity and document of a started run to the judge; nothing if this release cannot use the activity."""
     if row.activity is None:
         return
-    given = activity if activity and activity.name == row.activity else None  # else the lesson's
+    # else the lesson's activity
+    given = activity if activity and activity.name == row.activity else None
     with contextlib.suppress(PinelError):
         parts.prepare_judge(row.id, start_info_of(parts.store, row, given, version.document))
 
@@ -174,7 +175,7 @@ def _world_name(spec: RunSpec, activity: "Activity | None", body: NewRun) -> str
 
 
 def _activity(version: VersionRow) -> "Activity | None":
-    """The activity that a version is to solve; None without one, and for one that this release cannot use."""
+    """Returns the activity that a version is to solve; None without one, or if this release cannot use it."""
     name = (version.setup or {}).get("activity")
     if name is None:
         return None
@@ -184,7 +185,7 @@ def _activity(version: VersionRow) -> "Activity | None":
 
 
 def _stage(activity: "Activity") -> tuple[dict[str, object], SimulationConfig]:
-    """World and robot setting of every run of an activity, whatever was asked for."""
+    """Returns world and robot setting of all runs of an activity, whatever the request names."""
     from pinel_desktop.activities import world_of  # noqa: PLC0415 - heavy
 
     setting = SimulationConfig(activity.model, activity.preset, activity.feedback)
@@ -205,7 +206,7 @@ def _setting(body: NewRun) -> SimulationConfig:
 def _moved(
     world: dict[str, object], start: Start, robot: str, parts: Services
 ) -> dict[str, object]:
-    """The world with another start pose. Raises PinelError with the first fault of the start; all else was checked."""
+    """Returns the world with another start pose. Raises PinelError with the first fault of that pose."""
     moved = {**world, "start": start.model_dump()}
     _, faults = parts.read_world(moved, robot=robot)
     for fault in faults:
@@ -232,9 +233,10 @@ def _world(version: VersionRow, name: str, parts: Services) -> dict[str, object]
 def command_run(path: IdPath, body: LiveCommand) -> Response:
     """Sends a command to the live run.
 
-    The engine receives it before the database is read, so that Stop works with a damaged or locked database. A Stop is
-    answered when the engine has it; after a second without that with `stop_unconfirmed`, of a real robot
-    `real_stop_unconfirmed`. An engine that is silent for two seconds is ended, and its run with it.
+    The engine receives the command before the database is read, so that Stop works with a damaged or locked database. A
+    Stop is answered when the engine confirms it. After a second without confirmation the error is `stop_unconfirmed`,
+    for a real robot `real_stop_unconfirmed`. If the engine does not respond for two seconds, its process is ended, and
+    its run with it.
     """
     parts = services()
     try:
@@ -250,7 +252,7 @@ def command_run(path: IdPath, body: LiveCommand) -> Response:
 
 
 def _why_not_live(run_id: str, error: PinelError) -> PinelError | StoreError:
-    """The error `run_not_found` if the database has no such run, else `error`."""
+    """Returns the error `run_not_found` if the database has no such run, else `error`."""
     try:
         services().store.runs.get(run_id)
     except StoreError as unknown:
@@ -276,7 +278,7 @@ def get_run(path: IdPath) -> Response:
 
 
 def _verdict(row: RunRow) -> dict[str, object]:
-    """By what a run was judged, or why it was not."""
+    """Whether the robot's measurements were judged, and why a run was not judged."""
     report = row.check_report or {}
     by_robot = row.link != SIMULATOR and row.passed is not None
     why = report.get("not_judged")
@@ -320,14 +322,14 @@ def get_run_telemetry(path: IdPath) -> Response:
 
 
 def _flush_recording(run_id: str) -> None:
-    """Writes pending events of a live run, so that a page opened during the run receives all of them."""
+    """Writes pending events of a live run, so that a page opened during the run receives all events."""
     parts = services()
     if parts.engine.live_run == run_id:
         parts.flush_recording()
 
 
 def run_model(row: RunRow | RunSummary) -> Run:
-    """The answer for a run, with a message for its reason."""
+    """Returns the response for a run, with a message for its reason."""
     parts = services()
     end = (parts.unsaved_end(row.id) if row.state == "running" else None) or {}
     ended = {name: end[name] for name in Run.model_fields if name in end}

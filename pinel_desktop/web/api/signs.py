@@ -1,4 +1,4 @@
-"""Signs: those that the camera knows, and teaching it those of a class."""
+"""Signs: the signs that the camera recognises, and the signs that a class teaches."""
 
 from flask import Response
 
@@ -19,7 +19,7 @@ api = Resource("signs", "Signs that the camera knows, and that classes teach it.
 
 @api.get("/signs", responses=responses(SignList))
 def list_signs() -> Response:
-    """The letters that the camera knows untaught."""
+    """The letters that the camera recognises without teaching."""
     return _signs(None)
 
 
@@ -31,7 +31,7 @@ def list_signs_of_classroom(path: IdPath) -> Response:
 
 @api.put("/camera/classroom", responses=responses(SignList, "classroom_not_found"))
 def choose_classroom_of_camera(body: ClassroomOfCamera) -> Response:
-    """Chooses the class whose taught signs the camera knows from now on: that of a program that is opened, or run."""
+    """Sets the class whose taught signs the camera recognises: the class of the opened or running program."""
     services().signs.use(body.classroom_id)
     return _signs(body.classroom_id)
 
@@ -49,7 +49,7 @@ def choose_classroom_of_camera(body: ClassroomOfCamera) -> Response:
     ),
 )
 def record_sign(path: SignPath) -> Response:
-    """Begins to record the hand that the camera sees as a sign of the class; `sign_recording` tells of each frame."""
+    """Starts to record hands as a sign of the class. `sign_recording` events report each detected hand."""
     return json_response(SignName(name=services().signs.record(path.id, path.sign)))
 
 
@@ -66,14 +66,14 @@ def record_sign(path: SignPath) -> Response:
     ),
 )
 def record_moving_sign(path: SignPath) -> Response:
-    """Begins to record movements of the hand as a sign of the class; `sign_recording` tells of each."""
+    """Starts to record movements as a sign of the class. `sign_recording` events report each movement."""
     name = services().signs.record(path.id, path.sign, is_moving=True)
     return json_response(SignName(name=name))
 
 
 @api.delete("/signs/recording", responses=responses(Empty))
 def stop_recording_sign() -> Response:
-    """Gives up the recording of a sign; does nothing without one."""
+    """Stops the recording of a sign; does nothing without one."""
     services().signs.stop()
     return json_response(Empty())
 
@@ -83,7 +83,10 @@ def stop_recording_sign() -> Response:
     responses=responses(SignList, "classroom_not_found", "taught_sign_not_found", *WRITES),
 )
 def delete_sign(path: SignPath) -> Response:
-    """Deletes all that the class showed of a sign, also from the backups; a letter is known untaught again."""
+    """Deletes all samples of a sign that the class taught, also from the backups.
+
+    A letter keeps its shipped samples.
+    """
     services().signs.forget(path.id, path.sign)
     return _signs(path.id)
 

@@ -39,7 +39,7 @@ def _database(parts: Services) -> DatabaseStatus:
 
 @api.post("/database/begin-empty", responses=responses(Status, "database_not_missing"))
 def begin_empty() -> Response:
-    """Lets the next start begin with an empty file where the folder of the work is away; deletes nothing."""
+    """Makes the next start use an empty database if the known folder is unreachable; deletes nothing."""
     problem = services().database_state().notice
     if problem is None or problem.code not in ("database_place_missing", "database_begins_empty"):
         raise PinelError("database_not_missing")
@@ -56,6 +56,6 @@ def put_settings(body: Settings) -> Response:
 
 @api.put("/settings/page", responses=responses(PageSetting))
 def put_page_setting(body: PageSetting) -> Response:
-    """Keeps a setting of the page on this PC. The page is served with all of them (`PageSettings`)."""
+    """Stores a setting of the page on this PC. The page is served with all of them (`PageSettings`)."""
     services().settings.choose(body.name, body.value)
     return json_response(body)

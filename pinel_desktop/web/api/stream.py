@@ -1,4 +1,4 @@
-"""The event stream. There is one for all events, because browsers allow only about six connections to a host."""
+"""The event stream. One stream has all events, because browsers allow only about six connections to a host."""
 
 import json
 from collections.abc import Iterator

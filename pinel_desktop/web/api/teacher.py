@@ -19,13 +19,13 @@ api = Resource("teacher", "The teacher's session.", __name__)
 
 @api.get("/teacher", responses=responses(TeacherSession))
 def get_session() -> Response:
-    """Tells whether a PIN is set and whether the teacher is signed in."""
+    """Whether a PIN is set, and whether the teacher is signed in."""
     return json_response(TeacherSession(has_pin=services().teacher.has_pin, is_open=is_teacher()))
 
 
 @api.put("/teacher/pin", responses=responses(TeacherSession, *TEACHER, *WRITES))
 def choose_pin(body: Pin) -> Response:
-    """Sets the PIN and signs the teacher in. The first PIN may be set by anybody, a new one is for the teacher."""
+    """Sets the PIN and signs the teacher in. Anybody may set the first PIN, only the teacher a new one."""
     sessions = services().teacher
     if sessions.has_pin:
         require_teacher()

@@ -1,4 +1,4 @@
-"""Single versions, and differences of two."""
+"""Single versions, and differences of two versions."""
 
 from flask import Response
 

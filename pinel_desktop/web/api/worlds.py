@@ -30,7 +30,7 @@ def check_world(body: WorldToCheck) -> Response:
 
 
 def valid_world(document: dict[str, Any]) -> dict[str, Any]:
-    """The world document in its normal form. Raises InvalidWorldError with its faults."""
+    """Returns the world document in its normal form. Raises InvalidWorldError with its faults."""
     parts = services()
     sound, faults = parts.read_world(document)
     if sound is None:

@@ -1,4 +1,4 @@
-"""Answers the requests that the engine hands on: the routes of the original PINEL."""
+"""Answers the requests that the engine forwards: the routes of the original PINEL."""
 
 import base64
 import json
@@ -39,11 +39,11 @@ _log = logging.getLogger(__name__)
 
 @dataclass(frozen=True, slots=True)
 class BridgeChoice:
-    """Where the bridge stands, and which robot its calls drive.
+    """Address of the bridge, and the robot that its calls drive.
 
     Attributes:
         robot: name of the link; `bridge` is the program that asks this bridge for velocities.
-        file_pages: whether pages that were opened as a file are answered without a key.
+        file_pages: True if pages opened from a `file:` address are answered without a key.
     """
 
     profile: BridgeProfile
@@ -52,7 +52,7 @@ class BridgeChoice:
 
 
 class LegacyApi:
-    """Thread-safe; each request is answered on a thread of its own."""
+    """The routes of the original PINEL. Thread-safe; each request is answered on a thread of its own."""
 
     def __init__(
         self,
@@ -78,7 +78,7 @@ class LegacyApi:
         self._port, self._problem = 0, PinelError("engine_not_ready")
 
     def start(self) -> None:
-        """Has the engine listen."""
+        """Makes the engine listen."""
         routes = {
             path: {"method": method, "max_body": max_body}
             for path, (method, max_body, _) in self._routes.items()
@@ -90,32 +90,35 @@ class LegacyApi:
             "routes": routes,
             "file_pages": self._choice.file_pages,
         }
-        self._parts.camera.start()  # a page waits 10 s for a sign, no longer
+        self._parts.camera.start()  # a page waits only 10 s for a sign
         self._engine.set_bridge(listen, self.receive)
         threading.Thread(target=self._send_keepalives, name="bridge-alive", daemon=True).start()
 
     def wait_until_listening(self) -> str:
-        """The address, such as `http://127.0.0.1:5000`. Raises PinelError that says why nobody listens."""
+        """Returns the address, such as `http://127.0.0.1:5000`.
+
+        Raises PinelError with the reason if the engine does not listen.
+        """
         if not self._listening.wait(_READY_S) or not self._port:
             raise self._problem
         return f"http://{self._choice.profile.url_host}:{self._port}"
 
     def close(self) -> None:
-        """Answers no more."""
+        """Stops answering requests."""
         self._closing.set()
         self._run.close()
 
     @property
     def is_watched(self) -> bool:
-        """Whether somebody could stop the robot of a call."""
+        """True if a person can stop the robot of a call, as `OpenRun.is_watched`."""
         return self._run.is_watched
 
     def observe(self, event: Event) -> None:
-        """To be called with every event of live runs, in order, when the store has it."""
+        """Handles an event of a live run. Must be called for every event, in order, after the store has it."""
         self._run.observe(event)
 
     def receive(self, message: Message) -> None:
-        """What the bridge tells and asks (`runs.bridge`); called on the engine's reader thread."""
+        """Handles messages of the bridge (`runs.bridge`); called on the engine's reader thread."""
         match message["type"]:
             case "bridge_asked":
                 self._open[message["question"]] = threading.Event()
@@ -170,7 +173,10 @@ class LegacyApi:
     def _call(
         self, commands: Commands, message: Message, withdrawn: threading.Event
     ) -> Outcome | None:
-        """How a call goes; a capture that a stream has begun already is that of a call for one."""
+        """Executes a call and returns its outcome.
+
+        If a stream has already started a capture, a call of one capture gets the outcome of that capture.
+        """
         if (capture := self._streams.current()) is not None:
             self._streams.settle()
             capture.over.wait(STREAM_S)
@@ -182,7 +188,10 @@ class LegacyApi:
         return self._run.call(commands, withdrawn)
 
     def _ended_in(self, batch: int | None) -> Outcome | None:
-        """Why nothing more of a page's batch is driven: the page itself goes on after a Stop."""
+        """Returns the reason why the rest of a page's batch is not executed; None to execute it.
+
+        The original's page sends the next command of its batch even after a Stop.
+        """
         ended = self._run.cut_short
         if batch is None or batch != self._batch:
             self._batch, self._run.cut_short = batch, None
@@ -207,7 +216,10 @@ class LegacyApi:
         return describe(code, values, self._parts.settings.language).message
 
     def _commands(self, body: bytes) -> Commands:
-        """The commands of a call. Raises PinelError `invalid_program`, with all faults, and `bridge_list_needed`."""
+        """Reads the commands of a call.
+
+        Raises PinelError `invalid_program` with all faults, and `bridge_list_needed`.
+        """
         from pinel_desktop.program.reading import read_document  # noqa: PLC0415 - heavy
         from pinel_desktop.runs.robot_checks import missing_on_real_robots  # noqa: PLC0415
 
@@ -219,11 +231,11 @@ class LegacyApi:
         commands: Commands = reading.document["commands"]
         if self._choice.robot != SIMULATOR and (faults := missing_on_real_robots(commands)):
             raise self._invalid(faults)
-        self._parts.camera.start()  # the first capture finds it ready
+        self._parts.camera.start()  # so that it is ready for the first capture
         return commands
 
     def _check(self, commands: Commands) -> None:
-        """Raises PinelError `invalid_program` where a run has grown too long."""
+        """Raises PinelError `invalid_program` if a run has too many commands."""
         from pinel_desktop.program.reading import read_document  # noqa: PLC0415 - heavy
 
         if faults := read_document({"pinel_ir": 1, "commands": commands}).faults:
@@ -238,7 +250,7 @@ class LegacyApi:
         return RunSpec(document, world, link=robot.link, robot=robot, pace="live")
 
     def _robot(self) -> "RobotProfile":
-        """Raises PinelError `robot_not_set_up`; the bridge needs no set-up."""
+        """Returns the robot's profile. Raises PinelError `robot_not_set_up`; the link `bridge` needs no set-up."""
         record, robots = self._choice.profile, self._parts.robots
         if self._choice.robot != record.link:
             return robots.profile(self._choice.robot)
@@ -251,7 +263,7 @@ class LegacyApi:
         return InvalidProgramError(describe_faults(faults, self._parts.settings.language))
 
     def _report(self, outcome: Outcome | None) -> dict[str, Any]:
-        """What the caller reads; nothing for one who has left."""
+        """Returns the body of a call's response; empty if the caller has disconnected."""
         if outcome is None:
             return {}
         report: dict[str, Any] = {"status": outcome.state, "n_executed": outcome.n_executed}

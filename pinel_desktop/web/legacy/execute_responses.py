@@ -1,4 +1,4 @@
-"""The two forms in which `/execute` answers: one object for a call, or one for each of its commands."""
+"""The response of `/execute` to the original's page: one object for each command."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -13,10 +13,10 @@ _BODIES = ("commands", "else", "elif")
 def for_each(
     sent: list[dict[str, Any]], outcome: Outcome, error: Mapping[str, Any] | None
 ) -> list[dict[str, Any]]:
-    """One object for each command that was sent, as the original's backend answers its page.
+    """Returns one object for each command of the request, as the original's backend answers its page.
 
     Args:
-        error: why the call did not go to its end.
+        error: why the call was not executed to its end.
     """
     is_ok = outcome.state == "ok"
     done = [is_ok or index in outcome.results for index in range(len(sent))]
@@ -33,7 +33,7 @@ def for_each(
 
 
 def _result(command: Mapping[str, Any], captured: str | None) -> Any:
-    """The gesture result that a command made; None for others."""
+    """Returns the gesture result that a command set; None for other commands."""
     if command.get("action") == _SETTER:
         return command.get("resultado", command.get("result"))
     return captured if command.get("action") in _CAPTURES else None

@@ -1,4 +1,4 @@
-"""The one run that calls add up to: it waits between them, for a minute at most."""
+"""The run that successive HTTP calls extend: it waits up to a minute for the next call."""
 
 import contextlib
 import threading
@@ -19,21 +19,22 @@ from storage import StoreError
 Event = dict[str, Any]
 Cancel = Callable[[], None]
 
-# From the end of a call to the beginning of the next; after that it begins another run.
+# Time from the end of a call to the start of the next one; a later call starts a new run.
 NEXT_CALL_TIMEOUT_S = 60.0
-# The same once a page has said that its batch is over: then the robot side may leave, as with the original.
+# The same after a page has reported the end of its batch: as in the original, the robot's side may
+# then disconnect.
 BATCH_END_TIMEOUT_S = 3.0
 _END_S = 10.0
 _POLL_S = 0.2
 
 
 class Outcome(NamedTuple):
-    """How a call went.
+    """Outcome of a call.
 
     Attributes:
-        n_executed: how many of its commands were executed, those inside others counted.
-        code, params: why it did not go to its end; None if it did.
-        results: the gesture result after each command of the call that is done, by its index.
+        n_executed: number of its commands that were executed, including nested commands.
+        code, params: why the call was not executed to its end; None if it was.
+        results: the gesture result after each executed top-level command of the call, by its index.
     """
 
     state: Literal["ok", "stopped", "failed"]
@@ -44,7 +45,7 @@ class Outcome(NamedTuple):
 
 
 def by_timer(delay_s: float, call: Callable[[], None]) -> Cancel:
-    """Calls after a delay unless it is cancelled."""
+    """Calls `call` after a delay; the returned function cancels it."""
     timer = threading.Timer(delay_s, call)
     timer.daemon = True
     timer.start()
@@ -52,17 +53,17 @@ def by_timer(delay_s: float, call: Callable[[], None]) -> Cancel:
 
 
 class OpenRun:
-    """Carries out one call after another; thread-safe.
+    """Executes one call after another in a live run; thread-safe.
 
     Args:
-        make_spec: the spec of a run of a document.
-        check: takes all commands of the run with those of the call; raises PinelError where they are too many.
+        make_spec: returns the spec of a run of a document.
+        check: called with all commands of the run, including the new call; raises PinelError if there are too many.
         schedule: as `by_timer`.
 
     Attributes:
         result: the last gesture result of all runs; "" if nothing was recognised, None before any.
-        capture_started_s: since when a capture waits for a sign (monotonic); None while none does.
-        cut_short: how the last run ended if it was stopped or failed; None while another one is open.
+        capture_started_s: start of the capture that waits for a sign, by the monotonic clock; None without one.
+        cut_short: outcome of the last run if it was stopped or failed; None while another run is open.
     """
 
     def __init__(
@@ -91,15 +92,16 @@ class OpenRun:
 
     @property
     def is_watched(self) -> bool:
-        """Whether somebody could stop the robot: a caller who waits. Between two calls it stands."""
+        """True if a person can stop the robot: the caller waits, or no call is running and the robot is at rest."""
         return self._state in ("waiting", "ending") or (
             self._state == "busy" and not self._caller_left
         )
 
     def call(self, commands: Commands, withdrawn: threading.Event) -> Outcome | None:
-        """Carries out the commands; None when the caller has left meanwhile, which stops the robot.
+        """Executes the commands. If the caller disconnects meanwhile, stops the robot and returns None.
 
-        Raises what `begin` raises.
+        Raises:
+            PinelError, StoreError: as `begin`.
         """
         if not commands:
             return Outcome("ok", 0)
@@ -107,11 +109,11 @@ class OpenRun:
         return self.wait(withdrawn.is_set)
 
     def begin(self, commands: Commands) -> None:
-        """Has the commands carried out; `wait` must follow.
+        """Starts the execution of the commands; `wait` must follow.
 
         Raises:
-            PinelError: `bridge_busy`, `run_in_progress`, `engine_not_ready`, and what `make_spec` and `check` raise.
-            StoreError: why the run cannot be kept.
+            PinelError: `bridge_busy`, `run_in_progress`, `engine_not_ready`, and the errors of `make_spec` and `check`.
+            StoreError: if the run cannot be stored.
         """
         self._acquire()
         before = self._commands, self._n_blocks
@@ -122,13 +124,13 @@ class OpenRun:
             raise
 
     def end_capture(self) -> None:
-        """Ends the capture that is under way, as if nothing was seen."""
+        """Ends the capture in progress with an empty result."""
         if (run := self._run) is not None:
-            with contextlib.suppress(PinelError):  # it has just ended
+            with contextlib.suppress(PinelError):  # the run has just ended
                 self._engine.command(run, AnswerCapture(result="", by="camera"))
 
     def observe(self, event: Event) -> None:
-        """To be called with every event of live runs, in order, when the store has it."""
+        """Handles an event of a live run. Must be called for every event, in order, after the store has it."""
         if event["run"] != self._run:
             return
         match event["type"]:
@@ -145,7 +147,7 @@ class OpenRun:
                 self._ended(event)
 
     def close(self) -> None:
-        """Ends no run any more; the engine does, which closes after this."""
+        """Cancels the timer that ends the run; the engine, which is closed after this, ends the run."""
         self._cancel_end()
 
     def _acquire(self) -> None:
@@ -160,7 +162,7 @@ class OpenRun:
             self._results = {}
 
     def _is_up_to_date(self) -> bool:
-        """Whether the end of the run, if it has ended, has been observed."""
+        """False if the run has ended and its `run_ended` event has not been observed yet."""
         is_over = self._run is not None and self._engine.live_run != self._run
         return self._state != "ending" and (self._state == "busy" or not is_over)
 
@@ -195,7 +197,10 @@ class OpenRun:
             raise
 
     def wait(self, has_left: Callable[[], bool]) -> Outcome | None:
-        """How the call went that `begin` began; None when the caller has left, which stops the robot."""
+        """Returns the outcome of the call that `begin` started.
+
+        If the caller disconnects, stops the robot and returns None.
+        """
         with self._changed:
             while self._outcome is None:
                 if has_left():
@@ -204,19 +209,19 @@ class OpenRun:
                 self._changed.wait(_POLL_S)
             outcome, run = self._outcome, self._run
         if outcome is None and run is not None:
-            with contextlib.suppress(PinelError):  # it has just ended
+            with contextlib.suppress(PinelError):  # the run has just ended
                 self._engine.command(run, Abandon())
         return outcome
 
     def _command_done(self, pointer: str) -> None:
-        """Notes the gesture result after a command of the call itself, not of one inside another."""
+        """Records the gesture result after a top-level command of the call."""
         _, _, place = pointer.partition("/commands/")
         if place.isdecimal():
             self._results[int(place) - self._n_before_call] = self.result or ""
 
     def _calls_done(self, event: Event) -> None:
         with self._changed:
-            if event["result"] != self._run_result:  # set by a command, not yet told as an event
+            if event["result"] != self._run_result:  # a command has set it; no event reported it
                 self.result = self._run_result = event["result"]
             n_executed = event["n_executed"] - self._n_executed
             self._outcome = Outcome("ok", n_executed, results=self._results)
@@ -225,7 +230,10 @@ class OpenRun:
             self._changed.notify_all()
 
     def wait_less(self) -> None:
-        """No call is expected soon; one that is being carried out goes on."""
+        """Shortens the timeout for the next call, after a page reported the end of its batch.
+
+        A running call continues.
+        """
         with self._changed:
             if self._state == "waiting":
                 self._cancel_end()
@@ -241,21 +249,22 @@ class OpenRun:
             if self._state != "waiting" or run is None:
                 return
             self._state = "ending"
-        with contextlib.suppress(PinelError):  # it has just ended
+        with contextlib.suppress(PinelError):  # the run has just ended
             self._engine.command(run, Finish())
 
     def _ended(self, event: Event) -> None:
         with self._changed:
             self._cancel_end()
             run, commands, outcome = self._run, self._commands, self._outcome_of(event)
-            # a run that waited in vain has finished; one that a person ended while it waited says so, too
+            # A run that got no further call finishes without error. If a person ended the run while
+            # it waited, its state is "finished" too.
             self.cut_short = None if self._state == "ending" else outcome
             if self._state == "busy" and event["state"] == "finished":
-                # somebody stopped it between two calls, before it had taken the commands of this one
+                # the run was stopped between two calls, before it received the commands of this one
                 commands = commands[: self._n_before_call]
             self._state = "ending"
         if run is not None:
-            with contextlib.suppress(StoreError):  # the run keeps its document
+            with contextlib.suppress(StoreError):  # the run still has its document
                 self._store.settle(run, commands)
         with self._changed:
             self._forget()

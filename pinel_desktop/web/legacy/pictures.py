@@ -1,19 +1,20 @@
-"""The camera's picture with the hands and the signs that it sees, one after another."""
+"""Single pictures of the camera with detected hands and signs drawn in."""
 
 from pinel_desktop.camera.client import CameraClient
 from pinel_desktop.errors import PinelError
 
 
 class Pictures:
-    """Pictures for who asks for the next one; the camera is on as long as somebody does."""
+    """Returns one picture per request; the camera is on while a client requests pictures."""
 
     def __init__(self, camera: CameraClient) -> None:
         self._camera = camera
 
     def next(self) -> bytes:
-        """The next picture, as JPEG.
+        """Returns the next picture, as JPEG.
 
-        Raises PinelError that says what is wrong with the camera, such as `camera_missing`.
+        Raises:
+            PinelError: the problem of the camera, such as `camera_missing`.
         """
         previews = self._camera.previews(annotated=True)
         try:

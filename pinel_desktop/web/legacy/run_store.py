@@ -1,4 +1,4 @@
-"""What the store keeps of runs that calls add up to: the whole list of commands, as a version of one program."""
+"""Stores runs that HTTP calls extend: all their commands as a version of one program."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -17,19 +17,19 @@ _BODIES = ("commands", "else")
 class LegacyRunStore:
     """The program of the bridge, in a group of its own.
 
-    While a run is live its row holds the document, so that whatever a crash leaves can be read and verified; at its end
-    the document becomes a version.
+    While a run is live, its row has the document, so that a run can be read and verified after a crash. At the run's
+    end the document becomes a version.
     """
 
     def __init__(self, store: Store, app_version: str, language: Callable[[], str]) -> None:
         self._store, self._app_version, self._language = store, app_version, language
 
     def document(self, commands: Commands) -> dict[str, Any]:
-        """The document of a run."""
+        """Returns the document of a run."""
         return {"pinel_ir": 1, "name": self._name(), "functions": [], "commands": commands}
 
     def begin(self, spec: RunSpec, world_name: str) -> str:
-        """Notes that a run begins; its id. Raises StoreError."""
+        """Stores the start of a run and returns its id. Raises StoreError."""
         record = record_of(
             spec,
             world_name=world_name,
@@ -39,20 +39,20 @@ class LegacyRunStore:
         return self._store.runs.begin(record).id
 
     def grow(self, run_id: str, commands: Commands) -> None:
-        """The run's commands are these from now on. Raises StoreError."""
+        """Replaces the commands of a live run. Raises StoreError."""
         self._store.runs.update_document(run_id, self.document(commands))
 
     def settle(self, run_id: str, commands: Commands) -> None:
-        """The run has ended. Raises StoreError."""
+        """Stores the commands of an ended run as a version. Raises StoreError."""
         program = self._store.runs.get(run_id).program_id
         if program is not None:
             document = self.document(commands)
-            # the page makes the blocks: ui/src/blocks/loader
+            # the workspace is empty: the page makes the blocks (ui/src/blocks/loader)
             version = self._store.versions.save(program, {"document": document}, document)
             self._store.runs.attach_version(run_id, version.id)
 
     def discard(self, run_id: str) -> None:
-        """Takes back a run that could not begin after all. Raises StoreError."""
+        """Deletes a run that could not start. Raises StoreError."""
         self._store.runs.discard(run_id)
 
     def _program(self) -> str:
@@ -74,9 +74,9 @@ class LegacyRunStore:
 
 
 def with_blocks(commands: Sequence[dict[str, Any]], first: int) -> tuple[Commands, int]:
-    """The commands, each as a block with an id of its own, from that number on; and the next number.
+    """Returns the commands, each with a block id counted from `first`, and the next number.
 
-    The ids of callers would repeat from call to call.
+    The ids of callers would repeat in each call.
     """
     labelled: Commands = []
     for command in commands:

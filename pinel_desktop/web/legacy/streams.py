@@ -1,4 +1,4 @@
-"""`GET /classify_stream`: a capture that begins with the request, and the pictures in which people follow it."""
+"""`GET /classify_stream`: starts a capture and streams the camera's pictures meanwhile."""
 
 import threading
 import time
@@ -12,29 +12,30 @@ from pinel_desktop.web.legacy.open_run import OpenRun, Outcome
 from pinel_desktop.web.legacy.pictures import Pictures
 from pinel_desktop.web.legacy.run_store import Commands
 
-# The original's page looks for 10 s and then asks for the result: it is there before.
+# The original's page waits 10 s and then asks for the result, which must exist by then.
 STREAM_S = 9.0
 _END_CAPTURE_S = 8.0
-# A robot or a busy PC may be slow to begin the run; the capture then begins late, and has this time all the same.
+# A robot or a busy PC may be slow to start the run. The capture then starts late, and still lasts
+# `_MIN_CAPTURE_S`.
 _START_S = 25.0
 _MIN_CAPTURE_S = 3.0
 CAPTURE: Commands = [{"action": "classify_gestures", "timeout": 8}]
 _RESULT_S = 2.0
-# So long without a request for the next picture: nobody watches any more.
+# After this time without a request for the next picture, the stream counts as unwatched.
 _UNWATCHED_S = 3.0
 _BUSY = ("bridge_busy", "run_in_progress")
 
 
 @dataclass(slots=True)
 class _Capture:
-    """A capture that is watched.
+    """A capture with streams that watch it.
 
     Attributes:
-        started_s, watched_s: when it began, and when a picture was last asked for or shown.
+        started_s, watched_s: time of its start, and of the last request or picture, by the monotonic clock.
         n_waiting: requests that wait for a picture or for the result.
-        result_s: when its result was there.
-        has_camera: whether there was a picture.
-        over: set when it has a result.
+        result_s: time of its result.
+        has_camera: False after an error of the camera.
+        over: set when the capture has a result.
     """
 
     started_s: float
@@ -55,10 +56,10 @@ class _Stream:
 
 
 class Streams:
-    """Thread-safe.
+    """The streams of all connections; thread-safe.
 
     Args:
-        caption: the line in the pictures: of a capture that waits (None), or of its result.
+        caption: returns the caption in the pictures: for a capture that waits (None), or for its result.
     """
 
     def __init__(
@@ -71,14 +72,14 @@ class Streams:
         self._capture: _Capture | None = None
 
     def picture(self, request: str, *, may_capture: bool) -> bytes | None:
-        """The next picture of a stream, None at its end; the first one begins a capture unless something runs.
+        """Returns the next picture of a stream, None at its end; the first one starts a capture unless a run is busy.
 
         Args:
-            request: which stream.
+            request: id of the stream.
 
         Raises:
-            PinelError: what is wrong with the camera, such as `camera_missing`; why no capture can begin.
-            StoreError: why the run cannot be kept.
+            PinelError: the problem of the camera, such as `camera_missing`, or why no capture can start.
+            StoreError: if the run cannot be stored.
         """
         with self._lock:
             stream = self._streams.get(request) or self._begin(request, may_capture)
@@ -90,12 +91,12 @@ class Streams:
         return self._next_picture(stream.capture)
 
     def current(self) -> _Capture | None:
-        """The capture that has no result yet."""
+        """Returns the capture without a result; None if there is none."""
         capture = self._capture
         return capture if capture and not capture.over.is_set() else None
 
     def settle(self) -> None:
-        """Waits for the result of a capture whose time is up: it may have begun late."""
+        """Waits for the result of a capture whose time is over, because it may have started late."""
         capture = self.current()
         if capture and time.monotonic() - capture.started_s > _END_CAPTURE_S:
             with _waiting(capture):
@@ -108,7 +109,7 @@ class Streams:
             try:
                 return self._pictures.next()
             except PinelError:
-                capture.has_camera = False  # a person can answer on the page meanwhile
+                capture.has_camera = False  # a person can still answer on the page
                 raise
 
     def _begin(self, request: str, may_capture: bool) -> _Stream:
@@ -123,8 +124,9 @@ class Streams:
         return stream
 
     def _begin_capture(self, now_s: float) -> _Capture | None:
-        """None where something else runs: who watches then only watches."""
-        # before it begins: a call that comes meanwhile waits for it, and is not told that the robot is busy
+        """Starts a capture; None if another run or call is busy, so that the stream only shows the camera."""
+        # set before the capture starts, so that a call that comes meanwhile waits for it and gets
+        # no `bridge_busy`
         self._capture = capture = _Capture(now_s, now_s)
         try:
             self._run.begin(CAPTURE)
@@ -144,7 +146,7 @@ class Streams:
         capture.over.set()
 
     def _is_given_up(self, capture: _Capture) -> bool:
-        """Ends a capture whose time is up, or that nobody watches; True where none has begun in that time."""
+        """Ends a capture whose time is over or that nobody watches; True if it has not started in time."""
         now_s, started_s = time.monotonic(), self._run.capture_started_s
         if started_s is None:
             return now_s - capture.started_s > _START_S
@@ -161,7 +163,7 @@ class Streams:
 
 @contextmanager
 def _waiting(capture: _Capture) -> Iterator[None]:
-    """Somebody watches meanwhile."""
+    """Counts a waiting request, so that the capture counts as watched."""
     capture.n_waiting += 1
     try:
         yield

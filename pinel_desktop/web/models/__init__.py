@@ -1,4 +1,4 @@
-"""Models of all bodies and answers of the HTTP interface; the OpenAPI description is generated from them."""
+"""Models of all bodies and responses of the HTTP interface; the OpenAPI description is generated from them."""
 
 from typing import Annotated, Any, Self
 
@@ -16,12 +16,13 @@ Time = Annotated[str, Field(description="ISO 8601 in UTC")]
 Json = Annotated[dict[str, Any], Field(description="any JSON object")]
 
 
-# The app's start imports this module and needs few of its models: each is built when it is first used.
+# The app's start imports this module and needs few of its models. So each model is built at its
+# first use.
 DEFERRED = ConfigDict(defer_build=True)
 
 
 class ResponseModel(BaseModel):
-    """Base of all answers. Fields with a default are present in every answer."""
+    """Base of all responses. Fields with a default are present in every response."""
 
     model_config = DEFERRED | ConfigDict(
         extra="forbid", json_schema_serialization_defaults_required=True
@@ -29,7 +30,7 @@ class ResponseModel(BaseModel):
 
     @classmethod
     def of(cls, row: object, **more: Any) -> Self:
-        """The answer for a row of the store, whose fields have the same names.
+        """Converts a row of the store, whose fields have the same names, to a response.
 
         Args:
             more: fields that the row lacks or has in another form.
@@ -39,7 +40,7 @@ class ResponseModel(BaseModel):
 
 
 class RequestModel(BaseModel):
-    """Base of all bodies and queries. Unknown keys are refused, so that typing mistakes are noticed."""
+    """Base of all bodies and queries. Refuses unknown keys, so that typing mistakes are noticed."""
 
     model_config = DEFERRED | ConfigDict(extra="forbid")
 

@@ -1,4 +1,4 @@
-"""Activities: what a group is to solve, and the stage on which it is solved."""
+"""Activities, their goal pictures, and examples."""
 
 from typing import Annotated
 
@@ -10,7 +10,7 @@ from pinel_desktop.web.models.worlds import Metres2, World
 
 
 class GoalLine(ResponseModel):
-    """What the robot is to drive, or to draw."""
+    """A line that the robot must drive or draw."""
 
     sign: Annotated[str | None, Field(description="the sign that it answers; null without signs")]
     color: Annotated[str | None, Field(description="of the pen; null for a path")]
@@ -18,7 +18,7 @@ class GoalLine(ResponseModel):
 
 
 class GoalPicture(ResponseModel):
-    """What to draw of an activity's goal."""
+    """The shapes in the picture of an activity's goal."""
 
     world: World
     lines: list[GoalLine]
@@ -43,17 +43,16 @@ class ActivityChoice(ResponseModel):
 
 
 class NextActivity(ResponseModel):
-    """An activity to go on with."""
+    """The next activity on the path."""
 
     name: str
     title: str
 
 
 class Activity(ActivityChoice):
-    """An activity as a group sees it. Texts are in the language of the page, "" where there are none.
+    """An activity as a group gets it. Texts are in the language of the page, "" if the activity has none.
 
-    World (`goal_picture.world`), its start and the robot setting are those of every run of a program that is to solve
-    it.
+    All runs of a program for the activity use its world (`goal_picture.world`), start pose and robot setting.
     """
 
     story: str
@@ -78,7 +77,7 @@ class Activity(ActivityChoice):
 
 
 class ActivityList(ResponseModel):
-    """The shipped activities along the paths, then own ones, the oldest first."""
+    """The shipped activities in the order of the paths, then own activities, the oldest first."""
 
     activities: list[ActivityChoice]
 
@@ -90,26 +89,26 @@ class ActivityPath(RequestModel):
 
 
 class TriedActivity(ResponseModel):
-    """An activity that a group has a program for, or has run one for."""
+    """An activity for which a group has a program or a run."""
 
     name: str
     passed: Annotated[bool, Field(description="a run passed it")]
 
 
 class TriedActivities(ResponseModel):
-    """What a group has tried."""
+    """The activities that a group has tried."""
 
     activities: list[TriedActivity]
 
 
 class ChosenActivity(RequestModel):
-    """The activity that a group wants to solve."""
+    """The activity that a group chooses."""
 
     activity: Annotated[str, Field(max_length=100)]
 
 
 class Example(ResponseModel):
-    """A finished program to open as a copy; texts and names in it are in the language of the page."""
+    """A finished program to open as a copy; its texts and names are in the language of the page."""
 
     name: str
     title: str
@@ -120,6 +119,6 @@ class Example(ResponseModel):
 
 
 class ExampleList(ResponseModel):
-    """The shipped examples, in the order in which they are offered."""
+    """The shipped examples, in the order of the page."""
 
     examples: list[Example]

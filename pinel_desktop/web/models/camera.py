@@ -1,4 +1,4 @@
-"""The camera: what it does, and through which one the app looks."""
+"""The camera: its state, its problem, and its choice."""
 
 from typing import Annotated, Literal
 
@@ -8,7 +8,7 @@ from pinel_desktop.web.models import Json, RequestModel, ResponseModel
 
 
 class CameraProblem(ResponseModel):
-    """Why the camera is of no use, and what to do."""
+    """Why the camera cannot be used, and the remedy."""
 
     code: str
     params: Json
@@ -17,7 +17,7 @@ class CameraProblem(ResponseModel):
 
 
 class CameraStatus(ResponseModel):
-    """What the camera does; `problem` says why it is of no use, and what to do."""
+    """The state of the camera; `problem` is why it cannot be used, with the remedy."""
 
     state: Literal["off", "opening", "on", "failed"]
     source: str
@@ -25,6 +25,6 @@ class CameraStatus(ResponseModel):
 
 
 class CameraChoice(RequestModel):
-    """The camera to look through: the number of a webcam, "0" for the first."""
+    """The camera to use: the number of a webcam, "0" for the first."""
 
     source: Annotated[str, Field(pattern=r"^[0-9]$")]

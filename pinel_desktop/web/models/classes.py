@@ -11,7 +11,7 @@ SwapMinutes = Literal[0, 5, 10, 15]
 
 
 class Classroom(ResponseModel):
-    """A class of the school; `computer` is the PC of its first lesson and tells classes of equal name apart."""
+    """A class of the school; `computer` is the PC of its first lesson and distinguishes classes of equal name."""
 
     id: Id
     name: str
@@ -21,7 +21,7 @@ class Classroom(ResponseModel):
 
 
 class ClassroomList(ResponseModel):
-    """By name."""
+    """Classes by name."""
 
     classrooms: list[Classroom]
 
@@ -33,9 +33,9 @@ class ClassroomName(RequestModel):
 
 
 class Lesson(ResponseModel):
-    """A lesson of a class; `title` is "" if it opened by itself, `part_of` is the lesson that it was joined to.
+    """A lesson of a class; `title` is "" if it was opened automatically, `part_of` is the lesson that it was joined to.
 
-    Times are by the clock of the PC where it was opened, which may be wrong.
+    Times are by the clock of the PC that opened the lesson, which may be wrong.
     """
 
     id: Id
@@ -53,13 +53,13 @@ class Lesson(ResponseModel):
 
 
 class LessonList(ResponseModel):
-    """Newest first."""
+    """Lessons, newest first."""
 
     lessons: list[Lesson]
 
 
 class ClassPreset(ResponseModel):
-    """With what the groups of a class begin; null for what is not set.
+    """The preset of a class, with which its groups start; null for values that are not set.
 
     A group may choose another level, and another world for each program.
     """
@@ -78,16 +78,16 @@ class ClassPreset(ResponseModel):
 
 
 class CurrentLesson(ResponseModel):
-    """The lesson to which work of a class belongs now, null if the next work would open one; the class's preset."""
+    """The lesson to which new work of a class belongs, null if the next work would open one; and the class's preset."""
 
     lesson: Lesson | None
     preset: ClassPreset
 
 
 class NewLesson(RequestModel):
-    """A lesson opened with the same title on several PCs is one lesson.
+    """A lesson to open; if several PCs open lessons with the same title, they are one lesson.
 
-    An empty title is that of the activity, in the language of the page.
+    If the title is empty, the lesson gets the title of the activity, in the language of the page.
     """
 
     title: Name
@@ -95,7 +95,7 @@ class NewLesson(RequestModel):
 
 
 class LessonChanges(RequestModel):
-    """Changes of a lesson; omitted fields stay."""
+    """Changes of a lesson; omitted fields stay unchanged."""
 
     title: Name | None = None
     activity: Annotated[str | None, Field(max_length=100, description='a name, "" for none')] = None

@@ -1,10 +1,10 @@
-"""Error answers, and faults of documents."""
+"""Error responses, and faults of documents."""
 
 from pinel_desktop.web.models import Json, ResponseModel
 
 
 class Fault(ResponseModel):
-    """One fault of a document: its place as a JSON pointer, the block there, and a message."""
+    """One fault of a document: its position as a JSON pointer, the block there, and a message."""
 
     code: str
     pointer: str
@@ -15,7 +15,7 @@ class Fault(ResponseModel):
 
 
 class Notice(ResponseModel):
-    """A message for a person, and what to do."""
+    """A message for a person, and its remedy."""
 
     code: str
     message: str
@@ -33,6 +33,6 @@ class ErrorBody(ResponseModel):
 
 
 class ErrorAnswer(ResponseModel):
-    """Every answer with a status of 400 and above."""
+    """Every response with a status of 400 and above."""
 
     error: ErrorBody

@@ -39,7 +39,7 @@ class RunEvent(ResponseModel):
 
 
 def described(declaration: type) -> tuple[str, dict[str, str]]:
-    """The docstring of an event without its `Attributes`, and the descriptions of these by name."""
+    """Returns the docstring of an event without its `Attributes`, and the descriptions of these by name."""
     about, _, attributes = (inspect.getdoc(declaration) or "").partition("\n\nAttributes:\n")
     found = re.findall(r"^    (\w+): (.+(?:\n     .+)*)", attributes, re.M)
     return about, {name: " ".join(text.split()) for name, text in found}
@@ -56,7 +56,7 @@ def _model(
             continue
         described_as: dict[str, Any] = {"description": meanings.get(field)}
         if field in declared and declared[field].default is not MISSING:
-            # optional without a default value: with one, the page's types would not be optional
+            # optional without a default value, else the page's types would not be optional
             described_as["default_factory"] = lambda: None
         fields[field] = (_wire(hint), Field(**described_as))
     return create_model(name, __base__=base, __doc__=about, __module__=__name__, **fields)
@@ -68,7 +68,7 @@ def _object(declaration: type) -> type[ResponseModel]:
 
 
 def _wire(hint: Any) -> Any:
-    """The wire type of a field: TypedDicts become models, and values unknown after a cut-off run may be null."""
+    """Returns the wire type of a field: TypedDicts become models, and `NullIfInterrupted` fields may be null."""
     if is_typeddict(hint):
         return _object(hint)
     origin, parts = get_origin(hint), get_args(hint)
@@ -82,7 +82,7 @@ def _wire(hint: Any) -> Any:
 class _OneOf:
     """A lazy union of the models of declared events.
 
-    They are built when the schema is first needed, by the description and the tests, and not at the app's start.
+    The description and the tests build the models when they first need the schema; the app's start does not.
     """
 
     def __init__(self, *declared: dict[str, Any]) -> None:
@@ -104,7 +104,7 @@ def _event(declaration: type[Declared]) -> type[ResponseModel]:
     return _model(declaration, name, base, type=(Literal[declaration.type], ...))
 
 
-# RootModel[SomeType] would be built at once, in spite of `defer_build`.
+# `RootModel[SomeType]` would be built at once, in spite of `defer_build`.
 class Event(RootModel[Any]):
     """One event of a run."""
 

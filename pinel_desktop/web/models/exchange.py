@@ -27,7 +27,7 @@ class FileFound(ResponseModel):
 class Folder(ResponseModel):
     """A removable drive, or the school's shared folder; `free_bytes` is null if unknown.
 
-    The shared folder is listed even if it cannot be read, then with `is_reachable` false.
+    The shared folder is listed even if it cannot be read; `is_reachable` is false then.
     """
 
     path: str
@@ -42,7 +42,7 @@ class Folder(ResponseModel):
 class FolderList(ResponseModel):
     """Removable drives first; `shared` is the path of the shared folder, "" for none.
 
-    With `takes_backups` it also gets copies of this PC's backups.
+    If `takes_backups` is true, this PC also copies its backups to the shared folder.
     """
 
     folders: list[Folder]
@@ -51,7 +51,7 @@ class FolderList(ResponseModel):
 
 
 class SharedFolder(RequestModel):
-    """A folder of this PC or of the network; "" for none. Without `takes_backups` that stays as it was."""
+    """A folder of this PC or of the network; "" for none. If `takes_backups` is omitted, it stays unchanged."""
 
     path: _Path
     takes_backups: Annotated[
@@ -60,7 +60,7 @@ class SharedFolder(RequestModel):
 
 
 class NewBundle(RequestModel):
-    """The target folder, and the content: all work, or that of one class or group."""
+    """The target folder, and the content: all work, or the work of one class or group."""
 
     folder: _Path
     classroom_id: Id | None = None
@@ -101,7 +101,7 @@ class MergedCounts(ResponseModel):
 
 
 class PendingWork(ResponseModel):
-    """A group that would be deleted, or a program whose group stays, with what was unknown where it was deleted."""
+    """A group that would be deleted, or a program of a group that stays, with the work unknown to the deleting PC."""
 
     kind: Literal["group", "program"]
     id: Id
@@ -127,13 +127,13 @@ class PendingDeletion(ResponseModel):
 
 
 class Merged(ResponseModel):
-    """The result of merging one file: the rows `added`, or the `problem` for which it was refused.
+    """The result of merging one file: the rows `added`, or the `problem` for which the file was refused.
 
-    `held_back` counts rows not added because they were deleted for good here, `removed` counts rows deleted by this
-    merge. Both are null if there are none; all numbers are 0 if only rows of other kinds are concerned.
+    `held_back` counts rows not added because they were deleted for good on this PC. `removed` counts rows that this
+    merge deleted. Both are null without such rows; all numbers are 0 if they are rows of other kinds only.
 
-    `would_delete` is work that was deleted elsewhere; it stays until the file is merged with `delete`. After that the
-    files in `left_in` may still hold it: bundles written on this PC, and backups that could not be rewritten.
+    `would_delete` is work that another PC deleted; it stays until the file is merged with `delete`. After that the
+    files in `left_in` may still contain it: bundles written on this PC, and backups that could not be rewritten.
 
     `n_unconfirmed` counts runs of the file whose pass does not count before this PC has repeated them.
     """
@@ -177,7 +177,7 @@ class ImportedProgram(ResponseModel):
 
 
 class KnownComputer(ResponseModel):
-    """A PC whose work was merged; `exported_at` and `merged_at` are those of its latest bundle."""
+    """A PC whose work was merged; `exported_at` and `merged_at` belong to its latest bundle."""
 
     computer_id: Id
     name: str
@@ -187,7 +187,7 @@ class KnownComputer(ResponseModel):
 
 
 class UnconfirmedCounts(ResponseModel):
-    """Runs that came with files, whose pass does not count: by what is known of them."""
+    """Merged runs whose pass does not count, by the finding of their re-verification."""
 
     waiting: int = 0
     differs: int = 0
@@ -196,7 +196,7 @@ class UnconfirmedCounts(ResponseModel):
 
 
 class UndecidedDeletion(ResponseModel):
-    """Work deleted for good on another PC and still here, which nobody confirmed or kept; merging `path` asks again."""
+    """Work deleted for good on another PC, about which this PC has not decided yet; merging `path` asks again."""
 
     computer: str
     path: str
@@ -208,7 +208,7 @@ class UndecidedDeletion(ResponseModel):
 
 
 class KnownComputerList(ResponseModel):
-    """The most recently merged first."""
+    """PCs, the most recently merged first."""
 
     computers: list[KnownComputer]
     unconfirmed: UnconfirmedCounts
@@ -225,7 +225,7 @@ class WrittenFile(ResponseModel):
 class Removed(ResponseModel):
     """Numbers of rows deleted for good from the database and its backups.
 
-    Some files may still hold them: `backups` that could not be rewritten, and bundles written on this PC (`files`).
+    Some files may still contain them: `backups` that could not be rewritten, and bundles written on this PC (`files`).
     """
 
     n_groups: int

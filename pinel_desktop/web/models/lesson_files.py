@@ -1,4 +1,4 @@
-"""The file that takes a lesson to all PCs."""
+"""The lesson file, which takes a lesson to all PCs."""
 
 from typing import Annotated
 
@@ -9,7 +9,7 @@ from pinel_desktop.web.models.classes import Classroom, Lesson
 
 
 class LessonFileName(RequestModel):
-    """The name that the file has where it was chosen."""
+    """The name of the chosen file, for messages."""
 
     name: Annotated[str, Field(max_length=300)] = ""
 
@@ -21,7 +21,7 @@ class LessonFilePath(RequestModel):
 
 
 class TargetFolder(RequestModel):
-    """Where the file is to be written."""
+    """The folder for the file."""
 
     folder: Annotated[str, Field(max_length=4000)]
 
@@ -34,7 +34,7 @@ class WrittenLessonFile(ResponseModel):
 
 
 class OpenedLesson(ResponseModel):
-    """The lesson that is open on this PC now; `nothing_new` if all of the file was here before."""
+    """The lesson that is open on this PC now; `nothing_new` is true if this PC had all content of the file before."""
 
     lesson: Lesson
     classroom: Classroom

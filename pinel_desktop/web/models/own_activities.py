@@ -1,4 +1,4 @@
-"""Activities that a teacher makes: what is written in the form, what the sample solution does, and the trial."""
+"""Own activities: the form, the proposal from a sample solution, and the trial."""
 
 from typing import Annotated
 
@@ -13,7 +13,7 @@ _Input = Annotated[str, Field(max_length=100)]
 
 
 class Stage(RequestModel):
-    """Where a sample solution runs, and with which inputs."""
+    """World and inputs of a sample solution."""
 
     solution: Annotated[Json, Field(description="a program that passes, as a document")]
     world: Annotated[str | Json, Field(description="name of a shipped world, or a world document")]
@@ -24,7 +24,7 @@ class Stage(RequestModel):
 class OwnActivityDraft(Stage):
     """An activity as a teacher writes it; its texts are in one language.
 
-    That the run finishes is always a check; it is not among `checks`.
+    That the run finishes is always a check; it is not in `checks`.
     """
 
     title: Annotated[str, Field(max_length=1000, description="1 to 60 characters")]
@@ -41,7 +41,7 @@ class OwnActivityDraft(Stage):
 
 
 class OwnActivityToEdit(ResponseModel):
-    """An own activity as its form shows it."""
+    """An own activity, as its form needs it."""
 
     id: Id
     title: str
@@ -60,9 +60,9 @@ class OwnActivityToEdit(ResponseModel):
 
 
 class OwnActivity(ResponseModel):
-    """An activity that a teacher made, as lists show it.
+    """An own activity, as lists show it.
 
-    `problem` says why this release cannot use it, such as an activity of a newer one; it has no picture then.
+    `problem` is why this release cannot use it, such as an activity of a newer release; it has no picture then.
     """
 
     id: Id
@@ -73,13 +73,13 @@ class OwnActivity(ResponseModel):
 
 
 class OwnActivityList(ResponseModel):
-    """The oldest first."""
+    """Own activities, the oldest first."""
 
     activities: list[OwnActivity]
 
 
 class Proposal(ResponseModel):
-    """What the form begins with for a sample solution, run under the ideal robot."""
+    """Initial values of the form, from a run of a sample solution under the ideal robot."""
 
     finished: Annotated[bool, Field(description="the solution ended by itself, without a failure")]
     zones: Annotated[list[str], Field(description="places of the world")]
@@ -89,9 +89,9 @@ class Proposal(ResponseModel):
 
 
 class Sample(ResponseModel):
-    """What the form proposes for a sample solution.
+    """The form's proposal for a sample solution.
 
-    `faults` are those of the program or its world; the proposal is null then.
+    If the program or its world has `faults`, the proposal is null.
     """
 
     faults: list[Fault]
@@ -99,7 +99,7 @@ class Sample(ResponseModel):
 
 
 class Trial(ResponseModel):
-    """What the checks say of a program under a robot; `is_right` if the solution passes, or the empty one does not."""
+    """The verdict on a program under a robot; `is_right` if the solution passes, or if the empty program fails."""
 
     program: Annotated[str, Field(description="`solution` or `empty`")]
     preset: Annotated[str, Field(description="`ideal`, or `realistic` with a camera's pose")]
@@ -109,7 +109,7 @@ class Trial(ResponseModel):
 
 
 class Trials(ResponseModel):
-    """The trial of an activity; `faults` are what makes it unusable, and there are no trials then."""
+    """The trials of an activity; if `faults` make it unusable, there are no trials."""
 
     faults: list[Fault]
     trials: list[Trial]

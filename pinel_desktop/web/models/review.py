@@ -21,7 +21,7 @@ class GroupHead(ResponseModel):
 
 
 class ChangeCounts(ResponseModel):
-    """Numbers of blocks; one that was both moved and changed counts twice."""
+    """Numbers of blocks; a block that was both moved and changed counts twice."""
 
     added: int
     removed: int
@@ -30,10 +30,10 @@ class ChangeCounts(ResponseModel):
 
 
 class ReviewMark(ResponseModel):
-    """A burst of edits between two runs, or a run; times are by the clock of that PC.
+    """A timeline entry: a burst of edits between two runs, or a run; times are by the clock of its PC.
 
     `changes` counts differences from version `since` to `version_id`. For edits, `since` is the version before the
-    burst, "" for an empty program; for a run that `repairs` another, it is the version of that run.
+    burst, "" for an empty program. For a run that `repairs` another run, `since` is the version of that run.
     """
 
     kind: Literal["edit", "run"]
@@ -62,7 +62,7 @@ class ReviewMark(ResponseModel):
 
 
 class Figures(ResponseModel):
-    """Figures of a group; messages `figure_NAME` explain what each counts."""
+    """Metrics of a group; messages `figure_NAME` explain what each metric counts."""
 
     n_edits: int
     n_runs: int
@@ -82,7 +82,7 @@ class BlockCount(ResponseModel):
 
 
 class OpenedHints(ResponseModel):
-    """The hints of an activity that a group opened, in order; texts are missing for one of a later release."""
+    """The hints of an activity that a group opened, in order; texts are missing for an activity of a newer release."""
 
     title: str
     n: int
@@ -90,7 +90,7 @@ class OpenedHints(ResponseModel):
 
 
 class GroupReview(ResponseModel):
-    """A group's marks in chronological order, its figures, blocks and hints, and whether it needs help."""
+    """A group's timeline in chronological order, its metrics, blocks and hints, and whether it needs help."""
 
     group: GroupHead
     need: Annotated[
@@ -104,7 +104,7 @@ class GroupReview(ResponseModel):
 
 
 class LessonSummary(ResponseModel):
-    """What a teacher reads first; it names groups in the order of the review, which is no ranking."""
+    """The summary of a lesson; it names groups in the order of the review, which is no ranking."""
 
     n_groups: int
     n_passed: Annotated[int | None, Field(description="groups that passed; null without activity")]
@@ -201,7 +201,7 @@ class HistoryRun(Run):
 
 
 class History(ResponseModel):
-    """Newest first; `next` is the value of `before` for the next page, null at the end."""
+    """Runs, newest first; `next` is the value of `before` for the next page, null at the end."""
 
     runs: list[HistoryRun]
     next: Id | None

@@ -12,7 +12,7 @@ RobotName = Annotated[str, Field(json_schema_extra={"enum": list(ROBOTS)})]
 
 
 class Wheel(ResponseModel):
-    """A driven wheel from above; its middle in the robot's frame."""
+    """A driven wheel from above; its centre in the robot's frame."""
 
     x_m: float
     y_m: float
@@ -21,7 +21,7 @@ class Wheel(ResponseModel):
 
 
 class Sonar(ResponseModel):
-    """A sonar: its place in the robot's frame, and its direction from the heading, counterclockwise."""
+    """A sonar: its position in the robot's frame, and its direction relative to the heading, counterclockwise."""
 
     x_m: float
     y_m: float
@@ -29,7 +29,7 @@ class Sonar(ResponseModel):
 
 
 class Laser(ResponseModel):
-    """A laser scanner: its place in the robot's frame; half of its field is to each side of the heading."""
+    """A laser scanner: its position in the robot's frame; half of its field is to each side of the heading."""
 
     x_m: float
     y_m: float
@@ -39,7 +39,7 @@ class Laser(ResponseModel):
 
 
 class Robot(ResponseModel):
-    """A robot model: what a page needs to draw it. The robot's frame has x ahead and y to the left."""
+    """A robot model: the data to draw it. The robot's frame has x ahead and y to the left."""
 
     name: Annotated[RobotName, Field(description="the `model` of a run")]
     title: str
@@ -62,7 +62,7 @@ class RobotList(ResponseModel):
 
 
 class RobotField(ResponseModel):
-    """A field of a real robot's record, in words for its form."""
+    """A field of a real robot's profile, with texts for its form."""
 
     name: Annotated[str, Field(description="of the room `room.NAME`")]
     part: Literal["speed", "room", "address", "tolerance"]
@@ -75,7 +75,7 @@ class RobotField(ResponseModel):
 
 
 class RealRobot(ResponseModel):
-    """A kind of real robot, and what the teacher set up of it on this PC."""
+    """A kind of real robot, and its set-up on this PC."""
 
     link: Annotated[str, Field(description="the `robot` of a run")]
     is_set_up: bool
@@ -95,13 +95,13 @@ class RealRobotList(ResponseModel):
 
 
 class RealRobotRecord(RequestModel):
-    """What is to be kept of a real robot; what is missing has its default."""
+    """The profile of a real robot to store; a missing field gets its default."""
 
     record: Json
 
 
 class RobotContact(ResponseModel):
-    """What a robot told of itself, or why it cannot be reached."""
+    """Data that a robot sent, or why it cannot be reached."""
 
     x_m: float | None
     y_m: float | None
@@ -113,7 +113,7 @@ class RobotContact(ResponseModel):
 
 
 class FoundRobot(ResponseModel):
-    """A robot of ROS 2 that the network shows."""
+    """A ROS 2 robot found in the network."""
 
     namespace: str
     command_topic: str
@@ -122,14 +122,14 @@ class FoundRobot(ResponseModel):
 
 
 class FoundRobots(ResponseModel):
-    """The robots in a domain of ROS."""
+    """The robots in a ROS domain."""
 
     domain: int
     robots: list[FoundRobot]
 
 
 class RobotWatch(RequestModel):
-    """A page that shows how a robot is."""
+    """A request of a page that shows the state of a robot."""
 
     is_first: Annotated[
         bool, Field(description="it knows nothing yet: what is known comes with the events at once")
@@ -137,7 +137,7 @@ class RobotWatch(RequestModel):
 
 
 class Jog(RequestModel):
-    """The keys that are held."""
+    """The keys that are pressed."""
 
     drive: Annotated[float, Field(ge=-1, le=1, description="1 ahead, -1 back")]
     turn: Annotated[float, Field(ge=-1, le=1, description="1 left, -1 right")]

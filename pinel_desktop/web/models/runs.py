@@ -16,12 +16,12 @@ from storage import SIMULATOR
 Point = tuple[float, float]
 
 
-# `waiting` until this PC has repeated the run, else what it found
+# `waiting` until this PC has repeated the run, else the finding
 Unconfirmed = Literal["waiting", "differs", "not_passed", "not_repeatable"]
 
 
 class Run(ResponseModel):
-    """One execution of a version; figures are null until the run has ended."""
+    """One execution of a version; metrics are null until the run has ended."""
 
     id: Id
     program_id: Id | None
@@ -85,7 +85,7 @@ class RunWithVersion(Run):
 
 
 class RunList(ResponseModel):
-    """Newest first; `next` is the value of `before` for the next page, null at the end."""
+    """Runs, newest first; `next` is the value of `before` for the next page, null at the end."""
 
     runs: list[Run]
     next: Id | None

@@ -1,4 +1,4 @@
-"""Signs that captures can answer, and those that a class teaches."""
+"""Signs that captures can return, and signs that a class teaches."""
 
 from typing import Annotated
 
@@ -8,10 +8,11 @@ from pinel_desktop.web.models import DEFERRED, Id, RequestModel, ResponseModel
 
 
 class Sign(ResponseModel):
-    """A sign that the camera knows.
+    """A sign that the camera recognises.
 
-    `n_samples` are hands that the class has shown of it, `n_movements` movements. `landmarks` (21 of x to the right,
-    y down, z away) show a typical hand, as a right one sees itself in a mirror; null for letters, whose drawings ship.
+    `n_samples` and `n_movements` count the hands and movements that the class has recorded. `landmarks` (21 of x to the
+    right, y down, z away) show a typical hand, as a right hand appears in a mirror; null for letters, whose drawings
+    ship.
     """
 
     name: str
@@ -24,19 +25,19 @@ class Sign(ResponseModel):
 
 
 class SignList(ResponseModel):
-    """Letters first, then what the class taught besides."""
+    """Letters first, then the other signs that the class taught."""
 
     signs: list[Sign]
 
 
 class SignName(ResponseModel):
-    """The sign that is being recorded, as the class spells it."""
+    """The sign in the recording, as the class spells it."""
 
     name: str
 
 
 class ClassroomOfCamera(RequestModel):
-    """The class whose taught signs the camera is to know; null for a group without a class."""
+    """The class whose taught signs the camera recognises; null for a group without a class."""
 
     classroom_id: Id | None
 

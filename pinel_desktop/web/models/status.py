@@ -44,7 +44,7 @@ class Settings(RequestModel):
 
 
 def _field(setting: Setting) -> Any:
-    """The type of a setting's value, with its default."""
+    """Returns the type of a setting's value, with its default."""
     kind: Any = str if setting.values is None else Literal[(setting.default, *setting.values)]
     return (Annotated[kind, Field(description=setting.about)], setting.default)
 
@@ -58,7 +58,7 @@ PageSettings = create_model(
 
 
 class PageSetting(RequestModel):
-    """A setting of the page, kept on this PC; an empty value forgets it."""
+    """A setting of the page, stored on this PC; an empty value resets it."""
 
     name: Name
     value: Annotated[str, Field(pattern=TEXT, max_length=MAX_TEXT)]

@@ -34,13 +34,13 @@ class Group(ResponseModel):
 
 
 class GroupList(ResponseModel):
-    """Most recently used first."""
+    """Groups, most recently used first."""
 
     groups: list[Group]
 
 
 class NewGroup(RequestModel):
-    """A new group; without `picture`, one that few groups use is chosen."""
+    """A new group; if `picture` is omitted, a picture that few groups use is chosen."""
 
     name: Name
     classroom_id: Id | None = None
@@ -48,7 +48,7 @@ class NewGroup(RequestModel):
 
 
 class GroupChanges(RequestModel):
-    """Changes of a group; omitted fields stay. Only the teacher may change the class."""
+    """Changes of a group; omitted fields stay unchanged. Only the teacher may change the class."""
 
     name: Name | None = None
     color: Color | None = None
@@ -70,7 +70,7 @@ class Program(ResponseModel):
 
 
 class ProgramList(ResponseModel):
-    """Newest first."""
+    """Programs, newest first."""
 
     programs: list[Program]
 
@@ -82,7 +82,7 @@ class ProgramName(RequestModel):
 
 
 class Setup(ResponseModel):
-    """Where and how a program runs; it belongs to the program and is kept with each version."""
+    """World, start pose, robot, speed and activity for a program's runs; stored with each version."""
 
     world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
     start: Annotated[Start | None, Field(description="another start than the world's")] = None
@@ -99,8 +99,8 @@ class Setup(ResponseModel):
 class Version(ResponseModel):
     """One state of a program, never overwritten; `document` is null if the blocks have faults.
 
-    `world` is the group's own world; null if the program runs in a world chosen by name. `setup` is null where an
-    earlier release saved it.
+    `world` is the group's own world; null if the program runs in a world chosen by name. `setup` is null if an earlier
+    release saved the version.
     """
 
     id: Id
@@ -115,9 +115,9 @@ class Version(ResponseModel):
 class VersionMark(ResponseModel):
     """A version in the history of its program; `parent_id` is the version that was edited.
 
-    `setup_only` is true if it has the blocks of that version: only its setup or the group's own world changed.
+    `setup_only` is true if its blocks equal the blocks of `parent_id`: only its setup or the group's own world changed.
 
-    Two versions of equal number come from edits on two PCs; both are kept.
+    Two versions of equal number come from edits on two PCs; both stay.
     """
 
     id: Id
@@ -145,7 +145,7 @@ class ProgramWithVersion(Program):
 
 
 class VersionLine(ResponseModel):
-    """Newest first; `next` is the value of `before` for the next page, null at the end."""
+    """Versions, newest first; `next` is the value of `before` for the next page, null at the end."""
 
     versions: list[VersionMark]
     next: Id | None
@@ -159,7 +159,7 @@ class VersionPage(RequestModel):
 
 
 class WhichVersion(RequestModel):
-    """With which version a program is opened."""
+    """The version with which a program is opened."""
 
     sound: Annotated[
         bool, Field(description="the newest that is as it was saved, where a newer one is damaged")
@@ -204,6 +204,6 @@ class DocumentToCheck(RequestModel):
 
 
 class CheckedDocument(ResponseModel):
-    """All faults; an empty list means that it can run."""
+    """All faults; if the list is empty, the document can run."""
 
     faults: list[Fault]

@@ -90,7 +90,7 @@ class WorldToCheck(RequestModel):
 
 
 class CheckedWorld(ResponseModel):
-    """All faults; an empty list means that runs can use the world."""
+    """All faults; if the list is empty, runs can use the world."""
 
     faults: list[Fault]
 

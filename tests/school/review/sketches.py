@@ -11,7 +11,7 @@ Body = list["Sketch"]
 
 @dataclass(eq=False)
 class Sketch:
-    """A block: fields, a shadow number in each input, optionally covered by a block, and bodies."""
+    """A block with fields, bodies, and inputs with a shadow number that a block may cover."""
 
     id: str
     type: str

@@ -1,4 +1,4 @@
-"""What was said about a run, as the review reads it."""
+"""Advice about a run, as the review reads it from the report."""
 
 import json
 from typing import Any

@@ -58,7 +58,7 @@ def test_the_way_back_mirrors_the_way_there(random: Random) -> None:
     before = drawing.saved()
     for _ in range(random.randrange(10)):
         drawing.edit()
-    for body in drawing.bodies():  # changes of places too, where many answers are right
+    for body in drawing.bodies():  # changes the order too, where several results are correct
         rest = body[body is drawing.stacks[0] :]
         random.shuffle(rest)
         body[len(body) - len(rest) :] = rest

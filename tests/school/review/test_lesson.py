@@ -1,4 +1,4 @@
-"""The review of a lesson: order of marks, and figures."""
+"""The review of a lesson: order of entries, and metrics."""
 
 from typing import Any
 
@@ -47,7 +47,7 @@ def work(*events: Edit | Run, name: str = "Os Robôs") -> GroupWork:
 
 
 def workspaces(**metres: float) -> dict[str, object]:
-    """A version with one block for each name."""
+    """Returns workspaces of versions with one block each, by version id."""
     return {key: workspace_of([start(), move(metres=amount)]) for key, amount in metres.items()}
 
 
@@ -79,7 +79,7 @@ def test_bursts_between_runs_are_one_mark_with_what_changed() -> None:
     first, _, last = found.timeline
     assert (first.at, first.until) == (at(0), at(1))
     assert first.changes == Counts(added=1)
-    # what was changed and changed back between two runs does not count
+    # a change that was undone between two runs does not count
     assert (last.since, last.changes) == ("b", Counts())
 
 
@@ -245,7 +245,7 @@ def test_a_clock_that_is_set_back_does_not_turn_the_order_round() -> None:
         edit("m1", 1),
         edit("m2", 2),
         run("m3", "m2", 2),
-        # the app was started again with a clock of last year
+        # the app was started again, with a clock that shows last year
         edit("a1", 3),
         run("a2", "a1", 3),
         edit("a3", 4),

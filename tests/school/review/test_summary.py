@@ -1,4 +1,4 @@
-"""The line that a teacher reads first."""
+"""The summary of a lesson."""
 
 from pinel_desktop.school.review import (
     CommonMistake,

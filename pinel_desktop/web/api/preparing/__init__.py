@@ -1,1 +1,1 @@
-"""Preparing lessons: own activities, presets of classes, the file that takes a lesson to all PCs, real robots."""
+"""Preparing lessons: own activities, lesson files and real robots."""

@@ -1,4 +1,4 @@
-"""The file that takes a lesson to all PCs: class, groups, lesson, preset, own activities and taught signs."""
+"""The lesson file, which takes class, groups, lesson, preset, own activities and taught signs to all PCs."""
 
 from datetime import datetime
 from pathlib import Path
@@ -42,7 +42,7 @@ _READS = ("bundle_not_lesson", "lesson_not_found")
     responses=responses(OCTETS, *TEACHER, "lesson_not_found", "lesson_without_class", *WRITES),
 )
 def get_lesson_file(path: IdPath) -> Response:
-    """What a PC needs for a lesson, as a file; nothing that pupils made. For the teacher."""
+    """A file with all that a PC needs for a lesson; contains nothing that pupils made. For the teacher."""
     require_teacher()
     with temporary_folder() as folder:
         info = _written(path.id, folder / "lesson.pinel", is_recorded=False)
@@ -62,7 +62,7 @@ def get_lesson_file(path: IdPath) -> Response:
     ),
 )
 def write_lesson_file(path: IdPath, body: TargetFolder) -> Response:
-    """Writes the same file into a folder. For the teacher."""
+    """Writes the lesson file into a folder. For the teacher."""
     require_teacher()
     require_folder(body.folder)
     title = services().store.lessons.get(path.id).title
@@ -76,7 +76,7 @@ def write_lesson_file(path: IdPath, body: TargetFolder) -> Response:
     responses=responses(OpenedLesson, "teacher_only", "body_too_large", *_READS, *WRITES),
 )
 def open_lesson_file(query: LessonFileName, raw: UploadedFile) -> Response:
-    """Opens the lesson of a file, the body, on this PC. Without a PIN for all, else for the teacher."""
+    """Opens the lesson of an uploaded file (the body) on this PC. If a PIN is set, for the teacher only."""
     require_teacher_if_there_is_one()
     with uploaded(raw, query.name) as path:
         return _opened(path)
@@ -84,7 +84,7 @@ def open_lesson_file(query: LessonFileName, raw: UploadedFile) -> Response:
 
 @api.post("/lessons/file/path", responses=responses(OpenedLesson, *TEACHER, *_READS, *WRITES))
 def open_found_lesson_file(body: LessonFilePath) -> Response:
-    """Opens the lesson of a file on a stick or in the shared folder. For the teacher."""
+    """Opens the lesson of a file on a removable drive or in the shared folder. For the teacher."""
     require_teacher()
     path = Path(body.path)
     with naming_file(path, path.name):
@@ -96,7 +96,7 @@ def _opened(path: Path) -> Response:
     report, lesson_id = parts.store.exchange.merge_lesson(path)
     lesson = parts.store.lessons.resume(lesson_id)
     parts.signs.refresh()
-    assert lesson.classroom_id is not None  # of a lesson that a teacher opened
+    assert lesson.classroom_id is not None  # a lesson that a teacher opened has a class
     classroom = parts.store.classrooms.get(lesson.classroom_id)
     return json_response(
         OpenedLesson(

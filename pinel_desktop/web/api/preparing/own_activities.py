@@ -1,4 +1,4 @@
-"""Activities that a teacher makes: from a world, a sample solution and checks."""
+"""Own activities: activities that a teacher makes from a world, a sample solution and checks."""
 
 import json
 from dataclasses import asdict
@@ -45,7 +45,7 @@ _SAVE_ERRORS = ("own_activity_unsound", "invalid_activity", "name_empty", "name_
 
 @api.get("/own-activities", responses=responses(OwnActivityList, *TEACHER))
 def list_own_activities() -> Response:
-    """The activities that were made here or came in files. For the teacher."""
+    """The own activities that were made on this PC or merged from files. For the teacher."""
     require_teacher()
     rows = services().store.own_activities.all()
     return json_response(OwnActivityList(activities=[_listed(row) for row in rows]))
@@ -73,7 +73,7 @@ def get_own_activity(path: IdPath) -> Response:
     responses=responses(OwnActivity, *TEACHER, *_SAVE_ERRORS, "own_activities_too_many", *WRITES),
 )
 def create_own_activity(body: OwnActivityDraft) -> Response:
-    """Keeps a new activity. Its solution must pass, and a program without commands must not. For the teacher."""
+    """Stores a new activity. Its solution must pass, and a program without commands must not. For the teacher."""
     require_teacher()
     return _save(services().store.own_activities.new_key(), body)
 
@@ -83,7 +83,7 @@ def create_own_activity(body: OwnActivityDraft) -> Response:
     responses=responses(OwnActivity, *TEACHER, *_SAVE_ERRORS, "own_activity_not_found", *WRITES),
 )
 def change_own_activity(path: IdPath, body: OwnActivityDraft) -> Response:
-    """Replaces an activity; lessons and programs that name it have the new one. For the teacher."""
+    """Replaces an activity, also for the lessons and programs that name it. For the teacher."""
     require_teacher()
     return _save(services().store.own_activities.get(path.id).id, body)
 
@@ -92,7 +92,7 @@ def change_own_activity(path: IdPath, body: OwnActivityDraft) -> Response:
     "/own-activities/<id>", responses=responses(Empty, *TEACHER, "own_activity_not_found", *WRITES)
 )
 def delete_own_activity(path: IdPath) -> Response:
-    """Takes an activity off the lists; programs that are to solve it still are. For the teacher."""
+    """Removes an activity from the lists; programs that are to solve it still are. For the teacher."""
     require_teacher()
     services().store.own_activities.delete(path.id)
     return json_response(Empty())
@@ -103,7 +103,7 @@ def delete_own_activity(path: IdPath) -> Response:
     responses=responses(Empty, *TEACHER, "own_activity_not_found", *WRITES),
 )
 def restore_own_activity(path: IdPath) -> Response:
-    """Puts a deleted activity on the lists again. For the teacher."""
+    """Restores a deleted activity to the lists. For the teacher."""
     require_teacher()
     services().store.own_activities.undelete(path.id)
     return json_response(Empty())
@@ -111,7 +111,7 @@ def restore_own_activity(path: IdPath) -> Response:
 
 @api.post("/own-activities/measure", responses=responses(Sample, *TEACHER, "body_too_large"))
 def measure_solution(body: Stage) -> Response:
-    """Runs a sample solution and proposes checks that fit what it does. For the teacher."""
+    """Runs a sample solution and proposes checks that fit its run. For the teacher."""
     from pinel_desktop.activities import proposal_for  # noqa: PLC0415 - heavy
 
     require_teacher()
@@ -164,7 +164,7 @@ def _read(document: dict[str, Any]) -> tuple["Activity | None", Any]:
 
 
 def _document(key: str, body: OwnActivityDraft) -> dict[str, Any]:
-    """The activity of a form; texts that are empty are left out."""
+    """Returns the activity of a form as JSON data, without empty texts."""
     texts = {"story": body.story, "criteria": body.criteria, "question": body.question}
     written = {name: in_all_languages(text) for name, text in texts.items() if text.strip()}
     return {

@@ -1,4 +1,4 @@
-"""The real robots that this PC can drive, as the teacher set them up."""
+"""The real robots that this PC can drive: their set-up, contact, keys and start."""
 
 import math
 from typing import Literal
@@ -39,7 +39,7 @@ api = Resource("robots", "Real robots.", __name__)
 
 @api.get("/real-robots", responses=responses(RealRobotList))
 def list_real_robots() -> Response:
-    """All kinds of real robots. How a robot is reached is told to the teacher only."""
+    """All kinds of real robots. Only the teacher gets their connection data."""
     return json_response(RealRobotList(robots=[_robot(link) for link in services().robots.kinds]))
 
 
@@ -52,7 +52,7 @@ def list_real_robots() -> Response:
 def put_real_robot(path: LinkPath, body: RealRobotRecord) -> Response:
     """Sets up a kind of robot on this PC. For the teacher.
 
-    A start that is not in the room is refused with 422 and the reason, such as `start_in_wall`.
+    If the start pose is outside the room, the request is refused with 422 and the reason, such as `start_in_wall`.
     """
     require_teacher()
     try:
@@ -66,7 +66,7 @@ def put_real_robot(path: LinkPath, body: RealRobotRecord) -> Response:
     "/real-robots/<link>", responses=responses(RealRobot, "unknown_link", *TEACHER, *WRITES)
 )
 def forget_real_robot(path: LinkPath) -> Response:
-    """Undoes the set-up of a kind of robot on this PC. For the teacher."""
+    """Deletes the set-up of a kind of robot on this PC. For the teacher."""
     require_teacher()
     services().robots.forget(path.link)
     return json_response(_robot(path.link))
@@ -77,7 +77,7 @@ def forget_real_robot(path: LinkPath) -> Response:
     responses=responses(RobotContact, "unknown_link", "robot_not_set_up", *TEACHER),
 )
 def contact_real_robot(path: LinkPath) -> Response:
-    """Connects with the robot, listens for a second and leaves it standing. For the teacher."""
+    """Connects to the robot, reads its data for a second and commands no motion. For the teacher."""
     require_teacher()
     parts = services()
     record = parts.robots.profile(path.link)
@@ -104,7 +104,7 @@ def contact_real_robot(path: LinkPath) -> Response:
     ),
 )
 def find_real_robots(path: LinkPath, body: RealRobotRecord) -> Response:
-    """Looks for robots of ROS 2 in the domain of a record that need not be kept. For the teacher."""
+    """Searches for ROS 2 robots in the domain of a record that need not be stored. For the teacher."""
     require_teacher()
     try:
         record = profile_from({**body.record, "link": path.link})
@@ -123,7 +123,7 @@ def find_real_robots(path: LinkPath, body: RealRobotRecord) -> Response:
     "/real-robots/<link>/watch", responses=responses(Empty, "unknown_link", "robot_not_set_up")
 )
 def watch_real_robot(path: LinkPath, body: RobotWatch) -> Response:
-    """Listens to the robot for the next seconds: `robot_state` events tell how it is. Nothing is commanded."""
+    """Listens to the robot for the next seconds and publishes its state as `robot_state` events. Commands no motion."""
     parts = services()
     record = parts.robots.profile(path.link)
     parts.status_feed.watch(parts.engine, record, is_first=body.is_first)
@@ -137,7 +137,7 @@ def watch_real_robot(path: LinkPath, body: RobotWatch) -> Response:
 def jog_real_robot(path: LinkPath, body: Jog) -> Response:
     """Moves the robot slowly for a fifth of a second. For the teacher.
 
-    While a key is held, this is said again and again; the first one connects.
+    While a key is held, the page repeats the request; the first request connects.
     """
     require_teacher()
     parts = services()
@@ -150,7 +150,7 @@ def jog_real_robot(path: LinkPath, body: Jog) -> Response:
     "/real-robots/<link>/jog", responses=responses(Empty, "unknown_link", "robot_not_set_up")
 )
 def halt_real_robot(path: LinkPath) -> Response:
-    """Stops a robot that is moved by keys, at once; anybody may."""
+    """Stops a robot that is moved by keys, at once. For everybody."""
     parts = services()
     parts.engine.halt(parts.robots.profile(path.link))
     return json_response(Empty())
@@ -161,7 +161,7 @@ def halt_real_robot(path: LinkPath) -> Response:
     responses=responses(Empty, "unknown_link", "robot_not_set_up", *TEACHER),
 )
 def set_real_robot_start(path: LinkPath) -> Response:
-    """The robot stands at the start of its room: its place is counted from here. For the teacher."""
+    """Defines the robot's current pose as the start pose of its room; moves nothing. For the teacher."""
     require_teacher()
     parts = services()
     parts.engine.set_start_here(parts.robots.profile(path.link))
@@ -169,7 +169,7 @@ def set_real_robot_start(path: LinkPath) -> Response:
 
 
 def _with_field_label(error: PinelError, link: str) -> PinelError:
-    """The error with its field as the form names it."""
+    """Returns the error with its field named as in the form."""
     field = str(error.params.get("field", ""))
     name = next((one for one in fields_of(PROFILES[link]) if field.startswith(one)), None)
     if name is None:
