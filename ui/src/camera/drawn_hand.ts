@@ -6,9 +6,6 @@ import { sight } from "./sight";
 /**
  * The side of the hand in drawings. The user sets it, or the camera when its detected side changes.
  */
- * The side of the hand in drawings: the side that the user chose, until the camera detects a
- * change.
- */
 export const drawnHand = signal<HandSide>("right");
 
 /**
