@@ -274,7 +274,7 @@ class BlockEditor implements Editor {
     return node instanceof Blockly.BlockSvg && node.workspace === this.workspace ? node.id : null;
   }
 
-  /** Blockly shows a toolbox after an update, even in a read-only workspace, so it is hidden again here. */
+  /** Updates the toolbox. Blockly then shows it even in a read-only workspace, so hides it again. */
   private updateToolbox(): void {
     this.workspace.updateToolbox(toolbox(this.level, this.offered));
     if (this.workspace.isReadOnly()) this.workspace.getToolbox()?.setVisible(false);

@@ -11,7 +11,7 @@ import { registerSearchItem } from "./toolbox/search_item";
 import { registerToolboxCategory } from "./toolbox/toolbox_category";
 import { patchAriaUpdates } from "./without_events";
 
-/** Injects a Blockly workspace with this application's renderer, theme and toolbox into the container. */
+/** Injects a Blockly workspace with our renderer, theme and toolbox into the container. */
 export function injectWorkspace(
   options: EditorOptions,
   offered: () => OfferedActions,

@@ -6,7 +6,7 @@ const IDLE_ENTRIES = ["blockInline", "blockHelp", "commentCreate"];
 
 let adapted = false;
 
-/** Adapts Blockly's context menus to our blocks. The menu registry is global, so this runs once per page. */
+/** Adapts Blockly's context menus to our blocks, once per page: the menu registry is global. */
 export function adaptMenus(): void {
   if (adapted) return;
   adapted = true;

@@ -10,7 +10,7 @@ const RADIUS = 7;
 const LEFT = -2;
 const MIDDLE = 24;
 
-/** Blocks before which a run pauses. Each has a red dot, toggled by the block's menu or the key F9. */
+/** Blocks before which a run pauses. The block's menu and the key F9 toggle their red dots. */
 export class Breakpoints {
   private static readonly of = new WeakMap<Blockly.Workspace, Breakpoints>();
   private readonly ids = new Set<string>();

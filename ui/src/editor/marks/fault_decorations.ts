@@ -50,7 +50,7 @@ export class FaultDecorations {
     for (const id of [...this.marked.keys()]) this.clearBlock(id);
   }
 
-  /** Clears the fault of a block that is being edited; the next check decides whether it is fixed. */
+  /** Clears the fault of an edited block; the next check decides whether it is fixed. */
   clearBlock(id: string | null | undefined): void {
     if (!id || !this.marked.delete(id)) return;
     this.shown = this.shown.filter((fault) => fault.block !== id);

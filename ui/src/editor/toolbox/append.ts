@@ -21,9 +21,9 @@ export function appendFromFlyout(source: Blockly.BlockSvg): void {
 /**
  * Inserts a new block as one undo step, selects it, scrolls it into view and announces it.
  *
- * - A command goes to the end of the program. If a block with a statement input is selected, it goes
- *   to the end of that input. If a block inside a statement input is selected, it goes to the end of
- *   the same input.
+ * - A command goes to the end of the program. If a block with a statement input is selected, the
+ *   command goes to the end of that input. If a block inside a statement input is selected, the
+ *   command goes to the end of the same input.
  * - A value goes into the first free input of the selected block that accepts it.
  * - Any other block lies loose below the program.
  */
