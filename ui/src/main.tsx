@@ -27,7 +27,7 @@ void Promise.all([texts, Promise.race([firstRequestsSettled(), renderTimeout])])
   if (root) render(<App />, root);
 });
 
-// the window's self-check and the benchmarks wait for this sign that page and editor are ready
+// the window's self-check and the benchmarks wait for this attribute: page and editor are ready
 void opened.then(() => {
   document.documentElement.dataset.ready = "true";
 });

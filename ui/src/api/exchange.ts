@@ -13,7 +13,7 @@ export const exchange = {
     post("/api/bundles", { body: { folder, classroom_id, anonymous } }),
   /**
    * Without `retained`, deletes nothing. With it, also deletes here what the other PC deleted for
-   * good, except the rows in `retained`.
+   * good, except the groups and programs in `retained`.
    */
   merge: async (path: string, retained?: readonly string[]) => {
     const drop = retained !== undefined;

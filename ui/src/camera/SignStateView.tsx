@@ -58,7 +58,7 @@ function Middle({ state }: { state: SignState }) {
   return <Icon class="icon reading__icon" aria-hidden="true" />;
 }
 
-/** The class for a taught sign, whose name may have several letters. */
+/** CSS class for the name of a taught sign, which may have several letters. */
 const long = (sign: string) => (sign.length > 1 ? "reading__letter--long" : "");
 
 function StateText({ state, next }: { state: SignState; next: string | null }) {

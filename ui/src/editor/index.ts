@@ -274,7 +274,7 @@ class BlockEditor implements Editor {
     return node instanceof Blockly.BlockSvg && node.workspace === this.workspace ? node.id : null;
   }
 
-  /** Updates the toolbox. Blockly then shows it even in a read-only workspace, so hides it again. */
+  /** Updates the toolbox. Blockly then shows it even in a read-only workspace; hides it again. */
   private updateToolbox(): void {
     this.workspace.updateToolbox(toolbox(this.level, this.offered));
     if (this.workspace.isReadOnly()) this.workspace.getToolbox()?.setVisible(false);

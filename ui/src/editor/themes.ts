@@ -70,7 +70,7 @@ export function showTheme(workspace: Blockly.WorkspaceSvg, name: ThemeName): voi
   if (workspace.getTheme().name !== nameOf(name)) workspace.setTheme(blocklyTheme(name));
 }
 
-/** The name of the page's font. Blockly measures text outside the page, without its CSS variables. */
+/** Name of the page's font: Blockly measures text outside the page, without its CSS variables. */
 export function pageFont(): string {
   const font = getComputedStyle(document.documentElement).getPropertyValue("--font").trim();
   return font || "system-ui, sans-serif";

@@ -120,9 +120,9 @@ function closeBubbles(workspace: Blockly.WorkspaceSvg, but?: string): void {
 }
 
 /**
- * Places the bubble so that it covers no block and needs no tail. If there is space, it goes beside
- * the block. Otherwise it goes below the stack; if the stack is longer than the view, it does not
- * move.
+ * Places the bubble where it covers no block and needs no tail. If there is space, that is beside
+ * the block, else below the stack; the caller then scrolls. If the stack is longer than the view,
+ * the bubble does not move.
  */
 export function positionBubble(
   block: Blockly.BlockSvg,

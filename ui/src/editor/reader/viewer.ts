@@ -211,7 +211,7 @@ export class BlocksViewer {
     return this.workspace.getBlockById(id) ?? this.startBlock(id);
   }
 
-  /** The start block, if the id is "start": older versions gave it another id. */
+  /** The start block, if the id is "start"; in some stored versions its own id differs. */
   private startBlock(id: string): Blockly.BlockSvg | null {
     const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
     return id === "start" ? (start ?? null) : null;

@@ -49,8 +49,8 @@ export function RealRobot() {
 }
 
 /**
- * Stops the robot at the emergency key, also with modifiers and on key repeat: in an emergency
- * people press keys carelessly.
+ * Stops the robot at the emergency key, also with modifiers and on key repeat: any press of the key
+ * means an emergency.
  */
 function onKey(event: KeyboardEvent): void {
   if (event.key !== EMERGENCY_KEY) return;
