@@ -5,7 +5,10 @@ import { defineConfig } from "vitest/config";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
-/** Blockly looks for its cursors and sounds at its maker's host unless they are shipped with the page. */
+/**
+ * Copies Blockly's cursors and sounds into the page. Otherwise Blockly would load them from its
+ * maker's host.
+ */
 function blocklyMedia(): Plugin {
   let outDir = "";
   return {
@@ -20,7 +23,10 @@ function blocklyMedia(): Plugin {
   };
 }
 
-/** Blocks that are drawn before their font is there are drawn twice: fonts are fetched beside the code. */
+/**
+ * Preloads the fonts in parallel with the code: blocks that are drawn before their font are drawn
+ * twice.
+ */
 function fontsEarly(): Plugin {
   return {
     name: "pinel-fonts-early",
@@ -40,8 +46,9 @@ function fontsEarly(): Plugin {
 }
 
 /**
- * The texts of the chosen language must be there before the first drawing, without another journey to the server: for
- * each language a page that fetches them beside the code. `pinel_desktop/web/page.py` chooses among them.
+ * Builds one page per language, which loads its texts in parallel with the code. The first drawing
+ * needs the texts, and a second round trip to the server would delay it.
+ * `pinel_desktop/web/page.py` chooses the page.
  */
 function pagePerLanguage(): Plugin {
   return {
@@ -78,7 +85,7 @@ export default defineConfig({
     target: "es2022",
     chunkSizeWarningLimit: 1500,
     modulePreload: { polyfill: false },
-    // what the start needs is one file, whatever parts that come later have in common with it
+    // one file for the start, even for modules that lazy parts also import
     rolldownOptions: {
       output: { codeSplitting: { groups: [{ name: "start", tags: ["$initial"] }] } },
     },
@@ -86,7 +93,8 @@ export default defineConfig({
   server: { fs: { allow: [here("..")] } },
   test: {
     environment: "jsdom",
-    // a document and a module store for each file took most of the time: fresh_page.ts empties those of its worker
+    // test files share document and module store, because creating them took most of the time;
+    // fresh_page.ts resets them
     isolate: false,
     maxWorkers: "100%",
     setupFiles: [
@@ -94,7 +102,7 @@ export default defineConfig({
       "src/i18n/testing/all_languages.ts",
       "src/kit/testing/timeouts.ts",
     ],
-    // nothing is measured by it: parts that are fetched when needed, and axe, take longer beside other work
+    // generous, because lazy parts and axe are slow on a busy PC; no test measures time with it
     testTimeout: 30_000,
     hookTimeout: 30_000,
     include: ["src/**/*.test.ts", "src/**/*.test.tsx", "test/**/*.test.ts"],

@@ -5,7 +5,7 @@ import { expect, test } from "vitest";
 
 const MAX_LINES = 60;
 
-/** The components of a file, each with the number of its lines. */
+/** Lists the components of a file, each with its number of lines. */
 function read(path: string): [string, number][] {
   const text = readFileSync(join("src", path), "utf8");
   const source = ts.createSourceFile(path, text, ts.ScriptTarget.Latest, true);
@@ -22,7 +22,7 @@ function read(path: string): [string, number][] {
   return components;
 }
 
-/** The name of a function, declared or kept in a constant. */
+/** The name of a function, from its declaration or from its constant. */
 function nameOf(node: ts.Node): string | undefined {
   if (ts.isFunctionDeclaration(node)) return node.name?.text;
   const { parent } = node;

@@ -12,7 +12,7 @@ import { firstRequestsSettled } from "./shell/first_answers";
 import { setLazyStyles } from "./shell/lazy";
 import { open } from "./shell/session";
 
-/** A server that is slow to answer is worth a frame around what is to come. */
+/** If the server answers later than this, the page draws its frame without contents first. */
 const FIRST_RENDER_TIMEOUT_MS = 300;
 
 setLazyStyles(() => import("./styles_lazy"));
@@ -22,12 +22,12 @@ const texts = fetchTexts(language.peek());
 const opened = texts.then(() => open({ receive, resync }, camera, receiveState));
 const root = document.getElementById("app");
 
-// Otherwise drawn once, with everything in its place.
+// otherwise the page is drawn once, with all its contents
 void Promise.all([texts, Promise.race([firstRequestsSettled(), renderTimeout])]).then(() => {
   if (root) render(<App />, root);
 });
 
-// The window's self-check and the benchmarks wait for this: the page answers, and its editor is there.
+// the window's self-check and the benchmarks wait for this attribute: page and editor are ready
 void opened.then(() => {
   document.documentElement.dataset.ready = "true";
 });

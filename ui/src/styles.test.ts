@@ -4,7 +4,7 @@ import { describe, expect, test } from "vitest";
 
 const FIRST = "src/styles.ts";
 const LAZY = "src/styles_lazy.ts";
-/** The editor is also shown apart from the page, and brings its own sheet there. */
+/** The editor also runs outside the page, so it imports its own style sheet. */
 const STANDALONE = ["src/editor/index.ts", "src/editor/reader/viewer.ts"];
 
 const files = readdirSync("src", { recursive: true, encoding: "utf8" }).map((path) =>
@@ -16,7 +16,7 @@ function imported(path: string, pattern: RegExp): string[] {
   return [...read(path).matchAll(pattern)].map(([, name]) => join(dirname(path), name ?? ""));
 }
 
-/** Each sheet of a list with those it is made of. */
+/** Each sheet of a list, with the sheets that it imports. */
 const sheets = (list: string) =>
   imported(list, /^import "(.+\.css)";/gm).map((path) => [
     path,
@@ -24,7 +24,7 @@ const sheets = (list: string) =>
   ]);
 const wholes = [...sheets(FIRST), ...sheets(LAZY)];
 
-/** Classes that a sheet styles wherever they stand, on any screen and not only on paper. */
+/** Classes that a sheet styles everywhere on the screen, whatever surrounds them. */
 function globalClasses(path: string): string[] {
   const text = read(path).replace(/\/\*[\s\S]*?\*\//g, "");
   const onScreen = text.replace(/@media print \{[\s\S]*?\n\}/g, "");
@@ -36,7 +36,7 @@ function globalClasses(path: string): string[] {
   );
 }
 
-/** All modules that the page needs before anything is fetched later. */
+/** All modules that load with the page, without the lazy ones. */
 function reached(from: string, found = new Set<string>()): Set<string> {
   if (found.has(from)) return found;
   found.add(from);

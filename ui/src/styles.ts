@@ -1,8 +1,8 @@
 /*
- * The style sheets of what the start shows, in the one order that the built page has too; those of all other parts stand
- * in styles_lazy.ts. Were each part to bring its own along, what is fetched later would come after what was fetched
- * before, and one screen would look different after another.
- * What a later sheet says about an element wins over an earlier one: what others build on stands first.
+ * Style sheets of the first bundle, in the order of the built page; styles_lazy.ts has all others.
+ * No part imports its own sheet: lazy sheets would then apply in the order of loading, and a screen
+ * would look different after another screen. If two sheets style an element, the later one wins, so
+ * shared sheets come first.
  */
 import "./kit/fonts.css";
 import "./kit/tokens.css";

@@ -1,6 +1,6 @@
 /*
- * The style sheets of all parts that are fetched when they are first shown, whichever it is, in one order: after those
- * of styles.ts, paper last. The start would have to read them for nothing.
+ * Style sheets of all lazy parts. They load together, in this order, after those of styles.ts; the
+ * sheet for print is last. They are separate because the start of the page does not need them.
  */
 import "./world_editor/board/board.css";
 import "./world_editor/world_editor.css";

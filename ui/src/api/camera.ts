@@ -1,12 +1,15 @@
 import { get, post, put } from "./client";
 
-/** The camera that sees signs; what it sees comes with the events. */
+/** Requests about the camera that recognises signs; its results come as events. */
 export const cameraApi = {
   status: () => get("/api/camera"),
   choose: (source: string) => put("/api/camera", { body: { source } }),
-  /** Gets ready to recognise signs; the camera itself stays off. */
+  /** Starts the camera process so that it is ready to recognise signs; the camera stays off. */
   warmUp: () => post("/api/camera/wake"),
 };
 
-/** Where the mirrored picture is, which keeps the camera on; another number asks for it anew. */
+/**
+ * The address of the mirrored live picture; a request for it keeps the camera on. Another number
+ * makes the browser request it again.
+ */
 export const previewAddress = (attempt: number) => `/api/camera/preview?attempt=${attempt}`;

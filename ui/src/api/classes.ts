@@ -1,10 +1,10 @@
 import { get, of, patch, post, put } from "./client";
 import type { GroupChanges, LessonChanges, NewGroup, NewLesson } from "./model";
 
-/** Where the lessons of groups without a class are asked for. */
+/** The class id in requests for lessons of groups without a class. */
 export const NO_CLASS = "none";
 
-/** Classes, groups, lessons and the teacher's session. */
+/** Requests about classes, groups, lessons and the teacher's session. */
 export const classesApi = {
   createGroup: (body: NewGroup) => post("/api/groups", { body }),
   changeGroup: (id: string, body: GroupChanges) => patch("/api/groups/{id}", { ...of(id), body }),
@@ -14,7 +14,7 @@ export const classesApi = {
   renameClassroom: (id: string, name: string) =>
     patch("/api/classrooms/{id}", { ...of(id), body: { name } }),
 
-  /** The open lesson, and with what the groups of the class begin. */
+  /** The open lesson, and the preset with which the groups of the class start. */
   currentLesson: (classroom: string) => get("/api/classrooms/{id}/lesson", of(classroom)),
   lessons: async (classroom: string) =>
     (await get("/api/classrooms/{id}/lessons", of(classroom))).lessons,

@@ -4,7 +4,7 @@ import { ApiError, ServerUnreachable } from "./errors";
 import { exchange } from "./exchange";
 import { reviewApi } from "./review";
 
-/** The requests that were sent, each answered by `answer`. */
+/** Answers each request with `answer`; returns the list that collects the requests. */
 function serverThat(answer: (request: Request) => Response | Promise<Response>): Request[] {
   const sent: Request[] = [];
   vi.stubGlobal("fetch", (request: Request) => {

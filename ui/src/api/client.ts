@@ -3,9 +3,9 @@ import { ApiError, ServerUnreachable } from "./errors";
 import type { DocumentToWrite, EditorContent, LiveCommand, NewVersion, RunOptions } from "./model";
 import type { paths } from "./types";
 
-/** The one HTTP client. Paths, parameters, bodies and answers are typed by the server's own description. */
+/** The one HTTP client. The server's OpenAPI description types paths, parameters and bodies. */
 const http = createClient<paths>({
-  // relative addresses fail in Node's Request
+  // Node's Request rejects relative addresses
   baseUrl: location.origin,
   fetch: (request) => globalThis.fetch(request),
 });
@@ -28,7 +28,10 @@ type ResponseBody<Operation> = Operation extends { responses: { 200: { content: 
   ? Content[keyof Content]
   : never;
 
-/** Requests of one method. They reject with ApiError, which has the server's words, or with ServerUnreachable. */
+/**
+ * The function that sends requests of one method. Its promise rejects with ApiError, which has the
+ * server's message, or with ServerUnreachable.
+ */
 const requests =
   <M extends Method>(method: M) =>
   async <P extends Path<M>>(
@@ -48,11 +51,11 @@ export const [get, post, put, patch, del] = [
 /** Fills the `{id}` of a path. */
 export const of = (id: string) => ({ params: { path: { id } } });
 
-/** The same, for an answer that is a file; `file` says so to the compiler. */
+/** Like `of`, for a response that is a file; `file` gives the response its type. */
 export const asFile = (id: string) => ({ ...of(id), parseAs: "blob" }) as const;
 export const file = (answer: Promise<string>) => answer as Promise<unknown> as Promise<Blob>;
 
-/** A file together with the headers of its answer. */
+/** A file together with the headers of its response. */
 export const fileAnswer = async (
   path: "/api/programs/{id}/file",
   init: ReturnType<typeof asFile>,
@@ -61,10 +64,10 @@ export const fileAnswer = async (
   return { data: data as Blob, response };
 };
 
-/** A keepalive request may carry no more than this, by the fetch standard. */
+/** Maximum length of a keepalive request. The fetch standard limits all in flight to 64 KiB. */
 const KEEPALIVE_LIMIT = 60_000;
 
-/** The app, groups, programs and runs: what the page needs from its start. */
+/** Requests about the app, groups, programs and runs, which the page needs from its start. */
 export const api = {
   status: () => get("/api/status"),
   beginEmpty: () => post("/api/database/begin-empty", {}),
@@ -74,12 +77,12 @@ export const api = {
   programs: async (group: string) => (await get("/api/groups/{id}/programs", of(group))).programs,
   createProgram: (group: string, name: string) =>
     post("/api/groups/{id}/programs", { ...of(group), body: { name } }),
-  /** `sound`: with the newest version that can be opened, where a newer one is damaged. */
+  /** `sound`: if the newest version is damaged, gives the newest intact one. */
   program: (id: string, sound = false) =>
     get("/api/programs/{id}", { params: { path: { id }, query: sound ? { sound } : {} } }),
   renameProgram: (id: string, name: string) =>
     patch("/api/programs/{id}", { ...of(id), body: { name } }),
-  /** `last`: the page is closing, the request must outlive it. */
+  /** `last`: the page is closing, so the request must outlive it. */
   saveVersion: (program: string, content: EditorContent, last = false) => {
     const body = content as NewVersion;
     const keepalive = last && JSON.stringify(body).length < KEEPALIVE_LIMIT;
@@ -102,7 +105,7 @@ export const api = {
 
   robots: async () => (await get("/api/robots")).robots,
   worlds: async () => (await get("/api/worlds")).worlds,
-  /** Everything that is wrong with a world, in words. */
+  /** All faults of a world, as texts. */
   checkWorld: async (world: unknown) =>
     (await post("/api/worlds/check", { body: { world } })).faults,
 };

@@ -1,6 +1,6 @@
 import type { ErrorBody, Fault } from "./model";
 
-/** The server answered with an error, its words ready for people. */
+/** The server answered with an error, whose texts can be shown to people. */
 export class ApiError extends Error {
   readonly code: string;
   readonly remedy: string;
@@ -20,7 +20,7 @@ export class ApiError extends Error {
   }
 }
 
-/** No answer came: the program behind the page has gone. */
+/** No response came: the app behind the page has exited. */
 export class ServerUnreachable extends Error {
   override readonly name = "ServerUnreachable";
 }

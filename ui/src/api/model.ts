@@ -16,13 +16,13 @@ export type RunEvent = Event;
 export type Language = Status["language"];
 /** Sensors around the robot that a page may subscribe to. */
 export type Ring = Subscribe["sensors"][number];
-/** What the page has to know of the version it shows, whether it was opened or saved. */
+/** State of the version that the page shows, after opening it and after saving it. */
 export type SavedState = Pick<SavedVersion, "id" | "faults">;
-/** How true to life a run is, and what the robot knows of its place. */
+/** How realistic the simulated robot is, and where its pose comes from: a camera or odometry. */
 export type RealismOptions = Required<Pick<NewRun, "preset" | "feedback">>;
-/** What a run is to know of breakpoints, speed, steps, start and robot from its beginning. */
+/** Options of a run that apply from its start: breakpoints, speed, steps, start pose and robot. */
 export type RunOptions = Omit<NewRun, "version_id" | "world" | "seed">;
-/** What the editor hands over and the server keeps; of any object JSON can be made. */
+/** What the editor sends and the server stores; any object that JSON can hold. */
 export interface EditorContent extends Pick<NewVersion, "parent_id"> {
   workspace: object;
   document: object | null;
@@ -30,10 +30,10 @@ export interface EditorContent extends Pick<NewVersion, "parent_id"> {
   setup?: Setup | null;
 }
 
-/** The name under which a version's own world is run in. */
+/** The name under which a run uses the version's own world. */
 export const OWN_WORLD = "own";
 
-/** A world's title: one text, or one in each language; in Portuguese where its own is missing. */
+/** A world's title: one text for all languages, or one per language; falls back to Portuguese. */
 export function worldTitle({ title }: World, language: Language): string {
   return typeof title === "string" ? title : (title[language] ?? title["pt-BR"]);
 }

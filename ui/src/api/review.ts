@@ -1,6 +1,6 @@
 import { asFile, del, file, get, of, patch, post } from "./client";
 
-/** Which runs of the history; what is "" does not choose. */
+/** Filter of the run history; "" stands for no condition. */
 export interface RunFilter {
   classroom: string;
   group: string;
@@ -11,10 +11,10 @@ export interface RunFilter {
   outcome: string;
 }
 
-/** What the teacher looks at after class. */
+/** Requests for the teacher's review after class. */
 export const reviewApi = {
   lesson: (id: string) => get("/api/lessons/{id}/review", of(id)),
-  /** The table of a lesson, as a spreadsheet opens it. */
+  /** The table of a lesson as CSV for a spreadsheet. */
   table: (id: string) => file(get("/api/lessons/{id}/review.csv", asFile(id))),
   runs: (filter: RunFilter, before: string | null, limit = 24) => {
     const entries = Object.entries({ ...filter, before }).filter(([, value]) => value);
@@ -22,7 +22,7 @@ export const reviewApi = {
   },
   difference: (id: string, to: string) =>
     get("/api/versions/{id}/difference", { params: { path: { id }, query: { to } } }),
-  /** Lets a run count that cannot be repeated here. */
+  /** Makes a run count although this PC cannot repeat it. */
   accept: (run: string) => post("/api/runs/{id}/accept", of(run)),
   notes: async (run: string) => (await get("/api/runs/{id}/notes", of(run))).notes,
   writeNote: (run: string, text: string) =>

@@ -2,7 +2,7 @@ import { del, get, post, put } from "./client";
 
 const link = (name: string) => ({ params: { path: { link: name } } });
 
-/** The real robots that this PC can drive. */
+/** Requests about the real robots that this PC can drive. */
 export const robotsApi = {
   all: async () => (await get("/api/real-robots")).robots,
   save: (name: string, record: Record<string, unknown>) =>

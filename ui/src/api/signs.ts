@@ -2,22 +2,22 @@ import { del, get, post, put } from "./client";
 
 const ofClass = (id: string, sign: string) => ({ params: { path: { id, sign } } });
 
-/** Signs that a class teaches the camera. */
+/** Requests about the signs that a class teaches the camera. */
 export const signsApi = {
-  /** The camera knows what the class taught from now on; gives the letters and what it taught. */
+  /** Makes the camera recognise the signs of a class; gives the letters and these signs. */
   use: async (classroom: string | null) =>
     (await put("/api/camera/classroom", { body: { classroom_id: classroom } })).signs,
-  /** The letters and what the class taught. */
+  /** The letters and the signs of a class. */
   list: async (classroom: string) =>
     (await get("/api/classrooms/{id}/signs", { params: { path: { id: classroom } } })).signs,
-  /** Begins to record what the camera sees; events tell how it goes on. */
+  /** Starts to record samples from the camera; events report the progress. */
   record: (classroom: string, sign: string) =>
     post("/api/classrooms/{id}/signs/{sign}/samples", ofClass(classroom, sign)),
-  /** Begins to record movements, each from rest to rest. */
+  /** Starts to record movements, each from rest to rest. */
   recordMoving: (classroom: string, sign: string) =>
     post("/api/classrooms/{id}/signs/{sign}/movements", ofClass(classroom, sign)),
   stop: () => del("/api/signs/recording"),
-  /** Deletes what was recorded; an event tells that the list is another one. */
+  /** Deletes the recorded samples of a sign; an event reports that the list has changed. */
   forget: (classroom: string, sign: string) =>
     del("/api/classrooms/{id}/signs/{sign}", ofClass(classroom, sign)),
 };

@@ -9,7 +9,7 @@ function page(id: string, limit: number, before: string | null) {
   return get("/api/programs/{id}/versions", { params: { path: { id }, query } });
 }
 
-/** What is never lost: versions, the bin, notes of the teacher. */
+/** Requests about work that is never lost: versions, the bin, notes of the teacher. */
 export const versionsApi = {
   /** All versions of a program, the oldest first. */
   line: async (program: string): Promise<VersionMark[]> => {
@@ -22,15 +22,15 @@ export const versionsApi = {
     } while (before);
     return newestFirst.reverse();
   },
-  /** The version that stands before another in the line, whatever either was made of. */
+  /** The version with the next lower number, whichever version either was edited from. */
   before: async (program: string, version: string): Promise<string | null> =>
     (await page(program, 1, version)).versions[0]?.id ?? null,
   version: (id: string) => get("/api/versions/{id}", of(id)),
   difference: reviewApi.difference,
-  /** Gives a version a name; "" takes it away. */
+  /** Sets the name of a version; "" removes it. */
   label: (id: string, text: string) =>
     put("/api/versions/{id}/label", { ...of(id), body: { text } }),
-  /** Keeps an old content once more, as the newest version. */
+  /** Stores the content of an old version again as the newest version. */
   saveAsNewest: (program: string, parent_id: string, content: EditorContent) =>
     api.saveVersion(program, { ...content, parent_id }),
 

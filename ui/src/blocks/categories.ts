@@ -1,6 +1,6 @@
 /**
- * One hue per block category. The same hue marks the category in the workspace, in the time slider of a
- * replay and in help, so this table is the only place where it is written down. White text is legible on all.
+ * One hue per block category. Workspace, help and the time slider of a replay use the same hue, so
+ * no other file repeats these values. White text is legible on every hue.
  */
 export const CATEGORY_COLOURS = {
   motion: "#2b67b8",

@@ -1,15 +1,15 @@
 import type { IconName } from "./icons";
 
-/** From which level on a block stands in the toolbox: first steps, explorer, everything. */
+/** The level from which the toolbox offers a block: first steps, explorer, everything. */
 export type Level = 1 | 2 | 3;
 
 /**
- * What a value block gives and what an input accepts. "Literal" marks what is written out on the block itself, which is
- * all that a list may hold; every literal is a number, a text or a truth value as well.
+ * The type of a value block and of an input. "Literal" marks a value that is written on the block
+ * itself; a list holds only literals. Every literal also is a number, a text or a truth value.
  */
 export type ValueType = "Number" | "String" | "Boolean" | "Array" | "Literal";
 
-/** What a block becomes in the document. `fixed` are parameters that no field holds. */
+/** The part of the document that a block generates. `fixed` are parameters without a field. */
 export type Makes =
   | { readonly action: string; readonly fixed?: Readonly<Record<string, unknown>> }
   | { readonly op: readonly string[] }
@@ -18,20 +18,23 @@ export type Makes =
   | { readonly function: true }
   | null;
 
-/** Bounds that hands are held to; what a document brings is shown as it is, and faulted by the reader. */
+/**
+ * Bounds for values that a pupil types. A value from a document is shown unchanged; the server's
+ * reader reports its fault.
+ */
 export interface Limits {
   readonly min?: number;
   readonly max?: number;
   readonly precision?: number;
 }
 
-/** What stands in an empty input: a number, a text (by the key of its words, or a letter), or a block that shows one. */
+/** The placeholder in an empty input: a number, a text (by the key of its label), or a letter. */
 export type Shadow =
   | { readonly number: number }
   | { readonly textKey: string }
   | { readonly letter: string };
 
-/** A parameter's place on a block. `key` is its name in the document. */
+/** An input or a field that holds a parameter. `key` is the parameter's name in the document. */
 export type BlockArgument = {
   readonly type: string;
   readonly name?: string;
@@ -41,7 +44,7 @@ export type BlockArgument = {
   readonly limits?: Limits;
 } & Readonly<Record<string, unknown>>;
 
-/** One more input after another, with plus and minus; the first is A, the second B. */
+/** A block whose plus and minus buttons add and remove inputs; the inputs are A, B, ARG2, ... */
 export interface Variadic {
   readonly check: ValueType | null;
   readonly min: number;
@@ -50,9 +53,9 @@ export interface Variadic {
 }
 
 /**
- * A row of the block table: Blockly's JSON of one block, and what it is in the document, in the toolbox and in words.
- * `args0` follows the placeholders of the block's text; `%1` is its icon where it has one. Its words, and its help, are
- * `texts/` LANGUAGE under the type in capitals.
+ * A row of the block table: Blockly's JSON of one block, its part of the document, its level in the
+ * toolbox. `args0` follows the placeholders of the block's text; `%1` is the icon if the block has
+ * one. Text and help are in `i18n/LANG/blocks.ts`, under the type in capitals.
  */
 export interface BlockDefinition {
   readonly type: string;
@@ -71,6 +74,6 @@ export interface BlockDefinition {
   readonly variadic?: Variadic;
   readonly mutator?: string;
   readonly extensions?: readonly string[];
-  /** Made from documents, and never offered. */
+  /** The loader creates this block from documents; the toolbox never offers it. */
   readonly hidden?: true;
 }

@@ -15,9 +15,10 @@ import { text } from "./table/text";
 import { variables } from "./table/variables";
 
 /**
- * The block table: every block there is, by category, in the order of the toolbox. A new one takes a row in the file of
- * its category and words in `texts/`; a command whose parameters have keys needs no more, any other block a generator
- * and a loader. The compiler and the tests beside this file name what is missing.
+ * The block table: all blocks by category, in the order of the toolbox. A new block needs a row in
+ * the file of its category, and texts in `i18n/LANG/blocks.ts`. A command whose parameters all have
+ * keys needs no more; any other block needs a generator and a loader. The compiler and the tests
+ * beside this file report a missing part.
  */
 export const DEFINITIONS = {
   start,
@@ -42,7 +43,7 @@ export type StatementBlockType = Extract<Definition, { previousStatement: null }
 
 export const CATEGORIES = Object.keys(DEFINITIONS) as Category[];
 
-/** A row whose type the compiler knows. */
+/** A row of the table; its type is one of the known block types. */
 export type Row = BlockDefinition & { readonly type: BlockType };
 
 export const ALL_DEFINITIONS: readonly Row[] = CATEGORIES.flatMap(
@@ -58,7 +59,7 @@ export function definitionOf(type: string): Row {
   return row;
 }
 
-/** Where the parameters of a block stand: its inputs and fields, those of a second line included. */
+/** Inputs and fields of a block that hold parameters, including its second line. */
 export function argumentsOf(row: BlockDefinition) {
   return [...row.args0, ...(row.args1 ?? [])];
 }

@@ -1,6 +1,9 @@
 import { CATEGORY_COLOURS } from "./categories";
 
-/** The page's hue of each category; the start block stands outside of them, and keeps clear of all. */
+/**
+ * The hue of each category. The start block belongs to no category; its hue differs from all
+ * others.
+ */
 export const HUES = { start: "#5b5446", ...CATEGORY_COLOURS } as const;
 
 export type Category = keyof typeof HUES;

@@ -1,4 +1,4 @@
-/** Shapes of the lucide family (ISC licence), 24 x 24, drawn with a stroke. */
+/** Path data of lucide icons (ISC licence), 24 x 24, drawn as strokes. */
 const SHAPES = {
   play: "M6 4v16l13-8z",
   arrowUp: "m5 12 7-7 7 7M12 19V5",
@@ -77,7 +77,10 @@ export function iconShape(name: IconName): string {
   return SHAPES[name];
 }
 
-/** The icon as an image of its own: Blockly takes pictures by address only, and nothing may come from elsewhere. */
+/**
+ * The icon as a data URL: Blockly takes pictures by address only, and the page may not load from
+ * the internet.
+ */
 export function iconSource(name: IconName): string {
   const svg =
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none" stroke="#fff" stroke-width="2.5"' +
@@ -85,7 +88,7 @@ export function iconSource(name: IconName): string {
   return `data:image/svg+xml,${encodeURIComponent(svg)}`;
 }
 
-/** The leading picture of a block, as an argument of its definition. */
+/** The icon at the start of a block, as an argument of its definition. */
 export function iconArgument(name: IconName) {
   return {
     type: "field_icon",
@@ -97,5 +100,8 @@ export function iconArgument(name: IconName) {
   };
 }
 
-/** Keeps a word that stands alone in its row clear of the notch above it and in line with the words over it. */
+/**
+ * Spacer for a row with a single word. It keeps the word clear of the notch above, and aligned with
+ * the words of the other rows.
+ */
 export const rowSpacer = { ...iconArgument("none"), name: "SPACER", height: 36 };

@@ -19,7 +19,10 @@ export { type Category, HUES } from "./hues";
 
 let registered = false;
 
-/** Makes every block known to Blockly. The only place with that side effect; calling it again does nothing. */
+/**
+ * Registers every block with Blockly. Only this function has that side effect; a second call does
+ * nothing.
+ */
 export function registerBlocks(): void {
   if (registered) return;
   registered = true;
@@ -48,7 +51,7 @@ function registerShapes(): void {
   Blockly.Extensions.register("quiet_colour", quietColour);
 }
 
-/** A row as Blockly takes it: with its words, and its icon as the first of its arguments. */
+/** Blockly's JSON of a row: with its text, and its icon as the first argument. */
 function blocklyJson(row: Row): object {
   const { level, makes, icon, args0, variadic: _, hidden, ...json } = row;
   const key = row.type.toUpperCase() as TextKey;
@@ -62,7 +65,7 @@ function blocklyJson(row: Row): object {
   };
 }
 
-/** The arrow on a turn shows the way it goes. */
+/** Makes the arrow of a turn block point in the chosen direction. */
 function turnArrow(this: Blockly.Block): void {
   const arrow = this.getField("ICON");
   this.getField("DIRECTION")?.setValidator((direction: string) => {
@@ -71,7 +74,7 @@ function turnArrow(this: Blockly.Block): void {
   });
 }
 
-/** A pen that is lifted has a colour only where a document says so. */
+/** Hides the colour of a lifted pen, unless the document sets one. */
 function quietColour(this: Blockly.Block): void {
   const colour = this.getField("COLOR");
   colour?.setVisible(false);

@@ -1,6 +1,9 @@
 let known: readonly string[] | null = null;
 
-/** Sets the names of the world's places; null while the world is not known: then nothing is warned of. */
+/**
+ * Sets the names of the world's places. Null: the world is not loaded yet, and blocks show no
+ * warning.
+ */
 export function setKnownPlaces(names: readonly string[] | null): void {
   known = names;
 }

@@ -1,16 +1,18 @@
 import { LETTERS } from "../api/declared";
 
-/** Signs that a capture can answer, for the blocks. */
+/** Signs that a capture can answer; the blocks offer them. */
 export interface KnownSigns {
-  /** Names beside the letters, as the class spells them. */
+  /** Names of the taught signs, in the spelling of the class. */
   readonly named: readonly string[];
-  /** Only a class teaches signs. */
+  /** Whether the group belongs to a class; only a class can teach signs. */
   readonly hasClass: boolean;
 }
 
 let known: KnownSigns | null = null;
 
-/** Sets what the blocks offer and warn of; null while it is not known: then nothing is warned of. */
+/**
+ * Sets the signs that blocks offer. Null: the list is not loaded yet, and blocks show no warning.
+ */
 export function setKnownSigns(signs: KnownSigns | null): void {
   known = signs;
 }
@@ -19,12 +21,12 @@ export function knownSigns(): KnownSigns | null {
   return known;
 }
 
-/** Whether two names are one sign to a program, which ignores case. */
+/** Whether a program treats two names as the same sign; it ignores case. */
 export function isSameSign(one: string, other: string): boolean {
   return one.toLowerCase() === other.toLowerCase();
 }
 
-/** Whether a capture can answer it; true where that is not known. "" is no sign. */
+/** Whether a capture can answer the sign; true if the list is not loaded. "" stands for no sign. */
 export function isKnownSign(name: string): boolean {
   if (known === null || name === "") return true;
   return [...LETTERS, ...known.named].some((one) => isSameSign(one, name));

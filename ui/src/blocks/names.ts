@@ -1,12 +1,15 @@
 import type * as Blockly from "blockly/core";
 
-/** A field that holds the name of a variable, as `fields/name_field.ts` has it. */
+/** A field that holds the name of a variable; implemented by `fields/name_field.ts`. */
 export interface VariableField extends Blockly.Field {
   readonly holdsVariable: true;
   name_(): string;
 }
 
-/** Letters of any script, digits and underscores, with spaces between; as the reader of documents takes them. */
+/**
+ * Letters of any script, digits and underscores, with spaces between; the server's reader has the
+ * same rule.
+ */
 const NAME = /^[\p{L}\p{M}\p{N}_](?:[\p{L}\p{M}\p{N}_ ]*[\p{L}\p{M}\p{N}_])?$/u;
 const MAX_LENGTH = 64;
 
@@ -14,14 +17,14 @@ export function isName(text: string): boolean {
   return [...text].length <= MAX_LENGTH && NAME.test(text);
 }
 
-/** The name, or the name with the first number that is free. */
+/** The name, or the name with the lowest number that makes it unique. */
 export function freeName(base: string, used: ReadonlySet<string>): string {
   let name = base;
   for (let number = 2; used.has(name); number++) name = `${base} ${number}`;
   return name;
 }
 
-/** Every function that is defined, in the order in which the definitions came. */
+/** All function definitions, in the order of their creation. */
 export function definitionsIn(workspace: Blockly.Workspace): Blockly.Block[] {
   return workspace.getTopBlocks(false).filter(({ type }) => type === "function_def");
 }
@@ -40,20 +43,22 @@ export function givesValue(definition: Blockly.Block): boolean {
   return definition.getDescendants(false).some(({ type }) => type === "return_value");
 }
 
-/** The function around a block, if there is one with a parameter of that name. */
+/** The function around a block, if it has a parameter of that name. */
 function scopeOf(block: Blockly.Block, name: string): Blockly.Block | null {
   const root = block.getRootBlock();
   return root.type === "function_def" && parametersOf(root).includes(name) ? root : null;
 }
 
-/** Names of variables a block can use: those of all the program and the parameters of its function. */
+/**
+ * Names that a block can use: variables of the program, and parameters of the function around it.
+ */
 export function namesFor(block: Blockly.Block): string[] {
   const root = block.getRootBlock();
   const own = root.type === "function_def" ? parametersOf(root) : [];
   return sorted(new Set([...own, ...variableNames(block.workspace)]));
 }
 
-/** Names of the variables in use, less those that are parameters where they stand. */
+/** Names of the variables in use, without parameters of functions. */
 export function variableNames(workspace: Blockly.Workspace): string[] {
   const names = new Set<string>();
   for (const field of nameFields(workspace)) {
@@ -63,7 +68,7 @@ export function variableNames(workspace: Blockly.Workspace): string[] {
   return sorted(names);
 }
 
-/** Gives a variable, or a parameter, another name wherever it means the same. */
+/** Renames a variable, or a parameter within its function, everywhere. */
 export function renameVariable(block: Blockly.Block, from: string, to: string): void {
   const scope = scopeOf(block, from);
   const fields = nameFields(block.workspace).filter((field) => {
@@ -75,7 +80,7 @@ export function renameVariable(block: Blockly.Block, from: string, to: string): 
   if (scope && parameter !== null) scope.setFieldValue(to, `PARAM${parameter}`);
 }
 
-/** The uses of a parameter follow it when its definition gives it another name. */
+/** Renames the uses of a parameter inside its function. */
 export function renameInside(definition: Blockly.Block, from: string, to: string): void {
   for (const block of definition.getDescendants(false)) {
     for (const field of fieldsOf(block)) if (field.name_() === from) field.setValue(to);

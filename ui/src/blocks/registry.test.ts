@@ -21,7 +21,7 @@ beforeAll(() => {
 
 const TYPES = ALL_DEFINITIONS.map(({ type }) => type);
 
-/** A program with a function that takes a value and gives one. */
+/** A program with a function that has a parameter and returns a value. */
 function programWithFunction(): Blockly.Workspace {
   const workspace = new Blockly.Workspace();
   const definition = workspace.newBlock("function_def");

@@ -2,7 +2,7 @@ import type { BlockArgument } from "./definition";
 import { sensorRow } from "./definitions";
 import { blockText, type TextKey } from "./texts";
 
-/** A sensor as its block says it, in the current language: "sonar 3 (m)" for `{sensor: "sonar", index: 3}`. */
+/** The text of a sensor on its block, in the current language, such as "sonar 3 (m)". */
 export function sensorText(reading: { readonly sensor: string }): string {
   const row = sensorRow(reading.sensor);
   const values = (row.args0 as readonly BlockArgument[]).map(({ key, type }) => {

@@ -13,7 +13,7 @@ interface Schema {
   properties?: Record<string, Schema>;
 }
 
-/** What the server's reader takes, as it publishes it. */
+/** The published JSON schema of the server's reader. */
 const [schema] = Object.values(
   import.meta.glob<{ $defs: Record<string, Schema> }>(
     "../../../pinel_desktop/program/schema.json",
@@ -24,7 +24,7 @@ const models = Object.values(schema?.$defs ?? {});
 
 const IN_EVERY_COMMAND = ["action", "block", "comment"];
 
-/** action -> parameter -> what it may be. */
+/** action -> parameter -> its schema. */
 const ACTIONS = new Map(
   models.flatMap(({ properties = {} }) => {
     const action = properties.action?.const;
@@ -46,7 +46,7 @@ const COMMAND_ROWS = ALL_DEFINITIONS.flatMap((row) =>
   row.makes && "action" in row.makes ? [[row.type, row, row.makes] as const] : [],
 );
 
-/** Parameters that no place of the block has the name of. */
+/** Parameters that no input or field of the block is named after. */
 const BY_HAND: Readonly<Record<string, readonly string[]>> = {
   if: ["condition", "commands", "elif", "else"],
   call: ["function", "arguments"],
@@ -133,7 +133,7 @@ function operators(): string[] {
   return ALL_DEFINITIONS.flatMap(({ makes }) => (makes && "op" in makes ? makes.op : []));
 }
 
-/** As the language's definition lists them. */
+/** The operators of the language's definition. */
 const OPERATORS = [
   ...["+", "-", "*", "/", "%", "**", "==", "!=", "<", "<=", ">", ">=", "and", "or", "not"],
   ...["min", "max", "abs", "round", "sqrt", "sin", "cos", "tan", "random_int", "join", "length"],

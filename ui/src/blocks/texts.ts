@@ -7,19 +7,19 @@ const PREFIX = "PINEL_";
 
 let termsByType: Readonly<Record<string, string>> = {};
 
-/** Puts our words where Blockly looks for them; blocks made from now on speak this language. */
+/** Gives Blockly the texts of a language; blocks created afterwards use it. */
 export function setBlockLanguage(language: Language): void {
   const { blocks, searchTerms: terms } = textsOf(language);
   for (const [key, text] of Object.entries(blocks)) Blockly.Msg[PREFIX + key] = text;
   termsByType = terms;
 }
 
-/** What pupils call a block besides the words on it. */
+/** Other names that pupils use for a block, for the search. */
 export function searchTerms(type: string): string {
   return termsByType[type] ?? "";
 }
 
-/** A word of the current language, its placeholders filled in. */
+/** A text in the current language, with its placeholders replaced by the values. */
 export function blockText(key: TextKey, ...values: string[]): string {
   const text = Blockly.Msg[PREFIX + key] ?? "";
   return values.reduce(
@@ -28,7 +28,7 @@ export function blockText(key: TextKey, ...values: string[]): string {
   );
 }
 
-/** How a definition refers to a word before the language is known. */
+/** Blockly's reference to a text, for definitions made before the language is known. */
 export function reference(key: TextKey): string {
   return `%{BKY_${PREFIX}${key}}`;
 }

@@ -8,7 +8,7 @@ import { refresh } from "./sight";
 
 const WEBCAMS = ["0", "1", "2"];
 
-/** Which camera the app looks through. */
+/** Selects the camera that the app uses. */
 export function CameraChoice() {
   const labels = texts.value.camera;
   const status = useLoaded("camera", refresh);

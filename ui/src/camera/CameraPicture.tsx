@@ -7,17 +7,19 @@ import { CameraTrouble } from "./CameraTrouble";
 import { Skeleton } from "./Skeleton";
 import { aspect, camera, hasPicture, refresh } from "./sight";
 
-/** A stream without pictures is ended by the server after 5 s. */
+/** Shorter than the 5 s after which the server ends a stream without frames. */
 const AGAIN_MS = 4000;
 
-/** What the camera sees, as in a mirror, with the hands drawn over it; or why there is nothing to see. */
+/**
+ * The mirrored live picture with the detected hands drawn over it, or the problem that prevents it.
+ */
 export function CameraPicture() {
   const { mode, problem } = camera.value;
-  // what is wrong with a picture that is there stands beside it
+  // if there is a picture, its problem is shown beside it by CurrentSign
   const isShown = hasPicture.value && (mode === "on" || problem !== null);
   const state = isShown ? "on" : hasPicture.value ? mode : "failed";
   const { opening } = texts.value.camera;
-  useEffect(() => void refresh().catch(() => {}), []); // a server that is gone has its own line
+  useEffect(() => void refresh().catch(() => {}), []); // Messages reports an unreachable server
   return (
     <figure
       class="camera grid shrinks-down"
@@ -37,7 +39,10 @@ export function CameraPicture() {
   );
 }
 
-/** The stream keeps the camera on, so it is asked for again and again where there is none. */
+/**
+ * The live picture. While the camera is not on, requests the stream repeatedly: the request itself
+ * switches the camera on.
+ */
 function Preview({ shown }: { shown: boolean }) {
   const [attempt, setAttempt] = useState(0);
   const isOn = camera.value.mode === "on";
@@ -54,7 +59,7 @@ function Stream({ attempt }: { attempt: number }) {
   const picture = useRef<HTMLImageElement>(null);
   useEffect(() => {
     const { current } = picture;
-    // a picture that has left the page may go on loading
+    // the browser may continue to load an image that was removed from the page
     return () => current?.removeAttribute("src");
   }, []);
   return (

@@ -2,7 +2,7 @@ import { TriangleAlert } from "lucide-preact";
 import type { CameraProblem } from "../api/model";
 import { problemText } from "./problem_text";
 
-/** Why the camera is of no use, and what to do. */
+/** The problem of the camera, and its remedy. */
 export function CameraTrouble({ problem }: { problem: CameraProblem }) {
   const { message, remedy } = problemText(problem);
   return (

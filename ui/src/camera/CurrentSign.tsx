@@ -5,13 +5,13 @@ import { camera, hasPicture, sight } from "./sight";
 import { signStateOf } from "./sign_state";
 
 interface CurrentSignProps {
-  /** How near the sign is to counting, 0 to 1. */
+  /** Fraction of the hold time that has passed, 0 to 1. */
   progress: number;
-  /** What to do while a sign is held; without it, to keep it still. */
+  /** Instruction while a sign is held; by default, to hold it still. */
   next?: string | undefined;
 }
 
-/** What the camera sees just now; what is wrong with its picture while it can see no sign in it. */
+/** The currently detected sign; without one, the problem of the picture. */
 export function CurrentSign({ progress, next = texts.value.camera.hold }: CurrentSignProps) {
   const { problem } = camera.value;
   const state = signStateOf(sight.value);

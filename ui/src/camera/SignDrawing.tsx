@@ -3,19 +3,22 @@ import { type HandSide, handShape, type Landmark, type Piece } from "./hand_shap
 import { signs } from "./signs";
 import drawn from "./signs.json";
 
-/** Landmarks of a right hand in a mirror for each sign that can be drawn. */
+/** Landmarks of a right hand in a mirror, for each sign with a drawing of its own. */
 const DRAWN: Readonly<Record<string, readonly Landmark[]>> = drawn;
 
 const OUTLINE = 2;
 
 interface SignDrawingProps {
   sign: string;
-  /** Whose hand, as one sees it in a mirror. */
+  /** The side of the hand, as its owner sees it in a mirror. */
   hand?: HandSide;
   class?: string;
 }
 
-/** How a hand shows a sign: a drawing that ships, else of the class's own hands; its name where there is neither. */
+/**
+ * Draws the hand that shows a sign: from the shipped landmarks, else from the samples of the class.
+ * Without either it shows the sign's name.
+ */
 export function SignDrawing({ sign, hand = "right", class: more = "" }: SignDrawingProps) {
   const labels = texts.value.camera;
   const landmarks = landmarksOf(sign);
@@ -31,7 +34,7 @@ export function SignDrawing({ sign, hand = "right", class: more = "" }: SignDraw
   );
 }
 
-/** Whether there is more to show of a sign than its name. */
+/** Whether landmarks of the sign exist, so that the drawing shows more than the name. */
 export function hasDrawing(sign: string): boolean {
   return landmarksOf(sign) !== null;
 }
@@ -40,13 +43,13 @@ function landmarksOf(sign: string): readonly Landmark[] | null {
   return DRAWN[sign] ?? signs.value?.find(({ name }) => name === sign)?.landmarks ?? null;
 }
 
-/** Of a letter's height: a line below another. */
+/** Distance between two lines, in heights of a letter. */
 const LINE = 1.1;
-/** Of a letter's height: its width. */
+/** Width of a letter, in heights of a letter. */
 const LETTER = 0.62;
 const MAX_SIZE = 64;
 
-/** A name as large as there is room, a line for each of its words. */
+/** A name in the largest size that fits, one line per word. */
 function Name({ name }: { name: string }) {
   const parts = name.split(" ");
   const maxLength = Math.max(...parts.map(({ length }) => length));

@@ -3,18 +3,18 @@ import { language, texts } from "../i18n";
 import { percent } from "../i18n/format";
 import type { SignState } from "./sign_state";
 
-/** Of the ring around the letter; its circumference is 100. */
+/** Radius of the ring around the letter; its circumference is 100. */
 const RADIUS = 50 / Math.PI;
 
 interface SignStateViewProps {
   state: SignState;
-  /** How near the sign is to counting, 0 to 1. */
+  /** Fraction of the hold time that has passed, 0 to 1. */
   progress: number;
-  /** What to do while a sign is held. */
+  /** Instruction while a sign is held. */
   next: string;
 }
 
-/** The sign that the camera sees, how sure it is, and how near the sign is to counting. */
+/** The detected sign, its confidence, and the progress of its hold time. */
 export function SignStateView({ state, progress, next }: SignStateViewProps) {
   const { steady } = texts.value.camera;
   const whole = Math.round(100 * progress);
@@ -58,7 +58,7 @@ function Middle({ state }: { state: SignState }) {
   return <Icon class="icon reading__icon" aria-hidden="true" />;
 }
 
-/** Signs that a class taught have names of their own. */
+/** CSS class for the name of a taught sign, which may have several letters. */
 const long = (sign: string) => (sign.length > 1 ? "reading__letter--long" : "");
 
 function StateText({ state, next }: { state: SignState; next: string | null }) {

@@ -4,7 +4,7 @@ import { sight } from "./sight";
 
 const HEIGHT = 100;
 
-/** The hands that the camera sees, over its picture. */
+/** The detected hands as skeletons over the live picture. */
 export function Skeleton() {
   const now = sight.value;
   if (!now) return null;

@@ -3,10 +3,15 @@ import type { CameraSightEvent } from "../api/model";
 import type { HandSide } from "./hand_shape";
 import { sight } from "./sight";
 
-/** The hand that drawings show: the one that the camera saw last, or that was chosen since. */
+/**
+ * The side of the hand in drawings. The user sets it, or the camera when its detected side changes.
+ */
 export const drawnHand = signal<HandSide>("right");
 
-/** So often in a row: a hand that turns may look like the other one for a moment. */
+/**
+ * Required number of equal detections in a row: a turning hand may briefly be detected as the other
+ * side.
+ */
 const N_SIGHTS = 4;
 
 let followed: HandSide | null = null;
@@ -23,7 +28,7 @@ effect(() => {
   drawnHand.value = side;
 });
 
-/** Which hand is in the picture; null for none, or both. */
+/** The side of the detected hands; null if there is no hand, or one of each side. */
 function sideOf(now: CameraSightEvent | null): HandSide | null {
   const [first, ...others] = now?.hands ?? [];
   const isOne = first && others.every(({ handedness }) => handedness === first.handedness);

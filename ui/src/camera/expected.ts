@@ -5,7 +5,7 @@ type Tree = { readonly [key: string]: unknown } | readonly unknown[];
 const isTree = (value: unknown): value is Tree => typeof value === "object" && value !== null;
 const COMPARING = new Set(["==", "!="]);
 
-/** Everything in a document, from its beginning to its end. */
+/** All objects in a document, in the order of the document. */
 function* within(node: unknown): Generator<Record<string, unknown>> {
   if (!isTree(node)) return;
   if (!Array.isArray(node)) yield node as Record<string, unknown>;
@@ -17,10 +17,13 @@ export function hasCapture(document: unknown): boolean {
   return [...within(document)].some(({ action }) => action === "classify_gestures");
 }
 
-/** The server takes no longer answer. */
+/** Maximum length of an answer that the server accepts, in characters. */
 const MAX_SIGN_LENGTH = 100;
 
-/** The signs that a program compares the answer of its captures with, also by way of a variable, in their order. */
+/**
+ * The signs that a program compares the result of a capture with, in the order of the document. The
+ * result may be compared directly or by way of a variable.
+ */
 export function expectedSigns(document: unknown): string[] {
   const nodes = [...within(document)];
   const assignments = nodes.filter(

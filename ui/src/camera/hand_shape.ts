@@ -1,8 +1,11 @@
-/** A landmark: x to the right, y down, z away from who looks; any unit, the same for all three. */
+/** A landmark: x to the right, y down, z away from the viewer; any unit, the same for all three. */
 export type Landmark = readonly number[];
 export type HandSide = "right" | "left";
 
-/** The landmarks of MediaPipe: wrist 0, thumb 1 to 4, then four for each finger from its knuckle to its tip. */
+/**
+ * Number of landmarks in MediaPipe's hand model: wrist 0, thumb 1 to 4, then four per finger from
+ * knuckle to tip.
+ */
 export const N_LANDMARKS = 21;
 const PALM = [0, 1, 5, 9, 13, 17];
 const FINGERS = [5, 9, 13, 17];
@@ -17,25 +20,25 @@ export const BONES: readonly (readonly number[])[] = [
 /** A part of a drawn hand, in a square of 100 by 100. */
 export interface Piece {
   readonly name: string;
-  /** What to stroke with `width`, first with an outline around it; the palm is filled too. */
+  /** The path to stroke with `width`, on top of a wider outline; the palm is also filled. */
   readonly path: string;
   readonly width: number;
-  /** Stroked without an outline: hides the seam to the part that it goes on in. */
+  /** A path without outline that hides the seam to the adjoining part. */
   readonly seam: string | null;
 }
 
 type Flat = readonly [x: number, y: number];
 
-/** Of the distance from the wrist to the middle finger's knuckle. */
+/** Line widths, relative to the distance from the wrist to the middle finger's knuckle. */
 const FINGER_WIDTH = 0.25;
 const THUMB_WIDTH = 0.28;
 const PALM_WIDTH = 0.3;
 const SEAM = 0.4;
-/** A joint that is bent more shows its crease. */
+/** Cosine of the bend angle of a joint; below it the joint shows its crease. */
 const CREASE_COS = 0.3;
 const MARGIN = 4;
 
-/** The parts of a hand from the farthest to the nearest. `landmarks` are of a right hand in a mirror. */
+/** The parts of a hand, the farthest first. `landmarks` are of a right hand in a mirror. */
 export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece[] {
   const unit = distance(at(landmarks, 0), at(landmarks, 9));
   const { place, scale } = intoSquare(landmarks, side, unit);
@@ -75,7 +78,7 @@ export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece
 
 type Four = [number, number, number, number];
 
-/** Scales and mirrors, so that the hand with the width of its fingers fills the square. */
+/** Scaling and mirroring that make the hand fill the square, the width of its fingers included. */
 function intoSquare(landmarks: readonly Landmark[], side: HandSide, unit: number) {
   const turn = side === "left" ? -1 : 1;
   const xs = landmarks.map(([x = 0]) => turn * x);
@@ -89,7 +92,7 @@ function intoSquare(landmarks: readonly Landmark[], side: HandSide, unit: number
   return { place, scale };
 }
 
-/** Where the seam at a joint ends, on the side of the part before; null where the joint is bent. */
+/** The end point of the seam at a joint, in the part before it; null if the joint is bent. */
 function seamAt(flat: readonly Flat[], joint: number, before: number, after: number): Flat | null {
   const [here, back, on] = [at(flat, joint), at(flat, before), at(flat, after)];
   const [a, b] = [minus(here, back), minus(on, here)];

@@ -3,7 +3,9 @@ import { language } from "../i18n";
 import type { Message } from "../i18n/message";
 import { cameraWords } from "../i18n/reasons";
 
-/** A problem in the language of the page; in that of the server where the page has no words for it. */
+/**
+ * A problem in the language of the page. If the page has no text for its code, gives the server's.
+ */
 export function problemText(problem: CameraProblem): Message {
   return cameraWords(problem.code, problem.params, language.value) ?? problem;
 }

@@ -22,7 +22,7 @@ describe("what the camera sees", () => {
     expect(page.sight.value?.hands).toHaveLength(1);
     page.receive(changed("off"));
     expect(page.sight.value).toBeNull();
-    page.receive(sightOf(hand())); // was on its way
+    page.receive(sightOf(hand())); // was sent before the camera switched off
     expect(page.sight.value).toBeNull();
   });
 

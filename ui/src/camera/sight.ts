@@ -12,28 +12,31 @@ import { askForSigns, chooseSignsAgain } from "./signs";
 
 export interface CameraNow {
   readonly mode: CameraStatus["state"];
-  /** Stays until the camera works again, also while it is tried anew. */
+  /** The last problem; it stays during new attempts, until the camera works again. */
   readonly problem: CameraProblem | null;
 }
 
-/** What the camera does. */
+/** State of the camera. */
 export const camera = signal<CameraNow>({ mode: "off", problem: null });
-/** What it sees just now; null while it sees nothing, which is not the same as no hand. */
+/** The result of the latest frame; null if there is no frame. A frame without hands is not null. */
 export const sight = signal<CameraSightEvent | null>(null);
 
-/** With these there is a picture all the same, in which one sees what is wrong. */
+/** Problems for which the live picture is shown, because the user can recognise the cause in it. */
 const WITH_PICTURE = new Set(["camera_dark", "camera_black"]);
 
-/** Whether there is a picture to show, or will be in a moment. */
+/** Whether a live picture is shown, or will be when the camera is on. */
 export const hasPicture = computed(() => {
   const { problem } = camera.value;
   return problem === null || WITH_PICTURE.has(problem.code);
 });
 
-/** Width of the picture divided by its height; the last one known, so that nothing jumps. */
+/**
+ * Aspect ratio (width / height) of the picture; keeps its last value, so that the layout does not
+ * change.
+ */
 export const aspect = signal(4 / 3);
 
-/** The recording of a sign that a class teaches, as it was told last; null before the first one. */
+/** The latest progress of recording a taught sign; null before the first recording. */
 export const recording = signal<SignRecordingEvent | null>(null);
 
 type CameraEvent = CameraSightEvent | CameraChangedEvent | SignRecordingEvent | SignsChangedEvent;
@@ -54,14 +57,14 @@ export function receive(event: CameraEvent): void {
   }
 }
 
-/** Asks how the camera is; events may have been missed, and none tells what was before. */
+/** Requests the camera's state. Events may have been missed, and none repeats an earlier state. */
 export async function refresh(): Promise<CameraStatus> {
   const status = await cameraApi.status();
   change(status.state, status.problem);
   return status;
 }
 
-/** The stream begins again. */
+/** Updates the signals after the event stream has reconnected. */
 export async function resync(): Promise<void> {
   void chooseSignsAgain();
   if (camera.peek().mode !== "off") await refresh();
@@ -77,7 +80,10 @@ function change(mode: CameraNow["mode"], problem: CameraProblem | null): void {
 
 let isWarmedUp = false;
 
-/** A program is open that will want the camera: gets it ready, once. What goes wrong, its state says. */
+/**
+ * Starts the camera process once, when a program that captures is opened. Its failures arrive as
+ * camera state.
+ */
 export function warmUp(): void {
   if (isWarmedUp) return;
   isWarmedUp = true;

@@ -1,11 +1,14 @@
 import type { CameraSightEvent, SeenSign } from "../api/model";
 
-/** What can be said of the sign that the camera sees. */
+/** Summary of the detected hands, for display. */
 export type SignState =
   | { readonly kind: "blind" | "no hand" | "no letter" | "two signs" }
   | ({ readonly kind: "unsure" | "sure" } & Pick<SeenSign, "best" | "second" | "confidence">);
 
-/** Reads what the camera sees; as in a capture, a sign that has just moved counts, and two different hands do not. */
+/**
+ * Summarises a frame by the rules of a capture: a movement that has just ended counts; two hands
+ * with different signs do not.
+ */
 export function signStateOf(sight: CameraSightEvent | null): SignState {
   if (!sight) return { kind: "blind" };
   if (sight.moved) {

@@ -9,13 +9,16 @@ import { applyLanguage } from "./locale";
 import { registerRenderer } from "./renderer";
 import { patchAriaUpdates } from "./without_events";
 
-/** A block on paper: its values are blanks, and its mouths have room for other cards. */
+/**
+ * A block on a printed card: its values are blanks, and its statement inputs have space for other
+ * cards.
+ */
 export interface BlockCard extends Pick<BlockDrawing, "text" | "svg"> {
-  /** Type of the block, and the option that is printed on it. */
+  /** Type of the block, and the menu option that is printed on it. */
   readonly name: string;
 }
 
-/** The blocks of the lesson of two hours. */
+/** The blocks of the two-hour lesson. */
 export const LESSON_BLOCKS: readonly BlockType[] = [
   "move_forward",
   "turn",
@@ -27,16 +30,16 @@ export const LESSON_BLOCKS: readonly BlockType[] = [
   "compare",
 ];
 
-/** Calls say what they call, which is not known on paper. */
+/** Calls show the name of their function, which does not exist on paper. */
 const NOT_ON_PAPER: readonly BlockType[] = ["call", "call_value"];
-/** Room for a number of three digits in pencil. */
+/** Blank for a number of three digits in pencil. */
 const BLANK = "\u00a0".repeat(9);
-/** A menu with more options is a blank; one with fewer gives a card for each. */
+/** A menu with more options is printed as a blank; a shorter menu gives one card per option. */
 const MAX_OPTIONS = 2;
-/** Room in a mouth, in blocks. */
+/** Height of an empty statement input, in blocks. */
 const N_FILLING_BLOCKS = 2;
 
-/** Draws the cards of a level, or of these blocks. */
+/** Draws the cards of a level, or of a list of block types. */
 export function drawCards(language: Language, which: Level | readonly BlockType[]): BlockCards {
   applyLanguage(language);
   registerBlocks();
@@ -52,7 +55,7 @@ export function drawCards(language: Language, which: Level | readonly BlockType[
 }
 
 export interface BlockCards {
-  /** Classes of an element around the drawings, which Blockly's own styles depend on. */
+  /** Classes for an element around the drawings; Blockly's style sheet depends on them. */
   readonly stageClasses: string;
   readonly cards: readonly BlockCard[];
 }
@@ -68,7 +71,7 @@ function cardsOf(type: BlockType, workspace: Blockly.WorkspaceSvg): BlockCard[] 
       openStatementInputs(block);
     });
     for (const filling of picture.svg.querySelectorAll(`.${FILLING}`)) filling.remove();
-    // Blockly insists on white words in menus
+    // Blockly's style sheet makes the text of menus white, with !important
     for (const text of picture.svg.querySelectorAll(".blocklyDropdownText")) {
       text.classList.remove("blocklyDropdownText");
     }
@@ -87,7 +90,7 @@ function valuesOf(menu: Blockly.FieldDropdown): string[] {
   return menu.getOptions(false).flatMap((one) => (Array.isArray(one) ? [one[1]] : []));
 }
 
-/** Shows nothing where a value stands, with room to write it. */
+/** Hides the values of a block and widens their fields, so that pupils can write there. */
 function makeBlank(block: Blockly.Block, but: Blockly.Field | null): void {
   for (const field of block.getFields()) {
     if (field instanceof Blockly.FieldImage && field.isClickable()) field.setVisible(false);
@@ -100,7 +103,7 @@ function makeBlank(block: Blockly.Block, but: Blockly.Field | null): void {
 
 const FILLING = "cardFilling";
 
-/** Opens each mouth of a block with blocks that are not drawn. */
+/** Widens each statement input of a block with blocks that are removed from the drawing. */
 function openStatementInputs(block: Blockly.BlockSvg): void {
   for (const input of block.inputList) {
     if (input.type !== Blockly.inputs.inputTypes.STATEMENT) continue;

@@ -13,17 +13,17 @@ import { patchAriaUpdates, withoutEvents } from "./without_events";
 export interface BlockDrawing {
   readonly type: BlockType;
   readonly category: string;
-  /** What the block says, with its first values. */
+  /** The text of the block, with its default values. */
   readonly text: string;
   readonly svg: SVGSVGElement;
 }
 
 export interface BlockDrawings {
-  /** Classes of an element around the drawings, which Blockly's own styles depend on. */
+  /** Classes for an element around the drawings; Blockly's style sheet depends on them. */
   readonly stageClasses: string;
   /** The blocks that a level offers, in the order of the toolbox. */
   readonly all: readonly BlockDrawing[];
-  /** Those that the search of the toolbox finds, best first. */
+  /** The blocks that the toolbox search finds, best match first. */
   find(query: string): BlockDrawing[];
 }
 
@@ -35,11 +35,11 @@ interface DrawingOptions {
   offered: OfferedActions;
 }
 
-/** Calls are drawn by what they call, and nothing is defined here. */
+/** Calls need a function definition, and the drawings have none. */
 const NOT_ALONE: readonly BlockType[] = ["call", "call_value"];
 const SCALE = 0.8;
 
-/** Draws each block of a level as the palette gives it; the drawings do not change afterwards. */
+/** Draws each block of a level as the flyout offers it. The drawings do not change afterwards. */
 export function drawBlocks({ language, theme, level, offered }: DrawingOptions): BlockDrawings {
   applyLanguage(language);
   registerBlocks();
@@ -69,12 +69,15 @@ export function drawBlocks({ language, theme, level, offered }: DrawingOptions):
 
 const STAGE = "injectionDiv";
 
-/** Blockly's classes of the stage, which its styles depend on. */
+/** Classes of the hidden workspace; Blockly's style sheet depends on them. */
 export function stageClassesOf(workspace: Blockly.WorkspaceSvg): string {
   return [...workspace.getInjectionDiv().classList].filter((one) => one !== STAGE).join(" ");
 }
 
-/** A workspace that nobody sees, for as long as something is drawn in it; the editor stays the main one. */
+/**
+ * Calls `draw` with a hidden temporary workspace, then restores the editor as Blockly's main
+ * workspace.
+ */
 export function onStage<Drawn>(
   theme: ThemeName,
   draw: (workspace: Blockly.WorkspaceSvg) => Drawn,
@@ -96,11 +99,11 @@ export function onStage<Drawn>(
   } finally {
     workspace.dispose();
     container.remove();
-    if (editor) Blockly.common.setMainWorkspace(editor); // screens without the studio have none
+    if (editor) Blockly.common.setMainWorkspace(editor); // undefined on screens without an editor
   }
 }
 
-/** The words and the picture of a block; `change` may change it before it is drawn. */
+/** Text and picture of a block; `change` may modify the block before it is drawn. */
 export function drawn(
   state: Blockly.serialization.blocks.State,
   workspace: Blockly.WorkspaceSvg,

@@ -1,8 +1,8 @@
 import * as Blockly from "blockly/core";
 
 /**
- * Calls back once after each burst of events that changed the program. Selecting, scrolling and opening a menu are
- * ignored, and so is a drag until it ends.
+ * Calls back once after each burst of events that changed the program. Ignores selecting, scrolling
+ * and opening a menu, and a drag until it ends.
  */
 export function watchContent(workspace: Blockly.WorkspaceSvg, changed: () => void): void {
   let scheduled = false;

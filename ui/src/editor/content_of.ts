@@ -6,7 +6,7 @@ import { language } from "../i18n";
 import { applyLanguage } from "./locale";
 import { withoutEvents } from "./without_events";
 
-/** What an editor that shows a document would hand over to be saved, without an editor. */
+/** The content that an editor would save for a document, computed without an editor. */
 export function contentOf(document: { name?: string }): { workspace: object; document: object } {
   applyLanguage(language.peek());
   registerBlocks();

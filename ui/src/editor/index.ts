@@ -35,13 +35,15 @@ import { addZoomControls } from "./zoom_controls";
 
 export type { Editor, Fault };
 
-/** Width of an editor whose workspace has room beside an open palette: categories, palette, a turn inside of a loop. */
+/**
+ * Minimum width of the editor for an open flyout: categories, flyout, and a turn block in a loop.
+ */
 const MIN_WIDTH_WITH_FLYOUT_PX = 730;
 
 /** Distance from the workspace's corner to the start block, in pixels. */
 const MARGIN = 32;
 
-/** Creates an editor without any block, not even the start block, until `load` is called. */
+/** Creates an editor without any block; only `load` adds the start block. */
 export function createEditor(options: EditorOptions): Editor {
   applyLanguage(options.language);
   registerBlocks();
@@ -222,7 +224,7 @@ class BlockEditor implements Editor {
   }
 
   dispose(): void {
-    // the last edit may still be waiting for its event
+    // Blockly reports the last edit only when its field editor closes
     Blockly.hideChaff();
     this.onContent();
     this.disposed = true;
@@ -236,7 +238,10 @@ class BlockEditor implements Editor {
     this.workspace.dispose();
   }
 
-  /** Measures again blocks that were drawn before the font was loaded: their width does not fit their text. */
+  /**
+   * Recreates blocks that were drawn before the font was loaded: their width does not fit their
+   * text.
+   */
   private measureAgainWithFont(): void {
     const font = `600 18px ${pageFont()}`;
     if (!document.fonts || document.fonts.check(font)) return;
@@ -245,7 +250,7 @@ class BlockEditor implements Editor {
     });
   }
 
-  /** Recreates every block in place; ids, the undo stack and the marks on blocks stay. */
+  /** Recreates every block in place; ids, undo stack and decorations are preserved. */
   private remake(): void {
     Blockly.hideChaff();
     const running = this.running.blockId;
@@ -269,13 +274,16 @@ class BlockEditor implements Editor {
     return node instanceof Blockly.BlockSvg && node.workspace === this.workspace ? node.id : null;
   }
 
-  /** Blockly shows a toolbox after an update, even in a read-only workspace, so it is hidden again here. */
+  /** Updates the toolbox. Blockly then shows it even in a read-only workspace; hides it again. */
   private updateToolbox(): void {
     this.workspace.updateToolbox(toolbox(this.level, this.offered));
     if (this.workspace.isReadOnly()) this.workspace.getToolbox()?.setVisible(false);
   }
 
-  /** In the first level the blocks stay beside the workspace, if it has room: whoever begins sees what there is. */
+  /**
+   * In the first level the flyout stays open if the editor is wide enough, so that beginners see
+   * all blocks.
+   */
   private pinFlyout(): void {
     const blocklyToolbox = this.workspace.getToolbox();
     const hasRoom = this.options.container.clientWidth >= MIN_WIDTH_WITH_FLYOUT_PX;
@@ -289,7 +297,10 @@ class BlockEditor implements Editor {
     this.advice.clear();
   }
 
-  /** Where they do not stay they are open until the first one is taken. */
+  /**
+   * Opens the flyout for an empty program of the first level; it closes after the first block if it
+   * is not pinned.
+   */
   private offerFlyout(): void {
     const blocklyToolbox = this.workspace.getToolbox();
     const isEmpty = this.workspace.getTopBlocks(false).every((block) => !block.getNextBlock());
@@ -319,7 +330,7 @@ class BlockEditor implements Editor {
     this.refreshHint();
   }
 
-  /** Shows the program at full size with its start block in the corner, wherever it was stored. */
+  /** Shows the program at full size, with its start block in the upper left corner. */
   private showFromTheStart(): void {
     const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
     this.workspace.setScale(1);
@@ -366,7 +377,10 @@ class BlockEditor implements Editor {
   }
 }
 
-/** Loads the content into a scratch workspace and returns how it would be saved. Throws when it cannot be loaded. */
+/**
+ * Loads the content into a scratch workspace; returns it as it would be saved. Throws if it cannot
+ * be loaded.
+ */
 function tried(workspace: object): object {
   const trial = new Blockly.Workspace();
   try {

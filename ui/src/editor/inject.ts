@@ -11,7 +11,7 @@ import { registerSearchItem } from "./toolbox/search_item";
 import { registerToolboxCategory } from "./toolbox/toolbox_category";
 import { patchAriaUpdates } from "./without_events";
 
-/** Injects a Blockly workspace with this application's renderer, theme and toolbox into the container. */
+/** Injects a Blockly workspace with our renderer, theme and toolbox into the container. */
 export function injectWorkspace(
   options: EditorOptions,
   offered: () => OfferedActions,
@@ -19,7 +19,7 @@ export function injectWorkspace(
   registerRenderer();
   registerToolboxCategory();
   registerSearchItem();
-  // a finger or a shared mouse often drops a block well beside the connection it aims at
+  // fingers and shared mice often drop a block far from the connection that they aim at
   Blockly.config.snapRadius = 40;
   Blockly.config.connectingSnapRadius = 40;
   // a deleted block can be restored by undo or from the trash, so no confirmation is needed

@@ -6,7 +6,7 @@ const IDLE_ENTRIES = ["blockInline", "blockHelp", "commentCreate"];
 
 let adapted = false;
 
-/** Adapts Blockly's context menus to our blocks. The menu registry is global, so this runs once per page. */
+/** Adapts Blockly's context menus to our blocks, once per page: the menu registry is global. */
 export function adaptMenus(): void {
   if (adapted) return;
   adapted = true;
@@ -29,7 +29,7 @@ export function adaptMenus(): void {
 
 type Scope = Blockly.ContextMenuRegistry.Scope;
 
-/** A menu entry with an action, as all of ours have; separators have none of these members. */
+/** A menu entry with an action; separators have none of these members. */
 interface Entry {
   displayText: (scope: Scope) => string;
   preconditionFn: (scope: Scope, event: Event) => string;
@@ -41,7 +41,10 @@ function adapt(id: string, change: (entry: Entry) => void): void {
   if (item) change(item as unknown as Entry);
 }
 
-/** Counts blocks as a pupil does; Blockly also counts the shadow blocks in a block's inputs. */
+/**
+ * Label of the delete entry. It counts blocks without shadow blocks, which Blockly's own label
+ * counts.
+ */
 function deletionLabel(block?: Blockly.BlockSvg): string {
   const after = new Set(block?.getNextBlock()?.getDescendants(false));
   const count = (block?.getDescendants(false) ?? []).filter(
@@ -62,7 +65,10 @@ function openComment(block?: Blockly.BlockSvg): void {
   });
 }
 
-/** A comment is stored in the document with its command; value blocks have no place for one there. */
+/**
+ * Whether a block can hold a comment. The document stores comments with commands and functions, not
+ * with values.
+ */
 function canHoldComment(block?: Blockly.BlockSvg): boolean {
   const makes = block ? definitionOf(block.type).makes : null;
   return makes !== null && ("action" in makes || "function" in makes);

@@ -4,11 +4,13 @@ import { blockText } from "../blocks/texts";
 /** Size of the canvas, in CSS pixels. */
 const WIDTH = 104;
 const HEIGHT = 176;
-/** The map is shown for programs longer than this multiple of the viewport. */
+/** The map is shown if the program is longer than this multiple of the viewport. */
 const LONG = 1.4;
 const PADDING = 6;
 
-/** Overview map of a long program, with a frame around the viewport; pressing or dragging in it scrolls there. */
+/**
+ * Minimap of a long program with a frame around the viewport. Pressing or dragging in it scrolls.
+ */
 export class Minimap {
   private readonly canvas = document.createElement("canvas");
   private frame = 0;

@@ -16,11 +16,14 @@ export interface EditorOptions {
   /** The actions that an activity offers; null, the default, for all blocks of the level. */
   offered?: OfferedActions;
   programName?: () => string;
-  /** Called with the ids of all breakpoint blocks when they change. Without it the editor has no breakpoints. */
+  /**
+   * Receives the ids of all breakpoint blocks when they change. Without it the editor has no
+   * breakpoints.
+   */
   onBreakpoints?(ids: readonly string[]): void;
-  /** Evaluates an expression. Without it values are not shown. */
+  /** Evaluates an expression. Without it the editor shows no values. */
   evaluate?: EvaluateExpression;
-  /** Called when undo is requested and the undo stack of this session is empty. */
+  /** Called on undo if the undo stack of this session is empty. */
   onNothingToUndo?(): void;
   onChange(content: { workspace: object; document: object | null }): void;
 }

@@ -17,8 +17,8 @@ const CLASSES: Readonly<Record<Ring, string>> = {
 };
 
 /**
- * Draws rings above everything inside a block, because the next block would cover half of the block's own outline.
- * Loose blocks keep their colour, dimmed, where Blockly would hatch them.
+ * Draws rings above everything inside a block, because the next block would cover half of an
+ * outline. Loose blocks are dimmed; Blockly would hatch them.
  */
 class PathObject extends Blockly.zelos.PathObject {
   private readonly rings = new Map<Ring, SVGElement>();

@@ -1,10 +1,11 @@
 import * as Blockly from "blockly/core";
 
 /**
- * Restores keyboard focus that is lost when Blockly moves elements in the page. On a slow PC Blockly does not always
- * restore it, and the next key is ignored. Focus that a pointer took away is not restored.
+ * Restores keyboard focus after Blockly has moved elements in the page. On a slow PC Blockly does
+ * not always restore it, and the next key is ignored. Focus that a pointer took away is not
+ * restored.
  *
- * Returns the function that stops this.
+ * Returns the function that stops the restoring.
  */
 export function restoreFocus(workspace: Blockly.WorkspaceSvg): () => void {
   const ends = new AbortController();

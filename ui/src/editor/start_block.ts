@@ -3,7 +3,7 @@ import * as Blockly from "blockly/core";
 const START = "program_start";
 const LOOSE = "pinel_loose";
 
-/** Returns the start block of a program, and creates it where it is missing. */
+/** Returns the start block of a program; creates it if it is missing. */
 export function ensureStartBlock(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
   const start = (workspace.getBlocksByType(START)[0] as Blockly.BlockSvg) ?? newStart(workspace);
   start.setDeletable(false);
@@ -18,10 +18,10 @@ function newStart(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
   return start;
 }
 
-/** Blocks at which a stack of the program may begin. */
+/** Types of blocks that start a stack of the program. */
 export const ROOTS = [START, "function_def"];
 
-/** Only blocks below the start block or in a function definition run. All others are kept and drawn dimmed. */
+/** Dims loose blocks. Only blocks below the start block or a function definition run. */
 export function dimLooseBlocks(workspace: Blockly.WorkspaceSvg): void {
   Blockly.Events.disable();
   try {

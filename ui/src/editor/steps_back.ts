@@ -1,6 +1,6 @@
 import * as Blockly from "blockly/core";
 
-/** Undo event for the replacement of the whole program, one step among those of single blocks. */
+/** Undo event for the replacement of the whole program; one undo step like any other. */
 class ReplaceProgramEvent extends Blockly.Events.Abstract {
   override type = "pinel_exchange";
   override isBlank = false;
@@ -19,7 +19,7 @@ class ReplaceProgramEvent extends Blockly.Events.Abstract {
   }
 }
 
-/** Calls `tell` when undo is requested by any button or key and the undo stack of this session is empty. */
+/** Calls `notify` on undo, by any button or key, if the undo stack of this session is empty. */
 export function interceptEmptyUndo(workspace: Blockly.WorkspaceSvg, notify: () => void): void {
   const undo = workspace.undo.bind(workspace);
   workspace.undo = (redo = false) => {
@@ -28,7 +28,7 @@ export function interceptEmptyUndo(workspace: Blockly.WorkspaceSvg, notify: () =
   };
 }
 
-/** Undoes to a state from before the session; the redo stack is kept. */
+/** Undoes to a state from before the session; the redo stack stays intact. */
 export function undoInto(
   workspace: Blockly.WorkspaceSvg,
   before: object,

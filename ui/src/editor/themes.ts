@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 import { HUES } from "../blocks/hues";
 
-/** Themes of the editor, as in the rest of the page. */
+/** Themes of the editor; the rest of the page has the same. */
 export type ThemeName = "light" | "dark" | "contrast";
 
 interface BlockColours {
@@ -36,7 +36,7 @@ const COMPONENTS: Blockly.Theme.ComponentStyle = {
   selectedGlowColour: "#f5b700",
 };
 
-/** Categories whose blocks begin a stack; they are drawn with a cap. */
+/** Categories whose blocks start a stack; such blocks are drawn with a cap. */
 const BEGIN_STACKS = ["start", "functions"];
 
 /** The Zelos theme in our hues and our font. */
@@ -65,12 +65,12 @@ export function blocklyTheme(name: ThemeName): Blockly.Theme {
 
 const nameOf = (name: ThemeName) => `pinel-${name}`;
 
-/** Sets the theme of a workspace; it is redrawn only where the theme changes. */
+/** Sets the theme of a workspace; redraws it only if the theme differs. */
 export function showTheme(workspace: Blockly.WorkspaceSvg, name: ThemeName): void {
   if (workspace.getTheme().name !== nameOf(name)) workspace.setTheme(blocklyTheme(name));
 }
 
-/** Blockly measures text outside the page's tree, so it needs the font's name instead of the CSS variable. */
+/** Name of the page's font: Blockly measures text outside the page, without its CSS variables. */
 export function pageFont(): string {
   const font = getComputedStyle(document.documentElement).getPropertyValue("--font").trim();
   return font || "system-ui, sans-serif";

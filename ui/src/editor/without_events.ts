@@ -1,8 +1,8 @@
 import * as Blockly from "blockly/core";
 
 /**
- * Creates many blocks without firing an event for each. Restores Blockly's undo recording and event group also when
- * `make` fails; Blockly itself would leave undo recording off.
+ * Creates many blocks without firing an event for each. Restores undo recording and event group
+ * even if `make` throws; Blockly would leave undo recording off.
  */
 export function withoutEvents(make: () => void): void {
   const recordUndo = Blockly.Events.getRecordUndo();
@@ -20,8 +20,8 @@ export function withoutEvents(make: () => void): void {
 let patched = false;
 
 /**
- * Skips the ARIA update of fields that are not drawn yet. Blockly detects them by throwing and catching, twice a field,
- * which took half of the time to open a program of 500 blocks.
+ * Skips the ARIA update of fields that are not drawn yet. Blockly detects such fields by throwing
+ * and catching twice per field; this took half of the time to open a program of 500 blocks.
  */
 export function patchAriaUpdates(): void {
   if (patched) return;

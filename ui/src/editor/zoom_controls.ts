@@ -38,7 +38,10 @@ export function addZoomControls(workspace: Blockly.WorkspaceSvg, zoomToFit: () =
   return { relabel, remove: () => bar.remove() };
 }
 
-/** Keeps the upper left corner, where programs begin; around the centre they would slip under the palette. */
+/**
+ * Zooms around the upper left corner, where programs start. Around the centre, the program would
+ * move below the flyout.
+ */
 function zoom(workspace: Blockly.WorkspaceSvg, steps: number): void {
   const { left, top } = workspace.getMetricsManager().getAbsoluteMetrics();
   workspace.zoom(left, top, steps);

@@ -25,6 +25,6 @@ function Screen() {
     return <NotLoaded as="screen" again={refreshStatus} actions={null} />;
   }
   const { screen, ...parameters } = now;
-  const Part = PARTS[screen] as ComponentType<object>; // each has one: screens.test.ts
+  const Part = PARTS[screen] as ComponentType<object>; // never undefined: screens.test.ts
   return <Part key={keyOf(now)} {...parameters} />;
 }

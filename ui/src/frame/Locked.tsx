@@ -1,7 +1,7 @@
 import { Lock } from "lucide-preact";
 import { texts } from "../i18n";
 
-/** Shown without the session cookie: only the program can open the page. */
+/** Shown if the session cookie is missing: only the app can open the page. */
 export function Locked() {
   const { trouble } = texts.value;
   return (

@@ -52,18 +52,21 @@ export function Messages() {
   );
 }
 
-/** The folder of the work is away; a person wants to begin with nothing. */
+/** Starts with an empty database, although the folder of the work is not available. */
 async function beginEmpty(): Promise<void> {
   notice.value = (await api.beginEmpty()).database.notice;
 }
 
-/** Why the open program could not be saved, if so. */
+/** Why the open program could not be saved; null if it is saved. */
 function unsavedProblem(): unknown {
   const { value: open } = programOnScreen;
   return open?.autosave.state.value === "failed" ? open.autosave.problem.value : null;
 }
 
-/** Why the work is not saved is told once; on a full disk it would be untrue that everything can still be saved. */
+/**
+ * Whether the error of a failed save replaces the notice: the same problem is shown once. On a full
+ * disk the notice "nearly full" would wrongly claim that saving still works.
+ */
 export function isSuperseded({ code }: Pick<Notice, "code">, unsaved: unknown): boolean {
   return isCode(unsaved, code) || (isCode(unsaved, "disk_full") && code === "disk_nearly_full");
 }
@@ -79,7 +82,7 @@ function Unsaved() {
   if (save.state.value !== "failed") return null;
   const { saved } = texts.value;
   const { message, remedy } = problemOf(save.problem.value);
-  // to wait helps where room can be made, not where nothing can be written
+  // waiting may free space on a full disk, but does not make a read-only database writable
   const waitHint = isCode(save.problem.value, "database_read_only") ? "" : saved.failedRemedy;
   const text = { message, remedy: `${remedy} ${waitHint}`.trim() };
   return <MessageLine text={text} fault testId="unsaved" icon={<Save class="icon" />} />;

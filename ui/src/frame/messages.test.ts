@@ -7,5 +7,5 @@ test("a full disk is told alone: it would be untrue that everything can still be
   expect(isSuperseded({ code: "disk_nearly_full" }, full)).toBe(true);
   expect(isSuperseded({ code: "database_restored" }, full)).toBe(false);
   expect(isSuperseded({ code: "disk_nearly_full" }, null)).toBe(false);
-  expect(isSuperseded({ code: "disk_full" }, full)).toBe(true); // is told once
+  expect(isSuperseded({ code: "disk_full" }, full)).toBe(true); // is shown once
 });

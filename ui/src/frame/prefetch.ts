@@ -8,7 +8,7 @@ function prefetchScreen({ target }: Event): void {
   const link =
     target instanceof Element ? target.closest<HTMLAnchorElement>("a[href^='#/']") : null;
   const load = link && LOADS[parse(link.hash).screen];
-  // not while offline: a browser may cache the failure of an import
+  // not while offline: a browser may cache a failed import
   if (load && connection.peek() === "open") fetchPart(load).catch(() => {});
 }
 

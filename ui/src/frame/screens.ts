@@ -5,7 +5,7 @@ import { StartScreen } from "../start/StartScreen";
 import { StudioScreen } from "../studio/StudioScreen";
 
 type Screen = ComponentType<never>;
-/** A file of a screen exports its component by the name of the file. */
+/** A file of a screen exports its component under the file's own name. */
 type File = Readonly<Record<string, Screen>>;
 
 /** Screens of the first bundle; all others are loaded on demand. */
@@ -23,10 +23,12 @@ const LAZY = Object.entries(FILES).map(([path, load]) => {
   return [name, async () => (await load())[component] as Screen] as const;
 });
 
-/** Imports a screen; none for those of the first bundle. */
+/** Functions that import the screens; screens of the first bundle have none. */
 export const LOADS: Partial<Record<string, () => Promise<Screen>>> = Object.fromEntries(LAZY);
 
-/** The component of each screen: that of `runs` is `RunsScreen` in `RunsScreen.tsx`, in whichever folder. */
+/**
+ * The component of each screen: screen `runs` is `RunsScreen` in `RunsScreen.tsx`, in any folder.
+ */
 export const PARTS: Partial<Record<string, Screen>> = {
   ...FIRST,
   ...Object.fromEntries(LAZY.map(([name, load]) => [name, lazyScreen(load)])),

@@ -7,7 +7,7 @@ import { behavesAsControl, passesAxe } from "./testing/control";
 
 const button = () => document.querySelector("button") as HTMLButtonElement;
 
-/** A promise that the test ends. */
+/** A promise that the test settles. */
 function pending() {
   let end: { resolve(): void; reject(error: unknown): void } | null = null;
   const promise = new Promise<void>((resolve, reject) => {

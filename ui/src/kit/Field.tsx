@@ -43,13 +43,13 @@ export function PinField(props: FieldProps) {
 }
 
 interface FileButtonProps extends AppearanceProps {
-  /** Endings or types of the files that are offered. */
+  /** Extensions or types of the files to choose from. */
   accept: string;
   /** May return a promise; its failure is reported. */
   onFile(file: File): unknown;
 }
 
-/** A button that lets a file be chosen. The test id is that of the input. */
+/** A button that opens the file dialog. The test id is on the input. */
 export function FileButton({ accept, testId, onFile, ...face }: FileButtonProps) {
   const input = useRef<HTMLInputElement>(null);
   return (
@@ -62,7 +62,7 @@ export function FileButton({ accept, testId, onFile, ...face }: FileButtonProps)
         data-testid={testId}
         onChange={({ currentTarget }) => {
           const [file] = currentTarget.files ?? [];
-          currentTarget.value = ""; // the same file can be chosen again
+          currentTarget.value = ""; // lets the user choose the same file again
           if (file) void settled(onFile(file));
         }}
       />

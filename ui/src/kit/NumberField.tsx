@@ -12,7 +12,7 @@ interface NumberFieldProps {
   onNumber(value: number): void;
 }
 
-/** A number field; an invalid text stays in it for correction, with the error below. */
+/** A number field. Invalid text stays in it for correction, with the error below. */
 export function NumberField(props: NumberFieldProps) {
   const { label, value, min, max, step, testId, onNumber } = props;
   const id = useId();

@@ -18,7 +18,10 @@ interface OwnProps<T extends Value> {
   groups?: readonly (readonly [heading: string, options: readonly SelectOption<T>[]])[];
   class?: string | undefined;
   testId?: string | undefined;
-  /** If `value` does not change, the selection reverts. May return a promise; its failure is reported. */
+  /**
+   * Called with the chosen value. Unless `value` changes at once, the selection reverts. May return
+   * a promise; its failure is reported.
+   */
   onChange(value: T): unknown;
   elementRef?: Ref<HTMLSelectElement> | undefined;
   title?: never;

@@ -15,8 +15,8 @@ export function listen(
 }
 
 /**
- * Handles keys of the whole page, without Ctrl, Alt and Meta, unless the focused element uses keys itself. `act` returns
- * whether it used the key, which then has no other effect.
+ * Handles keys of the whole page, unless Ctrl, Alt or Meta is pressed or the focused element uses
+ * keys itself. If `act` returns true, the key has no other effect.
  */
 export function listenForKeys(act: (key: string) => boolean): () => void {
   return listen(window, {

@@ -4,7 +4,10 @@ let reporter: Reporter = (error) => {
   throw error;
 };
 
-/** Sets where failures are shown; the shell calls it at the start. Before that they are thrown. */
+/**
+ * Sets the function that shows failures; the shell calls it at the start. Before that, `report`
+ * throws.
+ */
 export function reportTo(shown: Reporter): void {
   reporter = shown;
 }

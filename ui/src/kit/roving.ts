@@ -1,6 +1,6 @@
 /**
- * Roving tabindex: the arrow keys move along a row of elements of which only one is a stop of the Tab key; a line with
- * forty marks would otherwise have forty stops.
+ * Roving tabindex: the arrow keys move along a row of elements, of which only one is a Tab stop.
+ * Without it a timeline with forty entries would have forty Tab stops.
  */
 export function rove(event: KeyboardEvent & { currentTarget: HTMLElement }): void {
   const items = [...event.currentTarget.querySelectorAll<HTMLElement>("[data-rove]")];

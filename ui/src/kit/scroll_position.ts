@@ -6,7 +6,7 @@ export interface ScrollPosition {
   top: number;
 }
 
-/** Restores the scroll position of an element once it is drawn, and stores it afterwards. */
+/** Restores the scroll position of an element after it is drawn, and then records it. */
 export function useScrollPosition(
   position: ScrollPosition,
   isDrawn: boolean,

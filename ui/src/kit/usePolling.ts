@@ -4,11 +4,14 @@ import { listen } from "./listen";
 interface Polling {
   everyMs?: number;
   isOn?: boolean;
-  /** Goes on while the page is hidden; otherwise `look` is called once it is shown again. */
+  /**
+   * Whether to poll while the page is hidden; otherwise `poll` is called once when the page is
+   * shown again.
+   */
   evenHidden?: boolean;
 }
 
-/** Calls `look` again and again while the component is there. The first call is after `everyMs`. */
+/** Calls `poll` periodically while the component is mounted; for the first time after `everyMs`. */
 export function usePolling(
   poll: () => unknown,
   { everyMs = 3000, isOn = true, evenHidden = false }: Polling = {},

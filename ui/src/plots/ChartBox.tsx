@@ -31,7 +31,7 @@ export function ChartBox({ source, plotName }: ChartBoxProps) {
       ref={box}
       class="plots__chart grows shrinks-down"
       aria-label={`${plots.titles[plotName]}. ${plots.keys}`}
-      // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrows go through its moments
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrow keys move the selected tick
       tabIndex={0}
       data-testid="plot"
       data-figure={plotName}

@@ -5,7 +5,7 @@ import type { Stretch } from "../run/playback";
 import type { Samples } from "../run/samples";
 import type { PlotStyle } from "./plot_style";
 
-/** Callbacks of a plot's pointer and keyboard input; `null` when the pointer has left. */
+/** Callbacks of a plot's pointer and keyboard input; `null` if the pointer has left the plot. */
 export interface PlotInput {
   onPoint(tick: number | null): void;
   onPress(tick: number): void;
@@ -31,11 +31,11 @@ export interface Chart {
   dispose(): void;
 }
 
-/** Room for the numbers beside and below a plot, and padding at the other sides, in pixels. */
+/** Space for the numbers beside and below a plot, and padding at the other sides, in pixels. */
 export const AXIS = { left: 58, bottom: 44 };
 export const PADDING = { top: 10, right: 26 };
 
-/** uPlot's own mouse handling is off, because touch and keys select a tick too. */
+/** uPlot's own mouse handling is off, because touch and keys also select a tick. */
 const nobody = () => null;
 const NO_MOUSE: uPlot.Cursor.Bind = {
   mousedown: nobody,
@@ -99,7 +99,9 @@ export function numberOf(
 
 const round = (value: number, digits: number) => Math.round(value * 10 ** digits) / 10 ** digits;
 
-/** Handles mouse, pen and touch on a plot: moving points at a tick, pressing or dragging selects it. */
+/**
+ * Handles mouse, pen and touch on a plot: moving points at a tick, pressing or dragging selects it.
+ */
 export function listen(plot: uPlot, tickAt: (x: number, y: number) => number, input: PlotInput) {
   const { over } = plot;
   let pressed = false;

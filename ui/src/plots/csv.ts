@@ -2,7 +2,7 @@ import type { Language, Texts } from "../i18n";
 import type { Samples } from "../run/samples";
 import { linesOf, TIME_PLOTS, times } from "./plots";
 
-/** Without this mark spreadsheets do not read the file as UTF-8. */
+/** Spreadsheets read a file as UTF-8 only if it starts with this mark. */
 const BYTE_ORDER_MARK = "\ufeff";
 
 interface TableColumn {
@@ -12,9 +12,9 @@ interface TableColumn {
 }
 
 /**
- * The measurements of a run as a table that a spreadsheet opens with a double click. Spreadsheets in Portuguese and
- * Spanish expect decimal commas and semicolons between columns, in English points and commas. One row per sample, 30 a
- * second; metres, degrees and seconds, as in the blocks.
+ * The measurements of a run as CSV, which a spreadsheet opens with a double click. Spreadsheets in
+ * Portuguese and Spanish expect decimal commas and semicolons between columns; in English, points
+ * and commas. One row per sample, 30 per second, in metres, degrees and seconds, as on blocks.
  */
 export function csvOf(samples: Samples, texts: Texts, language: Language): string {
   const comma = language === "en" ? "," : ";";

@@ -6,7 +6,10 @@ import type { PlotSource } from "./plot_source";
 
 const pointed = signal<number | null>(null);
 
-/** Samples of the live run for the plots of the studio. A press on a plot of a run that is over shows that moment. */
+/**
+ * Samples of the live run for the plots of the studio. If the run has ended, a press on a plot
+ * shows the run at that tick.
+ */
 export const liveSource: PlotSource = {
   get samples() {
     return record.samples;

@@ -73,12 +73,13 @@ export class PathChart implements Chart {
     const area = width > 1 ? { width, height } : this.drawnArea();
     const points = linesIn(this.samples).map((line) => line.points);
     this.range = equalRange(points, area.width, area.height);
-    // setting the data makes uPlot read the range again; the data are the range's corners
+    // setting the data makes uPlot read the range again; the two points are the corners of the
+    // range
     this.plot.setData([this.range.x, this.range.y]);
     queueMicrotask(() => this.selectTick(this.selectedTick));
   }
 
-  /** Size of the drawing area where the chart is not in the page, and so has no layout. */
+  /** Size of the drawing area in CSS pixels, for a chart outside the page, which has no layout. */
   private drawnArea() {
     const { width, height } = this.plot.bbox;
     return { width: width / uPlot.pxRatio, height: height / uPlot.pxRatio };
@@ -110,7 +111,7 @@ export class PathChart implements Chart {
   }
 }
 
-/** Dashed lines are drawn last: they are thin, and must be visible where they overlap others. */
+/** Dashed lines come last, because they are thin and must be visible on top of others. */
 function linesIn(samples: Samples): PathLine[] {
   const pair = (
     x: "x_m" | "goal_x_m" | "true_x_m",

@@ -9,7 +9,7 @@ export interface PlotSource {
   readonly stretches: readonly Stretch[];
   /** Changes when there are new samples to draw. */
   readonly revision: ReadonlySignal<number>;
-  /** The selected tick; null where none is. */
+  /** The selected tick; null if no tick is selected. */
   readonly selectedTick: ReadonlySignal<number | null>;
   readonly input: PlotInput;
   /** Name of the program. */

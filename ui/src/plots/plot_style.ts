@@ -43,7 +43,9 @@ export function paperStyle(): PlotStyle {
   };
 }
 
-/** Line styles: desired or commanded dashed, true dotted, obtained solid. */
+/**
+ * Dash patterns: desired and commanded values are dashed, true ones dotted, obtained ones solid.
+ */
 export const DASHES = {
   obtained: [],
   measured: [],

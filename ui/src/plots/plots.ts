@@ -5,7 +5,10 @@ export const PLOTS = ["path", "position", "heading", "speed", "turning"] as cons
 
 export type PlotName = (typeof PLOTS)[number];
 
-/** Source of a line: the believed pose, the desired pose, the true pose, the command, or a measurement. */
+/**
+ * Source of a line: the estimated pose, the desired pose, the true pose, the command, or a
+ * measurement.
+ */
 export type Role = "obtained" | "desired" | "true" | "commanded" | "measured";
 
 export interface Line {
@@ -20,7 +23,7 @@ export interface Line {
 export interface TimePlot {
   readonly unit: "m" | "°" | "m/s" | "°/s";
   readonly lines: readonly Line[];
-  /** Smallest span of the vertical axis, so that noise does not look like motion. */
+  /** Minimum span of the vertical axis, so that noise does not look like motion. */
   readonly span: number;
 }
 
@@ -66,7 +69,10 @@ export const TIME_PLOTS: Readonly<Record<Exclude<PlotName, "path">, TimePlot>> =
   },
 };
 
-/** The lines of a plot. The true pose is included only where it is known and differs from the believed one. */
+/**
+ * The lines of a plot. The true pose is included only if it is known and differs from the estimated
+ * one.
+ */
 export function linesOf(name: Exclude<PlotName, "path">, samples: Samples): readonly Line[] {
   const withTruth = hasTruth(samples);
   return TIME_PLOTS[name].lines.filter((line) => line.role !== "true" || withTruth);
@@ -92,7 +98,7 @@ export function headings(samples: Samples): Float64Array {
   return turned;
 }
 
-/** Another heading, unwrapped to the same turn as the believed one. */
+/** Another heading, unwrapped to within half a turn of the estimated one. */
 function near(name: Column): (samples: Samples) => Float64Array {
   return (samples) => {
     const own = headings(samples);
@@ -158,7 +164,7 @@ function extent(columns: readonly ArrayLike<number>[]): [number, number] {
   return [low, high];
 }
 
-/** The row whose point is nearest to a place; all in pixels or all in metres. */
+/** The row whose point is nearest to (x, y); both in pixels or both in metres. */
 export function nearestRow(
   xs: ArrayLike<number>,
   ys: ArrayLike<number>,

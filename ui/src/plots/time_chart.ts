@@ -14,16 +14,18 @@ import {
 import { DASHES, type PlotStyle, WIDTHS } from "./plot_style";
 import { type Line, linesOf, type PlotName, rangeOf, TIME_PLOTS, times } from "./plots";
 
-/** Height in pixels of the coloured band that shows the blocks, and the opacity of the tint above it. */
+/**
+ * Height in pixels of the coloured band that shows the blocks, and opacity of the tint above it.
+ */
 const BAND = 7;
 const TINT = 0.1;
 
-/** Shortest time axis of a live run, in seconds. */
+/** Minimum length of the time axis, in seconds. */
 const MIN_SPAN_S = 2;
 
 type TimePlotName = Exclude<PlotName, "path">;
 
-/** Quantities over time, above the blocks that ran. */
+/** Chart of quantities over time, with the running blocks as a coloured band. */
 export class TimeChart implements Chart {
   readonly plot: uPlot;
   private lines: readonly Line[] = [];
@@ -92,7 +94,7 @@ export class TimeChart implements Chart {
     return this.ticks[rowAt(this.ticks, Math.max(0, tick))] ?? 0;
   }
 
-  /** The set of lines can change during a run, for instance when the true pose becomes known. */
+  /** Rebuilds the series if their number changed, for instance when the true pose becomes known. */
   private setLines(lines: readonly Line[]): void {
     const same = lines.length === this.lines.length;
     this.lines = lines;
@@ -139,7 +141,7 @@ function drawBands(
   ctx.restore();
 }
 
-/** Draws the letter of each quantity at the end of its line, so that lines do not differ by colour alone. */
+/** Draws the letter of each quantity at its line's end: colour alone must not distinguish lines. */
 function drawLetters(plot: uPlot, lines: readonly Line[], style: PlotStyle): void {
   const { ctx } = plot;
   const last = plot.data[0].length - 1;

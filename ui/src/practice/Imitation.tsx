@@ -10,7 +10,7 @@ import { listenForSigns, signNames } from "../camera/signs";
 import { texts } from "../i18n";
 import { RadioGroup } from "../kit/RadioGroup";
 
-/** A letter to imitate: its drawing, and whether the camera sees it now. */
+/** Exercise: shows the drawing of a letter, and whether the camera detects this letter now. */
 export function Imitation({ letter }: { letter: Signal<string> }) {
   const { practice } = texts.value;
   const choose = (chosen: string) => {

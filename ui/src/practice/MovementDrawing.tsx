@@ -1,12 +1,14 @@
 interface MissingLetter {
   readonly letter: string;
-  /** Whether it is signed with a movement. */
+  /** Whether the sign includes a movement. */
   readonly moves: boolean;
-  /** The way of the hand as one sees it in a mirror, in a box of 24; "" for a hand at rest. */
+  /**
+   * Path of the hand in a mirror, as SVG path data in a box of 24 by 24; "" if the hand is at rest.
+   */
   readonly path: string;
 }
 
-/** The letters that the camera does not know untaught. */
+/** The letters that the camera recognises only after teaching. */
 export const MISSING_LETTERS: readonly MissingLetter[] = [
   { letter: "H", moves: true, path: "M5 15a7 5 0 1 1 14 0M19 15l-3-2M19 15l2-3" },
   { letter: "J", moves: true, path: "M15 4v10a5 5 0 0 1-9 2M6 16l-1 4M6 16l4 1" },
@@ -15,7 +17,7 @@ export const MISSING_LETTERS: readonly MissingLetter[] = [
   { letter: "Z", moves: true, path: "M5 6h13L6 18h13M19 18l-4-3M19 18l-4 3" },
 ];
 
-/** A letter with the way that its hand goes. */
+/** A letter with the path of the hand that signs it. */
 export function MovementDrawing({ letter }: { letter: string }) {
   const path = MISSING_LETTERS.find((one) => one.letter === letter)?.path;
   return (

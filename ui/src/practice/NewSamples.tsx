@@ -9,7 +9,10 @@ import { Form } from "../kit/Form";
 import { RadioGroup } from "../kit/RadioGroup";
 import { MISSING_LETTERS, MovementDrawing } from "./MovementDrawing";
 
-/** A sign that is to be taught: its name, whether it moves, and how it is shown to the camera. */
+/**
+ * Form that starts to record a new sign: its name, whether it moves, and how to show it to the
+ * camera.
+ */
 export function NewSamples({ classroom }: { classroom: string }) {
   const labels = texts.value.teaching;
   const name = useSignal("");

@@ -10,7 +10,7 @@ import { SpelledText } from "./SpelledText";
 import { heldPart, Spelling } from "./spelling";
 import { Teaching } from "./Teaching";
 
-/** Signs without a program: a letter to imitate, what the camera sees, and the text that the signs make. */
+/** Practice of signs without a program: imitate a letter, see the detected sign, spell a text. */
 export function PracticeScreen() {
   const { practice, titles } = texts.value;
   const spelling = useInstance(() => new Spelling());

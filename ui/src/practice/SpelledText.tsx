@@ -3,10 +3,10 @@ import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import type { Spelling } from "./spelling";
 
-/** Characters: more than any word or short sentence takes. */
+/** Maximum length of the text, in characters; more than a short sentence needs. */
 const MAX_LENGTH = 200;
 
-/** What the signs have spelled; the keyboard writes into it too. */
+/** The spelled text; it can also be edited with the keyboard. */
 export function SpelledText({ spelling }: { spelling: Spelling }) {
   const labels = texts.value.practice;
   const text = spelling.text.value;
@@ -47,7 +47,7 @@ export function SpelledText({ spelling }: { spelling: Spelling }) {
   );
 }
 
-/** Clears, and brings back what was cleared by mistake. */
+/** Clears the text, or restores it after clearing. */
 function ClearButton({ spelling }: { spelling: Spelling }) {
   const labels = texts.value.practice;
   const wasCleared = spelling.cleared.value !== "";

@@ -14,7 +14,10 @@ import { groupsAndClasses } from "../shell/first_answers";
 import { group } from "../shell/session";
 import { NewSamples } from "./NewSamples";
 
-/** The class of the group that works, or the one that the start screen shows; only a class teaches signs. */
+/**
+ * Teaching signs to the camera, for the class of the open group. Without a group, the class of the
+ * start screen is used.
+ */
 export function Teaching() {
   if (!group.value) return <OfShownClass />;
   const { classroom_id } = group.value;
@@ -29,13 +32,13 @@ function OfShownClass() {
   return id === NO_CLASS ? <WithoutClass /> : <OfClass key={id} id={id} />;
 }
 
-/** The camera knows the letters only. */
+/** Makes the camera recognise letters only: without a class there are no taught signs. */
 function WithoutClass() {
   useEffect(() => void chooseSigns(null), []);
   return null;
 }
 
-/** A sign is shown to the camera, counted while it is recorded, listed, and deleted again. */
+/** Records samples of a sign for a class, counts them, and lists or deletes the taught signs. */
 function OfClass({ id }: { id: string }) {
   const labels = texts.value.teaching;
   const status = recording.value?.classroom === id ? recording.value : null;

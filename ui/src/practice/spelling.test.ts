@@ -19,7 +19,7 @@ afterEach(() => {
   receive(changed("off"));
 });
 
-/** The camera sees a sign for so long, ten times a second; "" for none. */
+/** Shows a sign to the camera for some milliseconds, ten frames a second; "" for no hand. */
 function show(sign: string, lastsMs: number): void {
   for (let passed = 0; passed <= lastsMs; passed += FRAME_MS) {
     receive(sign === "" ? sightOf() : sightOf(hand({ best: sign })));

@@ -1,12 +1,15 @@
 import { effect, signal } from "@preact/signals";
 import { sight } from "../camera/sight";
 
-/** A sign is spelled when it was held for so long: longer than in a capture, for nobody waits for it here. */
+/**
+ * Hold time until a sign is spelled, in milliseconds. It is longer than in a capture, because no
+ * program waits here.
+ */
 export const HOLD_MS = 900;
-/** A hand that was away for so long shows another sign, also when it is the same letter again. */
+/** After a gap of this length, in milliseconds, the same letter counts as a new sign. */
 export const GAP_MS = 400;
 
-/** A sign that is being held. */
+/** The sign that is currently held. */
 export interface Held {
   readonly sign: string;
   readonly sinceMs: number;
@@ -14,7 +17,10 @@ export interface Held {
   readonly isSpelled: boolean;
 }
 
-/** What is held after the camera saw `sign` ("" for none) at `nowMs`; it is spelled once, when it was held for long enough. */
+/**
+ * Updates the held sign with the detection of `sign` ("" for none) at `nowMs`. Spells each held
+ * sign once, after HOLD_MS.
+ */
 export function hold(before: Held | null, sign: string, nowMs: number): Held | null {
   if (sign === "") return before && nowMs - before.lastDetectedMs < GAP_MS ? before : null;
   if (before?.sign !== sign || nowMs - before.lastDetectedMs >= GAP_MS) {
@@ -23,16 +29,16 @@ export function hold(before: Held | null, sign: string, nowMs: number): Held | n
   return { ...before, lastDetectedMs: nowMs, isSpelled: nowMs - before.sinceMs >= HOLD_MS };
 }
 
-/** How near a held sign is to being spelled, 0 to 1. */
+/** Fraction of the hold time that has passed, 0 to 1. */
 export function heldPart(held: Held | null): number {
   return held ? Math.min(1, (held.lastDetectedMs - held.sinceMs) / HOLD_MS) : 0;
 }
 
-/** The text that the signs seen by the camera make. */
+/** Collects the signs that the camera detects into a text. */
 export class Spelling {
   readonly text = signal("");
   readonly held = signal<Held | null>(null);
-  /** What was cleared last, for who wants it back. */
+  /** The text that was cleared last, so that the user can restore it. */
   readonly cleared = signal("");
   private moved = "";
   private readonly stop: () => void;
@@ -53,7 +59,7 @@ export class Spelling {
     this.cleared.value = "";
   }
 
-  /** Takes the last letter away. */
+  /** Deletes the last letter. */
   back(): void {
     this.write([...this.text.peek()].slice(0, -1).join(""));
   }

@@ -10,7 +10,7 @@ import { type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
 
 interface PlaybackControlsProps {
   playback: Playback;
-  /** The stretches of each run that is shown. */
+  /** The stretches of each displayed run. */
   tracks: readonly (readonly Stretch[])[];
 }
 
@@ -101,7 +101,7 @@ function Speed({ playback }: { playback: Playback }) {
 const speedText = (speed: number) =>
   decimal(speed, speed < 0.5 ? 2 : speed < 1 ? 1 : 0, language.value);
 
-/** Space plays, arrow keys step, unless the focus is in a field that uses these keys. */
+/** Space plays or pauses, arrow keys step, unless the focused element uses these keys. */
 function listenToKeys(toggle: () => void, step: (direction: -1 | 1) => void): () => void {
   const onKey = (event: KeyboardEvent) => {
     const target = event.target as HTMLElement;

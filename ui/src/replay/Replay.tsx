@@ -24,7 +24,10 @@ interface ReplayProps {
   onOpen(): void;
 }
 
-/** A recorded run. When saving a note requires the PIN, the sign-in form covers the replay, which keeps its state. */
+/**
+ * A recorded run. If saving a note requires the PIN, the sign-in form covers the replay, whose
+ * state is preserved.
+ */
 export function Replay(properties: ReplayProps) {
   useEffect(() => cancelWaiting, []);
   return (
@@ -35,7 +38,7 @@ export function Replay(properties: ReplayProps) {
   );
 }
 
-/** Floor, blocks and transport of a recorded run. */
+/** Floor, blocks and playback controls of a recorded run. */
 function Replayed({ recordedRun, onOpen }: ReplayProps) {
   const { playback, stretches } = recordedRun;
   useEffect(() => soundOf(playback), [playback]);

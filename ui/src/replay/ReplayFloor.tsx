@@ -13,7 +13,7 @@ import type { RecordedRun } from "./recorded_run";
 
 const PlotsPanel = lazy(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
 
-/** The floor of a recorded run, with its plots beside it or in its place. */
+/** The floor of a recorded run, with its plots beside it or instead of it. */
 export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
   const { run, playback } = recordedRun;
   const { plots, studio } = texts.value;

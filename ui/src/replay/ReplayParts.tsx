@@ -16,11 +16,11 @@ export interface Shown {
   readonly view: ReadonlySignal<RunView>;
 }
 
-/** The robot's action at the current tick, in words. */
+/** A sentence about the robot's action at the current tick. */
 export function ReplaySentence({ run, view }: Shown) {
   const sentence = useComputed<Sentence>(() => {
     const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
-    // a run that was cut off before its first tick has no moment but its end
+    // a run that was interrupted before its first tick has only an ending to show
     if (view.value.tick < 1 && isLive(view.value)) return begin;
     const voice = {
       texts: texts.value,
@@ -35,7 +35,10 @@ export function ReplaySentence({ run, view }: Shown) {
   return <StatusLine sentence={sentence.value} />;
 }
 
-/** The blocks of the recorded version: the running one is highlighted, the one at which the run failed is outlined. */
+/**
+ * The blocks of the recorded version, with the running block highlighted and the failed one
+ * outlined.
+ */
 export function ReplayBlocks({ run, view }: Shown) {
   const container = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor | null>(null);

@@ -33,7 +33,7 @@ function assemble(run: RunWithVersion, events: RunEvent[], samples: ArrayBuffer)
   return { run, playback, stretches: blocks, plots: plotsOf(run, playback, telemetry, blocks) };
 }
 
-/** The plots of a replay share the tick of its slider: they show it and set it. */
+/** The plots of a replay. They share the tick of the time slider: they show it and set it. */
 function plotsOf(
   run: RunWithVersion,
   playback: Playback,

@@ -3,11 +3,11 @@ import { isName } from "../names";
 import { blockText } from "../texts";
 
 /**
- * The name of a function or of a parameter, written where it is defined. While it is being typed it may be anything;
- * what is no name, or the name of another, is not kept.
+ * The name of a function or of a parameter, on the block that defines it. Any text may be typed;
+ * when the edit ends, the field refuses an invalid or a duplicate name.
  */
 export class DefinitionNameField extends Blockly.FieldTextInput {
-  /** Whether another one has the name; set by the block. */
+  /** Whether another function or parameter has the name; set by the block. */
   declare isInUse?: (name: string) => boolean;
   private loading = false;
   private refused: string | null = null;
@@ -20,7 +20,7 @@ export class DefinitionNameField extends Blockly.FieldTextInput {
     this.load(String(state));
   }
 
-  /** Takes a name as it is in a saved program, whatever it is. */
+  /** Sets a name from a saved program without checking it. */
   load(name: string): void {
     this.loading = true;
     this.setValue(name);

@@ -11,7 +11,10 @@ interface Note {
 
 let shown: Note | null = null;
 
-/** Says something at a field, also to a screen reader, until the next edit or for some seconds. */
+/**
+ * Shows a note at a field and announces it to a screen reader. The next edit or a timeout of some
+ * seconds hides the note.
+ */
 export function showFieldNote(field: Blockly.Field, text: string): void {
   const workspace = field.getSourceBlock()?.workspace;
   if (!(workspace instanceof Blockly.WorkspaceSvg)) return;
@@ -22,7 +25,7 @@ export function showFieldNote(field: Blockly.Field, text: string): void {
   Blockly.utils.aria.announceDynamicAriaState(text);
 }
 
-/** The same, after what is said at this field already. */
+/** Like `showFieldNote`, but appends the text to the note that the field shows already. */
 export function addToFieldNote(field: Blockly.Field, text: string): void {
   const before = shown?.field === field ? `${shown.element.textContent} ` : "";
   if (!before.includes(text)) showFieldNote(field, before + text);
@@ -52,7 +55,9 @@ function newNote(field: Blockly.Field, workspace: Blockly.WorkspaceSvg): Note {
   return note;
 }
 
-/** The end of the edit that the note is about; Blockly tells of it a moment later. */
+/**
+ * Whether the event reports the edit that caused the note; Blockly fires it after the note appears.
+ */
 function isChangeTo(value: unknown, event: Blockly.Events.Abstract, field: Blockly.Field): boolean {
   const { blockId, newValue } = event as Partial<Blockly.Events.BlockChange>;
   return blockId === field.getSourceBlock()?.id && newValue === value;
@@ -62,7 +67,7 @@ function isEditOrMove(event: Blockly.Events.Abstract): boolean {
   return !event.isUiEvent || event.type === Blockly.Events.VIEWPORT_CHANGE;
 }
 
-/** Below the field and inside of the workspace, else above it. */
+/** Places the note below the field, or above the field if the workspace ends there. */
 function place({ field, element }: Note): void {
   const around = element.parentElement?.getBoundingClientRect();
   const root = field.getSvgRoot()?.getBoundingClientRect();

@@ -1,6 +1,8 @@
 import * as Blockly from "blockly/core";
 
-/** A picture that says nothing its block does not say in words: a screen reader passes over it. */
+/**
+ * A decorative picture, hidden from screen readers: the text of the block has the same information.
+ */
 export class IconField extends Blockly.FieldImage {
   override computeAriaLabel(): string {
     return "";

@@ -4,17 +4,18 @@ import { argumentsOf, definitionOf } from "../definitions";
 import { blockText } from "../texts";
 import { showFieldNote } from "./field_note";
 
-/** Of a refused text as many letters are repeated. */
+/** Maximum number of characters of a refused text that the message repeats. */
 const MAX_TYPED = 16;
 
 /**
- * A number as pupils write it: "0,5" where the language writes decimals with a comma. Blockly's own field drops the
- * comma, so that a Brazilian half metre would become five metres.
+ * A number with the decimal separator of the language, such as "0,5". Blockly's own field drops the
+ * comma, so that a Brazilian half metre (0,5) would become five metres (05).
  *
- * Hands are held to the limits of the place the number stands in; what a saved program holds is shown as it is.
+ * A typed number is bounded by the limits of its input; a number of a saved program is shown
+ * unchanged.
  */
 export class MeasureField extends Blockly.FieldNumber {
-  /** Typed last and out of range or no number at all; told once the editor closes. */
+  /** Typed text that is out of range or no number; the field reports it when the editor closes. */
   private refused: string | null = null;
   private loading = false;
 
@@ -62,7 +63,7 @@ export class MeasureField extends Blockly.FieldNumber {
     return new MeasureField(options.value, undefined, undefined, undefined, undefined, options);
   }
 
-  /** What the input that the number stands in allows. */
+  /** The limits of the input into which the number is plugged. */
   private limits(): Limits {
     const place = this.getSourceBlock()?.outputConnection?.targetConnection;
     if (!place) return {};
@@ -71,7 +72,7 @@ export class MeasureField extends Blockly.FieldNumber {
     return argumentsOf(row).find((argument) => argument.name === name)?.limits ?? {};
   }
 
-  /** As `setPrecision`, which would look at the value again. */
+  /** Like `setPrecision`, but without validating the value again. */
   private setPrecisionOnly(precision: number): void {
     this.precision_ = precision;
     const decimals = String(precision).split(".")[1]?.length ?? 0;

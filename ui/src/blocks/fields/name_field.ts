@@ -5,7 +5,7 @@ import { blockText } from "../texts";
 const NEW = "\u0000new";
 const RENAME = "\u0000rename";
 
-/** The name of a variable: one of those in use, a new one, or the same under another name. */
+/** The name of a variable. Its menu offers the names in use, a new name, and renaming. */
 export class NameField extends Blockly.FieldDropdown implements VariableField {
   readonly holdsVariable = true;
   private listing = false;
@@ -22,7 +22,7 @@ export class NameField extends Blockly.FieldDropdown implements VariableField {
     return String(this.getValue());
   }
 
-  /** In words, so that the menu of a field that is not open costs nothing. */
+  /** The options. A closed menu has only the current name: collecting all names is slow. */
   override getOptions(): Blockly.MenuOption[] {
     const current = this.getValue() ?? blockText("VARIABLE_NAME");
     if (!this.listing) return [[current, current]];
@@ -82,7 +82,7 @@ function menu(this: Blockly.FieldDropdown): Blockly.MenuOption[] {
   return this.getOptions();
 }
 
-/** What is done by one hand is undone by one. */
+/** Groups the changes of one user action, so that one undo reverts all of them. */
 export function inOneStep(act: () => void): void {
   const before = Blockly.Events.getGroup();
   if (!before) Blockly.Events.setGroup(true);

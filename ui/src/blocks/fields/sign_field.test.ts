@@ -17,7 +17,7 @@ function signField(): SignField {
   return field;
 }
 
-/** What the menu offers, in words; a line for a separator. */
+/** The labels that the menu offers; a line for a separator. */
 function offered(field: SignField): string[] {
   Object.assign(field, { listing: true });
   const options = field.getOptions();

@@ -7,10 +7,10 @@ import { steerByKeys } from "./sign_menu_keys";
 
 const OTHER = "\u0000other";
 const FIRST = "B";
-/** Of an answer, as the server takes it. */
+/** Maximum length of an answer that the server accepts, in characters. */
 const MAX_LENGTH = 100;
 
-/** The name of a sign: a letter, one that the class taught, none, or any other that is written. */
+/** The name of a sign. Its menu offers letters, taught signs, no sign, and any other name. */
 export class SignField extends Blockly.FieldDropdown {
   private listing = false;
   private stopKeys: (() => void) | null = null;
@@ -23,7 +23,7 @@ export class SignField extends Blockly.FieldDropdown {
     return new SignField(options);
   }
 
-  /** In words, so that the menu of a field that is not open costs nothing. */
+  /** The options. A closed menu has only the current sign: the full list is slow. */
   override getOptions(): Blockly.MenuOption[] {
     const current = this.getValue() ?? FIRST;
     if (!this.listing) return [[current || blockText("NO_SIGN"), current]];
@@ -42,7 +42,7 @@ export class SignField extends Blockly.FieldDropdown {
     ];
   }
 
-  /** A program may name any sign, also one that the class does not know. */
+  /** Accepts every name: a program may use a sign that the class has not taught. */
   protected override doClassValidation_(newValue?: unknown): string | null {
     return typeof newValue === "string" ? newValue : null;
   }
@@ -81,12 +81,12 @@ function option(name: string): Blockly.MenuOption {
   return [isShort(name) ? name : wide(name), name];
 }
 
-/** It takes no more room than a letter. */
+/** Whether the name is as narrow as a letter. */
 function isShort(name: string): boolean {
   return name.length === 1;
 }
 
-/** A word, which takes the room of several letters. */
+/** A name of several letters, shown across several cells of the menu. */
 function wide(text: string): HTMLElement {
   const element = document.createElement("span");
   element.className = "pinelSignName";

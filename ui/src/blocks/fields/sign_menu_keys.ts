@@ -1,18 +1,18 @@
 import { listen } from "../../kit/listen";
 
-/** What is typed within this time is one beginning of a name. */
+/** Keys pressed within this time form one prefix of a name. */
 const TYPING_MS = 1000;
 const HIGHLIGHT = "blocklyMenuItemHighlight";
 
-/** A menu of Blockly, whose own keys are those of a list. */
+/** A Blockly menu, whose own keys move through a single column. */
 interface Menu {
   highlightNext(): void;
   highlightPrevious(): void;
 }
 
 /**
- * Keys of a menu that lies in rows: all four arrows, and the beginning of a name that is typed. Returns the function
- * that ends it.
+ * Makes a menu in rows usable by keyboard: four arrow keys, and typing the start of a name. Returns
+ * a function that removes the key handler.
  */
 export function steerByKeys(content: HTMLElement, menu: Menu): () => void {
   let typed = "";
@@ -55,7 +55,7 @@ function nameOf(item: HTMLElement): string {
   return item.textContent?.trim() ?? "";
 }
 
-/** The item where an arrow key leads from the highlighted one. */
+/** The item that an arrow key selects from the highlighted item. */
 function beside(items: readonly HTMLElement[], key: string): HTMLElement | undefined {
   const at = highlighted(items);
   const from = items[at];
@@ -81,7 +81,7 @@ function beside(items: readonly HTMLElement[], key: string): HTMLElement | undef
   return undefined;
 }
 
-/** Of the next row, the item that is nearest to a place across. */
+/** The item of the next row that is horizontally nearest to `middle`, in pixels. */
 function nearest(
   items: readonly HTMLElement[],
   middle: number,

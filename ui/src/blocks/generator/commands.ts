@@ -8,7 +8,7 @@ import { generateCallArguments, generateInput } from "./values";
 
 type Parameters = Record<string, unknown>;
 
-/** The blocks whose parameters are more than their places on the block, which the block table says. */
+/** Generators for blocks whose parameters the block table alone cannot describe. */
 export const SPECIAL: Readonly<
   Partial<Record<StatementBlockType, (block: Blockly.Block) => Parameters>>
 > = {
@@ -27,7 +27,7 @@ export function generateStack(first: Blockly.Block | null): Command[] {
   return commands;
 }
 
-/** What a pupil wrote on the block. */
+/** The comment that a pupil wrote on the block. */
 export function commentOf(block: Blockly.Block): { comment?: string } {
   const comment = block.getCommentText();
   return comment ? { comment } : {};
@@ -46,7 +46,9 @@ function generateCommand(block: Blockly.Block): Command {
   };
 }
 
-/** The parameters that stand on a block, or one of them. What is empty is left out, for the reader to name. */
+/**
+ * All parameters of a block, or only one. An empty input is left out; the reader then reports it.
+ */
 function parameters(block: Blockly.Block, only?: string): Parameters {
   const found: Parameters = {};
   for (const argument of argumentsOf(definitionOf(block.type)) as readonly BlockArgument[]) {
@@ -66,7 +68,7 @@ function parameter(block: Blockly.Block, { type, name = "", key }: BlockArgument
   return value === "" ? null : value;
 }
 
-/** To the right is negative. */
+/** The angle of a turn; a turn to the right is negative. */
 function signedAngle(block: Blockly.Block): Parameters {
   const angle = generateInput(block, "ANGLE");
   if (angle === null) return {};
@@ -75,7 +77,7 @@ function signedAngle(block: Blockly.Block): Parameters {
 
 function negated(angle: Expression): Expression {
   if (typeof angle !== "number") return { op: "-", args: [0, angle] };
-  // a right turn by 0 would be -0, which JSON cannot tell and a comparison can
+  // JSON has no -0, so a right turn by 0 would differ from its document after a round trip
   return angle === 0 ? 0 : -angle;
 }
 

@@ -1,4 +1,6 @@
-/** The program document (version 1): metres, seconds, degrees, counterclockwise positive. */
+/**
+ * The program document (version 1), in metres, seconds and degrees; counterclockwise is positive.
+ */
 export interface ProgramDocument {
   pinel_ir: 1;
   name: string;
@@ -14,7 +16,7 @@ export interface FunctionDefinition {
   comment?: string;
 }
 
-/** One command; `block` is the id of the block it came from. */
+/** One command; `block` is the id of its block. */
 export interface Command {
   action: string;
   block?: string;
@@ -30,10 +32,10 @@ export type Expression =
   | { gesture: "result" }
   | { var: string }
   | { op: string; args: Expression[] }
-  | { sensor: string } // with its argument, see sensor_rows.ts
+  | { sensor: string } // with its arguments; sensor_rows.ts lists them
   | { call: string; arguments: Record<string, Expression> };
 
-/** A part of a conditional. */
+/** A branch of a conditional. */
 export interface Branch {
   condition?: Expression;
   commands: Command[];

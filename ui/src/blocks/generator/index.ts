@@ -6,8 +6,8 @@ import type { FunctionDefinition, ProgramDocument } from "./document";
 export type { Command, ProgramDocument } from "./document";
 
 /**
- * What the robot gets: the commands below the start block, and the functions in the order in which they were made.
- * Loose blocks stay out.
+ * The program document of a workspace: the commands below the start block, and the functions in the
+ * order of their creation. Loose blocks are ignored.
  */
 export function generateDocument(workspace: Blockly.Workspace, name: string): ProgramDocument {
   const start = workspace.getBlocksByType("program_start", false)[0];

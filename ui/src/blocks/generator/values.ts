@@ -15,7 +15,7 @@ const SENSOR_VALUES = Object.fromEntries(SENSOR_ROWS.map(({ type }) => [type, se
   typeof sensor
 >;
 
-/** One generator per block that gives a value. A block without one does not compile. */
+/** One generator per value block. If a value block has no generator, the code does not compile. */
 export const VALUES: Readonly<Record<ValueBlockType, (block: Blockly.Block) => Expression>> = {
   number: (block) => Number(block.getFieldValue("NUM")),
   text: text("TEXT"),
@@ -45,7 +45,7 @@ export const VALUES: Readonly<Record<ValueBlockType, (block: Blockly.Block) => E
   call_value: (block) => ({ call: callOf(block).name, arguments: generateCallArguments(block) }),
 };
 
-/** The value in a hole, or null when it is empty. */
+/** The value in an input, or null if the input is empty. */
 export function generateInput(block: Blockly.Block, input: string): Expression | null {
   const value = block.getInputTargetBlock(input);
   if (!value || value.isInsertionMarker()) return null;
@@ -74,24 +74,26 @@ function operation(op: string, ...inputs: string[]) {
   return (block: Blockly.Block) => ({ op, args: args(block, inputs) });
 }
 
-/** An operation with its operator in a dropdown. */
+/** Generates an operation whose operator is chosen in a dropdown. */
 function chosen(...inputs: string[]) {
   return (block: Blockly.Block) => ({ op: operator(block), args: args(block, inputs) });
 }
 
-/** Holes left empty shorten `args`; the reader then faults the command that asks. */
+/**
+ * The values of the inputs. An empty input shortens `args`; the reader then reports the command.
+ */
 function args(block: Blockly.Block, inputs: readonly string[]): Expression[] {
   return inputs.map((input) => generateInput(block, input)).filter((argument) => argument !== null);
 }
 
-/** The values of a block that can have more of them. */
+/** The values of a block with a variable number of inputs. */
 function items(block: Blockly.Block): Expression[] {
   const inputs: string[] = [];
   for (let index = 0; block.getInput(itemInput(index)); index++) inputs.push(itemInput(index));
   return args(block, inputs);
 }
 
-/** What a block that reads sensors asks: the only sensor it has or the chosen one, and its argument. */
+/** The reading of a sensor: the block's only sensor or the chosen one, and its argument. */
 function sensor(block: Blockly.Block): Expression {
   const row = definitionOf(block.type);
   const [only, ...others] = (row.makes as { sensor: readonly string[] }).sensor;

@@ -6,7 +6,7 @@ import { callParts, defaultOf, valueInput } from "./values";
 
 type Parts = Pick<BlockState, "fields" | "inputs" | "extraState">;
 
-/** A stack of blocks: the first, with the others below it; nothing for no commands. */
+/** The state of a stack of blocks, first block outermost; undefined if there are no commands. */
 export function stackOf(commands: readonly Command[], ids: Ids): { block: BlockState } | undefined {
   let below: { block: BlockState } | undefined;
   for (const block of commands.map((command) => commandBlock(command, ids)).reverse()) {
@@ -15,7 +15,7 @@ export function stackOf(commands: readonly Command[], ids: Ids): { block: BlockS
   return below;
 }
 
-/** What a pupil wrote on a block, as Blockly keeps it. */
+/** The comment that a pupil wrote on a block, in Blockly's format. */
 export function commentIcon(comment: unknown): Pick<BlockState, "icons"> {
   if (typeof comment !== "string" || comment === "") return {};
   return { icons: { comment: { text: comment, pinned: false, height: 100, width: 220 } } };
@@ -47,7 +47,7 @@ const SPECIAL: Readonly<Record<string, (command: Command, ids: Ids) => Parts & {
     }),
   };
 
-/** The block whose places fit the parameters best: some actions have one for each way they are used. */
+/** The row whose inputs and fields fit the parameters best; some actions have several blocks. */
 function rowFor(command: Command): Row {
   let best: { row: Row; fit: number } | null = null;
   for (const row of ALL_DEFINITIONS) {
@@ -65,7 +65,7 @@ function rowFor(command: Command): Row {
   return best.row;
 }
 
-/** Whether a value is computed for which the block has written choices only. */
+/** Whether the value is computed although the block offers fixed choices only. */
 function isComputedChoice({ type, key = "" }: BlockArgument, command: Command): boolean {
   return type === "field_dropdown" && typeof command[key] === "object";
 }
@@ -96,7 +96,9 @@ function inside(name: string, commands: readonly Command[], ids: Ids): Record<st
   return stack ? { [name]: stack } : {};
 }
 
-/** A negative angle, or one that is subtracted from nothing, is a turn to the right. */
+/**
+ * Splits an angle into direction and amount. A negative number and `0 - x` are turns to the right.
+ */
 function signedAngle(angle: Expression): Parts {
   const subtracted = negatedPart(angle);
   const right = typeof angle === "number" ? angle < 0 : subtracted !== null;

@@ -1,5 +1,6 @@
-// Documents through blocks and back, for tests of the server: PINEL_EXCHANGE names a file with a list of documents, and
-// beside it NAME.out gets what the generator makes of their blocks. Without it a few of our own take the way.
+// Documents to blocks and back, for tests of the server. PINEL_EXCHANGE names a file with a list of
+// documents; the test writes the generated documents to NAME.out beside it. Without PINEL_EXCHANGE
+// the test uses three random programs.
 import { readFileSync, writeFileSync } from "node:fs";
 import * as Blockly from "blockly/core";
 import { beforeAll, expect, test } from "vitest";
@@ -24,7 +25,7 @@ function throughBlocks(document: { name?: string }): object {
   return made;
 }
 
-// a file may hold many documents: the test of the server that wrote it has its own limit
+// a file may hold many documents; the server's test that wrote the file has its own time limit
 test("documents go through blocks and come back", { timeout: 120_000 }, () => {
   const documents: { name?: string }[] = FILE
     ? JSON.parse(readFileSync(FILE, "utf-8"))

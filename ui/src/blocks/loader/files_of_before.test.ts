@@ -1,4 +1,4 @@
-// Blocks that the page saved before: tests/compatibility/files/README.md says what they are.
+// Blocks that earlier versions of the page saved; see tests/compatibility/files/README.md.
 import * as Blockly from "blockly/core";
 import { beforeAll, expect, test } from "vitest";
 import { registerBlocks } from "..";

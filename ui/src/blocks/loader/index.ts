@@ -4,12 +4,12 @@ import { below, MARGIN } from "./layout";
 import { type BlockState, Ids } from "./state";
 
 /**
- * What can be shown as blocks: Blockly calls itself for each block under another, and with more of them the browser's
- * stack is not enough, after half a minute of nothing happening.
+ * Maximum number of commands shown as blocks. Blockly recurses over the blocks of a stack; with
+ * more blocks it overflows the browser's stack, after half a minute without response.
  */
 export const MAX_SHOWN_COMMANDS = 1500;
 
-/** How many commands a document has, wherever they stand. */
+/** Number of commands in a document, nested ones included. */
 export function commandCount(value: unknown): number {
   if (typeof value !== "object" || value === null) return 0;
   const own = "action" in value ? 1 : 0;
@@ -17,11 +17,11 @@ export function commandCount(value: unknown): number {
 }
 
 /**
- * The workspace that shows a document: its program, and below it its functions one after the other. Takes documents
- * in the normal form, which the server's reader makes of all that it takes. What a document's blocks are called they
- * keep, and the same document is always the same workspace.
+ * The workspace that shows a document: its program, and below it one function after the other.
+ * Expects the normal form, into which the server's reader converts each document. Blocks keep the
+ * ids of the document; the same document always gives the same workspace.
  *
- * Throws where a block cannot be shown, which for a document without faults does not happen.
+ * Throws if a command or value has no block, which cannot happen for a document without faults.
  */
 export function workspaceOf(document: object): object {
   const { functions = [], commands } = document as ProgramDocument;
@@ -34,8 +34,8 @@ export function workspaceOf(document: object): object {
 }
 
 /**
- * A saved workspace as it is shown. What came as commands over HTTP was saved as `{ document }`: it has its blocks from
- * there, unless they are too many to be shown.
+ * The workspace to show for a saved one. A program that came over HTTP was saved as `{ document }`;
+ * its blocks are created from the document, unless it exceeds MAX_SHOWN_COMMANDS.
  */
 export function shownWorkspace(saved: object): object {
   const { document } = saved as { document?: object };

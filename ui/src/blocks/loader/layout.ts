@@ -1,6 +1,6 @@
 import type { Branch, Command } from "../generator/document";
 
-/** From the corner of the workspace, in pixels; see the editor's margin. */
+/** Distance of the first block from the corner of the workspace, in pixels. */
 export const MARGIN = 32;
 const ROW = 54;
 const NESTED_VALUE = 10;
@@ -8,7 +8,7 @@ const EMPTY_STATEMENT_INPUT = 28;
 const STATEMENT_INPUT_END = 36;
 const GAP = 72;
 
-/** Where the next stack begins below one that begins there: a document knows nothing of fonts, so about. */
+/** Estimates the top of the next stack, in pixels; its exact place depends on fonts. */
 export function below(top: number, commands: readonly Command[]): number {
   return top + ROW + Math.max(heightOf(commands), ROW) + GAP;
 }
@@ -28,7 +28,7 @@ function commandHeight(command: Command): number {
   );
 }
 
-/** How deep blocks stand in each other in the values of a command. */
+/** Nesting depth of the blocks in the values of a command. */
 function depthOf(value: unknown): number {
   if (typeof value !== "object" || value === null) return 0;
   const inside = Math.max(0, ...Object.values(value).map(depthOf));

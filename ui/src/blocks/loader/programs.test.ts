@@ -1,6 +1,7 @@
-// The programs that the server's tests run, as blocks: tests/programs/blocks/NAME.json holds the workspace and what the
-// generator makes of it, which tests/test_programs.py runs. UPDATE_PROGRAMS=1 writes the files anew, but for programs in the words of
-// the original, which only the server's reader knows.
+// The programs of the server's tests as blocks. tests/programs/blocks/NAME.json holds the workspace
+// and the generated document; tests/test_programs.py runs the document. UPDATE_PROGRAMS=1 rewrites
+// the files. Programs in the format of the original are not rewritten: only the server's reader
+// knows that format.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
@@ -25,7 +26,7 @@ beforeAll(() => {
   mkdirSync(FOLDER, { recursive: true });
 });
 
-/** What the page keeps of a workspace: its blocks, each with an id, and what the robot gets. */
+/** The content that the page stores: the workspace, each block with an id, and the document. */
 function stored(workspace: object, name: string): { workspace: object; document: object } {
   const trial = new Blockly.Workspace();
   Blockly.serialization.workspaces.load(workspace, trial);

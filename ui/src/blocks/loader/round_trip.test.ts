@@ -44,7 +44,7 @@ describe("a document drawn at random from the whole language", () => {
   });
 });
 
-/** The programs that the server's tests run, in the normal form. */
+/** The programs of the server's tests, in the normal form. */
 const PROGRAMS = Object.entries(
   import.meta.glob<string>("../../../../tests/programs/blocks/*.json", {
     eager: true,

@@ -1,24 +1,27 @@
 import type * as Blockly from "blockly/core";
 
-/** A block as Blockly keeps it. */
+/** A block in Blockly's serialised form. */
 export type BlockState = Blockly.serialization.blocks.State;
 
-/** What stands in an input. */
+/** The content of an input: a block, a shadow block, or both. */
 export type Connection = NonNullable<BlockState["inputs"]>[string];
 
-/** Names for blocks: those of the document are kept, each once; other blocks are counted. */
+/** Block ids: an id of the document is used for its first block; all other blocks get a number. */
 export class Ids {
   private readonly used = new Set<string>(["start"]);
   private count = 0;
 
-  /** The name that a document gives a block, unless another has it. */
+  /** The id that the document gives a block, unless another block has it already. */
   claim(id: unknown): { id?: string } {
     if (typeof id !== "string" || id === "" || this.used.has(id)) return {};
     this.used.add(id);
     return { id };
   }
 
-  /** Names what has no name yet, in the order of the program, so that the same document is the same workspace. */
+  /**
+   * Numbers the blocks without an id in the order of the program, so that equal documents give
+   * equal workspaces.
+   */
   complete(first: BlockState): void {
     for (let block: BlockState | undefined = first; block; block = block.next?.block) {
       block.id ??= this.next();

@@ -6,10 +6,10 @@ import { itemInput } from "../shapes/variadic";
 import { COLOURS } from "../table/arguments";
 import type { BlockState, Connection } from "./state";
 
-/** Lists with more values than this are shown by their length. */
+/** Longer lists are shown as one block with their length. */
 const MAX_SHOWN = 24;
 
-/** What an expression is as a block. */
+/** The block that shows an expression. */
 export function valueBlock(expression: Expression): BlockState {
   if (Array.isArray(expression)) return listBlock(expression);
   if (typeof expression !== "object") return literalBlock(expression as Literal);
@@ -22,7 +22,10 @@ export function valueBlock(expression: Expression): BlockState {
   return sensorBlock(expression as Extract<Expression, { sensor: string }>);
 }
 
-/** What stands in an input: a literal as a field of the block, where the input has one of its kind, else a block. */
+/**
+ * The content of an input. A literal becomes the input's shadow block if its type fits, anything
+ * else a block.
+ */
 export function valueInput(expression: Expression, shadow?: Shadow): Connection {
   const written = shadow && asShadow(expression, shadow);
   if (written) return { shadow: written };
@@ -30,7 +33,7 @@ export function valueInput(expression: Expression, shadow?: Shadow): Connection 
   return shadow ? { shadow: shadowState(shadow), block } : { block };
 }
 
-/** The name and values of a call, as extra state and inputs of its block. */
+/** Name and values of a call, as extra state and inputs of the call block. */
 export function callParts(
   name: string,
   values: Readonly<Record<string, Expression>> = {},
@@ -53,7 +56,7 @@ function literalBlock(literal: Literal, textType = "text"): BlockState {
   if (typeof literal === "boolean") {
     return { type: "boolean", fields: { BOOL: literal ? "TRUE" : "FALSE" } };
   }
-  // there is no -0 in JSON
+  // JSON has no -0
   if (typeof literal === "number") return { type: "number", fields: { NUM: literal || 0 } };
   return { type: textType, fields: { TEXT: literal } };
 }
@@ -75,7 +78,7 @@ const OPERATIONS = new Map<string, Row>(
   }),
 );
 
-/** Inputs of the blocks that name theirs, in the order of the arguments. */
+/** Input names of the operations that do not use A, B, ..., in the order of their arguments. */
 const NAMED_INPUTS: Readonly<Record<string, readonly string[]>> = {
   item: ["LIST", "INDEX"],
   contains: ["LIST", "VALUE"],
@@ -101,7 +104,10 @@ function operationBlock(op: string, args: readonly Expression[]): BlockState {
   };
 }
 
-/** The two sides of a comparison; a letter or a colour is shown as what it is compared with. */
+/**
+ * The block of a comparison. A text compared with a gesture is shown as a letter, one compared with
+ * the floor sensor as a colour.
+ */
 function comparison(op: string, [a, b]: readonly Expression[]): BlockState {
   const [left, right] = [a as Expression, b as Expression];
   return {
@@ -144,12 +150,12 @@ function sensorBlock(
   };
 }
 
-/** What stands on a block to begin with is taken where an optional value is left out. */
+/** The number in a block's shadow replaces an optional value that the document omits. */
 export function defaultOf(shadow: Shadow | undefined): number | undefined {
   return shadow && "number" in shadow ? shadow.number : undefined;
 }
 
-/** What stands in an input of a block when nothing else does. */
+/** The placeholder of an empty input. */
 export function shadowOf(row: Row, name: string): Shadow | undefined {
   const argument = (argumentsOf(row) as readonly BlockArgument[]).find((one) => one.name === name);
   return argument?.shadow ?? row.variadic?.shadow ?? undefined;

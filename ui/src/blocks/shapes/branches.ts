@@ -5,7 +5,7 @@ import { rowSpacer } from "../icons";
 import { blockText } from "../texts";
 import { changeShape } from "./change_shape";
 
-/** How many "else if" and whether an "else" hang on an `if`. */
+/** How many "else if" branches an `if` has, and whether it has an "else". */
 export interface BranchesState {
   elif?: number;
   else?: boolean;
@@ -36,7 +36,7 @@ const mixin = {
     this.shape(state.elif ?? 0, state.else ?? false);
   },
 
-  /** First an "else", then one "else if" after the other. */
+  /** Adds an "else" first, then one "else if" per call. */
   plus(this: IfBlock): void {
     changeShape(this, () => this.shape(this.elifCount + (this.hasElse ? 1 : 0), true));
   },

@@ -2,7 +2,7 @@ import type * as Blockly from "blockly/core";
 import { changeShape } from "./change_shape";
 import { shadowState } from "./shadows";
 
-/** Which function is called, and the names of its parameters in their order. */
+/** The called function, and the names of its parameters in their order. */
 export interface CallState {
   name: string;
   parameters?: readonly string[];
@@ -28,7 +28,10 @@ const mixin = {
     this.shape(state.name ?? "", state.parameters ?? [], inUse);
   },
 
-  /** Follows the definition: values stay with the name of their parameter, or with its place when it was renamed. */
+  /**
+   * Updates the call to its definition. A value follows the name of its parameter; if a parameter
+   * was renamed, values keep their positions.
+   */
   follow(this: CallBlock, name: string, parameters: readonly string[]): void {
     changeShape(this, () => this.shape(name, parameters, true));
   },
@@ -50,7 +53,7 @@ interface Child {
   shadow: Blockly.serialization.blocks.State | null;
 }
 
-/** What stands in the inputs, by the place it will have. */
+/** Unplugs the values of the inputs; returns them by their new position. */
 function detachChildren(block: CallBlock, parameters: readonly string[]): Map<number, Child> {
   const sameNames = block.names.every((name) => parameters.includes(name));
   const renamed = parameters.length === block.names.length && !sameNames;

@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 import { inOneStep } from "../fields/name_field";
 
-/** Lets a hand change the shape of a block in one step that undo knows. */
+/** Changes the shape of a block as one step that the user can undo. */
 export function changeShape(block: Blockly.Block, change: () => void): void {
   if (block.isInFlyout) return;
   inOneStep(() => {

@@ -16,7 +16,7 @@ interface FunctionBlock extends Blockly.Block {
   shape(names: readonly string[]): void;
 }
 
-/** The definition of a function; its parameters are written on it. */
+/** The block that defines a function, with fields for its parameters. */
 const mixin = {
   saveExtraState(this: FunctionBlock): FunctionState | null {
     const parameters = this.parameters();
@@ -60,7 +60,7 @@ const mixin = {
   },
 };
 
-/** The names of parameters are kept with the shape of the block, not with its fields. */
+/** Parameter names are saved in the block's extra state, not as fields. */
 class ParameterField extends DefinitionNameField {
   override isSerializable(): boolean {
     return false;

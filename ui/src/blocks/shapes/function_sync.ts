@@ -3,8 +3,8 @@ import { definitionsIn, freeName, functionName, parametersOf, renameInside } fro
 import { callOf, followDefinition } from "./call";
 
 /**
- * Calls follow their definition, and a copy of a definition gets a name of its own; in the same step of undo as what
- * made it necessary.
+ * Updates calls when their definition changes, and gives a copied definition a unique name. Both
+ * belong to the undo step of the change that caused them.
  */
 export function syncCalls(workspace: Blockly.Workspace): void {
   workspace.addChangeListener((event) => {

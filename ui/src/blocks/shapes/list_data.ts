@@ -6,7 +6,7 @@ interface ListBlock extends Blockly.Block {
   values: readonly Literal[];
 }
 
-/** A list too long to be shown value by value. */
+/** A list that is too long to show every value. */
 const mixin = {
   values: [] as readonly Literal[],
 

@@ -3,7 +3,7 @@ import type { Shadow } from "../definition";
 import type { TextKey } from "../texts";
 import { blockText } from "../texts";
 
-/** The block that stands in an input until another is put there. */
+/** The shadow block of an empty input, in Blockly's format. */
 export function shadowState(shadow: Shadow): Blockly.serialization.blocks.State {
   if ("number" in shadow) return { type: "number", fields: { NUM: shadow.number } };
   if ("letter" in shadow) return { type: "text_letter", fields: { TEXT: shadow.letter } };

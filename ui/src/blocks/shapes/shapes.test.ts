@@ -27,12 +27,12 @@ function add(state: State): Shaped {
   return Blockly.serialization.blocks.append(state, workspace, { recordUndo: true }) as Shaped;
 }
 
-/** Events come a moment after what made them, and what answers them a moment later. */
+/** Waits until Blockly has fired its delayed events, and the events that their listeners cause. */
 async function settled(): Promise<void> {
   for (let round = 0; round < 3; round++) await new Promise((done) => setTimeout(done, 25));
 }
 
-/** What is done from here on is undone by itself. */
+/** Starts a new undo history. */
 async function fromHere(): Promise<void> {
   await settled();
   workspace.clearUndo();
@@ -208,7 +208,7 @@ describe("a function", () => {
     await settled();
     expect(workspace.getBlockById("use")?.getFieldValue("NAME")).toBe("tamanho");
     expect(callOf(caller).parameters).toEqual(["lados", "tamanho"]);
-    // the variable at the call is another one, which only has the same name
+    // the call uses a variable that only happens to have the parameter's old name
     expect([value(caller, "ARG0"), value(caller, "ARG1")]).toEqual([5, "lado"]);
   });
 

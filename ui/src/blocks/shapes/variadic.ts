@@ -17,7 +17,7 @@ interface VariadicBlock extends Blockly.Block {
   shape(count: number, filled: boolean): void;
 }
 
-/** The name of the input at that place; the first two are as in blocks with just two sides. */
+/** The name of an input by its index. The first two match blocks with two fixed inputs. */
 export function itemInput(index: number): string {
   return ["A", "B"][index] ?? `ARG${index}`;
 }
@@ -36,7 +36,7 @@ const mixin = {
   },
 
   loadExtraState(this: VariadicBlock, state: Partial<VariadicState>): void {
-    // a block that is being made gets its values with the rest of what was saved; undo brings holes back
+    // while loading, the saved state fills the inputs; undo must add the placeholders itself
     const inUse = this.inputList.some((input) => input.connection?.isConnected());
     this.shape(state.n ?? optionsOf(this).start, inUse);
   },
@@ -69,7 +69,7 @@ function addItem(block: VariadicBlock, index: number, filled: boolean): void {
   if (filled && shadow) input.connection?.setShadowState(shadowState(shadow));
 }
 
-/** Whether the operator stands between the values, not before them. */
+/** Whether the operator is between the values, not before them. */
 function between(block: Blockly.Block): boolean {
   return block.type === "logic_operation";
 }

@@ -4,10 +4,15 @@ import { SENSOR_ROWS } from "./sensor_rows";
 
 type SensorRow = (typeof SENSOR_ROWS)[number];
 
-/** The field with which a block of several sensors lets one be chosen; saved workspaces call it so. */
+/**
+ * The field that chooses one of several sensors. Saved workspaces contain this name, so it cannot
+ * change.
+ */
 export const CHOSEN_SENSOR = "AXIS";
 
-/** What a block is asked besides the sensor: a choice, or a number that may be computed. */
+/**
+ * Arguments of a sensor block: the chosen sensor, then a choice or a number that may be computed.
+ */
 function argumentsOfSensor({ sensors, asked }: SensorRow): BlockArgument[] {
   const choice: BlockArgument[] =
     sensors.length > 1
@@ -52,7 +57,7 @@ const colour = {
   output: TEXT_LITERAL,
 } as const;
 
-/** The blocks of `sensor_rows.ts`, and the colours that the floor is compared with. */
+/** The blocks of `sensor_rows.ts`, and the colours to compare the floor with. */
 export const sensing = [
   ...blocks.filter(({ level }) => level === 2),
   colour,

@@ -1,6 +1,6 @@
 import type { BlockDefinition } from "../definition";
 
-/** The one block every program has; what hangs below it runs. */
+/** The start block, which every program has once; the blocks below it run. */
 export const start = [
   {
     type: "program_start",

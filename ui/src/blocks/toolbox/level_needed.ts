@@ -7,7 +7,10 @@ interface StoredBlock {
 
 const LEVEL_OF = new Map<string, Level>(ALL_DEFINITIONS.map(({ type, level }) => [type, level]));
 
-/** The lowest level that offers every block of a stored workspace. Shadow blocks stand in blocks of every level. */
+/**
+ * The lowest level that offers every block of a stored workspace. Shadow blocks do not count:
+ * blocks of every level have them.
+ */
 export function levelNeeded(workspace: unknown): Level {
   let highest: Level = 1;
   const visit = (node: unknown, key: string) => {

@@ -9,9 +9,9 @@ import { block, callBlock, type OfferedActions, offeredRows } from "./toolbox";
 type ToolboxBlock = Blockly.utils.toolbox.BlockInfo;
 
 /**
- * The blocks of a level that say all of the words, or beginnings of them, in the language of the page: first those
- * that have them on the block or are called so by pupils, then those that say them in their help. Accents and capitals
- * do not matter.
+ * The blocks of a level that match all words of the query, or prefixes of them, in the current
+ * language. Matches in the block's text, choices and search terms come first, then matches in its
+ * category and help. Accents and capitals do not matter.
  */
 export function searchBlocks(
   query: string,
@@ -50,7 +50,7 @@ function rank(row: Row, terms: readonly string[]): number {
   return matchesAll(`${onBlock} ${category} ${help}`, terms) ? 1 : 0;
 }
 
-/** The words a dropdown of the block offers. */
+/** The labels of a block's dropdowns. */
 function choicesOf(row: Row): string[] {
   return (argumentsOf(row) as readonly BlockArgument[]).flatMap(({ options }) =>
     ((options ?? []) as [string, string][]).map(([label]) =>
@@ -59,7 +59,7 @@ function choicesOf(row: Row): string[] {
   );
 }
 
-/** Whether a text has all of the words, or beginnings of them. */
+/** Whether a text contains all the words, or words that begin with them. */
 export function matchesAll(text: string, terms: readonly string[]): boolean {
   const tokens = tokenize(text);
   return terms.every((one) => tokens.some((other) => other.startsWith(one)));

@@ -7,7 +7,7 @@ import { searchBlocks } from "./search";
 
 beforeAll(registerBlocks);
 
-/** What pupils say, by the block that they mean. */
+/** Words that pupils search for, by the block that must be found. */
 const SEARCH_TERMS: Readonly<Record<Language, Readonly<Record<string, string>>>> = {
   "pt-BR": {
     move_forward: "andar, frente, avançar, reto, mover",

@@ -31,21 +31,23 @@ export const EVERYTHING: Level = 3;
 /** The actions that an activity offers; null for all blocks of the level. */
 export type OfferedActions = readonly string[] | null;
 
-/** The commands with a condition, for which alone the values of the first level are. */
+/**
+ * Commands with a condition. An activity without these offers no value blocks of the first level.
+ */
 const WITH_CONDITION = ["conditional_execution", "while", "until", "wait_until"];
 
-/** Between blocks of the toolbox, in pixels. */
+/** Gap between blocks of the toolbox, in pixels. */
 const GAP = 16;
 
-/** The categories a pupil chooses from; the start block stands in the workspace already. */
+/** The categories of the toolbox. It omits the start block, which every workspace already has. */
 export const TOOLBOX_CATEGORIES = CATEGORIES.filter(
   (category): category is ToolboxCategory => category !== "start",
 );
 
-/** The item of the toolbox with the field to search in. */
+/** Kind of the toolbox item that holds the search field. */
 export const SEARCH_KIND = "pinel_search";
 
-/** What is offered: the search, and every category that has blocks of the level, or of those that an activity offers. */
+/** The toolbox: the search, and each category with blocks of the level or of the activity. */
 export function toolbox(
   level: Level = EVERYTHING,
   offered: OfferedActions = null,
@@ -68,7 +70,7 @@ export function toolbox(
   };
 }
 
-/** The blocks of a category, as they come out of it, in a program. */
+/** The blocks of a category's flyout, for a program. */
 export function flyoutBlocks(
   name: ToolboxCategory,
   level: Level,
@@ -85,7 +87,7 @@ export function flyoutBlocks(
   return blocks;
 }
 
-/** A block as its category offers it in a program, to be put into a workspace. */
+/** A block as the flyout offers it, to be put into a workspace. */
 export function flyoutBlock(
   type: BlockType,
   level: Level,
@@ -96,12 +98,14 @@ export function flyoutBlock(
   return (offered ?? block(type)) as Blockly.serialization.blocks.State;
 }
 
-/** Every block that is offered, for the search. */
+/** All blocks on offer; the search looks through them. */
 export function offeredRows(level: Level, offered: OfferedActions = null): Row[] {
   return TOOLBOX_CATEGORIES.flatMap((name) => rowsOf(name, level, offered));
 }
 
-/** A block as the toolbox gives it, with something in its holes, because an empty one says little. */
+/**
+ * A block of the toolbox, with placeholders in its inputs: an empty input does not show its use.
+ */
 export function block(type: BlockType): ToolboxBlock {
   const row = (Object.values(DEFINITIONS) as (readonly Row[])[])
     .flat()
@@ -116,7 +120,10 @@ function rowsOf(name: ToolboxCategory, level: Level, offered: OfferedActions): R
   );
 }
 
-/** An activity lists commands, of whatever level; values belong to them as far as the level goes. */
+/**
+ * Whether an activity offers a block. It lists commands of any level; value blocks follow the
+ * level.
+ */
 function isIn(offered: readonly string[], { makes, level: minLevel }: Row, level: Level): boolean {
   if (makes && "action" in makes) return offered.includes(makes.action);
   if (makes && "function" in makes) return offered.includes("call");
@@ -145,7 +152,10 @@ function flyoutKey(name: ToolboxCategory, level: Level): string {
   return `pinel_${name}_${level}`;
 }
 
-/** Fills categories when they are opened: what is in some depends on the program, and on what is offered then. */
+/**
+ * Registers callbacks that fill a category when it opens: its blocks depend on the program and on
+ * the actions on offer at that time.
+ */
 export function registerFlyouts(
   workspace: Blockly.WorkspaceSvg,
   offered: () => OfferedActions,
@@ -212,7 +222,7 @@ function numberComparison(): ToolboxBlock {
   };
 }
 
-/** The commands with a name that is in use, then one block for each name. */
+/** Commands that use an existing variable, then one block for each variable. */
 function variableBlocks(rows: readonly Row[], workspace: Blockly.Workspace): ToolboxBlock[] {
   const used = variableNames(workspace);
   const names = used.length > 0 ? used : [blockText("VARIABLE_NAME")];
@@ -225,7 +235,7 @@ function variableBlocks(rows: readonly Row[], workspace: Blockly.Workspace): Too
   );
 }
 
-/** A definition with a name that is free, what ends a function, and calls of each that is defined. */
+/** A definition with a unique name, the return blocks, and calls of every defined function. */
 function functionBlocks(rows: readonly Row[], workspace: Blockly.Workspace): ToolboxBlock[] {
   const definitions = definitionsIn(workspace);
   const used = new Set(definitions.map(functionName));
@@ -236,14 +246,14 @@ function functionBlocks(rows: readonly Row[], workspace: Blockly.Workspace): Too
   });
 }
 
-/** As a value only what returns one can be called. */
+/** Calls of the functions. As a value, only functions that return one. */
 function calls(type: "call" | "call_value", definitions: readonly Blockly.Block[]): ToolboxBlock[] {
   return definitions
     .filter((definition) => type === "call" || givesValue(definition))
     .map((definition) => callBlock(type, definition));
 }
 
-/** A call of a function, with something in each of its holes. */
+/** A call of a function, with a number in each input. */
 export function callBlock(type: "call" | "call_value", definition: Blockly.Block): ToolboxBlock {
   const parameters = parametersOf(definition);
   const inputs: Inputs = {};

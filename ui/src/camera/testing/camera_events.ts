@@ -1,6 +1,6 @@
 import type { CameraChangedEvent, CameraSightEvent, SeenSign } from "../../api/model";
 
-/** A hand as the camera sees it. */
+/** A detected hand. */
 export const hand = (more: Partial<SeenSign> = {}): SeenSign => ({
   points: Array.from({ length: 21 }, (_, n) => [0.4 + n / 100, 0.5]),
   handedness: "right",
@@ -11,7 +11,7 @@ export const hand = (more: Partial<SeenSign> = {}): SeenSign => ({
   ...more,
 });
 
-/** What the camera sees: these hands. */
+/** The result of a frame with these hands. */
 export const sightOf = (...hands: SeenSign[]): CameraSightEvent => ({
   type: "camera_sight",
   hands,
@@ -22,7 +22,7 @@ export const sightOf = (...hands: SeenSign[]): CameraSightEvent => ({
   aspect: 4 / 3,
 });
 
-/** The camera changes; with a code it is of no use. */
+/** A change of the camera's state; a code stands for a problem. */
 export const changed = (
   state: CameraChangedEvent["state"],
   code: string | null = null,

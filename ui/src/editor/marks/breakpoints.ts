@@ -4,11 +4,13 @@ import { blockText } from "../../blocks/texts";
 const MENU = "pinel_breakpoint";
 const DOT_CLASS = "pinelBreakpoint";
 const RADIUS = 7;
-/** Offset on the left edge of the block's first row, where there is no text and no icon. */
+/**
+ * Offset of the dot from the left edge of the block's first row, which has no text or icon there.
+ */
 const LEFT = -2;
 const MIDDLE = 24;
 
-/** Blocks before which a run pauses. Each has a red dot, toggled by the block's menu or the key F9. */
+/** Blocks before which a run pauses. The block's menu and the key F9 toggle their red dots. */
 export class Breakpoints {
   private static readonly of = new WeakMap<Blockly.Workspace, Breakpoints>();
   private readonly ids = new Set<string>();
@@ -68,7 +70,7 @@ export class Breakpoints {
   }
 }
 
-/** A run can pause only before commands: values and the start block take no time of their own. */
+/** A run can pause before commands only: values and the start block take no time of their own. */
 function canHold(block: Blockly.BlockSvg | undefined): block is Blockly.BlockSvg {
   return Boolean(block?.previousConnection && !block.isInFlyout);
 }

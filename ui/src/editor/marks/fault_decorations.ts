@@ -16,8 +16,8 @@ const ICON_INSET = 16;
 const NOTICE_BUBBLE = "pinelNoticeBubble";
 
 /**
- * Marks each block with a ring and a bubble with the message: red for a fault, amber for advice on a run. The bubble of
- * the first new one opens, and those of others close: one message at a time.
+ * Decorates blocks with a ring, and a bubble with the message: red for a fault, amber for advice on
+ * a run. Only one bubble is open: that of the first new fault.
  */
 export class FaultDecorations {
   /** Faults of the last `show`, without those whose blocks were edited since. */
@@ -30,7 +30,10 @@ export class FaultDecorations {
     private readonly kind: "fault" | "advice" = "fault",
   ) {}
 
-  /** Faults already shown are left as they are, so that a closed bubble does not reopen at every save. */
+  /**
+   * Faults that are shown already stay unchanged; otherwise a closed bubble would reopen at every
+   * save.
+   */
   show(faults: readonly Fault[]): void {
     const texts = textsByBlock(faults);
     for (const [id, text] of this.marked) if (texts.get(id) !== text) this.clearBlock(id);
@@ -47,7 +50,7 @@ export class FaultDecorations {
     for (const id of [...this.marked.keys()]) this.clearBlock(id);
   }
 
-  /** Clears the fault of a block that is being edited; the next check decides whether it is fixed. */
+  /** Clears the fault of an edited block; the next check decides whether it is fixed. */
   clearBlock(id: string | null | undefined): void {
     if (!id || !this.marked.delete(id)) return;
     this.shown = this.shown.filter((fault) => fault.block !== id);
@@ -57,7 +60,10 @@ export class FaultDecorations {
     block.setWarningText(null, `pinel_${this.kind}`);
   }
 
-  /** Opens the bubble of a block and closes all others, also those that are still being drawn. */
+  /**
+   * Opens the bubble of a block and closes all others, including bubbles that are still being
+   * drawn.
+   */
   private async openAlone(id: string): Promise<void> {
     openedLast.set(this.workspace, id);
     closeBubbles(this.workspace);
@@ -66,17 +72,20 @@ export class FaultDecorations {
       closeBubbles(this.workspace, openedLast.get(this.workspace));
   }
 
-  /** Opens the bubble of a block; on request both are brought into view, above trash and zoom buttons. */
+  /**
+   * Opens the bubble of a block. On request scrolls both into view, above trash and zoom buttons.
+   */
   async openBubble(id: string, isBroughtIntoView = false): Promise<void> {
     const block = this.workspace.getBlockById(id);
     const icon = block?.getIcons().find(hasBubble);
     if (!block || !icon) return;
-    // a second request before the first bubble is drawn makes Blockly draw another one that never closes
+    // a second request before the first bubble is drawn makes Blockly draw a bubble that never
+    // closes
     const opening = this.opening.get(icon) ?? icon.setBubbleVisible(true);
     this.opening.set(icon, opening);
     await opening.finally(() => this.opening.delete(icon));
     const bubble = icon.getBubble();
-    // the fault may be gone by then, with its icon but without a bubble that was drawn afterwards
+    // if the fault was cleared meanwhile, its icon is removed but the late bubble is not
     if (!block.getIcons().includes(icon)) return bubble?.dispose();
     this.dress(block, bubble);
     const isBelow = positionBubble(block, bubble) === "below";
@@ -100,7 +109,7 @@ export class FaultDecorations {
   }
 }
 
-/** Blocks whose bubbles opened by themselves last. */
+/** Id of the block whose bubble opened last without a click, by workspace. */
 const openedLast = new WeakMap<Blockly.WorkspaceSvg, string>();
 
 function closeBubbles(workspace: Blockly.WorkspaceSvg, but?: string): void {
@@ -111,8 +120,9 @@ function closeBubbles(workspace: Blockly.WorkspaceSvg, but?: string): void {
 }
 
 /**
- * Places the bubble where it covers no block and needs no tail: beside its block, else below the stack, which scrolls
- * where it takes room for that. Where a stack is too long for the view, the bubble stays put.
+ * Places the bubble where it covers no block and needs no tail. If there is space, that is beside
+ * the block, else below the stack; the caller then scrolls. If the stack is longer than the view,
+ * the bubble does not move.
  */
 export function positionBubble(
   block: Blockly.BlockSvg,

@@ -28,7 +28,7 @@ export class Highlight {
   }
 }
 
-/** Height of what trash and zoom buttons cover at the bottom of the workspace, in pixels. */
+/** Height that trash and zoom buttons cover at the bottom of the workspace, in pixels. */
 const CONTROLS_PX = 128;
 
 /** Scrolls until the block is in view, unless the user is dragging. */

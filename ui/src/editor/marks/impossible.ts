@@ -4,12 +4,12 @@ import { COLOURS } from "../../blocks/table/arguments";
 import { blockText, type TextKey } from "../../blocks/texts";
 import { commandOf, comparedWith } from "./compared";
 
-/** Texts on blocks of values; a letter is one, too. */
+/** Types of blocks that hold a text. */
 const TEXTS = ["text", "text_letter"];
 
 /**
- * What each command is told of a text that is never equal to what it is compared with: a colour that the floor never
- * has, a place that the world does not have; and of a place to drive to that it does not have. No fault: such a program runs.
+ * Warnings by command about texts that never match: a colour that the floor sensor never gives, or
+ * a place that the world does not have. They are no faults: the program runs.
  */
 export function impossibleIn(workspace: Blockly.Workspace): Map<string, Set<string>> {
   const found = new Map<string, Set<string>>();
@@ -45,7 +45,7 @@ function colourTexts(text: string): string[] {
   ];
 }
 
-/** Outside of all places the name is "". */
+/** The sensor gives "" outside of all places, so "" is valid. */
 function placeTexts(text: string): string[] {
   const places = knownPlaces();
   if (places === null || text === "" || places.includes(text)) return [];
@@ -55,7 +55,7 @@ function placeTexts(text: string): string[] {
   ];
 }
 
-/** A place to drive to is found in any case. */
+/** Unlike a comparison, driving to a place ignores case. */
 function goalTexts(text: string): string[] {
   const places = knownPlaces();
   const goal = text.trim().toLowerCase();

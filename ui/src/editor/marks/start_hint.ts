@@ -4,7 +4,7 @@ import { blockText } from "../../blocks/texts";
 const WIDTH = 316;
 const HEIGHT = 48;
 
-/** Placeholder below a start block that has no blocks under it, as a hint where the first block goes. */
+/** Placeholder below a start block without blocks; it shows where the first block goes. */
 export class StartHint {
   private group: SVGElement | null = null;
 

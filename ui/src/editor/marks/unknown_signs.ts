@@ -3,7 +3,9 @@ import { isKnownSign, knownSigns } from "../../blocks/known_signs";
 import { blockText } from "../../blocks/texts";
 import { commandOf, comparedWith } from "./compared";
 
-/** The signs that the camera does not know, of each command that names one: no fault, a person can answer them. */
+/**
+ * Unknown signs by command. They are no faults, because a person can answer a capture with them.
+ */
 export function unknownIn(workspace: Blockly.Workspace): Map<string, Set<string>> {
   const found = new Map<string, Set<string>>();
   for (const block of workspace.getAllBlocks(false)) {
@@ -15,13 +17,13 @@ export function unknownIn(workspace: Blockly.Workspace): Map<string, Set<string>
   return found;
 }
 
-/** What a command is told of its unknown signs, line by line. */
+/** Lines of the warning about a command's unknown signs. */
 export function unknownSignTexts(names: ReadonlySet<string>): string[] {
   const remedy = blockText(knownSigns()?.hasClass ? "SIGN_TO_TEACH" : "SIGN_BY_HAND");
   return [...[...names].map((name) => blockText("SIGN_UNKNOWN", name)), remedy];
 }
 
-/** The sign that a block names, where it is compared with a gesture or stands for one. */
+/** The sign on a block, if the block is compared with a gesture or sets one; else null. */
 function signOn(block: Blockly.Block): string | null {
   const isSign = block.type === "text_letter";
   if (!isSign && block.type !== "text") return null;

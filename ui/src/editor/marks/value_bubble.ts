@@ -2,13 +2,15 @@ import type * as Blockly from "blockly/core";
 import type { Expression } from "../../blocks/generator/document";
 import { VALUES } from "../../blocks/generator/values";
 
-/** Evaluates an expression and formats its value; null where no evaluation is possible. */
+/** Evaluates an expression and formats its value; null if evaluation is not possible now. */
 export type EvaluateExpression = (expression: Expression) => Promise<string> | null;
 
 const REST_MS = 250;
 const GAP = 8;
 
-/** Shows the value of a block in a tooltip while the pointer rests on it, where evaluation is possible. */
+/**
+ * Shows the value of a block in a tooltip while the pointer rests on it, if evaluation is possible.
+ */
 export class ValueBubble {
   private readonly bubble = document.createElement("div");
   private block: Blockly.BlockSvg | null = null;

@@ -8,7 +8,10 @@ const WARNING = "pinel_notice";
 const CLASS = "pinelNotice";
 const BUBBLE = "pinelNoticeBubble";
 
-/** Notices on commands that can run but hardly do what was meant: no faults. Their bubbles stay closed until pressed. */
+/**
+ * Warnings on commands that can run, but probably not as intended. Their bubbles open on a press
+ * only.
+ */
 export class WarningDecorations {
   private readonly shown = new Map<string, string>();
 
@@ -18,19 +21,19 @@ export class WarningDecorations {
     });
   }
 
-  /** To be called when blocks, known signs or known places have changed. */
+  /** Updates the warnings; to be called when blocks, known signs or known places have changed. */
   refresh(): void {
     const found = warningsIn(this.workspace);
     for (const id of this.shown.keys()) if (!found.has(id)) this.show(id, null);
     for (const [id, lines] of found) this.show(id, lines.map((line) => wrapText(line)).join("\n"));
   }
 
-  /** Blocks are about to be made anew: none of them has a notice. */
+  /** Clears the record of shown warnings; to be called when all blocks are recreated. */
   forget(): void {
     this.shown.clear();
   }
 
-  /** Its bubble looks like a notice, unless the block has a fault as well. */
+  /** Gives the bubble the style of a warning, unless the block also has a fault. */
   private dress(id: string | undefined): void {
     const block = id && this.shown.has(id) ? this.workspace.getBlockById(id) : null;
     const bubble = block?.getIcon(Blockly.icons.IconType.WARNING)?.getBubble();
@@ -53,7 +56,7 @@ export class WarningDecorations {
   }
 }
 
-/** The lines of each command's notice, by its id. */
+/** The lines of each command's warning, by block id. */
 function warningsIn(workspace: Blockly.Workspace): Map<string, string[]> {
   const lines = new Map<string, string[]>();
   const add = (id: string, more: string[]) => lines.set(id, [...(lines.get(id) ?? []), ...more]);

@@ -5,7 +5,10 @@ export type Difference = "added" | "removed" | "changed" | "moved";
 
 const { dom, Svg } = Blockly.utils;
 
-/** SVG paths of the signs, drawn in a disc at the block's corner, so that differences do not depend on colour alone. */
+/**
+ * SVG paths of the badges, drawn in a disc at the block's corner, so that differences do not depend
+ * on colour alone.
+ */
 export const BADGE_PATHS: Readonly<Record<Difference, string>> = {
   added: "M-5 0H5M0 -5V5",
   removed: "M-5 0H5",
@@ -15,7 +18,10 @@ export const BADGE_PATHS: Readonly<Record<Difference, string>> = {
 
 const RADIUS = 11;
 
-/** Drawn above all blocks, because the next block in a stack would cover it. Read-only blocks do not move. */
+/**
+ * Draws the badges above all blocks, because the next block in a stack would cover them. They need
+ * not follow their block: read-only blocks do not move.
+ */
 export function addDifferenceBadge(block: Blockly.BlockSvg, kinds: readonly Difference[]): void {
   const { x, y } = block.getRelativeToSurfaceXY();
   const layer = block.workspace.getCanvas();

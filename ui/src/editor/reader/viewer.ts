@@ -25,11 +25,14 @@ export interface ViewerOptions {
 
 /** Distance from the workspace's corner to the first block, in pixels. */
 const MARGIN = 32;
-/** Smallest scale at which blocks can be read; a longer program is scrolled. */
+/** Minimum legible scale; a longer program is scrolled. */
 const MIN_SCALE = 0.7;
 const MAX_TEXT_LENGTH = 90;
 
-/** Read-only workspace: a stored version with marks on the blocks that differ from another version. */
+/**
+ * Read-only view of a stored version, with decorations on the blocks that differ from another
+ * version.
+ */
 export class BlocksViewer {
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly pointed: Highlight;
@@ -65,7 +68,10 @@ export class BlocksViewer {
     this.sizes.observe(options.container);
   }
 
-  /** Shows a stored workspace from its start. Throws when it holds blocks this version does not know. */
+  /**
+   * Shows a stored workspace from its start. Throws if it has blocks that this version does not
+   * know.
+   */
   load(saved: object): void {
     this.shown = shownWorkspace(saved);
     this.clearDifferences();
@@ -73,7 +79,7 @@ export class BlocksViewer {
     this.showFromTheStart(this.fittingScale());
   }
 
-  /** Marks differences by block id; ids that are not in the workspace are ignored. */
+  /** Decorates differences by block id; ignores ids that are not in the workspace. */
   showDifferences(differences: ReadonlyMap<string, readonly Difference[]>): void {
     this.clearDifferences();
     this.marked = [...differences];
@@ -104,7 +110,7 @@ export class BlocksViewer {
     return this.block(id) !== null;
   }
 
-  /** The blocks that a block hangs on, nearest first: the one above it or the one around it, and so on. */
+  /** The ancestors of a block, nearest first: the block above or around it, and so on. */
   above(id: string): string[] {
     const found: string[] = [];
     for (let at = this.block(id)?.getParent(); at; at = at.getParent()) {
@@ -134,13 +140,13 @@ export class BlocksViewer {
     showTheme(this.workspace, theme);
   }
 
-  /** Sets the accessible name, which tells two readers on one page apart. */
+  /** Sets the accessible name, which distinguishes two viewers on one page. */
   setName(name: string): void {
     const area = this.workspace.getParentSvg().querySelector(".blocklyWorkspace");
     area?.setAttribute("aria-label", name);
   }
 
-  /** Blocks read their texts when they are created, so they are created again. */
+  /** Sets the language; recreates the blocks, because they read their texts at creation. */
   setLanguage(language: Language): void {
     if (language === this.language) return;
     this.language = language;
@@ -181,7 +187,7 @@ export class BlocksViewer {
     this.marked = [];
   }
 
-  /** Largest scale at which the whole program fits; a program that is too long is scaled to be readable. */
+  /** The largest scale at which the whole program fits, but at least MIN_SCALE. */
   fittingScale(): number {
     const box = this.workspace.getBlocksBoundingBox();
     const view = this.workspace.getMetricsManager().getViewMetrics();
@@ -205,7 +211,7 @@ export class BlocksViewer {
     return this.workspace.getBlockById(id) ?? this.startBlock(id);
   }
 
-  /** The id "start" always means the start block, whatever its id is in this version. */
+  /** The start block, if the id is "start"; in some stored versions its own id differs. */
   private startBlock(id: string): Blockly.BlockSvg | null {
     const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
     return id === "start" ? (start ?? null) : null;

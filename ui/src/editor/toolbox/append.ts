@@ -5,10 +5,13 @@ import { ROOTS } from "../start_block";
 
 const { ConnectionType } = Blockly;
 
-/** Distance of a new block from those above it, in workspace units: blocks push away others that they could snap to. */
+/**
+ * Distance of a new block from the blocks above it, in workspace units. It exceeds the snap radius,
+ * within which Blockly pushes blocks apart.
+ */
 const GAP = 72;
 
-/** Puts a copy of a block of the palette into the program. */
+/** Inserts a copy of a block of the flyout into the program. */
 export function appendFromFlyout(source: Blockly.BlockSvg): void {
   const workspace = source.workspace.targetWorkspace;
   const state = Blockly.serialization.blocks.save(source, { saveIds: false });
@@ -16,10 +19,13 @@ export function appendFromFlyout(source: Blockly.BlockSvg): void {
 }
 
 /**
- * Puts a new block where a pupil expects it, as one undo step, selects it, brings it into view and
- * announces it. A command goes to the end of the program; while a block inside a loop, a branch or a function is
- * selected, to the end of what is in there; while such a block itself is selected, into it. A value goes into the first
- * place of the selected block that takes it. What fits nowhere lies loose below everything.
+ * Inserts a new block as one undo step, selects it, scrolls it into view and announces it.
+ *
+ * - A command goes to the end of the program. If a block with a statement input is selected, the
+ *   command goes to the end of that input. If a block inside a statement input is selected, the
+ *   command goes to the end of the same input.
+ * - A value goes into the first free input of the selected block that accepts it.
+ * - Any other block lies loose below the program.
  */
 export function appendBlock(
   state: Blockly.serialization.blocks.State,
@@ -45,21 +51,21 @@ function finish(block: Blockly.BlockSvg, workspace: Blockly.WorkspaceSvg): void 
   const focus = Blockly.getFocusManager();
   const source = focus.getFocusedNode();
   const isByKeyboard = Blockly.keyboardNavigationController.getIsActive();
-  // a block that is not drawn yet lies at the origin, and Blockly scrolls to what gets the focus
+  // an undrawn block lies at the origin, and Blockly scrolls to the focused block
   Blockly.renderManagement.triggerQueuedRenders(workspace);
   focus.focusNode(block);
   const staysOpen = workspace.getFlyout()?.autoClose === false;
   if (!staysOpen) workspace.hideChaff();
-  // the next block is often from the same category
+  // by keyboard the focus returns to the flyout: the next block is often from the same category
   else if (isByKeyboard && source) focus.focusNode(source);
-  // nothing scrolls before the click is over
+  // scrolls only when the click has ended
   void Blockly.renderManagement
     .finishQueuedRenders()
     .then(() => bringIntoView(workspace, block.id));
   Blockly.utils.aria.announceDynamicAriaState(appendedText(block));
 }
 
-/** The block of the program that was last selected, while the palette has the focus too. */
+/** The block that was selected last; it stays selected while the flyout has the focus. */
 function selectedBlock(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg | null {
   const node = Blockly.FocusableTreeTraverser.findFocusedNode(workspace);
   const block = workspace.getNavigator().getSourceBlockFromNode(node);
@@ -79,7 +85,7 @@ function connectionFor(
   return start ? endAfter(start) : null;
 }
 
-/** The first place of a block that takes the value and that no other block has taken. */
+/** The first input of a block that accepts the value and holds no block except a shadow block. */
 function socketFor(
   value: Blockly.RenderedConnection,
   block: Blockly.BlockSvg,
@@ -95,7 +101,7 @@ function socketFor(
   return free ?? null;
 }
 
-/** The command that a value belongs to. */
+/** The command around a value, or the command itself. */
 function commandOf(block: Blockly.BlockSvg): Blockly.BlockSvg {
   const parent = block.outputConnection?.targetBlock() as Blockly.BlockSvg | undefined;
   return parent ? commandOf(parent) : block;
@@ -106,7 +112,7 @@ function insideOf(block: Blockly.Block): Blockly.Connection | null {
   return input ? endOfStatementInput(input) : endAfter(block);
 }
 
-/** The first empty place for commands of a loop or a branch, else the last one. */
+/** The first empty statement input of a block, else its last one. */
 function statementInputOf(block: Blockly.Block): Blockly.Connection | null {
   const inputs = block.inputList.flatMap(({ connection }) =>
     connection?.type === ConnectionType.NEXT_STATEMENT ? [connection] : [],
@@ -119,7 +125,10 @@ function endOfStatementInput(input: Blockly.Connection): Blockly.Connection | nu
   return first ? endAfter(first) : input;
 }
 
-/** Below the last block: inside of an endless loop, and above what ends a loop or a function. */
+/**
+ * The connection after the last block of a stack. If that block is an endless loop, the connection
+ * is inside the loop; if it ends a loop or a function, above it.
+ */
 function endAfter(block: Blockly.Block): Blockly.Connection | null {
   const next = block.getNextBlock();
   if (next) return endAfter(next);
@@ -141,7 +150,7 @@ function appendedText(block: Blockly.BlockSvg): string {
   return blockText("APPENDED_LOOSE", text);
 }
 
-/** A block in words, without what is inside of it. */
+/** Text of a block, without the blocks in its statement inputs. */
 function nameOf(block: Blockly.Block): string {
   return block.inputList
     .filter(({ connection }) => connection?.type !== ConnectionType.NEXT_STATEMENT)
@@ -155,7 +164,10 @@ function nameOf(block: Blockly.Block): string {
 
 let patched = false;
 
-/** What of Blockly's gesture is needed here; it has no public place for a click on a block of a flyout. */
+/**
+ * Members of Blockly's private gesture class; Blockly has no public hook for a click on a flyout
+ * block.
+ */
 interface FlyoutClick {
   flyout: Blockly.IFlyout | null;
   targetBlock: Blockly.BlockSvg | null;
@@ -163,8 +175,8 @@ interface FlyoutClick {
 }
 
 /**
- * Makes a click on a block of the palette, anywhere on it, and Enter append it. Blockly would drop a copy over the
- * blocks at the same place of the screen, and let the keyboard carry it.
+ * Makes a click anywhere on a flyout block, and Enter, append the block. Blockly itself would drop
+ * a copy over other blocks on a click, and start a keyboard move on Enter.
  */
 export function patchFlyoutClicks(): void {
   if (patched) return;

@@ -1,10 +1,13 @@
 import * as Blockly from "blockly/core";
 
-/** Size of a palette that stays open: every block of the first level fits, and the workspace keeps half of the pane. */
+/**
+ * Scale and width of a pinned flyout: every block of the first level fits, and half of the pane
+ * stays free.
+ */
 const STAYING_SCALE = 0.75;
 const STAYING_WIDTH_PX = 284;
 
-/** The blocks of a category. Of a fixed size while it stays open, so that the workspace beside it never moves. */
+/** The flyout. While pinned it has a fixed width, so that the workspace beside it never moves. */
 class PinelFlyout extends Blockly.VerticalFlyout {
   override getFlyoutScale(): number {
     return this.autoClose ? super.getFlyoutScale() : STAYING_SCALE;
@@ -24,11 +27,11 @@ class PinelFlyout extends Blockly.VerticalFlyout {
   }
 }
 
-/** The categories. Their palette closes after each block, or stays open beside the workspace. */
+/** The toolbox. Its flyout closes after each block, or is pinned open beside the workspace. */
 export class PinelToolbox extends Blockly.Toolbox {
   private staying = false;
 
-  /** Keeps the palette open, with the first category to begin with, or lets it close again. */
+  /** Pins the flyout open, starting with the first category, or lets it close again. */
   setStaying(staying: boolean): void {
     if (staying === this.staying) return;
     this.staying = staying;
@@ -38,7 +41,7 @@ export class PinelToolbox extends Blockly.Toolbox {
     if (staying) this.open(null);
   }
 
-  /** Shows the first category, if none is shown. */
+  /** Opens the first category if no category is open. */
   offer(): void {
     if (!this.getSelectedItem()) this.open(null);
   }
@@ -47,7 +50,7 @@ export class PinelToolbox extends Blockly.Toolbox {
     if (!this.staying) super.clearSelection();
   }
 
-  /** Shows other categories; the one that was open stays so. */
+  /** Replaces the categories; the open category stays open. */
   override render(toolboxDef: Blockly.utils.toolbox.ToolboxInfo): void {
     const before = this.getSelectedItem()?.getId() ?? null;
     this.setSelectedItem(null);
@@ -66,5 +69,5 @@ function isCategory(item: Blockly.IToolboxItem): boolean {
   return item instanceof Blockly.ToolboxCategory && item.getContents().length > 0;
 }
 
-/** What `Blockly.inject` takes in place of its own toolbox and flyout. */
+/** Plugins for `Blockly.inject` that replace Blockly's own toolbox and flyout. */
 export const TOOLBOX_PLUGINS = { toolbox: PinelToolbox, flyoutsVerticalToolbox: PinelFlyout };

@@ -6,13 +6,16 @@ import { searchBlocks } from "../../blocks/toolbox/search";
 import { EVERYTHING, type OfferedActions, SEARCH_KIND } from "../../blocks/toolbox/toolbox";
 import { svgIcon } from "../svg_icon";
 
-/** What is searched: the blocks of a level, or those that an activity offers. */
+/** The searched blocks: of a level, or of an activity. */
 interface Shown {
   level: Level;
   offered: OfferedActions;
 }
 
-/** Search field at the top of the toolbox; its results are shown like the blocks of a category. */
+/**
+ * Search field at the top of the toolbox; the flyout shows its results like the blocks of a
+ * category.
+ */
 class SearchItem extends Blockly.ToolboxCategory {
   private declare field: HTMLInputElement;
 
@@ -53,7 +56,10 @@ class SearchItem extends Blockly.ToolboxCategory {
     return field;
   }
 
-  /** Arrow keys move the focus out of the field as from a category; Escape clears the field first. */
+  /**
+   * Arrow keys move the focus out of the field like out of a category; Escape clears the field
+   * first.
+   */
   private onKey(event: KeyboardEvent): void {
     const atEnd = this.field.selectionStart === this.field.value.length;
     const navigator = this.parentToolbox_.getNavigator();

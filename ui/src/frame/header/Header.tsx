@@ -33,7 +33,9 @@ import { TeacherChip } from "./TeacherChip";
 
 const THEME_ICONS = { light: Sun, dark: Moon, contrast: Contrast } as const;
 
-/** Group, program, save state, our work, theme and language, in the same order on every screen. */
+/**
+ * The header: group, program, save status, links and settings, in the same order on every screen.
+ */
 export function Header() {
   const inside = ROUTES[route.value.screen].ofGroup;
   const header = useRef<HTMLElement>(null);
@@ -158,7 +160,7 @@ function HelpButton() {
   );
 }
 
-/** For a program that waits for signs. */
+/** Link to the practice of signs, for a program that waits for signs. */
 function PracticeLink() {
   if (!hasCapture(opened.value?.content.value?.document)) return null;
   return (

@@ -7,13 +7,13 @@ import { lesson, loadOpenLesson } from "../../shell/lesson";
 import { group } from "../../shell/session";
 import { LessonGoal } from "./LessonGoal";
 
-/** The teacher may open a lesson in another window while the group is at work. */
+/** Polls because the teacher may open a lesson in another window while the group works. */
 const EVERY_MS = 15_000;
 
 /** Title and activity of the open lesson. */
 export function LessonChip() {
   const classroom = group.value?.classroom_id ?? null;
-  // a run is graded by the activity of the lesson
+  // also before each run, because a run is graded by the activity of the lesson
   useEffect(() => void loadOpenLesson(), [classroom, language.value, isRunning.value]);
   usePolling(loadOpenLesson, { everyMs: EVERY_MS });
   const now = lesson.value;

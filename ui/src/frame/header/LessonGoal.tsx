@@ -13,7 +13,7 @@ interface LessonGoalProps {
   goal: Goal;
 }
 
-/** The goal of the lesson's activity: small in the header, and large under it when pressed. */
+/** The goal of the lesson's activity as a small picture in the header; a press shows it large. */
 export function LessonGoal({ activity, goal }: LessonGoalProps) {
   const { goal: label, showGoal } = texts.value.activity;
   const open = useSignal(false);

@@ -11,7 +11,7 @@ import { report } from "../../shell/session";
 
 const halt = () => void emergencyStop().catch(report);
 
-/** While a real robot may move: which one, and the emergency stop. */
+/** While a real robot may move, shows its name and the emergency stop. */
 export function RealRobot() {
   const { value: link } = movingLink;
   useEffect(
@@ -48,7 +48,10 @@ export function RealRobot() {
   );
 }
 
-/** With any modifier, and while held: whoever hits it wants the robot to stand. */
+/**
+ * Stops the robot at the emergency key, also with modifiers and on key repeat: any press of the key
+ * means an emergency.
+ */
 function onKey(event: KeyboardEvent): void {
   if (event.key !== EMERGENCY_KEY) return;
   event.preventDefault();

@@ -11,7 +11,7 @@ const ICONS = {
   deleted: TriangleAlert,
 } as const;
 
-/** Whether the work is on disk. */
+/** Shows whether the work is saved on disk. */
 export function SaveStatus() {
   const { saved } = texts.value;
   const { value: open } = programOnScreen;

@@ -10,7 +10,7 @@ import {
   teacherSession,
 } from "../../shell/teacher/teacher_session";
 
-/** Shown on every screen while the teacher is signed in; a press signs out. */
+/** Shown on every screen while the teacher is signed in; a press signs the teacher out. */
 export function TeacherChip() {
   const { classes } = texts.value;
   useEffect(() => {

@@ -1,16 +1,18 @@
 import type { RefObject } from "preact";
 import { useLayoutEffect } from "preact/hooks";
 
-/** What the header leaves out where it has no room, in this order: `data-short` names each. */
+/**
+ * Parts that the header hides if it overflows, in this order; `data-short` lists the hidden ones.
+ */
 const LEFT_OUT = ["brand", "language", "work", "help", "words", "robot", "lesson"] as const;
 
-/** Leaves words out of the header while its contents are wider than it: names are shortened last. */
+/** Hides parts of the header while its contents are too wide. Names are shortened last. */
 export function useOverflow(header: RefObject<HTMLElement>): void {
   useLayoutEffect(() => {
     const { current: element } = header;
     if (!element) return;
     let frame = 0;
-    // once before the next drawing, whatever changes until then: measuring lays out the whole page
+    // once per animation frame, because each measurement lays out the whole page
     const measure = () => {
       frame ||= requestAnimationFrame(() => {
         frame = 0;
@@ -21,7 +23,7 @@ export function useOverflow(header: RefObject<HTMLElement>): void {
     sizes.observe(element);
     const changes = new MutationObserver(measure);
     changes.observe(element, { childList: true, characterData: true, subtree: true });
-    document.fonts?.addEventListener("loadingdone", measure); // each weight comes when it is first used
+    document.fonts?.addEventListener("loadingdone", measure); // a weight loads at first use
     return () => {
       cancelAnimationFrame(frame);
       sizes.disconnect();
@@ -31,7 +33,7 @@ export function useOverflow(header: RefObject<HTMLElement>): void {
   }, []);
 }
 
-/** `data-measuring` gives every part its whole width meanwhile. */
+/** Hides as few parts as needed. Meanwhile `data-measuring` gives every part its full width. */
 function leaveOut(header: HTMLElement): void {
   header.dataset.measuring = "";
   for (let n = 0; n <= LEFT_OUT.length; n++) {

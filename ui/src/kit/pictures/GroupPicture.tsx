@@ -6,7 +6,7 @@ interface GroupPictureProps {
   class?: string;
 }
 
-/** A group's picture; groups of earlier releases have none. */
+/** A group's picture, or a general icon: groups of earlier releases have no picture. */
 export function GroupPicture({ name, class: extra = "" }: GroupPictureProps) {
   const Drawing = isPicture(name) ? PICTURES[name] : UsersRound;
   return <Drawing class={`icon ${extra}`} aria-hidden="true" />;

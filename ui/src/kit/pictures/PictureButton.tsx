@@ -13,7 +13,10 @@ interface PictureButtonProps {
   onChoose(name: PictureName): void;
 }
 
-/** The chosen picture; a press opens all pictures below. Escape or a press elsewhere closes them. */
+/**
+ * Shows the chosen picture; a press opens all pictures below. Escape or a press elsewhere closes
+ * them.
+ */
 export function PictureButton(props: PictureButtonProps) {
   const { classes } = texts.value;
   const place = useRef<HTMLDivElement>(null);
@@ -52,8 +55,9 @@ export function PictureButton(props: PictureButtonProps) {
 }
 
 /**
- * Closes a popup on a press outside, on loss of focus, on Enter and on Escape. The returned function tells whether the
- * pointer was used last: a press chooses and closes, arrow keys only move.
+ * Closes a popup on a press outside, on loss of focus, on Enter and on Escape. The returned ref
+ * holds whether the last input was the pointer: a press chooses and closes, an arrow key only
+ * chooses.
  */
 function usePopup(
   place: RefObject<HTMLElement>,

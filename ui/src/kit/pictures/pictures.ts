@@ -25,7 +25,7 @@ import {
   Umbrella,
 } from "lucide-preact";
 
-/** Pictures for groups, in the order of the choice; their names are declared in the server too. */
+/** Pictures for groups, in the order of the choice. The server declares the same names. */
 export const PICTURES = {
   rocket: Rocket,
   cat: Cat,
@@ -61,7 +61,7 @@ export function isPicture(name: string): name is PictureName {
   return Object.hasOwn(PICTURES, name);
 }
 
-/** The least used picture, the first of several. */
+/** The least used picture; of several, the first. */
 export function rarestPicture(used: readonly string[]): PictureName {
   const uses = (name: string) => used.filter((one) => one === name).length;
   return PICTURE_NAMES.reduce((best, name) => (uses(name) < uses(best) ? name : best));

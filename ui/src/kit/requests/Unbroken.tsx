@@ -1,9 +1,11 @@
-/** Options of commands, times and names of files: what has a hyphen beside a digit or at its start. */
+/**
+ * A token with a hyphen between digits or at its start: options of commands, times, names of files.
+ */
 const HYPHENATED = /(\S*(?:\d-\d|(?<!\S)[(“"]?-)\S*)/;
-/** A path may be longer than the line. */
+/** Maximum length of an unbroken token, in characters: a longer path may not fit on a line. */
 const MAX_LENGTH = 30;
 
-/** A sentence in which no option such as `--json`, and no date, is broken at its hyphen. */
+/** A sentence that never breaks an option such as `--json`, or a date, at its hyphen. */
 export function Unbroken({ text }: { text: string }) {
   return (
     <>

@@ -36,7 +36,7 @@ export interface LoadOptions<T> {
   release?(value: T): void;
 }
 
-/** A loaded value: the latest request wins, and a failed reload keeps the value. */
+/** A loaded value. The latest request wins; a failed reload leaves the value unchanged. */
 export class Load<T> {
   readonly state = signal<LoadState<T>>({ status: "loading" });
   options: LoadOptions<T> = {};

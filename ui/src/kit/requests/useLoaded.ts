@@ -14,8 +14,8 @@ export interface LoadedOptions<T> extends LoadOptions<T> {
 export type Loadable<T> = LoadState<T> & { again(): Promise<void>; set(value: T): void };
 
 /**
- * Loads a value. A new `key`, one value or several, starts a new request; the old value stays until its response. The
- * latest request wins; unmounting aborts. Failures are reported.
+ * Loads a value. A new `key`, one value or several, starts a new request; the old value stays until
+ * its response. The latest request wins; unmounting aborts it. Failures are reported.
  */
 export function useLoaded<T>(
   key: unknown,
@@ -28,7 +28,7 @@ export function useLoaded<T>(
   load.options = options;
   const again = useCallback(() => load.ask((signal) => latest.current.ask(signal)), []);
   const set = useCallback((value: T) => load.set(value), []);
-  // before the first paint, so that a response that is already there is drawn at once
+  // runs before the first paint, so that an immediate response is drawn at once
   useLayoutEffect(
     () => {
       const { quietMs = 0 } = latest.current.options;

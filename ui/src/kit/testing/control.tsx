@@ -10,7 +10,7 @@ export interface ControlProps {
   elementRef?: { current: HTMLElement | null };
 }
 
-/** Rules that need landmarks, or a canvas to measure colours. */
+/** Switches off axe rules that need landmarks, or a canvas to measure colours. */
 const OFF = { region: { enabled: false }, "color-contrast": { enabled: false } };
 
 export async function passesAxe(container: Element): Promise<void> {

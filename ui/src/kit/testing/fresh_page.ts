@@ -1,12 +1,15 @@
 /**
- * Run before each file of tests: the files of one worker share their document, module store and Blockly, for new ones
- * would take most of the time. Here they become as at the start, and nothing of the files before goes on.
+ * Runs before each test file. The files of one worker share document, module store and Blockly,
+ * because creating new ones would take most of the time. This file resets them, and stops the
+ * timers of earlier files.
  */
 import { cleanup } from "@testing-library/preact";
 import * as Blockly from "blockly";
 import { vi } from "vitest";
 
-/** What outlasts a file: timers that were begun, and the entries that Blockly has by itself. */
+/**
+ * State that outlasts a test file: started timers, and the entries that Blockly registers itself.
+ */
 interface Lasting {
   timers: number[];
   blocklys: Set<unknown>;
@@ -18,7 +21,7 @@ worker.lasting ??= {
   blocklys: new Set(blocklyStores().flatMap(Object.values)),
 };
 
-/** The ids of all timers that begin from now on. */
+/** Records the ids of all timers that start from now on. */
 function trackTimers(): number[] {
   const timers: number[] = [];
   for (const name of ["setTimeout", "setInterval"] as const) {
@@ -53,7 +56,7 @@ cleanup();
 for (const timer of worker.lasting.timers.splice(0)) clearTimeout(timer);
 vi.useRealTimers();
 vi.unstubAllGlobals();
-// no server: what a file before asks for again and again is never answered, so it ends
+// requests never get a response, so that polling of an earlier file ends
 Object.assign(globalThis, { fetch: () => new Promise(() => {}) });
 vi.resetModules();
 localStorage.clear();

@@ -1,4 +1,7 @@
-/** Waiting for what a component shows ends at the bound of the test: a second, the library's, is short on a busy PC. */
+/**
+ * Waiting for an element may take as long as the test: the library's limit of 1 s is short on a
+ * busy PC.
+ */
 
 import { configure } from "@testing-library/preact";
 

@@ -17,7 +17,10 @@ import type { Pair } from "./pair";
 
 type View = "apart" | "together";
 
-/** Two runs on two floors or overlaid on one, their blocks with the differences marked, and playback controls. */
+/**
+ * Two runs on two floors or overlaid on one, their blocks with decorated differences, and playback
+ * controls.
+ */
 export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
   const view = useSignal<View>("apart");
   const isTogether = view.value === "together";
@@ -61,7 +64,7 @@ function Head({ pair, view, children }: HeadProps) {
       <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
       <h1>{labels.title}</h1>
       {children}
-      {/* on one floor the second path may cross walls that its own world did not have */}
+      {/* the floor shows the first world, so the second path may cross its walls */}
       {view.value === "together" && first !== second && (
         <p class="compare__elsewhere">{labels.otherWorld}</p>
       )}

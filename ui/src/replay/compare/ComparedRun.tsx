@@ -66,7 +66,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
   );
 }
 
-/** Which hints of its activity were open when the program ran. */
+/** How many hints of the activity were open when the program ran. */
 function HintsOpened({ side }: Pick<RunHeadProps, "side">) {
   const setup = side.recordedRun.run.version?.setup;
   if (!setup?.activity) return null;
@@ -84,7 +84,7 @@ interface RunHeadProps {
   side: Side;
   group: Group | undefined;
   number: number;
-  /** Shows the line style of its path on the shared floor. */
+  /** Whether to show the line style of the run's path on the shared floor. */
   swatch: boolean;
 }
 

@@ -10,7 +10,9 @@ interface PairDifferencesProps {
   isOneProgram: boolean;
 }
 
-/** The difference of the blocks that is in view, in words, and the buttons to the others. */
+/**
+ * Description of the current difference between the blocks, and buttons to the other differences.
+ */
 export function PairDifferences({ blocks, isOneProgram }: PairDifferencesProps) {
   const { archive, review } = texts.value;
   useSignalEffect(() => {

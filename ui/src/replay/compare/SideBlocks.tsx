@@ -12,11 +12,16 @@ interface SideBlocksProps {
   side: Side;
   number: number;
   label: string;
-  /** The blocks of both runs, with their differences; null where those of one were not kept. */
+  /**
+   * The blocks of both runs, with their differences; null if the version of one run is not stored.
+   */
   blocks: PairBlocks | null;
 }
 
-/** The blocks of one of two runs: differences marked, the running block highlighted and the failed one outlined. */
+/**
+ * The blocks of one of two runs: differences decorated, running block highlighted, failed block
+ * outlined.
+ */
 export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
   const place = useRef<HTMLDivElement>(null);
   const stop = useRef(() => {});
@@ -36,7 +41,7 @@ export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
     stop.current = effect(() => {
       blocks?.drawn.value;
       const { value: view } = side.view;
-      // before the clock runs, the difference that is shown stays in view
+      // before playback starts, the current difference stays in view
       if (view.tick > 0) viewer.point(activeBlockId(view));
       viewer.fail(view.phase === "failed" ? (view.ending?.block ?? null) : null);
     });

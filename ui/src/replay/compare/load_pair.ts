@@ -9,13 +9,16 @@ import { Pair } from "./pair";
 
 export type PairBlocks = ComparedBlocks<ComparedWorkspaces>;
 
-/** Two runs, ready to be shown side by side. */
+/** Two runs, loaded for a comparison side by side. */
 export interface LoadedPair {
   readonly pair: Pair;
   readonly groups: readonly Group[];
-  /** Null where the blocks of one run were not kept. */
+  /** Null if the version of one run is not stored. */
   readonly blocks: PairBlocks | null;
-  /** Whether the runs are of one program: blocks are compared by their ids, which others do not share. */
+  /**
+   * Whether both runs are of one program. Blocks are compared by id, which different programs do
+   * not share.
+   */
   readonly isOneProgram: boolean;
 }
 

@@ -15,7 +15,7 @@ export interface Side {
 /** Two runs that start together on a shared clock; the shorter one stays at its end. */
 export class Pair {
   readonly sides: readonly [Side, Side];
-  /** The shared clock: that of the longer run. */
+  /** The shared clock, which belongs to the longer run. */
   readonly playback: Playback;
 
   constructor(first: RecordedRun, second: RecordedRun) {

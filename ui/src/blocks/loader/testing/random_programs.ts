@@ -8,7 +8,10 @@ import type {
 } from "../../generator/document";
 import { SENSOR_ROWS } from "../../table/sensor_rows";
 
-/** Draws documents without faults that use all of the language: the same ones for the same seed. */
+/**
+ * Generates random documents without faults that use the whole language; a seed always gives the
+ * same documents.
+ */
 export class RandomPrograms {
   private state: number;
   private readonly functions: FunctionDefinition[] = [];
@@ -60,7 +63,9 @@ export class RandomPrograms {
     return { ...command, block: this.id(), ...comment };
   }
 
-  /** What may stand inside a loop only, or inside a function only, is drawn nowhere else. */
+  /**
+   * The last command of a body; `break` and `continue` in loops only, `return` in functions only.
+   */
   private ending(): Command {
     const endings: Command[] = [{ action: "beep" }];
     if (this.inLoop) endings.push({ action: "break" }, { action: "continue" });
@@ -200,7 +205,7 @@ export class RandomPrograms {
     ])();
   }
 
-  /** What a sensor of that type measures. */
+  /** A reading of a random sensor whose value has the type. */
   private reading(type: "Number" | "Boolean" | "String"): Expression {
     const row = this.pick(SENSOR_ROWS.filter(({ gives }) => gives === type));
     const sensor = this.pick<string>(row.sensors);
@@ -252,7 +257,7 @@ export class RandomPrograms {
     return Array.from({ length: this.pick([0, 1, 3, 7, 40]) }, literal);
   }
 
-  /** What may be of any type. */
+  /** Generators of expressions whose type is known only at run time. */
   private wild(depth: number): (() => Expression)[] {
     return [
       () => ({ var: this.name() }),
@@ -301,7 +306,7 @@ export class RandomPrograms {
     return Math.floor(this.random() * below);
   }
 
-  /** Mulberry32, in [0, 1). */
+  /** A random number in [0, 1), by Mulberry32. */
   private random(): number {
     this.state = (this.state + 0x6d2b79f5) >>> 0;
     let t = this.state;
