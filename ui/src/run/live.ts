@@ -20,7 +20,7 @@ import { decodeTelemetry, NO_TELEMETRY } from "./telemetry";
 /** State of the live run, or of the last one. */
 export const live = signal<RunView>(IDLE);
 
-/** The server's record of that run: program, world, and the version where requested. Null until it is loaded. */
+/** The server's record of that run: program, world, and the version if requested. Null until it is loaded. */
 export const liveRun = signal<Run | RunWithVersion | null>(null);
 
 export const isRunning = computed(() => isLive(live.value));

@@ -17,7 +17,7 @@ export interface ActiveBlock {
   readonly pointer: string;
   readonly action: string;
   readonly amount: number | null;
-  /** Number of the current loop round. NaN where rounds are too fast to count. */
+  /** Number of the current loop round. NaN if rounds are too fast to count. */
   readonly round: number;
   /** Tick at which this round started. */
   readonly roundTick: number;
@@ -244,8 +244,8 @@ function started(view: RunView, event: BlockStarted): RunView {
 }
 
 /**
- * Begins the next round of the loop whose first command starts. For commands that take no time the robot reports only
- * one start per tick, so rounds on consecutive ticks cannot be counted.
+ * If the first command of a loop starts, counts a new round of the loop. For commands without
+ * duration the robot reports only one start per tick, so rounds on consecutive ticks cannot be counted.
  */
 function withRound(
   stack: readonly ActiveBlock[],

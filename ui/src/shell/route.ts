@@ -23,8 +23,9 @@ interface Row {
 }
 
 /**
- * All screens: name and address. The title is the text `titles.NAME`, the component stands in a file of its name, which
- * `frame/screens` finds. `Route`, `parse`, `hashOf` and the switch of screens derive from this table.
+ * All screens: name and address. The title is the text `titles.NAME`. The component is in a file of the
+ * screen's name, which `frame/screens` imports. `Route`, `parse`, `hashOf` and the switch of screens
+ * derive from this table.
  */
 const ROWS = {
   start: { pattern: "" },

@@ -43,14 +43,14 @@ async function newestProgram(group: string): Promise<Program> {
   return newest ?? createProgram(group, []);
 }
 
-/** The activity of the class's open lesson. A lesson that fails to load must not keep the group from its work. */
+/** The activity of the class's open lesson. If the lesson fails to load, the group still gets to its work. */
 async function activityOfLesson({ classroom_id }: Group): Promise<string | null> {
   if (!classroom_id) return null;
   const now = await classesApi.currentLesson(classroom_id).catch(() => null);
   return now?.lesson?.activity ?? null;
 }
 
-/** Notes that fail to load must not keep the group from its work; they are shown the next time. */
+/** If the notes fail to load, the group still gets to its work; the notes appear the next time. */
 function unseenNotes(group: Group) {
   return versionsApi.unseenNotes(group.id).catch(() => []);
 }

@@ -11,7 +11,7 @@ export interface Grip {
   readonly world: World | null;
   /** The robot's pose; null while a run moves the robot. */
   readonly here: Start | null;
-  /** Whether the robot is at its start, where it has a handle that turns it. */
+  /** Whether the robot is at its start, and so has a handle that turns it. */
   readonly isAtStart: boolean;
   put(start: Start): void;
 }

@@ -63,7 +63,7 @@ function Strip() {
   );
 }
 
-/** Shows the end of the run again at a press or focus outside the floor's pane, at Escape, or at unmount. */
+/** Shows the end of the run again: at a press or focus outside the floor's pane, at Escape, at unmount. */
 function returnsToEnd(): () => void {
   const leave = ({ target }: Event) => {
     if (target instanceof Element && !target.closest(".floor")) inspectTick(null);

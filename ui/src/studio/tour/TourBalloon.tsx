@@ -13,7 +13,10 @@ import { Tour } from "./tour";
 /** The activity with which the tour ends. */
 const FIRST_MISSION = "to_the_bakery";
 
-/** The guided first drive: a balloon beside a ring. It does not take the focus and covers nothing a step needs. */
+/**
+ * The guided first drive: a balloon beside a ring. It takes the focus from no other element and
+ * covers nothing that a step needs.
+ */
 export function TourBalloon({ control }: { control: StudioControl }) {
   const tour = useInstance(() => new Tour(control));
   const balloon = useRef<HTMLElement>(null);

@@ -24,7 +24,7 @@ interface RobotNowProps {
   fill(texts: Draft): void;
 }
 
-/** Current state and pose of a real robot, buttons to jog it, and a button that uses its pose as the start. */
+/** Current state and pose of a real robot. Has buttons that jog it, and one that uses its pose as the start. */
 export function RobotNow({ robot, draft, fill }: RobotNowProps) {
   const { now: labels } = texts.value.robotSetup;
   const { link } = robot;
