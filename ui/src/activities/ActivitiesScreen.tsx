@@ -20,7 +20,7 @@ interface Offer {
   readonly examples: readonly Example[];
 }
 
-/** All activities as cards along their paths, and examples; a press opens the group's program for it. */
+/** All activities as cards along their paths, and examples. A press opens the group's program for the activity. */
 export function ActivitiesScreen({ group }: ParametersOf<"activities">) {
   const offer = useLoaded([group, language.value], () => load(group), { onFailed: couldNotOpen });
   const { activity } = texts.value;
@@ -78,11 +78,11 @@ function showExamples(): void {
   title?.focus({ preventScroll: true });
 }
 
-/** As pinel_desktop/activities/model.py names them; those that a teacher made come last. */
+/** Names of the paths, as in pinel_desktop/activities/model.py; activities of a teacher come last. */
 const PATHS = ["moves", "shapes", "decisions", "sensors", "games", "own"] as const;
 type Path = (typeof PATHS)[number];
 
-/** The activities of each path that has some. */
+/** The activities by path, without empty paths. */
 function pathsOf(activities: readonly ActivityChoice[]): [Path, ActivityChoice[]][] {
   return PATHS.map((path): [Path, ActivityChoice[]] => [
     path,

@@ -2,16 +2,21 @@ import { effect, type ReadonlySignal } from "@preact/signals";
 import { ROW_TICKS } from "./output";
 import type { RunView } from "./reducer";
 
-/** How long a beep is seen, in real time whatever the speed. One sign at most begins in this time: nothing flashes. */
+/**
+ * Real time for which the sign of a beep is shown, at any speed of the run. At most one sign
+ * appears in this time, so the sign does not flash.
+ */
 export const SIGN_MS = 1200;
 
-/** Beeps longer ago than this, in ticks of the robot, were passed over: somebody moved to another moment of a run. */
+/** Older beeps, in ticks of the robot, are not shown: somebody moved the replay past them. */
 const PASSED_TICKS = 90;
 
 /**
- * Tells how many beeps in a row are to be seen now, 0 for none. Returns the function that ends it.
+ * Calls `show` with the number of consecutive beeps to draw now, 0 for none. Returns the function
+ * that ends the calls.
  *
- * @param isStill - a moment of a recording is looked at: its beeps are seen for as long as it is. Tracked as a signal.
+ * @param isStill - whether the view shows one tick of a recorded run. The beeps of such a tick
+ * are shown as long as the tick is. Tracked as a signal.
  */
 export function showBeeps(
   view: ReadonlySignal<RunView>,

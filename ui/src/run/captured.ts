@@ -2,7 +2,7 @@ import type { Language, Texts } from "../i18n";
 import { percent } from "../i18n/format";
 import type { Captured } from "./reducer";
 
-/** The answer of a capture in words: which sign, and who saw or gave it. */
+/** Describes the answer to a capture: the sign, and its source, such as the camera or a person. */
 export function captureText(given: Captured, { status }: Texts, language: Language): string {
   const { captured } = status;
   const { label, by, confidence } = given;

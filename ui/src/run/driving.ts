@@ -2,7 +2,7 @@ import type { Language, Texts } from "../i18n";
 import { degrees, metres } from "../i18n/format";
 import { type Speed, STANDSTILL_MPS, STANDSTILL_RADPS } from "./reducer";
 
-/** Describes the robot's motion while no motion command is active; null where it stands still. */
+/** Describes the robot's motion while no motion command is active; null while it is at rest. */
 export function drivingText(speed: Speed, texts: Texts, language: Language): string | null {
   const { status } = texts;
   const { linear, angular } = speed;

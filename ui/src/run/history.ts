@@ -3,7 +3,7 @@ import { between } from "./motion_buffer";
 import { IDLE, type Pose, type RunView, reduce } from "./reducer";
 import { type Telemetry, telemetryEvent } from "./telemetry";
 
-/** Interval of the stored states, so that seeking is fast. */
+/** Ticks between stored states; a seek reduces at most this many ticks of events. */
 const CHECKPOINT_INTERVAL_TICKS = 30;
 
 /** Merges the events of a run and its telemetry in the order of their ticks. */

@@ -1,9 +1,9 @@
 import { MOTIONS } from "../api/declared";
 
-/** What a program held that did nothing in a run. */
+/** Parts of a program that did nothing in a run. */
 export interface IdleParts {
   readonly emptyLoops: number;
-  /** Blocks that hang neither below the start nor in a function. */
+  /** Number of blocks that belong neither to the stack of the start block nor to a function. */
   readonly looseBlocks: number;
   /** Whether any command moves the robot. */
   readonly hasMotion: boolean;
@@ -44,7 +44,7 @@ function looseStacks(workspace: unknown): Node[] {
   return (blocks?.blocks ?? []).filter(({ type }) => !ROOTS.has(String(type)));
 }
 
-/** A stored block with those below and inside of it, without shadow blocks. */
+/** A stored block with all blocks below and inside it, without shadow blocks. */
 function blocksOf(block: Node): Node[] {
   const inputs = Object.values((block.inputs ?? {}) as Record<string, { block?: Node }>);
   const others = [...inputs, (block.next ?? {}) as { block?: Node }];

@@ -57,7 +57,7 @@ const ended = (tick: number): RunEvent => ({
   telemetry_sha256: "0",
 });
 
-/** Waits until the end is on the screen. */
+/** Ends the run and waits until the page shows its end. */
 async function end(): Promise<void> {
   live.receive(ended(60));
   await waitFor(() => expect(live.live.value.ending).not.toBeNull());

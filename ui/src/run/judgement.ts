@@ -11,17 +11,17 @@ export function withVerdict(
 ): Sentence {
   if (!judged || judged.run !== run) return ended;
   if (judged.passed) return { text: activity.passed, more: ended.text, tone: "done" };
-  // why a run failed comes with what to do about it; that it is not judged stands on the mission's card
+  // a failed run keeps its reason and advice; the mission's card shows that it is not judged
   if (judged.not_judged)
     return ended.tone === "fault" ? ended : { ...ended, more: judged.not_judged };
-  // a run that PINEL lost: what is missing is that it ended so, and what to do stands there already
+  // a run that PINEL lost: `missing` repeats the sentence of the end, which already has advice
   if (judged.missing?.startsWith(ended.text)) return ended;
   const tone = ended.tone === "done" ? "notice" : ended.tone;
   if (judged.missing) return { ...ended, tone, more: activity.missing(judged.missing) };
   return { ...ended, tone, more: activity.toTheEnd };
 }
 
-/** The check list of an activity: of the run, while it goes on and afterwards, else before any run. */
+/** The check list of an activity: as evaluated in `run`, during and after it; else with all checks open. */
 export function checksOf(
   { checks }: Pick<Activity, "checks">,
   run: string | null,

@@ -12,11 +12,11 @@ const api = {
 };
 vi.mock("../api/client", () => ({ api }));
 
-/** The page is drawn so often. */
+/** Interval between redraws of the page. */
 const FRAME_MS = 16;
 
 let page: typeof import("./live");
-/** From the same module instance as the page: a reloaded module has its own classes. */
+/** Class of the same module instance as the page: a reloaded module has its own classes. */
 let ApiError: typeof import("../api/errors").ApiError;
 
 /** Events of the run `other` in the server's store. */
@@ -60,7 +60,7 @@ const conflict = (code: string) => new ApiError(409, { code, message: code });
 
 const settled = () => waitFor(() => expect(page.live.value.run).toBe("other"));
 
-/** Waits until a request was made and answered the given number of times. */
+/** Waits until a request was made and has got a response the given number of times. */
 const asked = (what: ReturnType<typeof vi.fn>, times: number) =>
   waitFor(() => expect(what.mock.settledResults.length).toBe(times));
 

@@ -20,18 +20,18 @@ import { decodeTelemetry, NO_TELEMETRY } from "./telemetry";
 /** State of the live run, or of the last one. */
 export const live = signal<RunView>(IDLE);
 
-/** The server's record of that run: program, world, and the version where requested. Null until it is loaded. */
+/** The server's record of that run: program, world, and the version if requested. Null until it is loaded. */
 export const liveRun = signal<Run | RunWithVersion | null>(null);
 
 export const isRunning = computed(() => isLive(live.value));
 
 const motion = new MotionBuffer();
-/** Number of pending requests whose answers decide which run events belong to; until then events are queued. */
+/** Number of pending requests whose responses decide which run events belong to; events are queued meanwhile. */
 let pendingRequests = 0;
 let queuedEvents: RunEvent[] = [];
 /** Events that already triggered a `follow`. Each triggers only one, so that a failing server is not polled forever. */
 const tried = new WeakSet<RunEvent>();
-/** Sequence number of requests; only the newest answer is shown. */
+/** Sequence number of requests; only the newest response is shown. */
 let newestRequest = 0;
 /** Stop was pressed before the run had an id. */
 let stopRequested = false;
@@ -119,7 +119,7 @@ export function clear(): void {
 export function start(versionId: string, world: string, debugging: RunOptions = {}): Promise<Run> {
   const before = newest();
   const nameless = starting(null);
-  newestRequest++; // what is still being fetched of an earlier run is not shown any more
+  newestRequest++; // responses about an earlier run are no longer shown
   stopRequested = false;
   show(nameless);
   motion.reset();
@@ -142,7 +142,7 @@ export function start(versionId: string, world: string, debugging: RunOptions = 
   });
 }
 
-/** Loads what a run has done so far and follows it from there. */
+/** Loads the events of a run so far and shows the run from there on. */
 export function follow(runId: string): Promise<void> {
   const request = ++newestRequest;
   return queueingEvents(async () => {
@@ -177,7 +177,7 @@ async function queueingEvents<T>(work: () => Promise<T>): Promise<T> {
   }
 }
 
-/** The server reported which run is live: load it, or load the end of the run that was live. */
+/** Loads the run that the server reports as live; for null, loads the end of the run that was live. */
 export async function resync(runId: string | null): Promise<void> {
   const shown = newest();
   if (runId) await follow(runId);
@@ -186,7 +186,7 @@ export async function resync(runId: string | null): Promise<void> {
 
 export type { RunOptions };
 
-/** Sends a command to the live run; null where there is none. */
+/** Sends a command to the live run; resolves to null if no run is live. */
 export async function command(liveCommand: LiveCommand): Promise<CommandAnswer | null> {
   if (liveCommand.do === "speed") motion.setSpeed(liveCommand.factor);
   if (liveCommand.do === "subscribe" && liveCommand.sensors.length === 0) ranges.value = null;
@@ -194,7 +194,7 @@ export async function command(liveCommand: LiveCommand): Promise<CommandAnswer |
   return view.run && isLive(view) ? api.command(view.run, liveCommand) : null;
 }
 
-/** Stops the robot, also where another client started the run and this page does not know it yet. */
+/** Stops the robot, even if another client started the run and this page does not know the run yet. */
 export async function stop(): Promise<void> {
   const view = newest();
   if (!isLive(view)) await adoptServerRun(true);
@@ -209,7 +209,7 @@ export async function stop(): Promise<void> {
   }
 }
 
-/** Queries which run is live, stops it when `toStop`, and shows it. */
+/** Asks the server which run is live, stops that run if `toStop`, and shows it. */
 async function adoptServerRun(toStop: boolean): Promise<void> {
   const { run } = await api.status();
   if (run && toStop) {

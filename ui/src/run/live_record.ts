@@ -8,16 +8,19 @@ import type { Telemetry } from "./telemetry";
 /** Shortest time between redraws of the plots while a run is live. */
 const REDRAW_MS = 200;
 
-/** More events than this are not kept: of such a long run the studio has the plots, and the replay has all of it. */
+/**
+ * If a run has more events, all of them are dropped. The studio still has the plots, and the
+ * replay has the whole run.
+ */
 const MAX_EVENTS = 200_000;
 
-/** Samples and events of the live run, or of the last one, for the plots and the past moments of the studio. */
+/** Samples and events of the live or last run, for the studio's plots and for inspecting past ticks. */
 export class LiveRecord {
   /** Changes when there are new samples to draw. */
   readonly revision = signal(0);
   samples = new Samples();
   private timeline = new Timeline();
-  /** All events except telemetry; null where there were too many. */
+  /** All events except telemetry; null if there were more than `MAX_EVENTS`. */
   private events: RunEvent[] | null = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -29,7 +32,7 @@ export class LiveRecord {
     return this.samples.column("tick").at(-1) ?? 0;
   }
 
-  /** Whether `historyOf` can tell every moment of the run. */
+  /** Whether `historyOf` has the state at every tick of the run. */
   get isWhole(): boolean {
     return this.events !== null && this.lastTick > 0;
   }

@@ -6,7 +6,7 @@ interface Sample {
 }
 
 const TICK_MS = 1000 / 30;
-/** The drawn pose is this far behind, so that there is always a later sample to interpolate to. */
+/** Delay of the drawn pose, so that there is always a later sample to interpolate to. */
 const DELAY_TICKS = 1.5;
 const MAX_SAMPLES = 12;
 
@@ -30,12 +30,12 @@ export class MotionBuffer {
     this.samples.push({ tick, pose });
     if (this.samples.length > MAX_SAMPLES) this.samples.shift();
     const origin = now - tick * this.tickMs;
-    // samples can be late, never early; the slow correction follows clock drift
+    // a sample can arrive late, never early; the slow correction follows clock drift
     if (!(origin >= this.origin) || origin - this.origin > 500) this.origin = origin;
     else this.origin += (origin - this.origin) * 0.02;
   }
 
-  /** Clears the buffer; the robot stands at `pose`. */
+  /** Clears the buffer; the robot is at rest at `pose`. */
   reset(pose?: Pose): void {
     this.samples = pose ? [{ tick: -1, pose }] : [];
     this.origin = Number.NaN;
@@ -54,7 +54,7 @@ export class MotionBuffer {
   }
 }
 
-/** Interpolates two poses; the heading turns the shorter way. */
+/** Interpolates two poses; the heading takes the shorter rotation. */
 export function between(a: Pose, b: Pose, part: number): Pose {
   const turn = Math.atan2(Math.sin(b.yaw - a.yaw), Math.cos(b.yaw - a.yaw));
   return {

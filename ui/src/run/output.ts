@@ -4,7 +4,7 @@ import { EMPTY_TRAIL, extend, lastPoint, type Point, type Trail } from "./trail"
 /** A line of the dialogue between the program and the group. */
 export interface Line {
   readonly kind: "said" | "asked" | "answered" | "beeped";
-  /** A number where the group's answer can be read as one; for beeps, how many there were in a row. */
+  /** A number if the group's answer can be read as one; for beeps, the number of consecutive beeps. */
   readonly text: string | number;
   readonly block: string | null;
   readonly tick: number;
@@ -37,12 +37,12 @@ export interface Call {
   readonly block: string | null;
 }
 
-/** The beeps so far. */
+/** Counts of the beeps so far. */
 export interface Beeps {
   readonly count: number;
-  /** Beeps in a row, up to the newest one. */
+  /** Number of consecutive beeps, up to the newest one. */
   readonly inRow: number;
-  /** Of the newest one. */
+  /** Tick of the newest beep. */
   readonly tick: number;
 }
 
@@ -74,12 +74,12 @@ export const NOTHING: Output = {
   calls: [],
 };
 
-/** Limits above which the oldest entries are dropped. States of a run share the entries that they keep. */
+/** Limits above which the oldest entries are dropped. The states of a run share their entries. */
 export const MAX_LINES = 200;
 export const MAX_MARKS = 1000;
 export const MAX_STROKES = 1000;
 
-/** A beep that comes later than this after the one before begins a new row, in ticks of the robot. */
+/** Longest gap between consecutive beeps, in ticks of the robot; a later beep starts a new row. */
 export const ROW_TICKS = 36;
 
 /** The output after an event; the same object when the event changes nothing. `at` is the robot's true position. */
@@ -133,7 +133,7 @@ function addLine(
   return newest(talk, { kind, text, block, tick, number }, MAX_LINES);
 }
 
-/** Beeps in a row share a line of the talk, unless something was said between them. */
+/** Consecutive beeps share a line of the dialogue, unless the dialogue has another line between them. */
 function beeped(output: Output, block: string | null, tick: number): Output {
   const { beeps: before } = output;
   const isNext = before.count > 0 && tick - before.tick <= ROW_TICKS;
@@ -157,7 +157,7 @@ function drawn(output: Output, point: Point): Output {
   return trail === pen.trail ? output : { ...output, pen: { ...pen, trail } };
 }
 
-/** A new colour begins a new stroke at the end of the last one. */
+/** A new colour starts a new stroke at the end of the last one. */
 function withPen(output: Output, color: string | null, at: Point): Output {
   const { pen } = output;
   if (color === (pen?.color ?? null)) return output;
@@ -170,7 +170,7 @@ function withPen(output: Output, color: string | null, at: Point): Output {
   };
 }
 
-/** Repeated pen down and up at one point makes a single dot. */
+/** Whether a stroke repeats the dot before it: repeated pen down and up at one point is one dot. */
 function isRepeated(before: Stroke | undefined, stroke: Stroke): boolean {
   const isDot = stroke.trail.chunks.length === 0 && stroke.trail.tail.length < 2;
   const [x, y] = lastPoint(stroke.trail) ?? [0, 0];

@@ -19,7 +19,7 @@ export class Playback {
   readonly view = computed(() => this.history.at(this.whole.value));
   private handle = 0;
   private last = 0;
-  /** Tick of the slider before another tick was pointed at. */
+  /** Tick of the slider before somebody pointed at another tick; null while nobody does. */
   private pointedFrom: number | null = null;
 
   constructor(readonly history: History) {}
@@ -30,7 +30,7 @@ export class Playback {
 
   readonly pose = (): Pose => this.history.poseAt(this.tick.peek());
 
-  /** Shows a tick while it is pointed at; `null` returns to the slider's tick. Ignored while playing. */
+  /** Shows the tick that somebody points at; `null` returns to the slider's tick. Ignored while playing. */
   point(tick: number | null): void {
     if (this.playing.peek()) return;
     this.pointedFrom ??= this.tick.peek();

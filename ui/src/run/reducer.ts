@@ -17,9 +17,9 @@ export interface ActiveBlock {
   readonly pointer: string;
   readonly action: string;
   readonly amount: number | null;
-  /** Number of the current loop round. NaN where rounds are too fast to count. */
+  /** Number of the current loop round. NaN if rounds are too fast to count. */
   readonly round: number;
-  /** Tick at which this round began. */
+  /** Tick at which this round started. */
   readonly roundTick: number;
 }
 
@@ -37,17 +37,17 @@ export interface Speed {
 export interface Capture {
   readonly block: string | null;
   readonly timeoutS: number;
-  /** Seconds of real time that are left. */
+  /** Seconds of real time until the timeout. */
   readonly leftS: number;
 }
 
-/** The answer that a capture got. */
+/** The answer to a capture. */
 export interface Captured {
-  /** Name of the sign; "" when none was seen. */
+  /** Name of the sign; "" if none was recognised. */
   readonly label: string;
   /** Null after the timeout. */
   readonly by: CaptureBy | null;
-  /** Of the camera, 0 to 1. */
+  /** Confidence of the camera's prediction, 0 to 1; null if the camera did not answer. */
   readonly confidence: number | null;
   readonly tick: number;
   /** Number of the line of the dialogue that follows it. */
@@ -62,16 +62,16 @@ export interface Ending {
   readonly block: string | null;
   readonly durationS: number | null;
   readonly pathLengthM: number | null;
-  /** How far from the start the robot truly is; null where nobody knows. */
+  /** True distance of the robot from its start, metres; null if unknown. */
   readonly closingErrorM: number | null;
-  /** The same by the pose that the robot itself estimates. */
+  /** Distance of the robot's estimated pose from the start, metres. */
   readonly estimatedClosingErrorM: number | null;
 }
 
 /** Poses of movable boxes that have moved: x and y in metres, heading in radians, world frame, by index. */
 export type BoxPoses = Readonly<Record<string, readonly number[]>>;
 
-/** All that the page shows of a run at one tick, live or replayed. */
+/** Everything that the page shows of a run at one tick, live or replayed. */
 export interface RunView {
   readonly run: string | null;
   readonly phase: Phase;
@@ -79,11 +79,11 @@ export interface RunView {
   readonly seq: number;
   readonly tick: number;
   readonly stack: readonly ActiveBlock[];
-  /** The block that starts next, where the run is paused before one. */
+  /** The block that starts next, if the run is paused before one. */
   readonly next: string | null;
-  /** The believed pose. */
+  /** The estimated pose. */
   readonly pose: Pose;
-  /** The true pose; same as `pose` while it is not known. */
+  /** The true pose; the same as `pose` while the true pose is unknown. */
   readonly truth: Pose;
   readonly setpoint: Pose;
   /** The true path. */
@@ -91,7 +91,7 @@ export interface RunView {
   readonly idealPath: Trail;
   readonly boxes: BoxPoses;
   readonly motion: Motion | null;
-  /** Whether the robot has been told to move. */
+  /** Whether the program has commanded the robot to move. */
   readonly moved: boolean;
   /** The commanded velocity, m/s and rad/s. */
   readonly speed: Speed;
@@ -103,10 +103,10 @@ export interface RunView {
   readonly ending: Ending | null;
 }
 
-/** Below this distance the believed and the true pose count as equal. */
+/** Below this distance the estimated and the true pose count as equal. */
 const SAME_M = 1e-6;
 
-/** Lower speeds count as standing still, m/s and rad/s. */
+/** At lower speeds the robot counts as at rest, m/s and rad/s. */
 export const STANDSTILL_MPS = 0.005;
 export const STANDSTILL_RADPS = 0.01;
 
@@ -244,8 +244,8 @@ function started(view: RunView, event: BlockStarted): RunView {
 }
 
 /**
- * Begins the next round of the loop whose first command starts. For commands that take no time the robot reports only
- * one start per tick, so rounds on consecutive ticks cannot be counted.
+ * If the first command of a loop starts, counts a new round of the loop. For commands without
+ * duration the robot reports only one start per tick, so rounds on consecutive ticks cannot be counted.
  */
 function withRound(
   stack: readonly ActiveBlock[],
@@ -286,7 +286,10 @@ function closed(view: RunView, event: RunEndedEvent): RunView {
   };
 }
 
-/** Earlier releases recorded the estimate alone, under the name of the true one, which their samples may know. */
+/**
+ * Earlier releases recorded only the estimated error, under the name of the true one. The true
+ * error is then the distance of the last true pose, if the samples have one.
+ */
 function closingErrors(
   { pose, truth }: RunView,
   event: RunEndedEvent,
@@ -298,7 +301,7 @@ function closingErrors(
   return { closingErrorM: trueErrorM, estimatedClosingErrorM: closingErrorM };
 }
 
-/** The last event has only the believed pose; it is also the true one where both were equal until then. */
+/** The last event has only the estimated pose. It is also the true pose if both were equal before. */
 function posesAtEnd(
   { pose, truth }: RunView,
   event: RunEndedEvent,

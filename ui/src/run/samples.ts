@@ -1,7 +1,7 @@
 import type { TelemetryEvent } from "../api/model";
 import { NO_TELEMETRY, type Telemetry } from "./telemetry";
 
-/** Columns of the telemetry that plots, tables and past moments use; metres, radians and seconds, start frame. */
+/** Columns of the telemetry for plots, tables and past ticks; metres, radians, seconds, start frame. */
 export const COLUMNS = [
   "tick",
   "x_m",

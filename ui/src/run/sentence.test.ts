@@ -122,7 +122,7 @@ describe("what the robot does, in words", () => {
     const line = { kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 } as const;
     const captured = { label: "B", by: "person", confidence: null, tick: 30, nextLine: 1 } as const;
     const view = { ...moving("wait", 3, 1), tick: 40, captured };
-    // in the same tick, as when a program refuses a sign and asks again
+    // all in one tick, as when a program refuses a sign and asks again
     const outputWith = (number: number) => ({ ...IDLE.output, talk: [{ ...line, number }] });
     expect(sentenceOf({ ...view, output: outputWith(0) }, context)?.more).toBe(
       "Vocês responderam B",

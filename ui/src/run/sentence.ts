@@ -21,7 +21,7 @@ export interface Sentence {
 /** Below this distance from the start the path counts as closed. */
 const CLOSED_M = 0.01;
 
-/** How long a message of the robot, or the answer of a capture, stays in the sentence. */
+/** Ticks for which a message of the robot, or the answer to a capture, stays in the sentence. */
 const RECENT_TICKS = 90;
 
 const LOOPS = new Set(["repeat", "while", "until", "for", "forever"]);
@@ -38,11 +38,11 @@ const RUN_AGAIN = new Set([
 export interface SentenceContext {
   texts: Texts;
   language: Language;
-  /** A parameter of the command at a pointer of the document, as written there. */
+  /** Returns a parameter of the command at a JSON pointer of the document, as the document has it. */
   parameterOf(pointer: string, name: string): unknown;
   /** For a recorded run: the text does not mention buttons that only a live run has. */
   past?: boolean;
-  /** What ran, to say at the end what of it did nothing. */
+  /** The program that ran: the sentence at the end names the parts that did nothing. */
   program?: StoredProgram | null;
 }
 
@@ -135,11 +135,14 @@ function partOf(motion: Motion | null): number | null {
   return Math.min(1, Math.max(0, motion.done / motion.amount));
 }
 
-/** Context of the command: a recent message or answer of a capture, else the loop round, the function, and whether the robot is moving. */
+/**
+ * Context of the command: a recent message or answer to a capture, else the loop round, the
+ * function, and whether the robot is moving.
+ */
 function around(view: RunView, context: SentenceContext): string {
   const { status } = context.texts;
   const message = view.output.talk.findLast((line) => line.kind === "said");
-  // robot time stands still in a capture: what was said before and after it may be of the same tick
+  // robot time stops during a capture: messages before and after it may have the same tick
   const isNewerThanCapture = message && message.number >= (view.captured?.nextLine ?? 0);
   const answer = isNewerThanCapture ? "" : answered(view, context);
   if (answer) return answer;
@@ -160,13 +163,13 @@ function around(view: RunView, context: SentenceContext): string {
     .join(" · ");
 }
 
-/** The beeps in a row, unless the newest was some time ago. */
+/** Text of the consecutive beeps; "" if the newest is older than `RECENT_TICKS`. */
 function beeped({ output: { beeps }, tick }: RunView, { texts }: SentenceContext): string {
   const isRecent = beeps.count > 0 && tick - beeps.tick < RECENT_TICKS;
   return isRecent ? texts.show.beeps(beeps.inRow) : "";
 }
 
-/** The answer of a capture, unless it was some time ago. */
+/** Text of the answer to a capture; "" if it is older than `RECENT_TICKS`. */
 function answered({ captured, tick }: RunView, { texts, language }: SentenceContext): string {
   const isRecent = captured && tick - captured.tick < RECENT_TICKS;
   return isRecent ? captureText(captured, texts, language) : "";
@@ -192,7 +195,10 @@ function ending(view: RunView, context: SentenceContext): Sentence {
   return finishedSentence(view, context);
 }
 
-/** A run that ended well; what pupils may not have wanted so is said without calling it a success. */
+/**
+ * The sentence of a run that ended without a fault. A remark about a likely oversight of the
+ * pupils has the tone `notice`, not `done`.
+ */
 function finishedSentence(view: RunView, context: SentenceContext): Sentence {
   const { status } = context.texts;
   const { emptyLoops, looseBlocks, hasMotion } = idleParts(context.program ?? NO_PROGRAM);
@@ -220,7 +226,10 @@ function finished(view: RunView, { status }: Texts, language: Language): string 
   return status.finishedAway(metres(closingErrorM, language));
 }
 
-/** Where the robot estimates to be: all that is known of a real one, else only where it is truly not about there. */
+/**
+ * The robot's estimated distance from its start. For a simulated robot, "" unless the estimated
+ * and the true distance differ by `CLOSED_M` or more.
+ */
 function estimated(view: RunView, { texts: { status }, language }: SentenceContext): string {
   const { pathLengthM, closingErrorM = null, estimatedClosingErrorM: m } = view.ending ?? {};
   if (!pathLengthM || m == null || pathLengthM < CLOSED_M) return "";
@@ -232,7 +241,7 @@ function estimated(view: RunView, { texts: { status }, language }: SentenceConte
   return isClosed ? status.believesClosed : status.believesAway(distance);
 }
 
-/** Reads a parameter of a command from the document. */
+/** Returns a parameter of a command of the document. */
 export function parameterIn(document: unknown, pointer: string, name: string): unknown {
   // a bare list of commands is a valid program too
   let place: unknown = Array.isArray(document) ? { commands: document } : document;

@@ -5,7 +5,7 @@ import { beep } from "./sound";
 const gains: number[] = [];
 let now = 0;
 
-/** As much of Web Audio as a tone needs; notes how loud each tone becomes. */
+/** The part of Web Audio that a tone needs; records the loudness of each tone. */
 class FakeNode {
   readonly gain = {
     setValueAtTime: () => {},

@@ -22,16 +22,16 @@ export function setMuted(value: boolean): void {
 let context: AudioContext | null = null;
 let quietFrom = 0;
 
-/** Whether somebody has turned the sound on; a beep of a program needs that no more than not being off. */
+/** Whether somebody has turned the sound on. The fanfare needs this; a beep only must not be muted. */
 export const isSoundTurnedOn = computed(() => chosen.value === "0");
 
-/** Plays a short tone. Silent before the first click in the page, as browsers require; tones do not overlap. */
+/** Plays a short tone. Before the first click in the page browsers forbid sound; tones do not overlap. */
 export function beep(): void {
   if (muted.value) return;
   play([FREQUENCY_HZ]);
 }
 
-/** Plays a short fanfare where sound was turned on. */
+/** Plays a short fanfare if somebody has turned the sound on. */
 export function cheer(): void {
   if (isSoundTurnedOn.value) play(CHEER_HZ);
 }

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { decodeTelemetry, telemetryEvent } from "./telemetry";
 
-/** Encodes the binary response as ARCHITECTURE.md describes it. */
+/** Encodes the binary response of `GET /api/runs/{id}/telemetry`, which docs/http-api.md describes. */
 function encode(columns: Record<string, number[]>): ArrayBuffer {
   const names = Object.keys(columns);
   const rows = columns[names[0] ?? ""]?.length ?? 0;

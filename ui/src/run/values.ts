@@ -3,10 +3,13 @@ import { numberWords } from "../i18n/format";
 
 const NUMBER = /^-?\d+(\.\d+)?(e[-+]?\d+)?$/;
 const NUMBER_INSIDE = /(^|[^\p{L}\d.,])(-?\d+\.\d+(?:e[-+]?\d+)?)(?![\p{L}\d]|[.,]\d)/gu;
-/** In a text this may be a thousand as people write it. */
+/** Inside a text, "1.500" may be a number of a person, with a point between the thousands. */
 const THOUSANDS = /^-?[1-9]\d{0,2}\.\d{3}$/;
 
-/** What the robot says, with its numbers as in the language: the program writes them with a point and all digits. */
+/**
+ * A message of the robot with its numbers in the format of the language. A program writes numbers
+ * with a point and all digits.
+ */
 export function localizeNumbers(text: string, language: Language): string {
   const parts = text.split(", ");
   if (parts.every((part) => isWrittenByProgram(part))) {
@@ -19,7 +22,7 @@ export function localizeNumbers(text: string, language: Language): string {
   );
 }
 
-/** Programs write no zeros at the end of a number; what has some was typed so by a pupil. */
+/** A program writes no trailing zeros; a pupil typed a number that has some. */
 const isWrittenByProgram = (text: string) =>
   NUMBER.test(text) && (text.includes("e") || String(Number(text)) === text);
 

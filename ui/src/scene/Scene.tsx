@@ -21,7 +21,7 @@ import { type Grip, listenToPointer } from "./tools/pointer_input";
 import { Toolbar } from "./tools/Toolbar";
 import { SceneTools } from "./tools/tools";
 
-/** A robot that the user can move by dragging and whose sensors can be displayed. */
+/** Handling of a robot that the user can drag and whose sensors can be displayed. */
 export interface RobotHold {
   readonly grip: ReadonlySignal<Grip>;
   readonly canReset: ReadonlySignal<boolean>;
@@ -31,18 +31,18 @@ export interface RobotHold {
 
 interface SceneProps {
   world: World | null;
-  /** The robot that drives here; null until the records of the robots are loaded. */
+  /** The robot on this floor; null until the robot models are loaded. */
   robot: Robot | null;
   view: ReadonlySignal<RunView>;
   /** The robot's pose at a time of the screen's clock, interpolated between the ticks of `view`. */
   poseAt(now: number): Pose;
-  /** The state whose path the camera takes in; by default that of `view`. */
+  /** The state whose whole path the viewport shows; by default the state of `view`. */
   whole?: ReadonlySignal<RunView>;
   /** A second run drawn on the same floor. */
   companion?: ReadonlySignal<Companion | null>;
-  /** Absent where a run is only displayed. */
+  /** Absent if a run is only displayed. */
   hold?: RobotHold;
-  /** Whether a recording plays; absent where the run is live. */
+  /** Whether a recorded run plays; absent if the run is live. */
   playing?: ReadonlySignal<boolean>;
 }
 
@@ -140,7 +140,7 @@ function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
         data-phase={phase}
         data-tool={tools.tool.value ?? ""}
       />
-      {/* the newest mark, told to who does not see it when it is put on the floor */}
+      {/* a screen reader announces the newest mark when the robot draws it */}
       <output class="visually-hidden" data-testid="last-mark">
         {markLabels.at(-1)}
       </output>

@@ -1,6 +1,9 @@
 import { toWorld, type XY } from "./frames";
 
-/** A box, a zone or a painted area from above: metres and degrees, world frame; a disc where `radius` is set, else a rectangle. */
+/**
+ * A box, a zone or a painted area from above: metres and degrees, world frame. A disc if `radius`
+ * is set, else a rectangle.
+ */
 export interface Area extends XY {
   readonly width: number;
   readonly depth: number;
@@ -8,7 +11,7 @@ export interface Area extends XY {
   readonly radius: number | null;
 }
 
-/** An area as it stands in the document of a world. */
+/** An area in the form of a world document. */
 interface Written {
   readonly center: readonly number[];
   readonly size?: readonly number[] | null;
@@ -22,7 +25,7 @@ export function areaOf({ center: [x = 0, y = 0], size, radius, heading_deg = 0 }
   return { x, y, width, depth, heading: heading_deg, radius: radius ?? null };
 }
 
-/** Which way the corners of a rectangle lie, as `cornersOf` orders them. */
+/** Signs of x and y of a rectangle's corners in its own frame, in the order of `cornersOf`. */
 export const CORNERS = [
   [-1, -1],
   [1, -1],

@@ -4,35 +4,38 @@ import type { Size } from "./viewport";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** Half the angle that an arc spans, in radians; distance of the arcs and widths of their lines in pixels. */
+/** Half the angle of an arc, in radians; distance between the arcs and widths of their lines, in pixels. */
 const HALF_ARC = 0.75;
 const GAP_PX = 11;
 const LINE_PX = 5;
 const EDGE_PX = 9;
 const ARCS = 3;
 
-/** Distance from the robot's circle that the sign leaves free, in metres; its radius in pixels where the floor is small. */
+/** Gap between the robot's circle and the first arc, in metres; minimum radius of that arc, in pixels. */
 const FREE_M = 0.08;
 const FREE_PX = 16;
 
-/** Duration in which the arcs leave the robot, in ms. Only the first beep of a row moves them. */
+/** Duration in which the arcs spread from the robot, in ms. Only the first of consecutive beeps moves them. */
 export const GROWING_MS = 160;
 
-/** Words closer to the edge than this would lie under the controls over the floor, in pixels. */
+/** Minimum distance of the text from the upper edge, in pixels: controls cover the floor above. */
 const TOP_PX = 76;
 const CHIP_PX = 36;
 
-/** The sign of a beep. */
+/** The drawing that shows a beep. */
 export interface Beeping {
-  /** Upright and short. */
+  /** The short text above the robot. */
   readonly text: string;
   /** Radius of the robot's circle in metres. */
   readonly radius: number;
-  /** How far the arcs have left the robot, 0 to 1. */
+  /** Progress of the arcs' spread from the robot, 0 to 1. */
   readonly grown: number;
 }
 
-/** Draws sound waves beside the robot at `at` and the words above it, in pixels of the canvas. `scale` in pixels per metre. */
+/**
+ * Draws sound waves beside the robot at `at` and the text above it, in pixels of the canvas.
+ * `scale` is in pixels per metre.
+ */
 export function drawBeep(
   ctx: Ctx,
   { text, radius, grown }: Beeping,

@@ -2,14 +2,17 @@ import type { BoxPoses } from "../run/reducer";
 
 /** Time constant of the interpolation in ms; boxes are reported ten times a second. */
 const TIME_MS = 60;
-/** Distance at which a box has arrived, metres and radians. */
+/** At this distance from the reported pose a box has arrived, metres and radians. */
 const THERE = 1e-3;
 
 /** Interpolates the drawn poses of pushed boxes towards the reported ones. */
 export class BoxInterpolator {
   poses: BoxPoses = {};
 
-  /** Moves all boxes one step; true while one has not arrived. A box no longer reported returns to its place. */
+  /**
+   * Moves all boxes one step; returns true while a box has not arrived. A box without a reported
+   * pose returns to its pose in the world document.
+   */
   approach(boxes: BoxPoses, elapsedMs: number, still: boolean): boolean {
     const part = still ? 1 : 1 - Math.exp(-elapsedMs / TIME_MS);
     let moving = false;

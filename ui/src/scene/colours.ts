@@ -24,7 +24,7 @@ const TOKENS = {
 /** Colours of the floor by their role. */
 export type Colours = Record<keyof typeof TOKENS, string>;
 
-/** Colours of the light theme, whatever the current theme: for exported pictures. */
+/** Colours of the light theme in any current theme, for exported pictures. */
 export function paperColours(): Colours {
   const { dataset } = document.documentElement;
   const now = dataset.theme;

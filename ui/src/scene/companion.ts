@@ -14,7 +14,7 @@ export interface Companion {
   pose(): Pose;
 }
 
-/** Draws it with a dashed path in the start's colour, so that the two do not differ by colour alone. */
+/** Draws the second run with a dashed path, so that the two runs do not differ by colour alone. */
 export function drawCompanion(
   ctx: CanvasRenderingContext2D,
   { world, robot, view, pose }: Companion,

@@ -9,8 +9,8 @@ const AROUND_PATH = 0.6;
 const WALL = 0.12;
 
 /**
- * Box that the camera shows: the start, the path so far and all objects in the room. An empty room is not shown
- * whole, because the robot would be too small.
+ * Bounding box of the start, the path so far and all objects in the room. The viewport shows this
+ * box and not the whole room: in a large empty room the robot would be too small.
  */
 export function contentBounds(
   world: World | null,
@@ -27,13 +27,13 @@ export function contentBounds(
   return inside(box, room);
 }
 
-/** Includes everything that stands in a room or is marked on its floor. */
+/** Extends `box` by all objects of a world and all areas on its floor. */
 export function includeObjects(box: Box, world: World): void {
   for (const worldBox of world.boxes) {
     const [x, y] = worldBox.center;
     include(box, x ?? 0, y ?? 0, Math.hypot(...worldBox.size) / 2);
   }
-  // a world of the editor leaves out what is empty
+  // a world of the world editor omits empty lists
   for (const area of [...(world.zones ?? []), ...(world.floor ?? [])]) {
     const [x, y] = area.center;
     const reach = area.radius ?? Math.hypot(...(area.size ?? [])) / 2;
@@ -52,10 +52,13 @@ function includePath(box: Box, start: StartPose, path: Trail): void {
   }
 }
 
-/** Cache for full chunks, which do not change any more. */
+/** Cache of the corners of full chunks, which no longer change. */
 const known = new WeakMap<readonly Point[], readonly Point[]>();
 
-/** Corners of the full chunks' bounding boxes, and the newest points. Exact for starts that are not rotated. */
+/**
+ * Corners of the full chunks' bounding boxes, and the newest points. With a rotated start frame
+ * the boxes are larger than the path.
+ */
 function* corners({ chunks, tail }: Trail): Generator<Point> {
   for (const chunk of chunks) {
     let found = known.get(chunk);
@@ -100,7 +103,7 @@ function isOuter(wall: World["walls"][number], room: Box): boolean {
   );
 }
 
-/** Shifts the box into the room where it exceeds it, then clips the rest. */
+/** Shifts the box into the room if it exceeds the room, then clips the rest. */
 function inside(box: Box, room: Box): Box {
   const outer = {
     left: room.left - WALL,

@@ -11,7 +11,7 @@ const WORLD_CHOICE = 68;
 /** All functions here draw in the world frame, in metres, y up. */
 type Ctx = CanvasRenderingContext2D;
 
-/** Draws the room with everything in it; without movable boxes where those are drawn separately. */
+/** Draws the room and its objects; without the movable boxes if the caller draws them separately. */
 export function drawFloor(
   ctx: Ctx,
   world: World | null,
@@ -120,7 +120,6 @@ function drawLid(ctx: Ctx, right: number, top: number, movable: boolean): void {
   ctx.stroke();
 }
 
-/** Draws the movable boxes at their current poses. */
 export function drawMovableBoxes(
   ctx: Ctx,
   world: World | null,
@@ -165,7 +164,7 @@ interface ScreenPoint {
   y: number;
 }
 
-/** Where a grid line crosses the lower edge, or the left edge for a horizontal line. */
+/** The point at which a grid line crosses the lower edge; for a horizontal line, the left edge. */
 function edgePoint(a: ScreenPoint, b: ScreenPoint, size: Size): ScreenPoint | null {
   const dx = b.x - a.x;
   const dy = b.y - a.y;

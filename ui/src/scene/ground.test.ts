@@ -84,7 +84,7 @@ test.each([
   const [tile = "", ink = ""] = [tiles[theme], inks[theme]];
   const { letters, halos } = namesDrawn({ tile, ink } as Colours);
   expect(letters).toEqual([[ink, 1]]);
-  // the letters stand on the colour of the floor, whatever is painted there
+  // the letters have the colour of the bare floor around them, on any paint
   expect(halos).toEqual([[tile, 1]]);
   expect(contrast(ink, tile)).toBeGreaterThanOrEqual(4.5);
 });
@@ -123,7 +123,7 @@ function letterHeights(zones: object[], pixel: number): number[] {
   return found;
 }
 
-/** Colour and opacity of the letters of an area's name, and of what is drawn around them before. */
+/** Colour and opacity of the letters of an area's name, and of the halo drawn around them before. */
 function namesDrawn(colours: Colours) {
   const letters: [string, number][] = [];
   const halos: [string, number][] = [];

@@ -6,12 +6,12 @@ import { edgeOf, paintOf } from "./paints";
 type Ctx = CanvasRenderingContext2D;
 type Paint = World["floor"][number];
 
-/** Colour that the robot's floor sensor reads where nothing is painted; it is the same in every theme. */
+/** Colour that the robot's floor sensor reads on bare floor; it is the same in every theme. */
 const BARE_FLOOR = "white";
 
 /** Draws the painted areas of the floor in order, so that later ones cover earlier ones. World frame, metres. */
 export function drawPaint(ctx: Ctx, world: World | null, colours: Colours, pixel: number): void {
-  ctx.lineWidth = 3 * pixel; // the inner half is painted over
+  ctx.lineWidth = 3 * pixel; // the paint covers the inner half of the line
   for (const areas of layersOf(world?.floor ?? [])) {
     const paint = paintOf(areas[0].color);
     ctx.beginPath();
@@ -39,7 +39,7 @@ function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
   return layers;
 }
 
-/** Draws zones as dashed outlines with the name in the centre, which can be read on any paint. */
+/** Draws zones as dashed outlines with the name in the centre, legible on any paint. */
 export function drawZones(ctx: Ctx, world: World | null, colours: Colours, pixel: number): void {
   const zones = world?.zones ?? [];
   ctx.save();
@@ -59,14 +59,14 @@ export function drawZones(ctx: Ctx, world: World | null, colours: Colours, pixel
 /** Largest width of a name, as a fraction of the zone's width. */
 const NAME_PART = 0.8;
 const NAME_M = 0.34;
-/** Height of letters that can be read; for them a name may be wider than its zone. */
+/** Minimum height of legible letters; to reach this height, a name may be wider than its zone. */
 const READABLE_PX = 13;
-/** Width of the floor's colour around the letters of a name, as a fraction of their height. */
+/** Width of the halo around the letters of a name, in the floor's colour, as a fraction of their height. */
 const HALO_PART = 0.12;
 
 type Zone = World["zones"][number];
 
-/** Width in m that a name can take without meeting the name of a zone beside. */
+/** Maximum width of a name, in metres, without overlapping the name of a neighbouring zone. */
 function widthBeside(zone: Zone, zones: readonly Zone[]): number {
   const [x = 0, y = 0] = zone.center;
   const gaps = zones
@@ -92,7 +92,7 @@ function drawName(
   const readable = Math.min((READABLE_PX * pixel) / NAME_M, maxWidth / width);
   const fit = Math.max(inside, readable);
   ctx.scale(fit, fit);
-  // no ink has enough contrast to all paints of a theme, but to the floor it has
+  // no ink contrasts enough with all paints of a theme, but the ink contrasts with the floor
   ctx.strokeStyle = tile;
   ctx.lineWidth = 2 * HALO_PART * NAME_M * 100;
   ctx.lineJoin = "round";

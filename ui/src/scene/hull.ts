@@ -24,7 +24,10 @@ export function hullPath({ hull_m, hull_round_m }: Hull): string {
   return `${parts.join("")}Z`;
 }
 
-/** Where the line from the robot's centre through a place meets the outline; the place itself where that is nearer. */
+/**
+ * Moves a point towards the robot's centre until it lies on the outline. A point inside the outline
+ * stays.
+ */
 export function onHull({ hull_m }: Pick<Robot, "hull_m">, { x, y }: XY): XY {
   const part = hull_m.reduce((nearest, [ax, ay], index) => {
     const [bx, by] = hull_m[(index + 1) % hull_m.length] ?? [ax, ay];
@@ -37,7 +40,7 @@ export function onHull({ hull_m }: Pick<Robot, "hull_m">, { x, y }: XY): XY {
   return { x: x * part, y: y * part };
 }
 
-/** The point `distance` from one towards another, at most halfway. */
+/** The point at `distance` from `from` towards `to`, at most halfway. */
 function towards(from: XY, to: XY, distance: number): XY {
   const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
   const part = Math.min(0.5, distance / length);

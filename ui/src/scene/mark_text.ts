@@ -4,7 +4,7 @@ import { metres } from "../i18n/format";
 import type { FloorMark } from "../run/output";
 import { startOf, toWorld, type XY } from "./frames";
 
-/** What a person who does not see the floor is told of a mark: the symbol and the place, or the point without one. */
+/** Description of a mark for screen readers: the symbol, and the place or else the coordinates. */
 export function markText(
   mark: FloorMark,
   world: World | null,
@@ -16,7 +16,7 @@ export function markText(
   return scene.markAt(mark.symbol, metres(mark.x, language), metres(mark.y, language));
 }
 
-/** Name of the place of the world at a point, the last one where several overlap; "" outside of all. */
+/** Name of the place of the world at a point, the last one if several overlap; "" outside all places. */
 export function placeAt(world: World | null, { x, y }: XY): string {
   return world?.zones?.findLast((zone) => isInside(zone, x, y))?.name ?? "";
 }

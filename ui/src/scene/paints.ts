@@ -16,7 +16,7 @@ export const paintOf = (name: string): string => PAINTS[name] ?? PAINTS.blue ?? 
 /** A line with less contrast than this to its background is hard to see. */
 const LOST = 1.9;
 
-/** Edge colour that keeps a paint visible on a background; null where no edge is needed. */
+/** Edge colour that keeps a paint visible on a background; null if no edge is needed. */
 export function edgeOf(paint: string, ground: string, ink: string): string | null {
   return contrast(paint, ground) < LOST ? ink : null;
 }

@@ -5,7 +5,7 @@ type Ctx = CanvasRenderingContext2D;
 
 /** Half of the opening angle of a drawn sonar cone, degrees. */
 const CONE_DEG = 7;
-/** A distance less than this below a sonar's range means that it detects nothing. */
+/** If a distance is less than this below the sonar's range, the sonar detects nothing. */
 const FAR_M = 0.05;
 
 export interface Measurements {

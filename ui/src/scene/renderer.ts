@@ -22,16 +22,19 @@ import {
   viewportFor,
 } from "./viewport";
 
-/** Redraws continue this long after the last change, until the robot's interpolated pose has arrived; ms. */
+/** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
 
-/** The believed pose is drawn where it differs from the true one by more than this. */
+/** The estimated pose is drawn if it differs from the true pose by more than this. */
 const OFF_M = 0.01;
 
-/** What the camera shows: the subject, the room, the view set by the user, or the robot that it follows. */
+/**
+ * Content of the viewport: `subject` (the bounds of `content_bounds`), the whole room, the view set
+ * by the user, or the robot, which it follows.
+ */
 export type Framing = "subject" | "room" | "manual" | "robot";
 
-/** Drawn over the floor, in pixels. */
+/** Draws over the floor, in pixels. */
 export type Overlay = (
   ctx: CanvasRenderingContext2D,
   viewport: Viewport,
@@ -46,7 +49,7 @@ export class SceneRenderer {
   private world: World | null = null;
   private robot: Robot | null = null;
   private view: RunView = IDLE;
-  /** The camera takes in what this state has driven. */
+  /** The state whose whole path the viewport shows. */
   private whole: RunView = IDLE;
   private size: Size = { width: 1, height: 1 };
   private ratio = 1;
@@ -60,9 +63,9 @@ export class SceneRenderer {
   private cache = new SceneCache();
   private readonly boxInterpolator = new BoxInterpolator();
   private ranges: Measurements | null = null;
-  /** The robot is at its start and can be moved. */
+  /** Whether the robot is at its start and can be dragged. */
   private movable = false;
-  /** While the user drags something, the camera does not move. */
+  /** Whether the user drags something: the viewport does not move meanwhile. */
   private held = false;
   private overlay: Overlay | null = null;
   private companion: Companion | null = null;
@@ -114,21 +117,21 @@ export class SceneRenderer {
     this.requestRedraw();
   }
 
-  /** Sets the words that are seen at the robot while it beeps; "" while it does not. */
+  /** Sets the text at the robot while it beeps; "" while it does not. */
   setBeep(text: string): void {
     const since = this.beep?.since ?? performance.now();
     this.beep = text ? { text, since } : null;
     this.requestRedraw();
   }
 
-  /** Sets the second run that is drawn on this floor. */
+  /** Sets the second run on this floor. */
   setCompanion(companion: Companion | null): void {
     this.companion = companion;
     this.moved = true;
     this.requestRedraw();
   }
 
-  /** Fixes the camera while something is being dragged. */
+  /** Fixes the viewport while the user drags something. */
   hold(held: boolean): void {
     this.held = held;
     this.moved = true;
@@ -162,11 +165,14 @@ export class SceneRenderer {
     return toWorld(startOf(this.world), pose.x, pose.y);
   }
 
-  /** Draws a state. The camera takes in `whole`, so that it stands still while moments of one run are shown. */
+  /**
+   * Draws a state. The viewport shows the path of `whole`, so it does not move while ticks of one
+   * run are inspected.
+   */
   setView(view: RunView, whole = view): void {
     this.view = view;
     this.whole = whole;
-    // the camera is aimed at the next redraw, because many events may arrive before it
+    // the viewport is computed at the next redraw, because many events may arrive before it
     this.moved = true;
     this.requestRedraw();
   }
@@ -186,7 +192,7 @@ export class SceneRenderer {
     this.draw(performance.now());
   }
 
-  /** Shows the subject, or the whole room when the subject is shown already. */
+  /** Shows the subject; if the viewport already shows it, shows the whole room. */
   frame(): void {
     this.setFraming(this.framing === "subject" ? "room" : "subject");
     this.aim();
@@ -281,7 +287,7 @@ export class SceneRenderer {
     return moving || pushing || blurred;
   }
 
-  /** Draws everything except the overlay; true while the cached image needs a redraw. */
+  /** Draws everything except the overlay; returns true while the cached image needs a redraw. */
   private paintCached(
     ctx: CanvasRenderingContext2D,
     input: CacheInput,

@@ -5,14 +5,14 @@ import { extentOf, hullPath, onHull } from "./hull";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** Distances from the robot's circle: of the ring around the start, and of its arrow's back and tip. Metres. */
+/** Distances from the robot's circle to the start's ring, and to the back and tip of its arrow; metres. */
 const RING_M = 0.0675;
 const ARROW_M = [0.0975, 0.1975] as const;
 
-/** A robot is drawn this long at least, in pixels of the screen, so that it is seen where it looks. */
+/** Minimum length of a drawn robot, in pixels of the screen, so that its heading is visible. */
 const MIN_PX = 18;
 
-/** A path is built once for each robot. */
+/** Cache: builds the outline once for each robot. */
 const outlines = new WeakMap<Robot, Path2D>();
 
 function outlineOf(robot: Robot): Path2D {
@@ -21,7 +21,7 @@ function outlineOf(robot: Robot): Path2D {
   return outline;
 }
 
-/** Draws the robot from above in metres, y up, as its record says. `pixels` is the number of pixels per metre. */
+/** Draws the robot of a description from above in metres, y up. `pixels` is the number of pixels per metre. */
 export function drawRobot(
   ctx: Ctx,
   robot: Robot,
@@ -45,7 +45,7 @@ export function drawRobot(
   ctx.restore();
 }
 
-/** The light does not turn with the robot, so the shadow always falls in the same direction. */
+/** Draws the shadow, which always falls in the same direction: the light does not turn with the robot. */
 function drawShadow(ctx: Ctx, robot: Robot, yaw: number, colours: Colours, pixels: number): void {
   ctx.save();
   ctx.rotate(-yaw);
@@ -76,7 +76,7 @@ function drawBody(ctx: Ctx, robot: Robot, colours: Colours): void {
   ctx.stroke(outline);
 }
 
-/** A sonar is on the drawn hull, inside of the simulated one, which is a circle. */
+/** Draws the sonars on the drawn hull. The simulated hull, a circle, is larger. */
 function drawSonars(ctx: Ctx, robot: Robot): void {
   ctx.fillStyle = "#e9b949";
   for (const { x_m, y_m } of robot.sonars) {
@@ -87,7 +87,7 @@ function drawSonars(ctx: Ctx, robot: Robot): void {
   }
 }
 
-/** The deck with an arrow ahead, in parts of the hull's length and width; the laser scanner stands on it. */
+/** Draws the deck with an arrow ahead, as fractions of the hull's length and width, and the laser scanner. */
 function drawDeck(ctx: Ctx, robot: Robot, colours: Colours): void {
   const { back, length, width } = extentOf(robot);
   const x = (part: number) => back + part * length;
@@ -112,7 +112,7 @@ function drawDeck(ctx: Ctx, robot: Robot, colours: Colours): void {
   ctx.fill();
 }
 
-/** Draws the believed pose as an outline. */
+/** Draws the estimated pose as an outline. */
 export function drawBelief(
   ctx: Ctx,
   robot: Robot,
@@ -158,7 +158,7 @@ export function drawKnob(
   ctx.restore();
 }
 
-/** Draws the start pose: a ring with room for the robot. */
+/** Draws the start pose: a ring that encloses the robot. */
 export function drawStart(ctx: Ctx, robot: Robot, colours: Colours, pixels: number): void {
   const line = Math.max(2, 0.025 * pixels) / pixels;
   const [base, tip] = ARROW_M.map((distance) => robot.radius_m + distance) as [number, number];

@@ -21,11 +21,11 @@ export interface CacheInput {
   readonly ratio: number;
 }
 
-/** A full redraw faster than QUICK_MS may happen in every frame, a slower one only every AGAIN_MS; ms. */
+/** A full redraw faster than QUICK_MS may happen in every frame, a slower redraw once per AGAIN_MS; ms. */
 const QUICK_MS = 5;
 const AGAIN_MS = 150;
 
-/** Margin of the cached image around the viewport, so that small camera moves need no redraw; pixels. */
+/** Margin of the cached image around the viewport, so that small moves need no redraw; pixels. */
 const MARGIN = 128;
 
 /** How much of a line is drawn in the cache. */
@@ -36,14 +36,15 @@ interface DrawnLength {
 }
 
 /**
- * Image cache of the floor and of everything on it that cannot change any more: full chunks of the paths, marks, finished
- * strokes of the pen. Newer parts are drawn on top, so that a frame costs the same in a long run as in a short
- * one. The cache moves with the camera. When the camera zooms and a redraw is slow, the old image is scaled meanwhile.
+ * Image cache of the floor and of everything on it that no longer changes: full chunks of the
+ * paths, marks, finished strokes of the pen. Newer parts are drawn on top. A frame therefore costs
+ * the same in a long run as in a short one. The cache moves with the viewport. If the viewport
+ * zooms and a redraw is slow, the old image is scaled meanwhile.
  */
 export class SceneCache {
   private readonly canvas = document.createElement("canvas");
   private readonly ctx = this.canvas.getContext("2d");
-  /** Second layer for marks and the pen's strokes, which lie above the path, also above its newest part. */
+  /** Second layer, for marks and the pen's strokes: they lie above the path and its newest part. */
   private readonly strokeCanvas = document.createElement("canvas");
   private readonly strokeCtx = this.strokeCanvas.getContext("2d");
   private input: CacheInput | null = null;
@@ -56,7 +57,7 @@ export class SceneCache {
   private cost = 0;
   private drawnAt = 0;
 
-  /** Draws the cached floor and paths; true while the image is scaled or shifted and needs a redraw. */
+  /** Draws the cached floor and paths; returns true while the image is scaled or shifted and needs a redraw. */
   drawImage(target: Ctx, input: CacheInput, viewport: Viewport, now: number): boolean {
     const { canvas, ctx } = this;
     // a hidden pane has no size, and a canvas without size cannot be drawn
@@ -84,7 +85,7 @@ export class SceneCache {
     target.drawImage(image, middleX + left, middleY + top, width * scale, height * scale);
   }
 
-  /** Shifts the camera by less than a pixel so that pixels of the cache align with pixels of the screen. */
+  /** Shifts the viewport by less than a pixel, so that pixels of the cache align with pixels of the screen. */
   aligned(viewport: Viewport, ratio: number): Viewport {
     if (viewport.scale !== this.viewport.scale) return viewport;
     const pixels = viewport.scale * ratio;
@@ -102,7 +103,7 @@ export class SceneCache {
     return scale === this.viewport.scale && far <= MARGIN;
   }
 
-  /** Whether the cache is still valid: it holds the beginning of what the input shows. */
+  /** Whether the cache is still valid: the input continues the cached paths, marks and strokes. */
   private isSame({ world, robot, view, colours, size, ratio }: CacheInput): boolean {
     const { input } = this;
     return (
@@ -121,7 +122,7 @@ export class SceneCache {
     );
   }
 
-  /** The pen's cached stroke is still unfinished, or is now one of the finished strokes. */
+  /** Whether the pen's cached stroke is still unfinished, or is now one of the finished strokes. */
   private holdsPen({ pen, strokes }: Output): boolean {
     if (this.pen.chunks === 0) return true;
     const before = this.input?.view.output.pen;
@@ -186,7 +187,7 @@ export class SceneCache {
     ctx.translate(-viewport.x, -viewport.y);
   }
 
-  /** Draws into the cache what became complete since the last call. */
+  /** Draws into the cache the chunks and strokes that were completed since the last call. */
   private drawFull(ctx: Ctx, input: CacheInput): void {
     const { view, colours } = input;
     const pixel = 1 / this.viewport.scale;
@@ -255,7 +256,7 @@ const pathPen = (colours: Colours, pixel: number): Pen => ({
   dash: [],
 });
 
-/** Drawn beneath the path, so that deviations of the robot can be seen. */
+/** The ideal path, drawn below the path, so that deviations of the robot are visible. */
 const idealPen = (colours: Colours, pixel: number): Pen => ({
   colour: colours.ideal,
   width: 2 * pixel,
@@ -307,7 +308,10 @@ function finish(ctx: Ctx): void {
   ctx.lineDashOffset = 0;
 }
 
-/** The second trail continues the drawn part of the first. Points are compared by value: a replay recreates them. */
+/**
+ * Whether the second trail continues the drawn chunks of the first. Compares points by value: a
+ * replay creates new arrays.
+ */
 function begins(one: Trail, other: Trail, chunks: number): boolean {
   if (chunks === 0) return true;
   const [a, b] = [one.chunks[chunks - 1], other.chunks[chunks - 1]];

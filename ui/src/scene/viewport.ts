@@ -14,7 +14,7 @@ export interface Size {
 
 /** Margins for the rulers and the walls' thickness, in pixels. */
 export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
-/** The same with room on the right for the tools over the floor, which must not hide a goal. */
+/** `EDGE` with space on the right for the tools over the floor, which must not hide a goal. */
 export const EDGE_WITH_TOOLS = { ...EDGE, right: 66 };
 
 const MIN_SCALE = 12;
@@ -26,7 +26,7 @@ export function viewportFor(box: Box, size: Size, edge = EDGE): Viewport {
   const scale = clampScale(
     Math.min(width / (box.right - box.left), height / (box.top - box.bottom)),
   );
-  // spare height goes to the top, where controls lie over the floor
+  // spare height goes to the top, because controls cover the floor there
   return {
     x: (box.left + box.right) / 2 - (edge.left - edge.right) / 2 / scale,
     y: box.bottom + (size.height / 2 - edge.bottom) / scale,
@@ -52,7 +52,7 @@ export function toFloor(viewport: Viewport, size: Size, place: XY): XY {
   };
 }
 
-/** Moves a camera one step towards another; true while it has not arrived. */
+/** Moves a viewport one step towards another; returns true while it has not arrived. */
 export function approach(
   viewport: Viewport,
   target: Viewport,

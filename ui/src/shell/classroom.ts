@@ -5,14 +5,17 @@ import { choose, setting } from "./settings";
 
 const chosen = setting("pinel_class");
 
-/** The class that was last chosen on this PC: an id, or NO_CLASS. */
+/** The class chosen last on this PC: an id, or NO_CLASS. */
 export const classroom = computed(() => chosen.value || null);
 
 export function setClassroom(id: string): void {
   void choose("pinel_class", id);
 }
 
-/** The class to show: the last chosen one, that of the last used group, or the first; NO_CLASS without classes. */
+/**
+ * The class to show: the class chosen last, else the class of the group used last, else the first.
+ * NO_CLASS without classes.
+ */
 export function shownClass(
   lastChosen: string | null,
   classes: readonly Classroom[],

@@ -28,7 +28,7 @@ async function askStatus(): Promise<Status> {
   return status;
 }
 
-/** Starts the first requests of the page; failures reach the callers that take the responses. */
+/** Starts the first requests of the page; each failure reaches the caller that asks for its response. */
 export function startFirstRequests(): void {
   firstStatus = askStatus();
   const now = route.peek();

@@ -1,12 +1,12 @@
 import { signal } from "@preact/signals";
 import { SettingById } from "./settings";
 
-/** The help is shown in the studio; the header opens and closes it. */
+/** Whether the studio shows the help; the header opens and closes it. */
 export const helpIsOpen = signal(false);
 
-/** The program in which the guided first drive is shown; it ends when its studio is left. */
+/** Id of the program that shows the guided first drive, which ends when the group leaves the studio. */
 export const tourFor = signal<string | null>(null);
 
-/** The step of each group's guided first drive, for a page that is loaded again in the middle; then that it is over. */
+/** The step of each group's guided first drive, so that a reload of the page resumes it, or TOUR_OVER. */
 export const tourSteps = new SettingById("pinel_tours");
 export const TOUR_OVER = "over";

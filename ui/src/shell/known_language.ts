@@ -1,6 +1,6 @@
 /**
- * On a PC without a language (LANG=C) WebKit reports the language "C", which `Intl` refuses. Libraries read it while they
- * are evaluated, so main.tsx imports this before them.
+ * On a PC without a language (LANG=C) WebKit reports the language "C", which `Intl` refuses.
+ * Libraries read the language while they are evaluated, so main.tsx imports this module before them.
  */
 export function fixLanguage(browser: Navigator): void {
   try {

@@ -10,7 +10,10 @@ import { connection, problem, refreshStatus, report } from "./session";
 
 let fetchStyles: () => Promise<unknown> = async () => {};
 
-/** Says how the styles of all lazy parts are fetched: their list names parts that the shell does not know. */
+/**
+ * Sets the function that fetches the styles of all lazy parts. The shell does not import these
+ * styles, because it must not import the parts.
+ */
 export function setLazyStyles(fetch: () => Promise<unknown>): void {
   fetchStyles = fetch;
 }
@@ -54,7 +57,7 @@ export function lazyScreen<P extends object>(load: () => Promise<ComponentType<P
   return lazy(load, NotFetched);
 }
 
-/** Browsers may cache a failed import: only a reload of the page tries again. */
+/** Offers a reload of the page: browsers may cache a failed import, so importing again may not help. */
 function NotFetched() {
   const again = async () => {
     await refreshStatus();

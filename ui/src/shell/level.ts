@@ -8,41 +8,41 @@ import { SettingById } from "./settings";
 export const LEVELS = [1, 2, 3] as const satisfies readonly Level[];
 const HIGHEST: Level = 3;
 
-/** What the toolbox shows: a level, or only what the open mission offers. */
+/** The setting of the toolbox: a level, or only the actions that the open mission offers. */
 export type Shown = Level | "mission";
 
 const ofGroups = new SettingById("pinel_levels");
 const inMissions = new SettingById("pinel_mission_levels");
 
-/** The level of the blocks that the open program had when it was opened. */
+/** The lowest level that offers all blocks that the open program had when it was opened. */
 export const levelInUse = signal<Level>(1);
 
-/** The level that is set for the class of the group; null where none is. */
+/** The level that the teacher set for the class of the group; null if none is set. */
 export const levelOfClass = signal<Level | null>(null);
 
-/** Where the group chose nothing: the lowest level that offers what its program has, or that of its class. */
+/** The level if the group chose none: the higher one of `levelInUse` and `levelOfClass`. */
 const unchosen = computed(() => Math.max(levelInUse.value, levelOfClass.value ?? 1) as Level);
 
-/** What each level is called in the language of the page. */
+/** The names of the levels in the language of the page. */
 export function levelNames(): Readonly<Record<Level, string>> {
   const { first, explorer, everything } = texts.value.level;
   return { 1: first, 2: explorer, 3: everything };
 }
 
-/** The open mission, as far as the toolbox is concerned. */
+/** What the open mission sets for the toolbox. */
 export interface MissionLevel {
-  /** Id of the program that is to solve it: what a group chooses holds for that. */
+  /** Id of the program that is to solve the mission: a group's choice applies to this program. */
   readonly program: string;
-  /** In which it opens; null for that of the group. */
+  /** The level in which the mission opens; null for the level of the group. */
   readonly level: Level | null;
-  /** The actions that it offers; null for all of the level. */
+  /** The actions that the mission offers; null for all actions of the level. */
   readonly blocks: readonly string[] | null;
 }
 
-/** Null without a mission. */
+/** What the open mission sets for the toolbox; null without a mission. */
 export const missionLevel = signal<MissionLevel | null>(null);
 
-/** As chosen, otherwise what the mission says, otherwise the lowest level that offers what the program of the group has. */
+/** The group's choice, else the setting of the mission, else a level that offers all blocks of the program. */
 export const shown = computed<Shown>(() => {
   const { value: mission } = missionLevel;
   if (!mission) return chosenIn(ofGroups, group.value?.id) ?? unchosen.value;
@@ -62,7 +62,7 @@ export const offered = computed(() =>
   shown.value === "mission" ? (missionLevel.value?.blocks ?? null) : null,
 );
 
-/** Keeps what the group chose: for the open mission, else for all its other programs. */
+/** Stores the group's choice: for the program of the open mission, else for all its other programs. */
 export function setLevel(chosen: Shown): void {
   const mission = missionLevel.peek();
   if (mission) inMissions.set(mission.program, chosen === "mission" ? null : String(chosen));

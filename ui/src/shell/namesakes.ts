@@ -1,7 +1,10 @@
 import type { Classroom } from "../api/model";
 import type { Language } from "../i18n";
 
-/** Distinguishes classes of equal name, made on different PCs: adds the PC to the name, or the day without a lesson. */
+/**
+ * Distinguishes classes of equal name: adds the PC of the first lesson, or the day of creation if
+ * there was no lesson. If names are still equal, adds a number.
+ */
 export function withDistinctNames(classes: readonly Classroom[], language: Language): Classroom[] {
   const alone = single(classes.map(keyOf));
   const named = classes.map((one) =>
@@ -13,7 +16,7 @@ export function withDistinctNames(classes: readonly Classroom[], language: Langu
   );
 }
 
-/** Key under which names are equal, as in the server: without spaces and case. */
+/** Key under which names count as equal: ignores spaces and case, as the server does. */
 const keyOf = ({ name }: Classroom) => name.normalize("NFKC").toLowerCase().replace(/\s/g, "");
 
 function single(keys: readonly string[]): Set<string> {

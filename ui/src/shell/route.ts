@@ -23,8 +23,9 @@ interface Row {
 }
 
 /**
- * All screens: name and address. The title is the text `titles.NAME`, the component stands in a file of its name, which
- * `frame/screens` finds. `Route`, `parse`, `hashOf` and the switch of screens derive from this table.
+ * All screens: name and address. The title is the text `titles.NAME`. The component is in a file of the
+ * screen's name, which `frame/screens` imports. `Route`, `parse`, `hashOf` and the switch of screens
+ * derive from this table.
  */
 const ROWS = {
   start: { pattern: "" },
@@ -57,11 +58,11 @@ type Chosen<R> = R extends { choices: infer Choices extends Record<string, reado
   ? { [Name in keyof Choices]: Choices[Name][number] }
   : unknown;
 
-/** The parameters of a screen, from its pattern: what its component takes. */
+/** The parameters of a screen, from its pattern: the properties of its component. */
 export type ParametersOf<Name extends ScreenName> = Named<Rows[Name]["pattern"]> &
   Chosen<Rows[Name]>;
 
-/** A place in the page. */
+/** A screen with its parameters. */
 export type Route = { [Name in ScreenName]: { screen: Name } & ParametersOf<Name> }[ScreenName];
 
 export const ROUTES: Readonly<Record<ScreenName, Row>> = ROWS;
@@ -112,7 +113,7 @@ export function hashOf(to: Route): string {
   return `#/${parts.filter(Boolean).join("/")}`;
 }
 
-/** Key of the screen's component: a route with another key remounts it. */
+/** Key of the screen's component: a route with another key remounts the component. */
 export function keyOf(to: Route): string {
   const values = valuesOf(to);
   const names = ROUTES[to.screen].remount ?? Object.keys(values);
@@ -121,7 +122,7 @@ export function keyOf(to: Route): string {
 
 export const route = signal<Route>(parse(location.hash));
 
-/** Blocks navigation, for example while the server is gone: unsaved work stays on the screen. */
+/** Blocks navigation, for example while the server is unreachable: unsaved work stays on the screen. */
 export const navigationBlocked = signal(false);
 
 window.addEventListener("hashchange", () => {

@@ -4,7 +4,7 @@ export function saveFile(name: string, content: Blob): void {
   link.href = URL.createObjectURL(content);
   link.download = name;
   link.click();
-  // the download has begun but may not have been read yet
+  // the browser has started the download but may not have read the blob yet
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 

@@ -34,9 +34,9 @@ export type Connection = "opening" | "failed" | "open" | "gone" | "locked";
 export const connection = signal<Connection>("opening");
 export const status = signal<Status | null>(null);
 export const notice = signal<Notice | null>(null);
-/** Grading of the last run by the activity of its lesson. */
+/** Verdict on the last run by the activity of its lesson. */
 export const judged = signal<JudgedEvent | null>(null);
-/** How the live run stands with the checks of its activity. */
+/** Status of the activity's checks in the live run. */
 export const checkStatus = signal<ChecksStandEvent | null>(null);
 /** The last program saved, discarded or restored, in any window. */
 export const changed = signal<ProgramChangedEvent | null>(null);
@@ -45,7 +45,10 @@ export const worlds = signal<World[]>([]);
 /** The robot models that the server knows, the default first; empty until they are loaded. */
 export const robotModels = signal<readonly Robot[]>([]);
 
-/** The record of a model; the default for null and for one of a newer release, null until the records are loaded. */
+/**
+ * The description of a robot model. Null and a model of a newer release give the default model.
+ * Returns null until the models are loaded.
+ */
 export function robotOf(model: string | null | undefined): Robot | null {
   const { value: models } = robotModels;
   return models.find(({ name }) => name === model) ?? models[0] ?? null;
@@ -55,7 +58,7 @@ export function robotOf(model: string | null | undefined): Robot | null {
 export const group = signal<Group | null>(null);
 export const program = signal<Program | null>(null);
 
-/** Without the server another screen would stay empty. */
+// without the server another screen would stay empty
 effect(() => {
   navigationBlocked.value = connection.value === "gone";
 });
@@ -63,11 +66,11 @@ effect(() => {
 export const engine = computed(() => status.value?.engine ?? "starting");
 
 const POLL_MS = 1000;
-// shown for a moment, then the server's current notice again
+// shown for `GOOD_NEWS_MS`, then replaced by the server's current notice
 const GOOD_NEWS = new Set(["recording_resumed", "keeping_well_again"]);
 const GOOD_NEWS_MS = 8000;
 
-/** Shows an error in the line under the header; 401 and a lost server are shown elsewhere. */
+/** Shows an error in the line under the header; other parts show 401 and an unreachable server. */
 export function report(error: unknown): void {
   if (error instanceof ServerUnreachable) lost();
   else if (error instanceof ApiError && error.status === 401) connection.value = "locked";
@@ -94,16 +97,16 @@ function poll(): void {
 /** Number of notices that came over the stream. */
 let notices = 0;
 
-/** Loads the server's status; polls while the server is gone or its engine is not ready. */
+/** Loads the server's status; polls while the server is unreachable or its engine is not ready. */
 export async function refreshStatus(): Promise<void> {
   const noticesBefore = notices;
   try {
     const answer = await serverStatus();
     const isFirst = ["opening", "failed"].includes(connection.value);
-    // a page that is shown before the first answer has its choice of language already
+    // if a person chose a language before the first response, the choice takes precedence
     if (isFirst && !languageChosen && isLanguage(answer.language)) await speak(answer.language);
     status.value = answer;
-    // what the stream told meanwhile is newer than the answer
+    // a notice that the stream sent meanwhile is newer than the response
     if (noticesBefore === notices) notice.value = answer.database.notice;
     connection.value = "open";
     if (answer.engine !== "ready") poll();
@@ -113,7 +116,7 @@ export async function refreshStatus(): Promise<void> {
   }
 }
 
-/** A person chose the language of this page. */
+/** Whether a person chose the language of this page. */
 let languageChosen = false;
 
 export async function chooseLanguage(chosen: Language): Promise<void> {
@@ -126,7 +129,7 @@ export async function chooseLanguage(chosen: Language): Promise<void> {
   }
 }
 
-/** The page may have been served before the server had the language that was chosen last. */
+/** Applies the language chosen last: the server may have served the page before it had that choice. */
 async function speakChosen(): Promise<void> {
   const chosen = setting("pinel_language").peek();
   if (chosen && chosen !== language.peek()) await chooseLanguage(chosen);
@@ -135,20 +138,20 @@ async function speakChosen(): Promise<void> {
 /** Receiver of the events of runs. */
 interface RunEventHandler {
   receive(event: RunEvent): void;
-  /** The stream has begun or reconnected: requests the missed events of the run. */
+  /** Requests the missed events of the run, after the stream has connected or reconnected. */
   resync(run: string | null): Promise<void>;
 }
 
-/** Who follows the camera. */
+/** Receiver of the events of the camera. */
 interface CameraEventHandler {
   receive(
     event: CameraSightEvent | CameraChangedEvent | SignRecordingEvent | SignsChangedEvent,
   ): void;
-  /** The stream begins, or begins again. */
+  /** Requests the camera's state, after the stream has connected or reconnected. */
   resync(): Promise<void>;
 }
 
-/** Who follows the real robots that this page watches. */
+/** Receiver of the states of the real robots that this page watches. */
 type RobotEventHandler = (event: RobotStateToldEvent) => void;
 
 function onStream(
@@ -196,7 +199,7 @@ window.addEventListener("hashchange", () => {
   problem.value = null;
 });
 
-/** "Quadrado · Histórico · PINEL". */
+/** The title of the window, such as "Quadrado · Histórico · PINEL". */
 function title(): string {
   const { screen } = route.value;
   const about = ROUTES[screen].ofGroup ? program.value?.name : null;

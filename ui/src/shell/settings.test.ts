@@ -9,7 +9,7 @@ async function answer(request: Request) {
   return new Response("{}", { headers: { "Content-Type": "application/json" } });
 }
 
-/** The module as the page loads it, served with these settings. */
+/** Loads the module as the page does, with these settings from the server. */
 async function served(settings?: Record<string, string>) {
   vi.resetModules();
   if (settings) document.documentElement.dataset.settings = JSON.stringify(settings);

@@ -2,13 +2,13 @@ import { computed, type ReadonlySignal, type Signal, signal } from "@preact/sign
 import { put } from "../api/client";
 import type { PageSettings } from "../api/model";
 
-/** Names and values as the server declares them. */
+/** Names and values of the settings, as the server declares them. */
 export type SettingValues = Required<PageSettings>;
 export type SettingName = keyof SettingValues;
 
 /**
- * Settings of this PC. The server keeps them and writes them into the page, because the page's port may change at every
- * start, and cookies end with the window.
+ * Settings of this PC. The server stores them and writes them into the page: the page's port may
+ * change at every start, which empties its local storage, and cookies end with the window.
  */
 const served: Partial<SettingValues> = JSON.parse(
   document.documentElement.dataset.settings ?? "{}",
@@ -27,7 +27,8 @@ function signalOf(name: SettingName): Signal<string> {
   return found;
 }
 
-// A page that is reloaded at once may be served before the server has read what was chosen last: the choice is sent again.
+// If a page is reloaded at once, the server may serve it before it has read the last choice. The
+// choice is therefore sent again.
 const UNSENT = "pinel_unsent_";
 let isLeaving = false;
 addEventListener("beforeunload", () => {
@@ -37,7 +38,10 @@ for (const [key, value] of Object.entries(sessionStorage)) {
   if (key.startsWith(UNSENT)) void send(key.slice(UNSENT.length) as SettingName, value);
 }
 
-/** Keeps a choice on this PC; resolves once the server has it. Where it cannot keep it, it holds until the window closes. */
+/**
+ * Stores a choice on this PC; resolves once the server has it. If the server cannot store the
+ * choice, it applies until the window closes.
+ */
 export async function choose<Name extends SettingName>(
   name: Name,
   value: SettingValues[Name],
@@ -49,11 +53,12 @@ function send(name: SettingName, value: string): Promise<void> {
   const now = signalOf(name);
   now.value = value;
   sessionStorage.setItem(UNSENT + name, value);
-  // in sequence: of two concurrent requests the server would keep the one that arrives last
+  // in sequence: of two concurrent requests, the server would store the one that arrives last
   const sent = sending
     .then(() => put("/api/settings/page", { body: { name, value }, keepalive: true }))
     .then(() => {
-      // a later choice of the same setting may still be under way; the next page may have been served before this answer
+      // A later choice of the same setting may still be on its way, and the server may have served
+      // the next page before this response.
       if (now.peek() === value && !isLeaving) sessionStorage.removeItem(UNSENT + name);
     })
     .catch(() => {});
@@ -65,7 +70,7 @@ const MAX_ENTRIES = 40;
 
 type Entry = readonly [key: string, value: string];
 
-/** A word that this PC keeps for each of its groups or programs, the newest first: "KEY_WORD_KEY_WORD". */
+/** A value for each of the newest groups or programs, newest first, stored as "KEY_VALUE_KEY_VALUE". */
 export class SettingById {
   private readonly entries: ReadonlySignal<readonly Entry[]>;
 
@@ -78,7 +83,7 @@ export class SettingById {
     return this.entries.value.find(([key]) => key === keyOf(id))?.[1] ?? null;
   }
 
-  /** Keeps a word; null forgets it. */
+  /** Stores the value of an id; null removes it. */
   set(id: string, value: string | null): void {
     const others = this.entries.peek().filter(([key]) => key !== keyOf(id));
     const mine: readonly Entry[] = value === null ? [] : [[keyOf(id), value]];
@@ -96,5 +101,5 @@ function entriesOf(text: string): readonly Entry[] {
   return parts.flatMap((key, at) => (at % 2 || !key ? [] : [[key, parts[at + 1] ?? ""] as const]));
 }
 
-/** The random end of an id. */
+/** The random part of an id, at its end. */
 const keyOf = (id: string) => id.slice(-12);

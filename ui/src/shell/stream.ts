@@ -17,7 +17,7 @@ export function openStream({ onEvent, onLost }: Listener): () => void {
     source.onmessage = (message) => onEvent(JSON.parse(message.data) as StreamEvent);
     source.onerror = () => {
       onLost();
-      // a response such as 401 closes an EventSource for good; a lost connection does not
+      // a response such as 401 closes an EventSource permanently; a lost connection does not
       if (source?.readyState === EventSource.CLOSED) timer = window.setTimeout(open, AGAIN_MS);
     };
   };

@@ -1,7 +1,7 @@
 import { computed, signal } from "@preact/signals";
 import { setting } from "./settings";
 
-/** Intervals in minutes after which the page proposes to swap who has the mouse; 0: never. */
+/** Minutes after which the page proposes that the pupils swap the mouse; 0: never. */
 export const SWAP_MINUTES = [0, 5, 10, 15] as const;
 export type SwapMinutes = (typeof SWAP_MINUTES)[number];
 
@@ -10,7 +10,7 @@ const MINUTE_MS = 60_000;
 
 const swapMinutes = computed(() => Number(chosen.value) as SwapMinutes);
 
-/** What is set for the class of the group; null where this PC decides. */
+/** The minutes that the teacher set for the class of the group; null for the setting of this PC. */
 export const swapMinutesOfClass = signal<SwapMinutes | null>(null);
 
 const minutesNow = computed(() => swapMinutesOfClass.value ?? swapMinutes.value);
@@ -21,7 +21,7 @@ export const isSwapDue = signal(false);
 let timer = 0;
 let whose = "";
 
-/** Counts a group's turns from its arrival, across its programs. */
+/** Starts the interval when a group arrives; the interval continues across the group's programs. */
 export function startSwapTimer(group: string): void {
   if (group !== whose) restartSwapTimer();
   whose = group;

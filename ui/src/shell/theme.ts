@@ -6,7 +6,7 @@ export type Theme = (typeof THEMES)[number];
 
 const chosen = setting("pinel_theme");
 
-/** Where nobody chose one, that of the system. */
+/** The theme that the system's settings suggest, used if nobody chose a theme. */
 const ofSystem = (): Theme =>
   window.matchMedia?.("(prefers-contrast: more)").matches ? "contrast" : "light";
 

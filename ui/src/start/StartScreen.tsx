@@ -23,7 +23,7 @@ import { StartPicture } from "./StartPicture";
 const SHOWN_AT_FIRST = 11;
 
 interface LessonFileProps {
-  /** The lesson of a file is open now, and its class and groups are here. */
+  /** Called after the lesson of a file was opened: its class and groups are on this PC. */
   onLesson(): Promise<void>;
 }
 
@@ -32,7 +32,7 @@ interface Found {
   classes: Classroom[];
 }
 
-/** The groups of a class by their pictures, and a field for a new group. */
+/** Shows the groups of a class with their pictures, and a field for a new group. */
 export function StartScreen() {
   const found = useLoaded("start", groupsAndClasses);
   useEffect(() => {
@@ -157,13 +157,13 @@ function FirstGroup({ onLesson }: LessonFileProps) {
   );
 }
 
-/** Where there is a PIN, lessons are opened behind it. */
+/** Opens the lesson of a file. Hidden if a PIN exists: the teacher's part opens lessons then. */
 function LessonFileLink({ onLesson }: LessonFileProps) {
   if (teacherSession.value?.has_pin !== false) return null;
   return <OpenLessonFile onOpened={onLesson} />;
 }
 
-/** Signs can be practised without a program. */
+/** Link to the practice of signs, which needs no program. */
 function PracticeLink() {
   return (
     <LinkButton kind="plain" icon={Hand} href={hashOf({ screen: "practice" })} testId="practice">
@@ -172,7 +172,6 @@ function PracticeLink() {
   );
 }
 
-/** Link to the teacher's part. */
 function TeacherLink() {
   return (
     <LinkButton

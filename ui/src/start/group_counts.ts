@@ -1,7 +1,7 @@
 import type { Group } from "../api/model";
 import type { Texts } from "../i18n";
 
-/** Counts of a group's programs and runs, its bin included. */
+/** Text with the numbers of a group's programs, programs in the bin, and runs. */
 export function groupCounts(group: Group, { start }: Texts): string {
   const { n_programs, n_in_bin, n_runs } = group;
   if (n_programs + n_in_bin + n_runs === 0) return start.nothingYet;

@@ -2,7 +2,7 @@ import { History } from "lucide-preact";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 
-/** Opens the last version that can be opened, where the newest is damaged. */
+/** Button that opens the last intact version, if the newest version is damaged. */
 export function OpenLastIntact({ at, onPress }: { at: string; onPress(): void }) {
   const time = new Date(at).toLocaleString(language.value, {
     dateStyle: "short",

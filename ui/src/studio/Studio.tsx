@@ -39,7 +39,7 @@ export function Studio({ open }: { open: OpenProgram }) {
   );
 }
 
-/** Offers the guided first drive once to a group that has done nothing yet; a page loaded again in the middle goes on. */
+/** Offers the guided first drive once to a group without work; resumes it after a reload of the page. */
 function useTour(open: OpenProgram): void {
   useEffect(() => {
     const { id, group_id } = open.program;

@@ -32,7 +32,7 @@ function Opening({ programId }: { programId: string }) {
   );
   const lastIntactAt = opening.status === "failed" ? timeOfLastIntact(opening.error) : null;
   const openLastIntact = () => {
-    problem.value = null; // said what to do, which is done now
+    problem.value = null; // the problem advised to open this version
     lastIntact.value = true;
   };
   const actions = lastIntactAt && (
@@ -53,7 +53,7 @@ function Opening({ programId }: { programId: string }) {
   );
 }
 
-/** The time of the last version that can be opened, where the newest is damaged. */
+/** Time of the last intact version, if `error` reports a damaged newest version; else null. */
 function timeOfLastIntact(error: unknown): string | null {
   const isDamaged = error instanceof ApiError && error.code === "version_damaged";
   return isDamaged && error.params.sound ? String(error.params.sound_time) : null;
@@ -80,14 +80,14 @@ async function open(
   return opened.value;
 }
 
-/** What a mission says of the toolbox. */
+/** What a mission sets for the toolbox. */
 function levelOf(program: string, mission: Activity | null): MissionLevel | null {
   if (!mission) return null;
   const level = LEVELS.find((one) => one === mission.level) ?? null;
   return { program, level, blocks: mission.blocks };
 }
 
-/** Clears the last run from the floor if it is of another program. */
+/** Clears the last run from the floor if it belongs to another program. */
 function forgetOtherRun(programId: string): void {
   if (!isLive(live.value) && liveRun.value?.program_id !== programId) clear();
 }

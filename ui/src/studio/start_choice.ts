@@ -12,9 +12,9 @@ interface WorldSource {
   readonly world: ReadonlySignal<World | null>;
 }
 
-/** The robot's start pose of a program: the world's, or one set by dragging. */
+/** The start pose of the robot in a program: from the world, or set by dragging. */
 export class StartChoice {
-  /** The chosen start; null for that of the world. */
+  /** The chosen start; null for the start of the world. */
   readonly start = computed<Start | null>(() =>
     this.open.mission.value || chosenRobot.value ? null : (this.open.setup.value.start ?? null),
   );
@@ -39,12 +39,12 @@ export class StartChoice {
     private readonly worldSource: WorldSource,
   ) {}
 
-  /** Current pose of the robot, as a start; null where it cannot be moved: in a run, in a mission, at a past moment. */
+  /** Current pose of the robot, as a start; null if it cannot be moved: in a run, a mission, at a past tick. */
   readonly hereNow = computed<Start | null>(() => {
     const { value: view } = robot.live;
     const { value: world } = this.world;
     if (isLive(view) || inspectedTick.value || !world || this.open.mission.value) return null;
-    if (chosenRobot.value) return null; // the start of a real robot is a place in the room
+    if (chosenRobot.value) return null; // a person puts a real robot at its start in the room
     if (view.run === null) return world.start;
     const start = startOf(world);
     const { x, y } = toWorld(start, view.truth.x, view.truth.y);

@@ -51,26 +51,26 @@ export interface Replaced {
 /** Shared state of the studio's panes: the open program, its editor and the robot. */
 export class StudioControl {
   editor: Editor | null = null;
-  /** Run was pressed without any command. */
+  /** Whether Run was pressed without any command in the program. */
   readonly asked = signal(false);
-  /** Run or Step was pressed for a real robot before its check list was gone through. */
+  /** Set if Run or Step was pressed for a real robot before its check list was completed; else null. */
   readonly asksBefore = signal<{ paused: boolean } | null>(null);
-  /** Whether the live run is of this program. */
+  /** Whether the live or last run belongs to this program. */
   readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
   readonly worlds: WorldControl;
   readonly start: StartChoice;
   readonly sentence = computed<Sentence>(() => this.computeSentence());
-  /** The innermost running block of this program, now or at the past moment that is shown. */
+  /** The innermost running block of this program, now or at the inspected tick. */
   readonly running = computed(() => (this.mine.value ? runningBlock(shown.value) : null));
   /** Whether the program has a block that beeps. */
   readonly beeps = computed(() =>
     JSON.stringify(this.open.content.value?.document ?? null).includes('"action":"beep"'),
   );
-  /** The signs that the program which runs compares the answer of a capture with. */
+  /** The signs with which the running program compares the answer to a capture. */
   readonly expectedSigns = computed(() =>
     this.mine.value ? expectedSigns(this.documentThatRuns()).map(canonicalSign) : [],
   );
-  /** The program has a block that waits for a sign. */
+  /** Whether the program has a block that waits for a sign. */
   readonly captures = computed(() => hasCapture(this.open.content.value?.document ?? null));
   private readonly lacking = computed(robotSentence);
   private readonly activeBlockId = computed(() => this.running.value?.block ?? null);
@@ -78,11 +78,11 @@ export class StudioControl {
     const { phase, ending } = robot.live.value;
     return phase === "failed" && this.mine.value ? ending : null;
   });
-  /** What the run that is over lacks, with the block to look at, until the program is changed. */
+  /** The missing check of the last run's verdict, with its block; null once the program is changed. */
   readonly advice = computed<BlockFault | null>(() => {
     const { value: edited } = this.edited;
     const view = robot.live.value;
-    // a verdict can be here before the end of the run is shown, which is drawn with the next frame
+    // the verdict may arrive before the next redraw, which shows the end of the run
     const isOver = this.mine.value && !edited && !isLive(view);
     const verdict = isOver ? verdictOf(view.run, judged.value) : null;
     if (!verdict?.missing || !verdict.block || verdict.block === this.failure.value?.block) {
@@ -92,10 +92,10 @@ export class StudioControl {
   });
   /** The blocks before the whole program was replaced, for undo. */
   readonly replaced = signal<Replaced | null>(null);
-  /** The blocks have changed since the run began. */
+  /** Whether the blocks have changed since the run started. */
   private readonly edited = signal(false);
   private ran: EditorContent | null = null;
-  /** The failed block that was brought into view. */
+  /** The failed block that the editor has scrolled to. */
   private revealed: string | null = null;
   private pointing = 0;
   private busy = false;
@@ -113,7 +113,7 @@ export class StudioControl {
     return this.start.world;
   }
 
-  /** The robot that is on the floor: that of the run, or else of the next one. */
+  /** The robot on the floor: of the run, else of the next run. */
   readonly robot = computed(() => {
     const { value: run } = robot.liveRun;
     if (run && robot.live.value.run !== null) return robotOf(run.model);
@@ -121,7 +121,7 @@ export class StudioControl {
     return robotOf(isChosen ? this.open.setup.value.model : null);
   });
 
-  /** The robot as an object that can be dragged. */
+  /** Handling of the robot on the floor: dragging, sensors. */
   readonly hold: RobotHold = {
     grip: computed(() => {
       const { start } = this;
@@ -147,7 +147,7 @@ export class StudioControl {
       effect(() => editor.highlight(this.activeBlockId.value)),
       effect(() => {
         this.showFaults(editor);
-        // after the faults: of what both say at once, the verdict is read
+        // after the faults, so that a screen reader reads the verdict if both change at once
         editor.showAdvice(this.advice.value);
       }),
       effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
@@ -159,7 +159,7 @@ export class StudioControl {
     };
   }
 
-  /** A block at which a run failed is brought into view once, because the group may look elsewhere meanwhile. */
+  /** Scrolls to the block at which a run failed, once: the group may scroll elsewhere afterwards. */
   private showFaults(editor: Editor): void {
     const failed = this.runFaults();
     editor.showFaults([...this.open.faults.value, ...failed]);
@@ -188,7 +188,7 @@ export class StudioControl {
     this.open.setStoredVersion(id);
   }
 
-  /** Replaces the blocks by those of a document, and renames the program to its name. */
+  /** Replaces the blocks by the blocks of a document, and gives the program the name of the document. */
   async replaceBlocks(document: object): Promise<void> {
     const n = commandCount(document);
     if (n > MAX_SHOWN_COMMANDS) {
@@ -256,7 +256,7 @@ export class StudioControl {
         ...robotOfRun(),
       };
       const started = robot.start(version.id, this.worlds.name.value, options);
-      // the failure of the run before is gone by now; it must not come back for a moment
+      // only now, because `start` has cleared the previous run: its failure must not reappear
       this.edited.value = false;
       await started;
       robotHasRun();
@@ -266,7 +266,7 @@ export class StudioControl {
     }
   }
 
-  /** Reports an error, except failed saves, which have a line of their own. */
+  /** Reports an error; a failed save has its own line. */
   private reportError(error: unknown): void {
     if (error !== this.open.autosave.problem.peek()) report(error);
   }
@@ -276,7 +276,7 @@ export class StudioControl {
     if (first) this.goTo(first);
   }
 
-  /** Scrolls to the block of a fault and highlights it for a moment, with the fault's text. */
+  /** Scrolls to the block of a fault and highlights it for `POINTING_MS`, with the fault's text. */
   goTo({ block }: BlockFault): void {
     if (!block) return;
     this.editor?.highlight(block);
@@ -301,7 +301,7 @@ export class StudioControl {
   stop(): void {
     robot.stop().catch((error) => {
       report(error);
-      // of a real robot it stays: somebody must look at the robot
+      // `real_stop_unconfirmed` stays: somebody must look at the real robot
       if (error instanceof ApiError && error.code === "stop_unconfirmed") forgetWhenOver();
     });
   }
@@ -362,7 +362,7 @@ export class StudioControl {
     return lacking ?? withReturnAdvice(calm(over));
   }
 
-  /** The document of the live run; a run begun in another window brings its own. */
+  /** The document of the live run; for a run of another window, the document from the server. */
   private documentThatRuns(): unknown {
     return this.programThatRuns()?.document ?? null;
   }
@@ -373,7 +373,7 @@ export class StudioControl {
   }
 }
 
-/** A real robot stands where its run ended, and the next one begins at the start again. */
+/** Adds advice to return a real robot: it stays where its run ended, but the next run begins at the start. */
 function withReturnAdvice(sentence: Sentence): Sentence {
   const isReal = (robot.liveRun.value?.link ?? SIMULATOR) !== SIMULATOR;
   const { reason } = robot.live.value.ending ?? {};
@@ -381,7 +381,7 @@ function withReturnAdvice(sentence: Sentence): Sentence {
   return isReal && !hasMore ? { ...sentence, more: texts.value.robot.backToStart } : sentence;
 }
 
-/** What the robot did at the past moment that is shown, with its time. */
+/** The robot's action at the inspected tick, with its time. */
 function pastSentence(context: SentenceContext): Sentence | null {
   const { tick = 0, history } = inspectedTick.value ?? {};
   const sentence = sentenceOf(shown.value, { ...context, past: true });
@@ -391,7 +391,7 @@ function pastSentence(context: SentenceContext): Sentence | null {
   return { ...sentence, more: [at, sentence.more].filter(Boolean).join(" · ") };
 }
 
-/** Closes the shown problem once the run is over, whoever ended it. */
+/** Closes the shown problem once the run has ended for any reason. */
 function forgetWhenOver(): void {
   const { value: shownProblem } = problem;
   const stop = effect(() => {

@@ -11,13 +11,13 @@ import type { OpenProgram } from "./program/open_program";
 
 /** Selects the world of a program's runs: a shipped one or the group's own. */
 export class WorldControl {
-  /** The own world that was just deleted, for undo. */
+  /** The own world that the group has just deleted, for undo. */
   readonly forgotten = signal<World | null>(null);
   /** The editor's store while the editor is open. */
   readonly store = signal<EditorStore | null>(null);
   private lastStore: EditorStore | null = null;
 
-  /** The activity that determines the world; null where the group chooses it. */
+  /** The activity that determines the world; null if the group chooses it. */
   readonly mission = computed(() => this.open.mission.value);
   readonly name = computed(() => {
     const { value: run } = robot.liveRun;
@@ -34,7 +34,7 @@ export class WorldControl {
     if (this.name.value === OWN_WORLD) return this.open.ownWorld.now.value;
     return worlds.value.find((world) => world.name === this.name.value) ?? null;
   });
-  /** The selected world has faults, so the server would reject it. */
+  /** Whether the selected world has faults, so that the server would reject it. */
   readonly isFaulty = computed(
     () => !chosenRobot.value && this.name.value === OWN_WORLD && this.open.ownWorld.isRefused.value,
   );
@@ -56,7 +56,7 @@ export class WorldControl {
     });
   }
 
-  /** Opens the selected world in the editor; a shipped world as a copy, which is stored at its first change. */
+  /** Opens the selected world in the editor. A shipped world opens as a copy, stored at its first change. */
   edit(): void {
     const world = this.world.peek();
     if (!world || isLive(robot.live.peek())) return;
@@ -87,13 +87,13 @@ export class WorldControl {
     if (world) this.setOwnWorld(world);
   }
 
-  /** A world of a newer release, or an own world that was deleted, is not. */
+  /** Whether a world exists: a world of a newer release and a deleted own world do not. */
   private isThere(name: string): boolean {
     if (name === OWN_WORLD) return this.open.ownWorld.now.value !== null;
     return worlds.value.length === 0 || worlds.value.some((world) => world.name === name);
   }
 
-  /** The undo history is reused while nothing else has changed the world. */
+  /** The last store, with its undo history, if nothing else has changed the world; else a new store. */
   private storeOf(world: World): EditorStore {
     return this.lastStore?.document.peek() === world ? this.lastStore : this.newStore(world);
   }

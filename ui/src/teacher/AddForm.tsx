@@ -16,7 +16,7 @@ interface AddFormProps {
   onAdd(name: string): Promise<unknown>;
 }
 
-/** A field for a name, and a button that adds one of that name. */
+/** A field for a name, and a button that adds an entry of that name. */
 export function AddForm({ label, placeholder, fieldId, buttonId, onAdd }: AddFormProps) {
   const [name, setName] = useState("");
   const { busy, fault, act, refuse, clear } = useAction(asTeacher);

@@ -15,7 +15,7 @@ interface NameFieldProps {
   label: string;
   testId?: string;
   onRename(name: string): Promise<unknown>;
-  /** The name outside editing. */
+  /** Display of the name while it is not edited. */
   children: ComponentChildren;
 }
 

@@ -35,11 +35,14 @@ const ICONS = {
   computer: Monitor,
 } as const;
 
-/** The teacher's page: lessons, the plan of one, own activities, classes and groups, camera, real robots, files, this PC. */
+/**
+ * The teacher's page: lessons, the plan of a lesson, own activities, classes and groups, camera,
+ * real robots, files, this PC.
+ */
 export function TeacherScreen({ part }: ParametersOf<"teacher">) {
   const place = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
-    if (place.current) place.current.scrollTop = 0; // each part begins with its title
+    if (place.current) place.current.scrollTop = 0; // the title of a part is at its top
   }, [part]);
   return (
     <RequireTeacher>
@@ -87,7 +90,7 @@ function Part({ part }: ParametersOf<"teacher">) {
 }
 
 function SchoolPart({ part }: ParametersOf<"teacher">) {
-  // loaded anew for each part: pupils may have created groups in another window
+  // loaded again for each part: pupils may have created groups in another window
   const school = useTeacherLoaded(part, loadSchool);
   return (
     <Loaded of={school}>

@@ -12,7 +12,7 @@ export function dateAndTime(iso: string, language: Language): string {
   return `${day}, ${timeOfDay(iso, language)}`;
 }
 
-/** The time of day, by the clock of this PC, as `moment` writes it. */
+/** The time of day, by the clock of this PC, in the format of `dateAndTime`. */
 export function timeOfDay(iso: string, language: Language): string {
   return new Date(iso).toLocaleTimeString(language, { timeStyle: "short" });
 }

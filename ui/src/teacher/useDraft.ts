@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 
-/** The texts typed into a form. `field(name)` gives the props of a `Field`; typing calls `onTyped` too. */
+/** The texts typed into a form. `field(name)` returns the props of a `Field`; typing also calls `onTyped`. */
 export function useDraft<Name extends string>(initial: Record<Name, string>, onTyped: () => void) {
   const [draft, setDraft] = useState(initial);
   const field = (name: Name) => ({
@@ -10,7 +10,7 @@ export function useDraft<Name extends string>(initial: Record<Name, string>, onT
       setDraft((now) => ({ ...now, [name]: text }));
     },
   });
-  /** Types several texts at once. */
+  /** Sets several texts at once, as if typed. */
   const fill = (texts: Partial<Record<Name, string>>) => {
     onTyped();
     setDraft((now) => ({ ...now, ...texts }));

@@ -1,6 +1,6 @@
 import { BADGE_PATHS, type Difference } from "../editor/reader/difference_badge";
 
-/** The sign of a difference, as on blocks, for lists. */
+/** The badge of a difference, as on blocks, for lists. */
 export function DifferenceIcon({ kind }: { kind: Difference }) {
   return (
     <svg

@@ -71,7 +71,7 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
   );
 }
 
-/** What differs in where and how the two versions run. */
+/** Differences between the setups of the two versions. */
 function SetupDifferences({ changes }: { changes: readonly SetupChange[] }) {
   const { archive } = texts.value;
   if (changes.length === 0) return null;

@@ -13,7 +13,7 @@ interface SideChoiceProps {
   programId: string;
 }
 
-/** Selects the version of one side: the last version of each step, and the selected one. */
+/** Selects the version of one side: offers the last version of each step, and the selected version. */
 export function SideChoice({ side, compared, programId }: SideChoiceProps) {
   const labels = texts.value.archive;
   const shown = compared[side];

@@ -30,7 +30,7 @@ export function VersionPane({ history }: { history: VersionHistory }) {
 
   const leaveNaming = () => {
     naming.value = false;
-    // give the focus back to the button that opened the form
+    // returns the focus to the button that opened the form
     requestAnimationFrame(() => renaming.current?.focus());
   };
 

@@ -7,7 +7,7 @@ import type { VersionHistory } from "./history";
 import { versionsIn } from "./line";
 import { dayText, versionLine } from "./version_texts";
 
-/** Smallest part of the line at which a day gets a label below it. */
+/** Minimum length of a day that gets a label below it, as a fraction of the line. */
 const ROOM = 0.1;
 
 /** Overview of all versions: lessons as sections, with marks at versions that ran, passed or have a name. */

@@ -17,9 +17,9 @@ export class ComparedBlocks<Of extends ComparedWorkspaces = Compared> {
   readonly after = signal<BlocksViewer | null>(null);
   /** Counts how often both sides were drawn. */
   readonly drawn = signal(0);
-  /** Index in `list`. */
+  /** Index of the selected difference in `list`; null if none is selected. */
   readonly chosen = signal<number | null>(null);
-  /** Sorted from top to bottom of the blocks. */
+  /** The differing blocks, sorted from top to bottom. */
   readonly list = computed<Differing[]>(() => {
     const [first, second] = [this.before.value, this.after.value];
     if (this.drawn.value === 0 || !first || !second) return [];
@@ -82,7 +82,7 @@ export class ComparedBlocks<Of extends ComparedWorkspaces = Compared> {
   }
 }
 
-/** Scrolls to where a block would be that only the other side has: to the nearest block above it that both have. */
+/** If only the other side has the block, scrolls to the nearest block above it that both sides have. */
 function showNear(side: BlocksViewer, block: string, other: BlocksViewer): void {
   if (side.has(block)) return;
   const near = other.above(block).find((id) => side.has(id));

@@ -2,7 +2,7 @@ import type { BlocksViewer } from "../editor/reader/viewer";
 import type { Texts } from "../i18n";
 import { commentText, type Differing, hiddenChange } from "./differences";
 
-/** Describes a difference with the blocks' texts: "andar para frente 1 m → andar para frente 2 m". */
+/** Describes a difference with the blocks' texts, such as "andar para frente 1 m → andar para frente 2 m". */
 export function differenceText(
   one: Differing,
   before: BlocksViewer,

@@ -25,7 +25,7 @@ export interface Differing {
   readonly what: readonly Change[];
 }
 
-/** Each block that differs, once; the server lists a block that was changed and moved in both lists. */
+/** Each differing block once. The server lists a block that was changed and moved in two lists. */
 export function differing({ added, removed, changed, moved }: VersionDifference): Differing[] {
   const movedBlocks = new Set(moved.map(({ block }) => block));
   const alsoChanged = new Set(changed.map(({ block }) => block));
@@ -59,7 +59,7 @@ export function kindsOf(
     .map(({ block, kinds }) => [block, kinds]);
 }
 
-/** A change that the block's text does not show, and so needs its own text: usually that of a comment. */
+/** A change that the block's text does not show, so that it needs its own text: a changed comment. */
 export function hiddenChange(what: readonly Change[]): Change | null {
   return what.find(({ name }) => name === "comment") ?? null;
 }

@@ -11,7 +11,7 @@ const MAX_CACHED = 40;
 export class VersionHistory {
   readonly line = signal<VersionMark[]>([]);
   readonly position = signal(0);
-  /** The displayed version; it can lag behind `place` while it loads. */
+  /** The displayed version; it can lag behind `position` while it loads. */
   readonly shown = signal<VersionOfProgram | null>(null);
   /** Steps that are expanded to single versions, by the id of their first version. */
   readonly unfolded = signal<ReadonlySet<string>>(new Set());
@@ -38,7 +38,7 @@ export class VersionHistory {
     return this.position.value === this.line.value.length - 1;
   }
 
-  /** Number of the parent version, where the parent is not the version directly before. */
+  /** Number of the parent version, if the parent is not the version directly before; else null. */
   readonly madeOf = computed<number | null>(() => {
     const { value: version } = this.chosen;
     const before = this.line.value[this.position.value - 1];
@@ -47,14 +47,14 @@ export class VersionHistory {
     return parent && parent.number < version.number - 1 ? parent.number : null;
   });
 
-  /** The parent version; where it is unknown or not in the line, the version before. */
+  /** The parent version; if it is unknown or not in the line, the version before. */
   madeFrom({ id, parent_id }: VersionOfProgram): VersionMark | null {
     const line = this.line.peek();
     const parent = line.find((one) => one.id === parent_id);
     return parent ?? line[line.findIndex((one) => one.id === id) - 1] ?? null;
   }
 
-  /** The version before another in the line, whatever it was made of. */
+  /** The version directly before another in the line, even if it is not the parent. */
   lineBefore({ id }: VersionMark): VersionMark | undefined {
     const line = this.line.value;
     return line[line.findIndex((one) => one.id === id) - 1];
@@ -88,7 +88,7 @@ export class VersionHistory {
     return step.versions.some((one) => one.id === id);
   }
 
-  /** Names the selected version in the store and here. */
+  /** Sets the name of the selected version, on the server and on the page. */
   async name(text: string): Promise<void> {
     const { value: version } = this.chosen;
     if (!version) return;
@@ -99,7 +99,7 @@ export class VersionHistory {
     );
   }
 
-  /** The version to compare the selected one with: the newest, or for the newest the step before it. */
+  /** The version to compare with the selected version: the newest, or for the newest the step before it. */
   get counterpart(): VersionMark | null {
     const line = this.line.value;
     if (!this.isNewest) return line.at(-1) ?? null;

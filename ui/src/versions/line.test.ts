@@ -5,7 +5,7 @@ import { type Fork, faceOf, type Step, sectionsOf, versionsIn } from "./line";
 
 const BEGIN = Date.UTC(2026, 9, 5, 15);
 
-/** A version with a number, created so many seconds after the first. */
+/** A version with a number, created `seconds` after the first. */
 function version(number: number, seconds: number, more: Partial<VersionMark> = {}): VersionMark {
   return {
     id: `${more.computer ?? ""}${number}`,

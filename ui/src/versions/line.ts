@@ -1,12 +1,12 @@
 import type { VersionMark } from "../api/model";
 
-/** Versions in one entry: a burst of edits, or one notable version. The last version represents the step. */
+/** The versions of one entry: a burst of edits, or one notable version. The last version represents the step. */
 export interface Step {
   readonly kind: "step";
   readonly versions: readonly VersionMark[];
 }
 
-/** Versions that several PCs made from the same version without a connection to each other. */
+/** Parallel branches: versions that several PCs made from one version, without knowing of each other. */
 export interface Fork {
   readonly kind: "fork";
   readonly branches: readonly Branch[];
@@ -71,7 +71,7 @@ interface Stretch {
   versions: VersionMark[];
 }
 
-/** Splits the line into parts with unique version numbers and parts with repeated ones. */
+/** Splits the line into parts with unique version numbers and parts with repeated numbers. */
 function stretches(line: readonly VersionMark[]): Stretch[] {
   const count = new Map<number, number>();
   for (const { number } of line) count.set(number, (count.get(number) ?? 0) + 1);
@@ -107,7 +107,7 @@ function byComputer(versions: readonly VersionMark[]): VersionMark[][] {
   return [...branches.values()];
 }
 
-/** Splits by parent version, where the PCs have no names or the same name. */
+/** Splits by parent version, for PCs without names or with the same name. */
 function byParent(versions: readonly VersionMark[]): VersionMark[][] {
   const branches: VersionMark[][] = [];
   const home = new Map<string, VersionMark[]>();

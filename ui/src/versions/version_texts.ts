@@ -14,9 +14,9 @@ export function factsOf(version: VersionMark, texts: Texts): string[] {
 }
 
 /**
- * Label of a step in the list, and what is said of it besides.
+ * Label of a step in the list, and further facts about it.
  *
- * @param setup What it changed besides blocks; the label of a step that changed no blocks.
+ * @param setup Changes of the step besides blocks; the label of a step that changed no blocks.
  */
 export function stepText(step: Step, setup: readonly string[], texts: Texts) {
   const face = faceOf(step);
@@ -28,23 +28,23 @@ export function stepText(step: Step, setup: readonly string[], texts: Texts) {
   return { label: known || texts.archive.changes(n), facts };
 }
 
-/** How many versions of a step changed blocks. */
+/** Number of versions of a step that changed blocks. */
 export function changesIn({ versions }: Step): number {
   return versions.filter(({ setup_only }) => !setup_only).length;
 }
 
-/** Time of day: "10:32". */
+/** Time of day, such as "10:32". */
 export function timeOf(iso: string, language: Language): string {
   return new Date(iso).toLocaleTimeString(language, { timeStyle: "short" });
 }
 
-/** Time span: "10:02–10:05", "10:02". */
+/** Time span, such as "10:02–10:05" or "10:02". */
 export function spanOf(from: string, to: string, language: Language): string {
   const [first, last] = [timeOf(from, language), timeOf(to, language)];
   return first === last ? first : `${first}–${last}`;
 }
 
-/** Day and time span of a section: "ontem, 09:10–09:25". */
+/** Day and time span of a section, such as "ontem, 09:10–09:25". */
 export function sectionText(section: Section, now: Date, language: Language, texts: Texts) {
   const then = new Date(section.from);
   const days = midnight(now) - midnight(then);
@@ -60,7 +60,7 @@ export function sectionText(section: Section, now: Date, language: Language, tex
   return `${day}, ${span}`;
 }
 
-/** Short day: "19 de nov.", "hoje". */
+/** Short day, such as "19 de nov." or "hoje". */
 export function dayText({ from }: Section, now: Date, language: Language, texts: Texts): string {
   const then = new Date(from);
   const days = midnight(now) - midnight(then);
@@ -75,13 +75,13 @@ function midnight(date: Date): number {
   );
 }
 
-/** Creation time of a version: "hoje, 10:32", "19 de novembro, 10:32". */
+/** Creation time of a version, such as "hoje, 10:32" or "19 de novembro, 10:32". */
 export function createdText({ created_at }: VersionMark, language: Language, texts: Texts): string {
   const alone = { from: created_at, to: created_at, items: [] };
   return sectionText(alone, new Date(), language, texts);
 }
 
-/** A version in one line, for lists to choose from. */
+/** Text of a version in one line, for lists of options. */
 export function versionLine(version: VersionMark, language: Language, texts: Texts): string {
   const about = version.label || factsOf(version, texts)[0];
   const made = createdText(version, language, texts);

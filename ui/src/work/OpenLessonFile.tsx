@@ -10,7 +10,7 @@ interface OpenLessonFileProps {
   onOpened(opened: OpenedLesson): unknown;
 }
 
-/** Opens the lesson of a file on this PC; asks for the PIN where there is one. */
+/** Opens the lesson of a file on this PC; asks for the PIN if one exists. */
 export function OpenLessonFile({ onOpened }: OpenLessonFileProps) {
   const { classes } = texts.value;
   const open = async (file: File) => {
@@ -32,7 +32,7 @@ export function OpenLessonFile({ onOpened }: OpenLessonFileProps) {
   );
 }
 
-/** What has become of the file. */
+/** Text about the opened lesson file. */
 export function openedText({ lesson, classroom, nothing_new }: OpenedLesson): string {
   const { classes } = texts.value;
   const opened = classes.lessonFileOpened(lesson.title, classroom.name);

@@ -10,7 +10,7 @@ import { ExportProgram } from "./ProgramFile";
 
 interface ProgramCardProps {
   program: Program;
-  /** Path of its newest run. */
+  /** Path of the program's newest run. */
   path: readonly (readonly number[])[];
   onThrowAway(): Promise<void>;
 }

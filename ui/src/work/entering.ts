@@ -7,7 +7,7 @@ import { texts } from "../i18n";
 import { setClassroom } from "../shell/classroom";
 import { go } from "../shell/route";
 
-/** After this time the next screen is shown and receives the second click of a double click. */
+/** After this time the next screen is on display and receives the second click of a double click. */
 const SHOWN_MS = 100;
 const pending = new Set<string>();
 
@@ -20,8 +20,9 @@ async function once(key: string, enter: () => Promise<void>): Promise<void> {
 }
 
 /**
- * Opens a group's program for the activity of the lesson, or without one its newest program, creating it if needed; with
- * unread notes of the teacher it opens the group's work instead. Also makes the group's class the shown one of the start screen.
+ * Opens a group's program for the activity of the lesson. Without an activity, opens the group's
+ * newest program. If the program does not exist, creates it. If the group has unread notes of the
+ * teacher, opens the group's work instead. Also selects the group's class on the start screen.
  */
 export function enterGroup(group: Group): Promise<void> {
   return once(`enter ${group.id}`, () => enter(group));
@@ -42,14 +43,14 @@ async function newestProgram(group: string): Promise<Program> {
   return newest ?? createProgram(group, []);
 }
 
-/** The activity of the class's open lesson. A lesson that fails to load must not keep the group from its work. */
+/** The activity of the class's open lesson. If the lesson fails to load, the group still gets to its work. */
 async function activityOfLesson({ classroom_id }: Group): Promise<string | null> {
   if (!classroom_id) return null;
   const now = await classesApi.currentLesson(classroom_id).catch(() => null);
   return now?.lesson?.activity ?? null;
 }
 
-/** Notes that fail to load must not keep the group from its work; they are shown the next time. */
+/** If the notes fail to load, the group still gets to its work; the notes appear the next time. */
 function unseenNotes(group: Group) {
   return versionsApi.unseenNotes(group.id).catch(() => []);
 }

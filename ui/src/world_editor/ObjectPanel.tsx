@@ -28,7 +28,7 @@ interface PanelProps<T> {
   object: T;
 }
 
-/** Properties of the selected thing. */
+/** Properties of the selected object. */
 export function ObjectPanel({ store, plan, object }: PanelProps<WorldObject>) {
   const labels = texts.value.world;
   return (
@@ -68,7 +68,7 @@ function Acts({ store, object }: { store: EditorStore; object: WorldObject }) {
   );
 }
 
-/** Setter for one number of a thing; consecutive changes of it are undone in one step. */
+/** Setter for one number of an object; consecutive changes of the number are undone in one step. */
 function measure(store: EditorStore, id: string, key: string) {
   return (changed: WorldObject | Start) => {
     if ("id" in changed) store.alter(changed, `${key} ${id}`);
@@ -166,7 +166,7 @@ function AreaFields({ store, plan, object }: PanelProps<AreaObject>) {
 const SIDE: Range = { min: MIN_MOVABLE_SIDE_M, max: MAX_FLOOR_M, step: GRID };
 const TURN: Range = { min: -360, max: 360, step: 5 };
 const MASS: Range = { min: MIN_MOVABLE_KG, max: MAX_MOVABLE_KG, step: 0.5 };
-/** Mass of a box without a given mass, kilograms. */
+/** Default mass of a box, kilograms. */
 const USUAL_MASS = 2;
 
 function Mass({
@@ -254,7 +254,7 @@ function squared(object: Flat): Flat {
 
 const across = (size: number): Range => ({ min: -size / 2, max: size / 2, step: GRID });
 
-/** Properties of the start pose, counted from the middle of the floor: everything else is counted from the start. */
+/** Properties of the start pose, in the world frame. All other objects have coordinates in the start frame. */
 export function StartPanel({ store, plan }: { store: EditorStore; plan: Plan }) {
   const labels = texts.value.world;
   const number = (key: keyof Start, label: string, range: Range) => (

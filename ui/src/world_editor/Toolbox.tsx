@@ -16,7 +16,7 @@ const ICONS = {
   start: Flag,
 } as const;
 
-/** The drawing tools and the properties of the next thing. */
+/** The drawing tools and the properties of the next object. */
 export function Toolbox({ store }: { store: EditorStore }) {
   const { tools, toolsLabel } = texts.value.world;
   return (

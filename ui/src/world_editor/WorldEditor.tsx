@@ -18,7 +18,7 @@ import { WorldPanel } from "./WorldPanel";
 
 interface WorldEditorProps {
   store: EditorStore;
-  /** The first change replaces the group's own world. */
+  /** Whether the first change replaces the group's own world. */
   replaces: boolean;
   onOwn(): void;
   /** Null while the program has no world of its own. */
@@ -85,7 +85,7 @@ export function WorldEditor({
   );
 }
 
-/** Handles keys for the whole page, since the focused element may have been deleted; ignored while typing text. */
+/** Handles keys of the whole page, because the focused element may have been deleted. Ignores typing in fields. */
 function followKeys(store: EditorStore): () => void {
   return listen(window, {
     keydown: (event) => {

@@ -5,7 +5,7 @@ import type { EditorStore } from "./editor_store";
 /** Delay between the last change and the request to the server, milliseconds. */
 const QUIET_MS = 150;
 
-/** Has the server check the document after each change and stores the faults. Returns the unsubscribe function. */
+/** Lets the server check the document after each change; stores the faults. Returns the unsubscribe function. */
 export function checkOnChange(store: EditorStore, onTrouble: (error: unknown) => void): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const ask = async () => {

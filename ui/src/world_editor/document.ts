@@ -2,13 +2,13 @@ import type { World } from "../api/model";
 import { type Area, areaOf } from "../scene/areas";
 import { type Kind, newId, ofKind, type Plan, type WorldObject } from "./plan";
 
-/** Lists of the document and the kind of thing in each, in drawing order. */
+/** Lists of the document and the kind of object in each, in drawing order. */
 export const LISTS = { walls: "wall", boxes: "box", zones: "zone", floor: "paint" } as const;
 
 type Point = [number, number];
 type Shape = { center: Point; size?: Point; heading_deg?: number; radius?: number };
 
-/** Reads a document that comes from the server or was validated by it. */
+/** Converts a document that the server sent or validated to a plan. */
 export function planOf(world: World): Plan {
   const { start } = world;
   return {
@@ -54,7 +54,7 @@ function boxOf(box: World["boxes"][number]): WorldObject {
 
 const xy = ([x, y]: readonly number[]) => ({ x: x ?? 0, y: y ?? 0 });
 
-/** The document of a plan. Optional lists are left out while they are empty. */
+/** The document of a plan, without empty optional lists. */
 export function documentOf(plan: Plan): World {
   const { start } = plan;
   const zones = ofKind(plan, "zone").map(entryOf);
@@ -70,7 +70,7 @@ export function documentOf(plan: Plan): World {
     ...(zones.length > 0 && { zones }),
     ...(floor.length > 0 && { floor }),
   };
-  // default values are left out, as in the worlds that ship
+  // default values are omitted, as in the shipped worlds
   return document as unknown as World;
 }
 
@@ -97,7 +97,7 @@ function shapeOf(area: Area): Shape {
   return { center, size: [area.width, area.depth], heading_deg: area.heading };
 }
 
-/** The subject of a fault: a thing's id, "start", or null for the world itself. */
+/** The subject of a fault: an object's id, "start", or null for the world itself. */
 export function aboutOf(plan: Plan, pointer: string): string | null {
   const [, list = "", index = ""] = pointer.split("/");
   if (list === "start") return "start";

@@ -29,7 +29,7 @@ import {
 export type Tool = "select" | "wall" | "box" | "zone" | "paint" | "start";
 export const TOOLS: readonly Tool[] = ["select", "wall", "box", "zone", "paint", "start"];
 
-/** Properties of the next thing to be drawn. */
+/** Properties of the next object to draw. */
 export interface NextObjectOptions {
   readonly color: string;
   readonly movable: boolean;
@@ -37,10 +37,10 @@ export interface NextObjectOptions {
   readonly name: string;
 }
 
-/** The plan with the pointer at a point. `free`: rounds to centimetres, without the grid and without snapping. */
+/** Returns the plan for the pointer at a point. `free`: rounds to centimetres, without grid and snapping. */
 export type DragGesture = (point: XY, free: boolean) => Plan;
 
-/** Drags a thing, or the start, by the point where it was pressed. */
+/** Drags an object, or the start, by the point at which it was pressed. */
 export function moving(plan: Plan, id: string, grip: XY): DragGesture {
   const object = objectOf(plan, id);
   const anchor = object ? anchorOf(object) : plan.start;
@@ -94,7 +94,7 @@ function pulled(
   return corneredTo(object, Number(handle), insideRoom(plan, point), free);
 }
 
-/** Draws a thing of the tool from the point where the pointer was pressed. */
+/** Draws an object of the tool from the point at which the pointer was pressed. */
 export function drawing(plan: Plan, tool: Tool, from: XY, options: NextObjectOptions): DragGesture {
   const id = newId();
   if (tool === "start") return starting(plan, from);
@@ -144,10 +144,10 @@ function made(
   return { id, kind: "paint", ...area, color };
 }
 
-/** Width and depth of a thing placed by a tap, in metres. */
+/** Width and depth of an object placed by a tap, metres. */
 const TAPPED = { box: 0.6, zone: 1, paint: 1 } as const;
 
-/** Places a thing at a point by a tap or a key. */
+/** Places an object at a point, for a tap or a key. */
 export function tapped(plan: Plan, tool: Tool, at: XY, options: NextObjectOptions): Plan {
   if (tool === "select") return plan;
   if (tool === "start") return { ...plan, start: placed(plan, plan.start, at, false) };
@@ -164,14 +164,14 @@ export function tapped(plan: Plan, tool: Tool, at: XY, options: NextObjectOption
   return drawing(plan, tool, from, options)({ x: at.x + half, y: at.y + half }, false);
 }
 
-/** Duplicates a thing beside itself. */
+/** Adds a copy beside an object. */
 export function doubled(plan: Plan, object: WorldObject): [Plan, string] {
   const id = newId();
   const copy = shifted(plan, { ...object, id }, 2 * GRID, -2 * GRID);
   return [plusObject(plan, copy), id];
 }
 
-/** The first letter, or number, that no zone has as its name. */
+/** The first letter, else number, that no zone has as its name. */
 export function freeName(plan: Plan): string {
   const usedNames = new Set(
     plan.objects.map((object) => (object.kind === "zone" ? object.name : "")),
@@ -184,7 +184,7 @@ export function freeName(plan: Plan): string {
   return `${number}`;
 }
 
-/** Moves the selected thing, or the start, by metres. */
+/** Moves an object, or the start, by metres. */
 export function nudged(plan: Plan, id: string, dx: number, dy: number): Plan {
   const object = objectOf(plan, id);
   if (object) return withObject(plan, shifted(plan, object, dx, dy));

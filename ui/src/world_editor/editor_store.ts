@@ -29,13 +29,13 @@ import {
 /** State of the world editor: the plan, the selection, and the history for undo. */
 export class EditorStore {
   private readonly plan = signal<Plan>(EMPTY);
-  /** Preview of the plan during a gesture. */
+  /** Preview of the plan during a drag. */
   private readonly draft = signal<Plan | null>(null);
   readonly shown = computed(() => this.draft.value ?? this.plan.value);
   readonly world = computed<World>(() => documentOf(this.shown.value));
   readonly document = computed<World>(() => documentOf(this.plan.value));
   readonly tool = signal<Tool>("select");
-  /** A thing's id, or "start". */
+  /** Id of the selected object, or "start"; null without a selection. */
   readonly selected = signal<string | null>(null);
   readonly color = signal("red");
   readonly movable = signal(false);
@@ -63,7 +63,7 @@ export class EditorStore {
     return plan.objects.every((object) => isOuter(plan, object));
   }
 
-  /** The subject of a fault: a thing's id, "start", or null for the world. */
+  /** The subject of a fault: an object's id, "start", or null for the world. */
   aboutFault(fault: Fault): string | null {
     return aboutOf(this.plan.value, fault.pointer);
   }
@@ -101,7 +101,7 @@ export class EditorStore {
     this.gesture = gesture;
   }
 
-  /** Begins a gesture at a point: with a handle, on a thing, or on the floor. */
+  /** Starts a drag at a point: with a handle, on an object, or on the floor. */
   grip(target: { id?: string; handle?: string }, at: XY): void {
     const plan = this.plan.value;
     const tool = this.tool.value;
@@ -123,7 +123,7 @@ export class EditorStore {
     if (this.gesture) this.draft.value = this.gesture(at, free);
   }
 
-  /** Ends a gesture; without movement it counts as a tap. */
+  /** Ends a drag; without movement it counts as a tap. */
   endDrag(at: XY, hasMoved: boolean): void {
     const { value: draft } = this.draft;
     const tool = this.tool.value;
@@ -137,12 +137,12 @@ export class EditorStore {
     this.draft.value = null;
   }
 
-  /** Places a thing of the current tool in its default size. */
+  /** Places an object of the current tool in its default size. */
   putDown(at: XY): void {
     this.settle(tapped(this.plan.value, this.tool.value, at, this.nextObjectOptions()));
   }
 
-  /** Commits a plan and selects the new thing in it. */
+  /** Commits a plan and selects its new object. */
   private settle(plan: Plan): void {
     batch(() => {
       const before = this.plan.value;
@@ -176,7 +176,7 @@ export class EditorStore {
     });
   }
 
-  /** Moves a thing above, or below, all others of its kind. */
+  /** Moves an object above, or below, all others of its kind. */
   layer(top: boolean): void {
     const plan = this.plan.value;
     const object = objectOf(plan, this.selected.value);
@@ -185,7 +185,7 @@ export class EditorStore {
     this.change({ ...plan, objects: top ? [...objects, object] : [object, ...objects] });
   }
 
-  /** Sets the colour of the next things and of the selected painted area. */
+  /** Sets the colour of the next objects and of the selected painted area. */
   setPaint(color: string): void {
     const object = objectOf(this.plan.value, this.selected.value);
     batch(() => {
@@ -194,7 +194,7 @@ export class EditorStore {
     });
   }
 
-  /** Replaces a thing by a copy with other properties. */
+  /** Replaces an object by a copy with other properties. */
   alter(object: WorldObject, stroke: string | null = null): void {
     this.change(withObject(this.plan.value, object), stroke);
   }

@@ -4,12 +4,12 @@ import type { Fault, World } from "../api/model";
 import { fileName, saveFile } from "../shell/save_file";
 import { planOf } from "./document";
 
-/** Why a file was rejected: the server's faults. An empty list means that the file was too large to be read. */
+/** Why a file was rejected: the server's faults, or an empty list for a file that is too large to read. */
 export interface Refusal {
   readonly faults: readonly Fault[];
 }
 
-/** The world in a file, or why it was rejected. A faulty world that can be drawn is accepted. */
+/** The world in a file, or why it was rejected. Accepts a world with faults if it can be drawn. */
 export async function worldIn(file: File): Promise<World | Refusal> {
   if (file.size > WORLD_LIMITS.MAX_BYTES) return { faults: [] };
   const text = await file.text();
@@ -39,7 +39,7 @@ function canBeDrawn(world: unknown): boolean {
   }
 }
 
-/** Checks recursively that no part is missing or a list, and that numbers are finite where numbers belong. */
+/** Checks recursively that no part is missing or a list, and that all numbers are finite. */
 function isWellFormed(value: unknown): boolean {
   if (typeof value === "number") return Number.isFinite(value);
   if (typeof value === "string" || typeof value === "boolean" || value === null) return true;

@@ -9,16 +9,16 @@ import {
   type WorldObject,
 } from "./plan";
 
-/** Grid of gestures, and the finer one with Shift and for typed numbers. Metres. */
+/** Grid of drags, and the finer grid with Shift and for typed numbers; metres. */
 export const GRID = 0.1;
 export const FINE = 0.01;
 const TURN_STEP = 15;
 /** A wall's end snaps to another end within this distance. */
 const END_M = 0.16;
-/** A wall snaps to straight when it is off by less than this. */
+/** A wall snaps to the horizontal or vertical within this angle. */
 const STRAIGHT_DEG = 5;
 export const MIN_SIZE_M = 0.1;
-/** Radius of the largest robot, and its distance from a wall around it. */
+/** Radius of the largest robot, and minimum distance of the start from the outer walls, metres. */
 const ROBOT_M = 0.3;
 
 /** Rounds metres or degrees, to remove errors of binary fractions. */
@@ -83,7 +83,7 @@ export function between(one: XY, other: XY, free: boolean) {
 
 export const lengthOf = ({ from, to }: Wall) => Math.hypot(to.x - from.x, to.y - from.y);
 
-/** The outermost points of a thing. */
+/** The outermost points of an object. */
 export function pointsOf(object: WorldObject): XY[] {
   if (!isArea(object)) return [object.from, object.to];
   if (object.radius === null) return cornersOf(object);
@@ -94,7 +94,7 @@ export function pointsOf(object: WorldObject): XY[] {
   ];
 }
 
-/** Shifts a thing by metres, up to the edge of the floor. */
+/** Shifts an object by metres, up to the edge of the floor. */
 export function shifted<T extends WorldObject>(plan: Plan, object: T, dx: number, dy: number): T {
   const points = pointsOf(object);
   const across = heldShift(
@@ -118,7 +118,7 @@ function heldShift(values: readonly number[], shift: number, edge: number): numb
   return Math.max(-edge - min, Math.min(edge - max, shift));
 }
 
-/** Rotates a vector of the world into the frame of a thing with a `heading` in degrees. */
+/** Rotates a vector of the world frame into the frame of an object with a `heading` in degrees. */
 export function turnedBack({ x, y }: XY, heading: number): XY {
   return turnedBy({ x, y }, -heading);
 }

@@ -4,7 +4,7 @@ export class History<T> {
   private future: T[] = [];
   private stroke: string | null = null;
 
-  /** Pushes the state before a change. Consecutive changes with one `stroke`, as of a held key, are one undo step. */
+  /** Pushes the state before a change. Consecutive changes with the same `stroke`, as of a held key, are one step. */
   push(before: T, stroke: string | null = null): void {
     if (stroke === null || stroke !== this.stroke) this.past.push(before);
     if (this.past.length > MAX_STEPS) this.past.shift();
@@ -12,7 +12,7 @@ export class History<T> {
     this.future = [];
   }
 
-  /** Ends the current stroke: the next change is an undo step of its own. */
+  /** Ends the current stroke: the next change is a new undo step. */
   rest(): void {
     this.stroke = null;
   }

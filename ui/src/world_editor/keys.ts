@@ -8,7 +8,7 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, -1],
 };
 
-/** Handles a key while the board has focus; true when the key has a function. */
+/** Handles a key while the board has focus; returns true if the key has a function. */
 export function pressed(store: EditorStore, event: KeyboardEvent): boolean {
   const arrow = ARROWS[event.key];
   if (arrow && store.selected.value) {

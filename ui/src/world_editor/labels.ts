@@ -19,7 +19,7 @@ export function colorLabel(color: string, language: Language): string {
   return known ? textsOf(language).blocks[`COLOUR_${known.toUpperCase()}` as TextKey] : color;
 }
 
-/** Display name of a thing: "Parede 2", "Lugar A". `index` is its index among things of its kind. */
+/** Display name of an object, such as "Parede 2" or "Lugar A". `index` is its index among objects of its kind. */
 export function nameOf(object: WorldObject, index: number, labels: Texts["world"]): string {
   return `${labels.kinds[object.kind]} ${object.kind === "zone" ? object.name : index + 1}`;
 }

@@ -2,7 +2,7 @@ import type { World } from "../api/model";
 import type { Area } from "../scene/areas";
 import type { XY } from "../scene/frames";
 
-/** A thing on the floor. `id` is valid while the editor is open; a document identifies things by index. */
+/** An object on the floor. `id` is valid while the editor is open; a document identifies objects by index. */
 export type WorldObject = Wall | Box | Zone | Paint;
 export type Kind = WorldObject["kind"];
 
@@ -49,7 +49,7 @@ export interface Plan {
 let counted = 0;
 export const newId = () => `thing-${++counted}`;
 
-/** The thing with an id; null where there is none. */
+/** The object with an id; null if there is none. */
 export const objectOf = (plan: Plan, id: string | null): WorldObject | null =>
   plan.objects.find((object) => object.id === id) ?? null;
 
@@ -75,7 +75,7 @@ export const withoutObject = (plan: Plan, id: string): Plan => ({
 
 const EDGE_M = 0.01;
 
-/** Whether a thing is an outer wall: it follows the floor's size and cannot be dragged. */
+/** Whether an object is an outer wall: it follows the floor's size and cannot be dragged. */
 export function isOuter(plan: Plan, object: WorldObject): boolean {
   if (object.kind !== "wall") return false;
   const { from, to } = object;

@@ -11,7 +11,7 @@ interface MuteButtonProps {
   expected?: boolean;
 }
 
-/** Turns sound on or off; hidden where the run makes no sound. */
+/** Turns sound on or off; hidden if the run makes no sound. */
 export function MuteButton({ view, expected = false }: MuteButtonProps) {
   const loud = useComputed(() => view.value.output.beeps.count > 0);
   if (!loud.value && !expected) return null;

@@ -12,7 +12,7 @@ interface Cell {
   testId: string;
 }
 
-/** Where the robot truly is, as the floor shows it, and the elapsed time. */
+/** The robot's true position, as the floor shows it, and the elapsed time. */
 export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
   const { readout } = texts.value;
   const { truth, tick } = view.value;

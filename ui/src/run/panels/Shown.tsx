@@ -10,7 +10,7 @@ interface ShownProps {
   more?: ReadonlySignal<readonly (readonly [string, unknown])[]>;
 }
 
-/** Panel under the floor with the dialogue and the variables. Renders nothing where there is neither. */
+/** Panel under the floor with the dialogue and the variables. Renders nothing without either. */
 export function Shown({ view, more }: ShownProps) {
   const talk = useComputed(() => view.value.output.talk);
   const variables = useComputed(() => view.value.output.variables);

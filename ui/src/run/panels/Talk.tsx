@@ -12,10 +12,10 @@ const ICONS = {
   beeped: BellRing,
 } as const;
 
-/** The list scrolls to its newest line while it is scrolled to within this of its end, in pixels. */
+/** The list scrolls to each new line while the distance to its end is at most this, in pixels. */
 const AT_END_PX = 48;
 
-/** What the robot says and asks, and the group's answers, with the newest line in view. */
+/** The dialogue: messages and questions of the robot, answers of the group; the newest line is in view. */
 export function Talk({ lines }: { lines: readonly Line[] }) {
   const { show } = texts.value;
   const list = useRef<HTMLDivElement>(null);

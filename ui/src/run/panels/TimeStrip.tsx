@@ -21,7 +21,7 @@ import { categoryOf } from "../../blocks/definitions";
 import { texts } from "../../i18n";
 import { coarse, type Stretch } from "../playback";
 
-/** A stretch narrower than this fraction of the slider has no room for an icon. */
+/** A stretch narrower than this fraction of the slider is too small for an icon. */
 const LEGIBLE_PART = 0.035;
 
 const ICONS: Record<string, LucideIcon> = {
@@ -52,11 +52,11 @@ interface TimeStripProps {
   tick: number;
   /** The last tick. */
   end: number;
-  /** The tick in words. */
+  /** The tick as a text, for screen readers. */
   time: string;
   testId: string;
   onTick(tick: number): void;
-  /** Keys other than those of a slider; true where the key was used. */
+  /** Handles keys that a slider does not use; returns true if it used the key. */
   onKey?(key: string): boolean;
 }
 

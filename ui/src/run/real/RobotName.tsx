@@ -7,7 +7,7 @@ interface RobotNameProps {
   link: string;
 }
 
-/** Names the real robot of a run; nothing for the simulator. */
+/** Shows the name of a run's real robot; renders nothing for the simulator. */
 export function RobotName({ link }: RobotNameProps) {
   if (link === SIMULATOR) return null;
   return (
@@ -18,6 +18,6 @@ export function RobotName({ link }: RobotNameProps) {
   );
 }
 
-/** The name of a real robot's kind; that of a newer release is its link. */
+/** The name of a kind of real robot; for a kind of a newer release, the name of its link. */
 export const robotLabel = (link: string): string =>
   linkWords(link, language.value)?.message ?? link;

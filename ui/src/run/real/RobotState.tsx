@@ -6,7 +6,7 @@ interface RobotStateProps {
   testId: string;
 }
 
-/** How a watched robot is. A screen reader hears of changes, not of each second. */
+/** The state of a watched robot. A screen reader announces changes of the state, not every second. */
 export function RobotState({ link, testId }: RobotStateProps) {
   const state = robotStates.value[link];
   const { short, spoken, tip } = stateText(state);

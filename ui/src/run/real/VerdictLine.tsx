@@ -5,7 +5,7 @@ interface VerdictLineProps {
   of: Pick<JudgedEvent, "by_robot" | "not_judged">;
 }
 
-/** By what a run on a real robot was judged, or why it was not; nothing for a simulated run. */
+/** How a run on a real robot was judged, or why it was not judged; nothing for a simulated run. */
 export function VerdictLine({ of: { by_robot, not_judged } }: VerdictLineProps) {
   if (not_judged) return <JudgingLine state="not_judged">{not_judged}</JudgingLine>;
   if (!by_robot) return null;
@@ -17,7 +17,7 @@ interface JudgingLineProps {
   children: string;
 }
 
-/** How runs on a real robot are judged. */
+/** A line about how runs on a real robot are judged. */
 export function JudgingLine({ state, children }: JudgingLineProps) {
   return (
     <p class="verdict-line" data-state={state} data-testid="how-judged">

@@ -10,7 +10,7 @@ interface Held {
   readonly direction: Direction;
 }
 
-/** The server's robot stands a fifth of a second after the last of these. */
+/** Interval of the jog requests. The server stops the robot 0.2 s after the last request. */
 const REPEAT_MS = 100;
 
 const JOG_FACTORS: Readonly<Record<Direction, readonly [drive: number, turn: number]>> = {
@@ -20,13 +20,13 @@ const JOG_FACTORS: Readonly<Record<Direction, readonly [drive: number, turn: num
   right: [0, -1],
 };
 
-/** The key or button that is held; null for none. */
+/** The jog key or button that a person holds down; null for none. */
 export const held = signal<Held | null>(null);
 
-/** Why the server refused the last one. */
+/** Why the server refused the last jog request. */
 export const jogFault = signal<Problem | null>(null);
 
-/** The robot that is moved by keys, from this page or another one. */
+/** Link of the robot that is jogged with keys, from this page or another one. */
 export const joggedLink = computed<string | null>(
   () => Object.values(robotStates.value).find(({ use }) => use === "jog")?.link ?? null,
 );
@@ -34,7 +34,10 @@ export const joggedLink = computed<string | null>(
 let timer = 0;
 let isAsking = false;
 
-/** Moves the robot until `release`; what ends the page ends the requests, and without them the robot stands. */
+/**
+ * Jogs the robot until `release`. The robot needs repeated requests, so it also stops when the
+ * page ends.
+ */
 export function hold(link: string, direction: Direction): void {
   jogFault.value = null;
   held.value = { link, direction };
@@ -43,16 +46,16 @@ export function hold(link: string, direction: Direction): void {
   ask();
 }
 
-/** Stands. */
+/** Stops the robot that `hold` jogs. */
 export function release(): void {
   const { value: before } = held;
   if (!before) return;
   window.clearInterval(timer);
   held.value = null;
-  robotsApi.jog(before.link, 0, 0).catch(() => {}); // without it, too, the robot stands soon
+  robotsApi.jog(before.link, 0, 0).catch(() => {}); // if this fails, the robot stops soon anyway
 }
 
-/** Lets go of a robot at once, also one that another page moves. */
+/** Halts a robot at once, even if another page jogs it. */
 export async function haltKeys(link: string): Promise<void> {
   window.clearInterval(timer);
   held.value = null;
@@ -61,7 +64,7 @@ export async function haltKeys(link: string): Promise<void> {
 
 function ask(): void {
   const { value: now } = held;
-  // a server that does not answer gets no queue of requests
+  // if the server does not respond, no further requests queue up
   if (!now || isAsking) return;
   isAsking = true;
   robotsApi

@@ -6,13 +6,16 @@ import { live, liveRun, stop } from "../live";
 import { isLive } from "../reducer";
 import { haltKeys, joggedLink } from "./jog";
 
-/** The link of the simulator, which every page begins with: nothing real moves because somebody chose it before. */
+/**
+ * The link of the simulator, which every page starts with: no real robot moves because somebody
+ * chose it earlier.
+ */
 export const SIMULATOR = "sim";
 
 /** The name of the room's world document in the list of runs: pinel_desktop/robot/robot_profile.py. */
 export const ROOM_WORLD = "room";
 
-/** The kinds of real robots, as the server last told. */
+/** The kinds of real robots, as in the server's last response. */
 export const realRobots = signal<readonly RealRobot[]>([]);
 
 const choice = signal(SIMULATOR);
@@ -20,7 +23,7 @@ const choice = signal(SIMULATOR);
 /** Whether the group has gone through the check list since it chose the robot. */
 export const isChecked = signal(false);
 
-/** Whether a run of the chosen robot has begun: the first one is slow. */
+/** Whether a run on the chosen robot has started: the first run is slow. */
 const hasRun = signal(false);
 
 /** The real robot of the next run; null for the simulator. */
@@ -28,7 +31,10 @@ export const chosenRobot = computed<RealRobot | null>(
   () => realRobots.value.find((one) => one.link === choice.value && one.is_set_up) ?? null,
 );
 
-/** Link of the real robot that may move: of the live run, else of the chosen robot; null if all is simulated. */
+/**
+ * Link of the real robot that may move: of the live run, else the chosen robot, else the jogged
+ * one. Null if all is simulated.
+ */
 export const movingLink = computed<string | null>(() => {
   const run = isLive(live.value) ? liveRun.value : null;
   if (run && run.link !== SIMULATOR) return run.link;
@@ -41,7 +47,10 @@ export function chooseRobot(link: string): void {
   hasRun.value = false;
 }
 
-/** Another group chooses its robot itself and goes through the check list: nothing real moves by who was here before. */
+/**
+ * Id of the group that chose. Another group must choose its robot and go through the check list
+ * itself: no real robot moves because of an earlier group.
+ */
 let chosenBy: string | null = null;
 effect(() => {
   const here = group.value?.id ?? null;
@@ -53,18 +62,18 @@ export async function loadRealRobots(): Promise<void> {
   realRobots.value = await robotsApi.all();
 }
 
-/** What a run on the chosen robot is asked for with; nothing for the simulator. */
+/** Options of a run request for the chosen robot; empty for the simulator. */
 export function robotOfRun(): { robot?: string; slow?: boolean } {
   const robot = chosenRobot.peek();
   return robot ? { robot: robot.link, slow: !hasRun.peek() } : {};
 }
 
-/** A run on the chosen robot has begun. */
+/** Records that a run on the chosen robot has started. */
 export function robotHasRun(): void {
   if (chosenRobot.peek()) hasRun.value = true;
 }
 
-/** The highest speed of the next run in m/s. */
+/** Maximum speed of the next run on the chosen robot, m/s; 0 for the simulator. */
 export const nextSpeed = computed(() => {
   const { value: robot } = chosenRobot;
   if (!robot) return 0;
@@ -74,7 +83,7 @@ export const nextSpeed = computed(() => {
 /** The key that stops a real robot on every screen. */
 export const EMERGENCY_KEY = "F9";
 
-/** Stops the live run and what is moved by keys, before anything else. */
+/** Stops the live run and the jogged robot, before anything else. */
 export async function emergencyStop(): Promise<void> {
   const jogged = joggedLink.peek();
   await Promise.all([stop(), jogged && haltKeys(jogged)]);

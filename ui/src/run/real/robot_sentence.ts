@@ -3,7 +3,7 @@ import { movingLink } from "./real_robot";
 import { robotStates } from "./robot_state";
 import { stateText } from "./state_text";
 
-/** What keeps the chosen robot from driving, and what to do; null while it is connected, or none is chosen. */
+/** Why the chosen robot cannot drive, and the remedy; null if it is connected or none is chosen. */
 export function robotSentence(): Sentence | null {
   const { value: link } = movingLink;
   const state = link === null ? undefined : robotStates.value[link];

@@ -6,10 +6,10 @@ import { usePolling } from "../../kit/usePolling";
 
 export type RobotState = RobotStateToldEvent;
 
-/** What the server told last of each watched robot, by link. */
+/** The last state that the server sent for each watched robot, by link. */
 export const robotStates = signal<Readonly<Record<string, RobotState>>>({});
 
-/** The server listens for some seconds after each request. */
+/** Interval of the requests: the server watches a robot for some seconds after each request. */
 const ASK_EACH_MS = 2000;
 
 export function receiveState(state: RobotState): void {
@@ -30,7 +30,7 @@ export function useWatchedRobot(link: string | null): void {
   usePolling(() => ask(false), { everyMs: ASK_EACH_MS, isOn: link !== null, evenHidden: true });
 }
 
-/** Its place in the room; null while nobody knows. */
+/** The robot's pose in the room; null while it is unknown. */
 export function poseInRoom({ x_m, y_m, heading_deg }: RobotState) {
   return x_m === null || y_m === null || heading_deg === null ? null : { x_m, y_m, heading_deg };
 }

@@ -3,15 +3,15 @@ import { decimal } from "../../i18n/format";
 import type { RobotState } from "./robot_state";
 
 export interface StateText {
-  /** What is shown: changes with each second and each percent. */
+  /** The text on the screen: changes with each second and each percent. */
   short: string;
-  /** What is read out: changes only when something has happened. */
+  /** The text for screen readers: changes only when the state has changed. */
   spoken: string;
-  /** What to do. */
+  /** The advice. */
   tip: string;
 }
 
-/** What is missing by its technical name, which is told to the teacher. */
+/** Codes whose messages name topics and types; only the teacher's part shows such messages. */
 const MISSING = new Set([
   "robot_not_found",
   "robot_elsewhere",
@@ -21,7 +21,7 @@ const MISSING = new Set([
   "robot_silent",
 ]);
 
-/** How a robot is, in words; one of which nothing is known yet is looked for. */
+/** Describes the state of a robot; a robot without a state yet is being searched for. */
 export function stateText(state: RobotState | undefined): StateText {
   const { state: labels } = texts.value.robot;
   const { value: inLanguage } = language;

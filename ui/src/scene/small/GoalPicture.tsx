@@ -16,11 +16,11 @@ import { Line } from "./parts";
 
 interface GoalPictureProps {
   goal: Goal;
-  /** Read aloud; without it the picture stands beside words that say the same. */
+  /** Text for screen readers; absent if a text beside the picture describes the same. */
   label?: string;
 }
 
-/** The goal of an activity: its floor, the robot at the start, where it has to get, and what it drives or draws. */
+/** Picture of an activity's goal: the floor, the robot at the start, the targets, the lines to drive or draw. */
 export function GoalPicture({ goal, label }: GoalPictureProps) {
   const viewport = viewportOfGoal(goal);
   return (
@@ -50,7 +50,7 @@ interface PartProps {
   viewport: GoalViewport;
 }
 
-/** The icon of a robot is not drawn smaller than can be recognised. */
+/** Minimum scale of a robot's icon: a smaller icon is not recognisable. */
 const MIN_ROBOT_SCALE = 0.55;
 
 function StartedRobot({ goal: { world }, viewport }: PartProps) {
@@ -71,7 +71,7 @@ interface LineProps {
   viewport: GoalViewport;
 }
 
-/** What explains a line, above everything else. */
+/** Arrows and sign of a line, above everything else. */
 function Marks({ line: { points, color, sign }, viewport }: LineProps) {
   const places = pointsOf(points).map(viewport.toPixels);
   return (
@@ -82,10 +82,10 @@ function Marks({ line: { points, color, sign }, viewport }: LineProps) {
   );
 }
 
-/** Shorter stretches have no room for an arrow head, and ends nearer to the start need none. */
+/** Minimum length of a stretch with an arrow head; an end closer to the start gets none either. */
 const MIN_STRETCH_PX = 22;
 
-/** Which way to drive: an arrow head on the first stretch, and one at the end unless that is the start. */
+/** The driving direction: an arrow head on the first stretch, and one at the end unless it is the start. */
 function Arrows({ places }: { places: readonly XY[] }) {
   const [first, second] = places;
   const [last, before] = [places.at(-1), places.at(-2)];
@@ -110,7 +110,7 @@ function ArrowHead({ at: { x, y }, from }: { at: XY; from: XY }) {
 
 const distance = (one: XY, other: XY) => Math.hypot(one.x - other.x, one.y - other.y);
 
-/** The sign that the line answers, in the middle of what it draws. */
+/** The sign that the line answers, in the middle of the drawn figure. */
 function Sign({ sign, at: { x, y } }: { sign: string; at: XY }) {
   const width = 16 + 10 * sign.length;
   return (

@@ -35,7 +35,7 @@ export function GroundPicture({ goal: { world, zones }, viewport }: GroundProps)
   );
 }
 
-/** What stands on the floor: boxes, where they are to be pushed, and walls. */
+/** The objects on the floor: walls, boxes, and the targets of boxes to push. */
 export function ObjectsPicture({ goal: { world, boxes }, viewport }: GroundProps) {
   return (
     <>
@@ -66,14 +66,14 @@ const MAX_NAME_LENGTH = 2;
 const NAME_M = 0.34;
 const NAME_PLACE = 0.3;
 
-/** Names of zones, and a flag on what is to be reached where no line leads there. */
+/** Names of zones, and a flag on each zone to reach if the goal has no lines. */
 export function NamesPicture({ goal: { world, zones, lines }, viewport }: GroundProps) {
   return (
     <>
       {world.zones.map(({ name, center, size }) => {
         const { x, y } = viewport.toPixels(areaOf({ center }));
         if (name.length <= MAX_NAME_LENGTH) {
-          // in a corner of its zone: lines lead to the middle
+          // in a corner of its zone, because lines lead to the middle
           const [dx = 0, dy = 0] = (size ?? []).map((side) => NAME_PLACE * side * viewport.scale);
           const font = Math.min(18, NAME_M * viewport.scale);
           return (

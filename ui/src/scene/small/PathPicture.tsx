@@ -5,7 +5,7 @@ import { Grid, Line, StartMark } from "./parts";
 
 type Points = readonly (readonly number[])[];
 
-/** Where metres are smaller than this many pixels, the grid has lines every 5 m. */
+/** If a metre has fewer pixels than this, the grid has a line every 5 m. */
 const DENSE = 12;
 
 /** Small picture of a run's path, with a grid that shows its size. */
@@ -37,7 +37,7 @@ export function PathPicture({ path }: { path: Points }) {
 /** Length of the icon of a robot, which is not drawn to the scale of its picture. */
 export const ROBOT_ICON = 32;
 
-/** Nothing has been driven yet: the robot, as its record says, stands at the start pose. */
+/** The icon of the default robot at the start pose, before any run. */
 export function WaitingRobot({ at: [x, y] }: { at: readonly [number, number] }) {
   const robot = robotOf(null);
   if (!robot) return null;

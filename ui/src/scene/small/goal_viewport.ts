@@ -5,28 +5,28 @@ import { type Box, include, roomOf, type XY } from "../frames";
 export const WIDTH = 240;
 export const HEIGHT = 150;
 
-/** Margins around the start, lines and whatever else is in the world, metres. */
+/** Margins around the start and around lines, metres. */
 const AROUND_START = 0.4;
 const AROUND_LINE = 0.25;
 
-/** Margin of a picture, and its scale limit: something small is not enlarged further, so that pictures can be compared. */
+/** Margin of a picture in pixels, and its maximum scale in pixels per metre: small goals stay comparable. */
 const OF_GOAL = { margin: 8, maxScale: 84 };
 const OF_PATH = { margin: 24, maxScale: 56 };
 
-/** Smaller parts of the floor are shown as if they had this size, metres. */
+/** Minimum size of the shown part of the floor, metres. */
 const MIN_SIZE_M = 0.1;
 
-/** How a part of the floor lies in a small picture. */
+/** Maps a part of the floor to a small picture. */
 export interface GoalViewport {
   /** Pixels per metre. */
   readonly scale: number;
-  /** The part of the floor that is seen, metres. */
+  /** The visible part of the floor, metres. */
   readonly box: Box;
-  /** Converts a point of the floor. */
+  /** Converts a point of the floor to pixels of the picture. */
   toPixels(point: XY): XY;
 }
 
-/** The part of a goal's world that its picture shows: all that stands in the room, the start and the lines. */
+/** The viewport of a goal: contains all objects in the room, the start and the lines. */
 export function viewportOfGoal({ world, lines }: GoalPicture): GoalViewport {
   const { x_m, y_m } = world.start;
   const box: Box = { left: x_m, right: x_m, bottom: y_m, top: y_m };
@@ -38,14 +38,14 @@ export function viewportOfGoal({ world, lines }: GoalPicture): GoalViewport {
   return fitted(box, OF_GOAL, roomOf(world));
 }
 
-/** The part of the floor that the picture of a path shows: the path with its start. */
+/** The viewport of a path: contains the path with its start. */
 export function viewportOfPath(path: readonly XY[]): GoalViewport {
   const box: Box = { left: 0, right: 0, bottom: 0, top: 0 };
   for (const { x, y } of path) include(box, x, y);
   return fitted(box, OF_PATH);
 }
 
-/** Fits a part of the floor into the picture; of what is seen around it nothing lies outside of the room. */
+/** Fits a part of the floor into the picture and clips the visible surroundings at the room. */
 function fitted(part: Box, { margin, maxScale }: typeof OF_GOAL, room?: Box): GoalViewport {
   const scale = Math.min(
     maxScale,
@@ -69,11 +69,11 @@ function fitted(part: Box, { margin, maxScale }: typeof OF_GOAL, room?: Box): Go
 
 const rounded = (value: number) => Math.round(value * 10) / 10;
 
-/** Points of a document or a recording. */
+/** Converts the points of a document or of a recorded run. */
 export const pointsOf = (path: readonly (readonly number[])[]): XY[] =>
   path.map(([x = 0, y = 0]) => ({ x, y }));
 
-/** The middle of a figure; its corners count once. */
+/** The mean of a figure's corners; each corner counts once, even if the line passes it twice. */
 export function middleOf(places: readonly XY[]): XY {
   const corners = [...new Map(places.map((place) => [`${place.x} ${place.y}`, place])).values()];
   const n = Math.max(1, corners.length);

@@ -4,11 +4,11 @@ import { type GoalViewport, pointsOf } from "./goal_viewport";
 
 interface GridProps {
   viewport: GoalViewport;
-  /** Distance of the lines, metres. */
+  /** Distance between the lines, metres. */
   every?: number;
 }
 
-/** The lines of the metre grid that are seen. */
+/** The visible lines of the metre grid. */
 export function Grid({ viewport: { box, toPixels }, every = 1 }: GridProps) {
   const [from, to] = [
     toPixels({ x: box.left, y: box.top }),
@@ -32,13 +32,13 @@ function stepsIn(from: number, to: number, every: number): number[] {
 interface LineProps {
   viewport: GoalViewport;
   points: readonly (readonly number[])[];
-  /** That of a pen; without it the line is where the robot drives. */
+  /** Colour of the pen; null for a line that the robot drives without a pen. */
   color?: string | null;
-  /** Whether an edge sets the line off from what is below it. */
+  /** Whether an edge separates the line from the drawing below it. */
   edged?: boolean;
 }
 
-/** What was or is to be driven or drawn. */
+/** A line that the robot drove or drew, or is to drive or draw. */
 export function Line({ viewport, points, color = null, edged = true }: LineProps) {
   const line = pointsOf(points)
     .map(viewport.toPixels)
@@ -52,7 +52,7 @@ export function Line({ viewport, points, color = null, edged = true }: LineProps
   );
 }
 
-/** Where a path began. */
+/** The start of a path. */
 export function StartMark({ at: { x, y } }: { at: XY }) {
   return <circle class="path-picture__start" cx={x} cy={y} r="5" />;
 }

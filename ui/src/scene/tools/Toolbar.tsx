@@ -25,9 +25,9 @@ const ZOOM_STEP = 1.4;
 interface ToolbarProps {
   scene(): SceneRenderer | null;
   tools: SceneTools;
-  /** Resets everything to the start; null where the floor has no reset. */
+  /** Resets everything to the start; null if the floor has no reset. */
   again: { readonly able: boolean; act(): void } | null;
-  /** The robot whose sensors can be displayed; null where none can. */
+  /** The robot whose sensors can be displayed; null if none can. */
   sensors: Robot | null;
   onPicture(): void;
 }

@@ -10,7 +10,7 @@ export type Measured =
   | { readonly kind: "distance"; readonly metres: number }
   | { readonly kind: "angle"; readonly degrees: number };
 
-/** Result of a tool's points: a distance, or the turn from the first ray to the second, positive to the left. */
+/** Measures the points of a tool: a distance, or the angle from the first ray to the second, positive to the left. */
 export function measured(tool: MeasureTool, points: readonly XY[]): Measured | null {
   const [a, b, c] = points;
   if (tool === "ruler") return a && b ? { kind: "distance", metres: distance(a, b) } : null;
@@ -19,7 +19,7 @@ export function measured(tool: MeasureTool, points: readonly XY[]): Measured | n
 
 export const distance = (a: XY, b: XY) => Math.hypot(b.x - a.x, b.y - a.y);
 
-/** Turn in degrees, in (-180, 180], from the ray through `from` to the ray through `to`. */
+/** Angle in degrees, in (-180, 180], from the ray through `from` to the ray through `to`. */
 export function turnBetween(corner: XY, from: XY, to: XY): number {
   const [ax, ay] = [from.x - corner.x, from.y - corner.y];
   const [bx, by] = [to.x - corner.x, to.y - corner.y];
@@ -40,7 +40,7 @@ export function snapped(point: XY, places: readonly XY[], reach: number): XY {
 const STEP_M = 0.1;
 const STEP_DEG = 15;
 
-/** Rounds to the start's grid: tenths of a metre; angles are in steps of 15 degrees. */
+/** Rounds to the grid of start poses: 0.1 m, and for angles 15 degrees. */
 export const onGrid = (metres: number) => Math.round(metres / STEP_M) / (1 / STEP_M);
 export const onTurn = (degrees: number) => Math.round(degrees / STEP_DEG) * STEP_DEG;
 

@@ -9,7 +9,7 @@ type Ctx = CanvasRenderingContext2D;
 
 const ARC_PX = 44;
 
-/** A measurement as text: "1,25 m", "90° à esquerda". */
+/** A measurement as text, such as "1,25 m" or "90° à esquerda". */
 export function measureText(
   result: Measured,
   { scene }: Pick<Texts, "scene">,

@@ -9,9 +9,9 @@ import type { SceneTools } from "./tools";
 /** A robot that can be dragged. */
 export interface Grip {
   readonly world: World | null;
-  /** Its pose; null while a run moves it. */
+  /** The robot's pose; null while a run moves the robot. */
   readonly here: Start | null;
-  /** The robot is at its start, where a handle turns it. */
+  /** Whether the robot is at its start, and so has a handle that turns it. */
   readonly isAtStart: boolean;
   put(start: Start): void;
 }
@@ -25,7 +25,7 @@ interface Floor {
   snapPoints(): XY[];
 }
 
-/** Touch radius in pixels, and the largest movement that still counts as a click. */
+/** Touch radius, and maximum movement of a click; pixels. */
 const REACH_PX = 22;
 const CLICK_PX = 6;
 const ROBOT_M = 0.24;
@@ -39,7 +39,7 @@ export function listenToPointer(floor: Floor): () => void {
   let last: XY = { x: 0, y: 0 };
   let far = 0;
   let dragStart: Start | null = null;
-  /** The current press set the first point. */
+  /** Whether the current press set the first point. */
   let fresh = false;
 
   const placeOf = (event: PointerEvent): XY => {
@@ -112,7 +112,7 @@ export function listenToPointer(floor: Floor): () => void {
   return listen(element, listeners, { passive: false });
 }
 
-/** Which drag a press at a place of the floor begins. */
+/** The kind of drag that a press at a point of the floor starts. */
 function holdAt(place: XY, { scene, grip }: Floor): Exclude<Mode, "measure"> {
   const robot = grip();
   const { here } = robot ?? {};
@@ -125,7 +125,7 @@ function holdAt(place: XY, { scene, grip }: Floor): Exclude<Mode, "measure"> {
   return near({ x: here.x_m, y: here.y_m }, reach) ? "move" : "pan";
 }
 
-/** A press sets the first point and a release each further one. Returns true for the first. */
+/** Sets the first point at a press; a release sets each further point. Returns true for the first. */
 function beginMeasure(tools: SceneTools, place: XY): boolean {
   const first = tools.points.peek().length === 0 || tools.isDone.peek();
   if (first) tools.set(place);
@@ -152,7 +152,7 @@ function measureKey(event: KeyboardEvent, { scene, tools }: Floor): boolean {
   return true;
 }
 
-/** Arrow keys move the start, comma and period turn it. */
+/** Arrow keys move the start; comma and period turn it. */
 function startKey({ key, shiftKey, ctrlKey }: KeyboardEvent, { grip }: Floor): boolean {
   const robot = grip();
   if (!robot?.here || ctrlKey || !isStartKey(key)) return false;

@@ -2,10 +2,10 @@ import type { Start, World } from "../../api/model";
 import { HANDLE_M, roomOf, type XY } from "../frames";
 import { onGrid, onTurn, turned } from "./measure";
 
-/** Smallest distance of the start from the outer walls. */
+/** Minimum distance of the start from the outer walls, metres. */
 const CLEAR_M = 0.3;
 
-/** Moves a start to a place, snapped to tenths of a metre unless `free`, and inside the outer walls. */
+/** Moves a start to a point inside the outer walls, snapped to 0.1 m unless `free`. */
 export function movedTo(start: Start, place: XY, world: World | null, free: boolean): Start {
   const room = roomOf(world);
   const clear = (value: number, low: number, high: number) => {
@@ -19,7 +19,7 @@ export function movedTo(start: Start, place: XY, world: World | null, free: bool
   };
 }
 
-/** Turns a start towards a place, in steps of 15 degrees unless `free`. */
+/** Turns a start towards a point, in steps of 15 degrees unless `free`. */
 export function facing(start: Start, place: XY, free: boolean): Start {
   const heading = (Math.atan2(place.y - start.y_m, place.x - start.x_m) * 180) / Math.PI;
   return { ...start, heading_deg: round(turned(free ? heading : onTurn(heading)), 1) };

@@ -5,7 +5,7 @@ import { type MeasureTool, measured, POINTS_OF } from "./measure";
 /** State of the measuring tools: the active tool, its points and its result. */
 export class SceneTools {
   readonly tool = signal<MeasureTool | null>(null);
-  /** Points that are set, world frame, metres. */
+  /** The points set so far, world frame, metres. */
   readonly points = signal<readonly XY[]>([]);
   /** Preview of the next point. */
   readonly draft = signal<XY | null>(null);
@@ -32,7 +32,7 @@ export class SceneTools {
     this.draft.value = null;
   }
 
-  /** Sets a point; after the tool's last point a new measurement begins. */
+  /** Sets a point; after the tool's last point, starts a new measurement. */
   set(point: XY): void {
     this.points.value = this.isDone.peek() ? [point] : [...this.points.peek(), point];
     this.draft.value = null;

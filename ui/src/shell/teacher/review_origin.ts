@@ -4,7 +4,7 @@ import { teacherSession } from "./teacher_session";
 
 export type ReviewOrigin = Extract<Route, { screen: "lesson" | "runs" }>;
 
-/** Screens opened from a page of the review, directly or through each other. */
+/** Screens that a page of the review opens, directly or through another of these screens. */
 const OPENED_FROM_REVIEW = ["replay", "versions", "differences", "compare"];
 
 /** The review page from which `now` was opened; null after any other screen. */

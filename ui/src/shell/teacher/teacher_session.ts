@@ -4,7 +4,7 @@ import { ApiError } from "../../api/errors";
 import type { TeacherSession } from "../../api/model";
 import { firstTeacherSession } from "../first_answers";
 
-/** Whether there is a PIN and the teacher is signed in, by the server's last response; null before it. */
+/** Whether a PIN exists and the teacher is signed in, by the server's last response; null before it. */
 export const teacherSession = signal<TeacherSession | null>(null);
 
 /** Whether the teacher was signed in when this window was last loaded. */
@@ -67,7 +67,7 @@ export async function asTeacher<T>(work: () => Promise<T>): Promise<T> {
     return await work();
   } catch (error) {
     if (!isSignedOut(error)) throw error;
-    // the refusal may arrive after the teacher has signed in: the PIN is not requested again
+    // if the refusal arrives after the teacher has signed in, the page does not ask for the PIN again
     if (teacherSession.peek()?.is_open && teacherSession.peek() !== before) return asTeacher(work);
     teacherSession.value = { has_pin: error.code !== "pin_missing", is_open: false };
     await new Promise<void>((resolve) => {

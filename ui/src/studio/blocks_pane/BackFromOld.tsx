@@ -4,7 +4,7 @@ import { UndoBanner } from "../../kit/UndoBanner";
 import { restoredFrom } from "../program/restored_from";
 import type { StudioControl } from "../studio_control";
 
-/** After an old version was restored: names the version that it replaced, with a link back to it. */
+/** Names the version that a restored old version replaced, with a link back to it. */
 export function BackFromOld({ control }: { control: StudioControl }) {
   const forget = () => {
     restoredFrom.value = null;

@@ -147,7 +147,7 @@ function Workspace({ control }: { control: StudioControl }) {
   const container = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor | null>(null);
 
-  // before the first paint, so that no empty frame is shown
+  // before the first paint, so that no empty frame appears
   useLayoutEffect(() => {
     if (!container.current) return;
     const made = createEditor({
@@ -188,7 +188,7 @@ function Workspace({ control }: { control: StudioControl }) {
     const now = editor.current;
     if (!now) return;
     now.setLanguage(language.value);
-    // saves again to get the faults in the new language
+    // saves again, because the response has the faults in the new language
     if (control.open.faults.value.length > 0) control.open.edit(now.content());
   }, [language.value, control]);
 
@@ -208,7 +208,7 @@ function openIn(editor: Editor, { open }: StudioControl): void {
     editor.load(open.program.version?.workspace ?? null);
     open.begin(editor.content());
   } catch {
-    // blocks of a newer release: shows nothing, and must not overwrite them
+    // blocks of a newer release: the editor shows nothing and must not overwrite them
     editor.setReadOnly(true);
     problem.value = { message: texts.value.studio.unreadable, remedy: "" };
   }

@@ -8,7 +8,7 @@ interface FaultListProps {
   onGo(fault: Fault): void;
 }
 
-/** The faults that keep the program from running; a click shows the block. */
+/** The faults of a program that cannot run; a click shows the block. */
 export function FaultList({ faults, onGo }: FaultListProps) {
   const { studio } = texts.value;
   if (faults.length === 0) return null;

@@ -4,7 +4,7 @@ import { texts } from "../../i18n";
 import { UndoBanner } from "../../kit/UndoBanner";
 import type { OpenProgram } from "../program/open_program";
 
-/** Reports that the open program was moved to the bin, in any window, and offers undo. */
+/** Reports that this or another window moved the open program to the bin, and offers undo. */
 export function InBin({ open }: { open: OpenProgram }) {
   const closed = useSignal(false);
   if (closed.value || !open.inBin.value || open.deleted.value) return null;

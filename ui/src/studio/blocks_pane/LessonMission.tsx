@@ -6,7 +6,7 @@ import { beginActivity } from "../../shell/begin_activity";
 import { lesson } from "../../shell/lesson";
 import type { OpenProgram } from "../program/open_program";
 
-/** Offers the activity of the lesson to a group that is at another program. */
+/** Offers the activity of the lesson to a group that has another program open. */
 export function LessonMission({ open }: { open: OpenProgram }) {
   const closedFor = useSignal<string | null>(null);
   const { value: now } = lesson;

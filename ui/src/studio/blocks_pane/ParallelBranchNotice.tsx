@@ -8,10 +8,10 @@ import { choose, setting } from "../../shell/settings";
 
 const acknowledged = setting("pinel_elsewhere");
 const SEPARATOR = "_";
-/** Enough for all groups of a school, and far below what a setting may hold. */
+/** Enough ids for all groups of a school, and far below the maximum length of a setting. */
 const MAX_IDS = 40;
 
-/** Two PCs have continued one program: tells the group once where the other version is. */
+/** If two PCs have continued one program, shows the group once where the other version is. */
 export function ParallelBranchNotice({ program }: { program: ProgramWithVersion }) {
   const { elsewhere, version } = program;
   const isHidden = useSignal(elsewhere === null || acknowledgedIds().includes(elsewhere.id));

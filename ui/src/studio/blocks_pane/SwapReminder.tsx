@@ -5,7 +5,7 @@ import { Button } from "../../kit/Button";
 import { isRunning } from "../../run/live";
 import { isSwapDue, restartSwapTimer, startSwapTimer } from "../../shell/swap_timer";
 
-/** Reminder to swap who has the mouse; hidden during a run. */
+/** Reminder that the pupils swap the mouse; hidden during a run. */
 export function SwapReminder({ group }: { group: string }) {
   const { classes } = texts.value;
   useEffect(() => startSwapTimer(group), [group]);

@@ -7,7 +7,7 @@ import { LIFELIKE } from "../program/setup";
 /** Ids of the blocks of the open program before which the run pauses. */
 export const breakpoints = signal<readonly string[]>([]);
 
-/** The settings that a new run of a program begins with. */
+/** The options with which a new run of a program starts. */
 export function runSettings({ setup }: OpenProgram, paused: boolean): robot.RunOptions {
   const { model, preset, feedback, speed } = setup.peek();
   // on the first level the choice is hidden, so an earlier choice must not apply
@@ -15,7 +15,7 @@ export function runSettings({ setup }: OpenProgram, paused: boolean): robot.RunO
   return { breakpoints: [...breakpoints.peek()], speed, paused, ...chosen };
 }
 
-/** Sends changes of these settings to the live run; returns the unsubscribe function. */
+/** Sends changes of breakpoints and speed to the live run; returns the unsubscribe function. */
 export function syncRunSettings(open: OpenProgram, report: (error: unknown) => void): () => void {
   let first = true;
   const speed = computed(() => open.setup.value.speed);

@@ -9,12 +9,12 @@ type Row = readonly [name: string, value: unknown];
 
 const MAX_SENSORS = 8;
 
-/** Measurements of the program's sensors while the run is paused. */
+/** Values of the program's sensors while the run is paused. */
 export const sensorValues = signal<readonly Row[]>([]);
 
 /** Reads the sensors at each pause of the run; returns the unsubscribe function. */
 export function watchSensors(documentThatRuns: () => unknown): () => void {
-  // telemetry continues for a moment after a pause and must not trigger another reading
+  // telemetry continues briefly after a pause and must not trigger another reading
   const pause = computed(() => {
     const { run, phase, seq } = robot.live.value;
     return phase === "paused" && run ? `${seq} ${run}` : null;

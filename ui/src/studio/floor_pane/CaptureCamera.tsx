@@ -14,7 +14,7 @@ interface CaptureCameraProps {
   onAnswer(result: string): void;
 }
 
-/** What the camera sees while the program waits for a sign, and the signs that the program knows what to do with. */
+/** The camera's picture and prediction while the program waits for a sign, and the expected signs. */
 export function CaptureCamera({ expected, onAnswer }: CaptureCameraProps) {
   const signState = signStateOf(sight.value);
   return (
@@ -41,7 +41,7 @@ interface ExpectedProps {
   onAnswer(result: string): void;
 }
 
-/** Each is a way to answer too; the last button turns the drawings to the other hand. */
+/** Buttons of the expected signs, which answer too; the last button mirrors the drawings to the other hand. */
 function Expected({ signs, signState, onAnswer }: ExpectedProps) {
   const { camera, capture } = texts.value;
   const detected = signState.kind === "sure" ? signState.best : null;

@@ -18,7 +18,7 @@ const { receive } = await import("../../camera/sight");
 const capture = { block: "b", timeoutS: 10, leftS: 7.2 };
 const onAnswer = vi.fn();
 
-/** A class that taught these signs. */
+/** Loads the sign list of a class that taught these signs. */
 const teachSigns = (...names: string[]) => {
   const taught = names.map((name) => ({
     name,

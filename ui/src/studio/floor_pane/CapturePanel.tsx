@@ -12,7 +12,10 @@ const load = async () => (await import("./CaptureCamera")).CaptureCamera;
 const CaptureCamera = lazy(load);
 const CameraChoice = lazy(async () => (await import("../../camera/CameraChoice")).CameraChoice);
 
-/** The program that is open will ask for a sign: camera and panel are ready by then. What fails now says so then. */
+/**
+ * Starts the camera and loads its panel before the open program asks for a sign. A failure here is
+ * reported only when the panel opens.
+ */
 export function prepareCapture(): void {
   warmUp();
   fetchPart(load).catch(() => {});
@@ -25,7 +28,7 @@ interface CapturePanelProps {
   onAnswer(result: string): void;
 }
 
-/** The program waits for a sign: the camera sees it, or the group says which one it was. */
+/** Panel while the program waits for a sign: the camera recognises the sign, or the group chooses it. */
 export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps) {
   const labels = texts.value.capture;
   useLayoutEffect(() => listenForSigns(onAnswer));

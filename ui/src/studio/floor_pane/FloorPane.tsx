@@ -26,7 +26,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
   useSignalEffect(() => {
     if (control.captures.value) prepareCapture();
   });
-  // whoever runs a program wants to see the floor
+  // the help replaces the floor, so a run closes the help
   useSignalEffect(() => {
     if (robot.isRunning.value) helpIsOpen.value = false;
   });
@@ -81,7 +81,7 @@ function Status({ control }: { control: StudioControl }) {
   return <StatusLine sentence={control.sentence.value} />;
 }
 
-/** The time of the run that is over. While it is live its room is kept, so that the floor does not jump at its end. */
+/** Time strip of the last run. A live run reserves its space, so that the floor does not jump at the end. */
 function RunTime({ control }: { control: StudioControl }) {
   const has = useComputed(() => control.mine.value && robot.live.value.phase !== "idle");
   const over = useComputed(() => !isLive(robot.live.value));

@@ -13,7 +13,7 @@ import { hashOf } from "../../shell/route";
 
 const DIRECTIONS: Readonly<Record<string, -1 | 1>> = { ArrowLeft: -1, ArrowRight: 1 };
 
-/** The time of the run that is over: shows its moments on the floor and in the blocks, until the group does something else. */
+/** Time strip of the last run: shows a chosen tick on the floor and in the blocks, until the group leaves it. */
 export function PastRun() {
   useEffect(returnsToEnd, []);
   const { work, replay } = texts.value;
@@ -39,7 +39,7 @@ export function PastRun() {
 }
 
 function Strip() {
-  record.revision.value; // the last samples may come after the end
+  record.revision.value; // subscribes: the last samples may arrive after the end of the run
   const { lastTick: end, stretches } = record;
   const tick = inspectedTick.value?.tick ?? end;
   const time = (ticks: number) => duration(ticks / 30, language.value);
@@ -63,7 +63,7 @@ function Strip() {
   );
 }
 
-/** A press or the focus outside of the floor's side, Escape, or another screen ends the moment. */
+/** Shows the end of the run again: at a press or focus outside the floor's pane, at Escape, at unmount. */
 function returnsToEnd(): () => void {
   const leave = ({ target }: Event) => {
     if (target instanceof Element && !target.closest(".floor")) inspectTick(null);

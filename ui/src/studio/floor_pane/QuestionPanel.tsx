@@ -6,7 +6,7 @@ import { Form } from "../../kit/Form";
 import type { Question } from "../../run/output";
 import { localizeNumbers } from "../../run/values";
 
-/** Maximum length of an answer, as in the server. */
+/** Maximum length of an answer in characters, as in the server. */
 const MAX_LENGTH = 1000;
 
 interface QuestionPanelProps {
@@ -65,7 +65,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
   );
 }
 
-/** Takes the focus unless the person is typing or editing blocks. */
+/** Focuses the field unless the person is typing or editing blocks. */
 function focusUnlessBusy(field: HTMLInputElement | null): void {
   const busy = document.activeElement?.closest("input, textarea, select, .injectionDiv");
   if (!busy) field?.focus();

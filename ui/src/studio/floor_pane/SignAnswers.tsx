@@ -5,7 +5,7 @@ import { Button } from "../../kit/Button";
 import { rove } from "../../kit/roving";
 import { Tabs } from "../../kit/Tabs";
 
-/** With more signs than these one looks for them by name. */
+/** If there are more signs, a field above them searches by name. */
 const MAX_WITHOUT_SEARCH = 12;
 
 interface SignAnswersProps {
@@ -14,7 +14,7 @@ interface SignAnswersProps {
   onAnswer(result: string): void;
 }
 
-/** A button for every answer: letters, signs that the class taught, signs that only the program knows, none. */
+/** A button for every answer: letters, taught signs of the class, other signs of the program, none. */
 export function SignAnswers({ expected, onAnswer }: SignAnswersProps) {
   const labels = texts.value.capture;
   const others = [...new Set([...signNames.value, ...expected])].filter(
@@ -62,7 +62,7 @@ interface SignsProps {
   onAnswer(result: string): void;
 }
 
-/** One stop of the Tab key; arrow keys go from sign to sign. Enter answers the first that was found. */
+/** A single stop of the Tab key; arrow keys go from sign to sign. Enter answers with the first match. */
 function Signs({ names, onAnswer }: SignsProps) {
   const labels = texts.value.capture;
   const query = useSignal("");
@@ -108,7 +108,7 @@ function folded(text: string): string {
 
 interface AnswerProps {
   result: string;
-  /** Where one of several is a stop of the Tab key. */
+  /** Set if only one of several buttons is a stop of the Tab key. */
   tabIndex?: number;
   onAnswer(result: string): void;
 }

@@ -33,8 +33,9 @@ interface StageProps {
 }
 
 /**
- * The floor with the program's output, and below it one panel: a question of the program, otherwise program text or
- * plots. There is room for two: a question has priority over text and plots, and edited text over the floor.
+ * The floor with the program's output, and below it one panel: a question of the program, else
+ * program text or plots. Two parts fit: a question has priority over text and plots, and edited
+ * text has priority over the floor.
  */
 export function Stage({ control, drawer }: StageProps) {
   const capturing = useComputed(() => robot.live.value.capture !== null);
@@ -125,7 +126,7 @@ function Corner({ control }: { control: StudioControl }) {
   );
 }
 
-/** A real robot drives in its room. */
+/** Corner of the floor for a real robot, which drives in its room: no world to choose. */
 function RoomCorner({ control }: { control: StudioControl }) {
   return (
     <div class="floor__corner">
@@ -136,7 +137,7 @@ function RoomCorner({ control }: { control: StudioControl }) {
   );
 }
 
-/** The room, and how a robot is that was heard: the header has room for that in wide windows only. */
+/** The room, and the state of a detected robot: the header shows this state in wide windows only. */
 function RoomStatus() {
   const { value: link } = movingLink;
   const state = link ? robotStates.value[link] : undefined;
@@ -150,7 +151,7 @@ function RoomStatus() {
   );
 }
 
-/** A mission determines the world. */
+/** Corner of the floor for a mission, which determines the world. */
 function MissionCorner({ control }: { control: StudioControl }) {
   const { world } = control.worlds;
   return (

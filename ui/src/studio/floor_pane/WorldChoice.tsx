@@ -8,7 +8,7 @@ interface WorldChoiceProps {
   world: string;
   /** Name of the group's own world; null without one. */
   own: string | null;
-  /** A run is going on: the world cannot change. */
+  /** Whether a run is live: the world cannot change meanwhile. */
   busy: boolean;
   onWorld(name: string): void;
 }

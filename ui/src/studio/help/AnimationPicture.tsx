@@ -12,11 +12,14 @@ import { usePlaying } from "./playing";
 
 interface AnimationPictureProps {
   animation: BlockAnimation;
-  /** What the block says. */
+  /** The text of the block. */
   label: string;
 }
 
-/** What the robot does at a block: plays once when it comes into view, and when pressed; still where motion is reduced. */
+/**
+ * Animation of the robot at a block. Plays once when it comes into view, and when pressed. With
+ * reduced motion, shows its end.
+ */
 export function AnimationPicture({ animation, label }: AnimationPictureProps) {
   const isStill = prefersStill();
   const { part, place, play } = usePlaying(animation, isStill);

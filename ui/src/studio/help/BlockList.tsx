@@ -12,7 +12,7 @@ interface BlockListProps {
   drawings: readonly BlockDrawing[];
 }
 
-/** Blocks as the palette draws them, with what the robot does at them; each can be put into the program. */
+/** Blocks as the toolbox draws them, each with its animation and a button that adds it to the program. */
 export function BlockList({ drawings }: BlockListProps) {
   return (
     <ul class="help__blocks">

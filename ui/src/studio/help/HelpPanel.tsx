@@ -23,7 +23,7 @@ import { TASK_NAMES } from "./tasks";
 const TABS = ["tasks", "blocks", "keys"] as const;
 type Tab = (typeof TABS)[number];
 
-/** What can be done, each block of the level, and the keys; a search in all of it. */
+/** The help: tasks, blocks of the level and keys, with a search in all of them. */
 export function HelpPanel({ control }: { control: StudioControl }) {
   const query = useSignal("");
   const tab = useSignal<Tab>("tasks");
@@ -48,7 +48,7 @@ export function HelpPanel({ control }: { control: StudioControl }) {
               class="help__body"
               key={tab.value}
               role="tabpanel"
-              // biome-ignore lint/a11y/noNoninteractiveTabindex: a list of keys scrolls too, and has nothing to focus
+              // biome-ignore lint/a11y/noNoninteractiveTabindex: a list of keys scrolls and has nothing else to focus
               tabIndex={0}
               aria-label={texts.value.help.tabs[tab.value]}
             >
@@ -65,7 +65,7 @@ function close(): void {
   helpIsOpen.value = false;
 }
 
-/** What all parts of the help show, drawn anew where the look of blocks changes. */
+/** Content of all parts of the help; draws the blocks again when their appearance changes. */
 function useContent(control: StudioControl): HelpContent {
   const drawings = useMemo(
     () =>
@@ -99,7 +99,7 @@ function Part({ tab, drawings }: { tab: Tab; drawings: BlockDrawings }) {
   return <KeyList query="" />;
 }
 
-/** Gets the focus when the help opens, and gives it back when the help closes. */
+/** Gets the focus when the help opens, and returns it when the help closes. */
 function Head({ query }: { query: Signal<string> }) {
   const { help, trouble } = texts.value;
   const field = useRef<HTMLInputElement>(null);

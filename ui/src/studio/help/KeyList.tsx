@@ -2,7 +2,7 @@ import { matchesAll, tokenize } from "../../blocks/toolbox/search";
 import { texts } from "../../i18n";
 import { keyGroups } from "./keys";
 
-/** The keys, or those whose words the query finds. */
+/** The keys; with a query, only the keys whose description matches. */
 export function KeyList({ query }: { query: string }) {
   const queryTerms = tokenize(query);
   const matches = (text: string) => matchesAll(text, queryTerms);

@@ -8,7 +8,7 @@ import { keyGroups } from "./keys";
 import { TaskList } from "./TaskList";
 import { TASK_NAMES } from "./tasks";
 
-/** What the query finds: blocks first, then what can be done, examples, keys. */
+/** Results of the query: blocks first, then tasks, examples and keys. */
 export function SearchResults({ query }: { query: string }) {
   const { drawings, examples } = useHelpContent();
   const { help } = texts.value;

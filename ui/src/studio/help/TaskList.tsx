@@ -4,7 +4,7 @@ import { ExampleList } from "./ExampleList";
 import { useHelpContent } from "./help_content";
 import { TASKS, type TaskName } from "./tasks";
 
-/** What can be done, with the blocks for it and with examples that open as copies. */
+/** Tasks, each with its blocks and with examples that open as copies. */
 export function TaskList({ names }: { names: readonly TaskName[] }) {
   return (
     <>

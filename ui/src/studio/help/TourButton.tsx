@@ -7,7 +7,7 @@ import { go } from "../../shell/route";
 import type { OpenProgram } from "../program/open_program";
 import { useHelpContent } from "./help_content";
 
-/** Begins the guided first drive again. */
+/** Starts the guided first drive again. */
 export function TourButton() {
   const { open } = useHelpContent();
   return (
@@ -17,7 +17,7 @@ export function TourButton() {
   );
 }
 
-/** In a program without blocks: the open one, else a new one, so that no work is in its way. */
+/** Starts it in a program without blocks: the open program if it is empty, else a new one. */
 async function begin(open: OpenProgram): Promise<void> {
   if (open.isEmpty && !open.mission.peek()) {
     helpIsOpen.value = false;

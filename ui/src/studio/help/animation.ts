@@ -2,32 +2,32 @@ import type { GoalPicture, World } from "../../api/model";
 import type { BlockType } from "../../blocks/definitions";
 import films from "./films.json";
 
-/** x and y in metres, heading in degrees without jumps; in the start frame. */
+/** x and y in metres, heading in degrees without jumps at 180; start frame. */
 type AnimationPose = readonly [x: number, y: number, heading: number];
 
-/** What the robot does at a block, as `python -m scripts.reference` has driven it in the simulator. */
+/** The robot's motion at a block, which `python -m scripts.reference` recorded in the simulator. */
 export interface BlockAnimation {
-  /** Duration in robot time. */
+  /** Duration in robot time, seconds. */
   readonly seconds: number;
   readonly poses: readonly AnimationPose[];
-  /** The pen was down from one pose to the other. */
+  /** Strokes of the pen: indices of the first and last pose with the pen down. */
   readonly strokes: readonly { color: string; from: number; to: number }[];
   readonly walls: World["walls"];
 }
 
-/** The film of a block; null for one that does not move the robot. */
+/** The animation of a block; null for a block that does not move the robot. */
 export function animationOf(type: BlockType): BlockAnimation | null {
   return (films as unknown as Partial<Record<BlockType, BlockAnimation>>)[type] ?? null;
 }
 
-/** A film is over after this time at the latest. */
+/** Maximum duration of an animation on the screen. */
 const MAX_DURATION_S = 4;
 
-/** Time that a film takes on the screen. */
+/** Duration of an animation on the screen, seconds. */
 export const screenSeconds = ({ seconds }: BlockAnimation): number =>
   Math.min(seconds, MAX_DURATION_S);
 
-/** The pose at a part of the film from 0 to 1. */
+/** The interpolated pose at a fraction of the animation, 0 to 1. */
 export function poseAt({ poses }: BlockAnimation, part: number): AnimationPose {
   const at = part * (poses.length - 1);
   const before = poses[Math.floor(at)] ?? [0, 0, 0];
@@ -36,7 +36,7 @@ export function poseAt({ poses }: BlockAnimation, part: number): AnimationPose {
   return [between(0), between(1), between(2)];
 }
 
-/** What was driven between two poses, as far as a part of the film goes. */
+/** The path between two poses, up to a fraction of the animation, 0 to 1. */
 export function driven(
   animation: BlockAnimation,
   part: number,
@@ -53,7 +53,7 @@ export function driven(
 
 const SIDE_M = 12;
 
-/** The floor of a film as that of a goal, which all of its way fits on. */
+/** The animation as a goal, for `GoalPicture`: the whole path fits on its floor. */
 export function floorOf({ poses, walls }: BlockAnimation): GoalPicture {
   const points = poses.map(([x, y]): [number, number] => [x, y]);
   const world = {

@@ -5,13 +5,13 @@ import type { BlockType } from "../../blocks/definitions";
 import type { BlockDrawings } from "../../editor/block_drawings";
 import type { OpenProgram } from "../program/open_program";
 
-/** What the parts of the help show, and what they do in the studio. */
+/** Content of the parts of the help, and their actions in the studio. */
 export interface HelpContent {
   readonly drawings: BlockDrawings;
-  /** Empty until they are loaded. */
+  /** The examples; empty until they are loaded. */
   readonly examples: readonly Example[];
   readonly open: OpenProgram;
-  /** Puts a block into the open program. */
+  /** Adds a block to the open program. */
   put(type: BlockType): void;
 }
 

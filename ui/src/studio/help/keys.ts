@@ -3,7 +3,7 @@ import { EMERGENCY_KEY } from "../../run/real/real_robot";
 import { ACTIONS } from "../run_bar/actions";
 
 export interface KeyRow {
-  /** Alternatives, each of keys pressed together. */
+  /** Alternatives; each is a combination of keys pressed together. */
   readonly keys: readonly string[];
   readonly description: string;
 }
@@ -11,11 +11,11 @@ export interface KeyRow {
 export interface KeyGroup {
   readonly title: string;
   readonly rows: readonly KeyRow[];
-  /** Keys that a sentence names. */
+  /** Sentences that name further keys. */
   readonly more?: readonly string[];
 }
 
-/** All keys of the studio. What a button does too is said in the words of the button. */
+/** All keys of the studio. If a button has the same action, the description is the text of the button. */
 export function keyGroups(texts: Texts): KeyGroup[] {
   const { keys } = texts.help;
   const { studio, scene } = texts;
@@ -46,7 +46,7 @@ const emergencyRow = ({ robot }: Texts): KeyRow => ({
   description: robot.emergencyHelp,
 });
 
-/** Actions that share a key share its row: one of them is possible at a time. */
+/** Rows of the run actions. Actions that share a key share a row: one of them is possible at a time. */
 function runRows(texts: Texts): KeyRow[] {
   const state = { phase: "idle", unable: false, inFunction: false, stepwise: true } as const;
   const rows = new Map<string, string[]>();

@@ -1,10 +1,10 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { type BlockAnimation, screenSeconds } from "./animation";
 
-/** As much of a film has to be in view before it plays. */
+/** Visible fraction of an animation at which it starts to play. */
 const IN_VIEW = 0.9;
 
-/** Plays a film once when it comes into view, and again when asked; a still film shows its end. */
+/** Plays an animation once when it comes into view, and again on request; if `isStill`, shows its end. */
 export function usePlaying(animation: BlockAnimation, isStill: boolean) {
   const [part, setPart] = useState(isStill ? 1 : 0);
   const place = useRef<HTMLButtonElement>(null);

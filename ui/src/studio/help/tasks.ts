@@ -1,6 +1,6 @@
 import type { BlockType } from "../../blocks/definitions";
 
-/** What pupils want to do, each with the blocks for it and with examples of it; words are in `texts.help.tasks`. */
+/** Tasks of pupils, each with its blocks and its examples; the texts are in `texts.help.tasks`. */
 export const TASKS = {
   drive: { blocks: ["move_forward", "turn", "arc", "go_to"], examples: ["spiral", "dice"] },
   draw: { blocks: ["pen_down", "pen_up", "mark"], examples: ["flower_of_arcs", "snowflake"] },

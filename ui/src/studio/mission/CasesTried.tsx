@@ -2,7 +2,7 @@ import { CircleAlert, CircleCheck } from "lucide-preact";
 import type { JudgedEvent } from "../../api/model";
 import { texts } from "../../i18n";
 
-/** The other signs, answers or starts with which the program was tried for the verdict. */
+/** The further signs, answers or starts with which the judge ran the program for the verdict. */
 export function CasesTried({ cases }: Pick<JudgedEvent, "cases">) {
   const { activity } = texts.value;
   const others = cases.filter(({ seen }) => !seen);

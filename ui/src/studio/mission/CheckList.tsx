@@ -8,7 +8,7 @@ const ICONS: Readonly<Record<CheckLine["state"], LucideIcon>> = {
   broken: CircleAlert,
 };
 
-/** What counts, line by line: fulfilled so far, not yet, or not in this run any more. */
+/** The checks, one a line: met so far, not yet met, or impossible to meet in this run. */
 export function CheckList({ checks }: { checks: readonly CheckLine[] }) {
   const { activity } = texts.value;
   return (

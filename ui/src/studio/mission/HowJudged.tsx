@@ -8,7 +8,7 @@ interface HowJudgedProps {
   verdict: JudgedEvent | null;
 }
 
-/** Of a real robot: by what its run was judged, or why not; before the run whether it will be. */
+/** For a real robot: how its run was judged or why not; before a run, whether it will be judged. */
 export function HowJudged({ mission, verdict }: HowJudgedProps) {
   if (verdict?.by_robot || verdict?.not_judged) return <VerdictLine of={verdict} />;
   if (!movingLink.value) return null;

@@ -14,12 +14,12 @@ import { CheckList } from "./CheckList";
 import { HowJudged } from "./HowJudged";
 import { Success } from "./Success";
 
-/** What the group is to solve: picture of the goal, story, what counts as a check list, hints. Folds to one line. */
+/** The mission of the group: picture of the goal, story, check list, hints. Folds to one line. */
 export function MissionCard({ control }: { control: StudioControl }) {
   const { open } = control;
   const folded = useSignal(false);
   useEffect(() => {
-    open.loadMission().catch(report); // its texts are in the language of the page
+    open.loadMission().catch(report); // the server sends its texts in the language of the page
   }, [open, language.value]);
   const { value: mission } = open.mission;
   const { value: setup } = open.setup;
@@ -66,7 +66,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
 interface MissionHeadProps {
   mission: Activity;
   done: boolean;
-  /** Of a folded card, which says how many of them are met; else null. */
+  /** The checks, if the card is folded and shows how many are met; else null. */
   checks: readonly CheckLine[] | null;
 }
 
@@ -89,7 +89,7 @@ function MissionHead({ mission, done, checks }: MissionHeadProps) {
   );
 }
 
-/** What the robot should do; with several cases also what counts in each, because the list only has what they share. */
+/** The story. With several cases, also the criteria: the check list only has checks that all cases share. */
 function Task({ mission: { story, criteria, n_cases } }: { mission: Activity }) {
   return (
     <>
@@ -105,7 +105,7 @@ interface HelpProps {
   done: boolean;
 }
 
-/** The hints, which are opened one after the other and stay open, and the block that the verdict is about. */
+/** The hints, which open one after the other and stay open, and a button to the block of the verdict. */
 function Help({ control, mission: { hints }, done }: HelpProps) {
   const { activity } = texts.value;
   const { open } = control;
@@ -134,7 +134,7 @@ function Help({ control, mission: { hints }, done }: HelpProps) {
   );
 }
 
-/** Leads to the block that the verdict is about, until the program is changed. */
+/** Button that shows the block of the verdict, until the group changes the program. */
 function ShowBlock({ control }: { control: StudioControl }) {
   if (!control.advice.value) return null;
   return (

@@ -10,7 +10,7 @@ import { hashOf } from "../../shell/route";
 import { judged } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 
-/** A moment to enjoy: what was achieved, a question to talk about, and where to go on. */
+/** Card after a passed mission: the result, a question to discuss, and the next steps. */
 export function Success({ open, mission }: { open: OpenProgram; mission: Activity }) {
   const { activity } = texts.value;
   const { next } = mission;
@@ -49,7 +49,7 @@ export function Success({ open, mission }: { open: OpenProgram; mission: Activit
   );
 }
 
-/** Success is heard where somebody has wanted it once. */
+/** Turns sound on or off: the fanfare only plays if somebody has turned sound on. */
 function Sound() {
   const { show } = texts.value;
   const isOn = isSoundTurnedOn.value;

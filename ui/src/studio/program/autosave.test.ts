@@ -6,7 +6,7 @@ import { Autosave } from "./autosave";
 const content = (n: number): EditorContent => ({ workspace: { n }, document: null });
 const version = (n: number): SavedState => ({ id: `v${n}`, faults: [] });
 
-/** A server that can be told to fail, and that remembers what it was sent. */
+/** A fake server that can be made to fail and records the content that it receives. */
 function server() {
   const sent: { content: EditorContent; last: boolean }[] = [];
   const state = { failing: false, slow: 0 };

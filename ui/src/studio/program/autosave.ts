@@ -7,7 +7,7 @@ export type SaveState = "saved" | "saving" | "failed" | "deleted";
 
 type Save = (content: EditorContent, last: boolean) => Promise<SavedState>;
 
-/** Debounce after the last edit and its upper bound, so that continuous edits are on disk within a second. */
+/** Debounce after the last edit, and its upper bound: continuous edits are on disk within a second. */
 const QUIET_MS = 300;
 const MAX_DELAY_MS = 600;
 const RETRY_MS = [1000, 2000, 5000];

@@ -25,11 +25,11 @@ export class OpenProgram {
   readonly content = signal<EditorContent | null>(null);
   readonly faults = signal<Fault[]>([]);
   readonly ownWorld: OwnWorld;
-  /** What it is to solve; null without an activity, or for one of a newer release. */
+  /** The activity of the program; null without one, or if only a newer release knows it. */
   readonly mission = signal<Activity | null>(null);
-  /** Where and how it runs. */
+  /** World, robot and other settings of the program's runs. */
   readonly setup: Signal<Setup>;
-  /** Whether the program or its group was deleted for good in another window; the screen keeps its content. */
+  /** Whether another window deleted the program or its group for good; the screen keeps its content. */
   readonly deleted = signal<"program" | "group" | null>(null);
   readonly inBin: Signal<boolean>;
   readonly windows: Windows;
@@ -70,7 +70,7 @@ export class OpenProgram {
     if (this.program.version) this.setStoredVersion(this.program.version.id);
   }
 
-  /** Records that the current content is that version: the next edit has it as its parent. */
+  /** Records that a version stores the current content: the next edit has that version as its parent. */
   setStoredVersion(version: string): void {
     const { value: content } = this.content;
     if (content) this.lineage.add(this.whole(content), version);
@@ -92,7 +92,7 @@ export class OpenProgram {
     if (activity) this.mission.value = await knownActivity(activity);
   }
 
-  /** Changes where and how the program runs. */
+  /** Changes settings of the program's runs. */
   changeSetup(changes: Partial<Setup>): void {
     this.setup.value = { ...this.setup.peek(), ...changes };
     this.save();
@@ -110,7 +110,7 @@ export class OpenProgram {
     this.autosave.dispose();
   }
 
-  /** Finds out what was deleted, and removes it from the header. */
+  /** Finds out whether the program or its group was deleted, and removes it from the header. */
   private async onDeleted(): Promise<void> {
     const groups = await api.groups().catch(() => null);
     const isGroupHere = groups?.some(({ id }) => id === this.program.group_id) ?? true;
@@ -121,7 +121,8 @@ export class OpenProgram {
   }
 
   private async saveVersion(content: EditorContent, last: boolean): Promise<SavedVersion> {
-    // a closing page may send before the response to its last save: without a parent the server takes the newest version
+    // A closing page may send before the response to its last save. Without a parent in the
+    // request, the server takes the newest version as the parent.
     const parent = this.windows.isSending ? undefined : this.lineage.of(content);
     const saved = await this.windows.trackSave(() =>
       api.saveVersion(this.id, parent ? { ...content, parent_id: parent } : content, last),
@@ -131,7 +132,7 @@ export class OpenProgram {
     return saved;
   }
 
-  /** Follows changes of the program in other windows. */
+  /** Listens to changes of the program in other windows. */
   private listen(): () => void {
     const last = changed.peek();
     return changed.subscribe((event) => {
@@ -146,13 +147,13 @@ export class OpenProgram {
     if (content) this.autosave.edit(this.whole(content));
   }
 
-  /** The editor's content with what else belongs to the program. */
+  /** The editor's content with the program's world and setup. */
   private whole(content: EditorContent): EditorContent {
     return { ...content, world: this.ownWorld.now.peek(), setup: this.setup.peek() };
   }
 }
 
-/** An activity, or null for one that only a newer release knows. */
+/** An activity; null if only a newer release knows it. */
 async function knownActivity(name: string): Promise<Activity | null> {
   try {
     return await activitiesApi.one(name);
@@ -164,7 +165,7 @@ async function knownActivity(name: string): Promise<Activity | null> {
 
 export const opened = signal<OpenProgram | null>(null);
 
-/** Incremented to load the open program anew from the server. */
+/** Incremented to load the open program again from the server. */
 export const reloads = signal(0);
 
 /** Saves the current content, then shows the newest version. */
@@ -179,9 +180,9 @@ export const programOnScreen = computed(() => {
   return now.screen === "studio" && now.program === opened.value?.id ? opened.value : null;
 });
 
-/** Handles a program that failed to open: the header must not name another one. */
+/** Handles a program that failed to open: the header must not name another program. */
 export function couldNotOpen(error: unknown): void {
-  // after a lost server the unsaved content of the open program is sent when the page closes
+  // if the server is unreachable, a closing page still sends the open program's unsaved content
   if (!(error instanceof ServerUnreachable)) opened.value = null;
   group.value = null;
   program.value = null;

@@ -6,7 +6,7 @@ import { OwnWorld } from "./own_world";
 const VALID = { name: "sound" } as World;
 const FAULTY = { name: "faulty" } as World;
 
-/** A server that takes no world called faulty, and remembers which ones it was sent. */
+/** A fake server that rejects worlds named "faulty" and records the worlds that it receives. */
 function server() {
   const sent: (World | null)[] = [];
   const save = async (world: World | null): Promise<SavedState> => {
@@ -17,7 +17,7 @@ function server() {
   return { sent, save };
 }
 
-/** A check that comes too late to say anything. */
+/** A check that finds no fault, so that the save itself must find it. */
 const nothing = async () => [];
 
 beforeEach(() => sessionStorage.clear());

@@ -6,8 +6,9 @@ import type { Fault, SavedState, World } from "../../api/model";
 type Check = (world: World) => Promise<readonly Fault[]>;
 
 /**
- * The group's own world of a program. The server rejects worlds with faults: until they are corrected, blocks are saved
- * with the last accepted world, and the faulty one is a draft in session storage, which survives a reload.
+ * The group's own world of a program. The server rejects a world with faults. Until the faults are
+ * corrected, blocks are saved with the last accepted world. The faulty world is a draft in session
+ * storage, which survives a reload.
  */
 export class OwnWorld {
   /** The current world; null without one. */
@@ -31,12 +32,12 @@ export class OwnWorld {
     this.close = effect(() => storeDraft(key, this.isRefused.value ? this.now.value : null));
   }
 
-  /** Marks a world that the server has rejected: it is not sent again. */
+  /** Marks the current world as rejected by the server: it is not sent again. */
   refuse(world: World): void {
     if (world === this.now.peek()) this.refused.value = world;
   }
 
-  /** Saves with a world, or with the last accepted one if it has faults; with `last` without checking it first. */
+  /** Saves with a world, or with the last accepted world if it has faults. If `last`, does not check it first. */
   async saveWith(
     world: World | null,
     save: (world: World | null) => Promise<SavedState>,

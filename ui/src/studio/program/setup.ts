@@ -13,7 +13,7 @@ export const LIFELIKE = {
 
 export type LifelikeName = keyof typeof LIFELIKE;
 
-/** Where and how a version runs; of a version of an earlier release its own world, if it has one. */
+/** The setup of a version. A version of an earlier release has no setup: its own world, else defaults. */
 export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup {
   const world = version?.world ? OWN_WORLD : DEFAULT_WORLD;
   return (
@@ -29,7 +29,7 @@ export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup
   );
 }
 
-/** The robot setting of a setup, as the page names it. */
+/** The page's name for the preset and feedback of a setup. */
 export function lifelikeOf({ preset, feedback }: Setup): LifelikeName {
   if (preset === "ideal") return "ideal";
   return feedback === "pose" ? "camera" : "wheels";

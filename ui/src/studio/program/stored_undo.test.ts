@@ -4,7 +4,7 @@ import { versionsApi } from "../../api/versions";
 import type { OpenProgram } from "./open_program";
 import { StoredUndo } from "./stored_undo";
 
-/** A program whose versions are these; the last is the newest. */
+/** A program with these versions; the last is the newest. */
 function program(versions: { id: string; parent: string | null; n: number }[]) {
   const stored = (id: string) => {
     const at = versions.findIndex((one) => one.id === id);

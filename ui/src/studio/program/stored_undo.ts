@@ -2,7 +2,7 @@ import type { VersionOfProgram } from "../../api/model";
 import { versionsApi } from "../../api/versions";
 import type { OpenProgram } from "./open_program";
 
-/** Continues undo through stored versions after the undo stack of the session is empty. */
+/** Continues undo with stored versions once the undo stack of the session is empty. */
 export class StoredUndo {
   private walking = false;
   private atBeginning = false;
@@ -10,8 +10,9 @@ export class StoredUndo {
   constructor(private readonly open: OpenProgram) {}
 
   /**
-   * Offers the ancestors of the shown version to `take`, newest first, until it returns true. It returns false for a
-   * version that looks the same, such as a saved undo. Before the first version the workspace is null.
+   * Passes the ancestors of the shown version to `tryRestore`, newest first, until it returns true.
+   * `tryRestore` returns false for a version that looks the same, such as a saved undo. After the
+   * first version it gets null, for an empty workspace.
    */
   async back(tryRestore: (workspace: object | null) => boolean): Promise<void> {
     if (this.walking || this.atBeginning) return;
@@ -31,7 +32,7 @@ export class StoredUndo {
     }
   }
 
-  /** Id of the parent; for versions of earlier releases, which record none, that of the preceding version. */
+  /** Id of the parent; for a version of an earlier release, which records no parent, the preceding version. */
   private async behind({ id, parent_id, number }: VersionOfProgram): Promise<string | null> {
     if (parent_id || number === 1) return parent_id;
     return versionsApi.before(this.open.id, id);

@@ -1,4 +1,4 @@
-/** Limit of remembered contents, which are large. */
+/** Maximum number of stored contents, which are large. */
 const MAX_CONTENTS = 64;
 
 interface StoredContent {
@@ -8,9 +8,9 @@ interface StoredContent {
 }
 
 /**
- * Maps the contents of this session to their stored versions. Content that equals an earlier version, for example after
- * undo, has that version as its parent. New content has the version last shown in this window as its parent, whatever
- * other windows have saved meanwhile.
+ * Maps the contents of this session to their stored versions. If content equals an earlier version,
+ * for example after undo, that version is the parent. The parent of new content is the version that
+ * this window showed last, even if other windows have saved meanwhile.
  */
 export class VersionLineage {
   private readonly ids = new Map<string, string>();
@@ -27,7 +27,7 @@ export class VersionLineage {
     }
   }
 
-  /** The version with that content; for new content the version last shown here. */
+  /** The version with a content; for new content, the version that this window showed last. */
   of(content: StoredContent): string | undefined {
     return this.ids.get(keyOf(content)) ?? this.last;
   }

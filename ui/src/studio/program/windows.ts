@@ -23,7 +23,7 @@ export class Windows {
     return this.sending > 0;
   }
 
-  /** Handles the event of a saved version; the event of an own version may precede the response of its save. */
+  /** Handles the event of a saved version. The event of an own version may precede the response to its save. */
   receive(version: string): void {
     if (this.isSending) this.pendingVersions.push(version);
     else this.judge(version);
@@ -56,7 +56,7 @@ export class Windows {
     if (known === null || known < version) this.other.value = version;
   }
 
-  /** Ids of the store increase with time. */
+  /** Records the newest version; ids of the store increase with time. */
   private reach(version: string): void {
     if (this.newest.peek() < version) this.newest.value = version;
   }

@@ -8,11 +8,11 @@ import { Form } from "../../kit/Form";
 import { chosenRobot, isChecked } from "../../run/real/real_robot";
 import type { StudioControl } from "../studio_control";
 
-/** The check list before a real robot moves for the first time; Run opens it, over the blocks: the floor stays in sight. */
+/** The check list before a real robot moves for the first time. Run opens it over the blocks, not the floor. */
 export function BeforeRun({ control }: { control: StudioControl }) {
   const link = chosenRobot.value?.link;
   const asked = control.asksBefore.value;
-  // of another robot, Run asks anew
+  // for another robot, Run opens the check list again
   useEffect(() => () => close(control), [link]);
   return asked && link ? <CheckList control={control} paused={asked.paused} /> : null;
 }
@@ -74,7 +74,7 @@ function CheckList({ control, paused }: CheckListProps) {
 interface PointProps {
   text: string;
   index: number;
-  /** The points that were checked off; another language changes nothing about them. */
+  /** Indices of the points that were checked off: they stay when the language changes. */
   done: Signal<readonly number[]>;
 }
 
@@ -101,7 +101,7 @@ function speedText(): string {
   return texts.value.robot.before.speed(speed(max_v_mps), speed(slow_v_mps));
 }
 
-/** Focuses the first field of the element, and at its end what had the focus before. */
+/** Focuses the first field of the element; at unmount, focuses the previous element again. */
 function useFocusInside() {
   const inside = useRef<HTMLDivElement>(null);
   useEffect(() => {

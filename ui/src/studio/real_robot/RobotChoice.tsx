@@ -8,7 +8,7 @@ import { robotStates } from "../../run/real/robot_state";
 import { stateText } from "../../run/real/state_text";
 import { isLive } from "../../run/reducer";
 
-/** The simulator or a real robot; shown where the teacher has set up one. */
+/** The simulator or a real robot; shown if the teacher has set one up. */
 export function RobotChoice() {
   const { robot: labels } = texts.value;
   const ready = realRobots.value.filter((one) => one.is_set_up);

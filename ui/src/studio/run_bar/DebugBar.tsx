@@ -35,7 +35,7 @@ export function DebugBar(props: ActionsProps) {
   );
 }
 
-/** Selects how fast the time of the simulator passes; a real robot has its own. */
+/** Selects the speed of simulated time; a real robot runs in real time. */
 function SpeedChoice({ open }: { open: OpenProgram }) {
   const { debug } = texts.value;
   return (

@@ -21,7 +21,7 @@ const key = (name: string, modifiers: object = {}) => ({
   ...modifiers,
 });
 
-/** What an action does, in words. */
+/** The calls that an action makes, as texts. */
 function performed(name: string, now: RunState): string[] {
   const done: string[] = [];
   const control = {

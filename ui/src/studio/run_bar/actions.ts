@@ -15,18 +15,18 @@ import type { StudioControl } from "../studio_control";
 /** State that enables and disables actions. */
 export interface RunState {
   readonly phase: Phase;
-  /** Run is disabled; the status line shows the reason. */
+  /** Whether Run is disabled; the status line shows the reason. */
   readonly unable: boolean;
-  /** The run is paused inside a function, so "step out" is possible. */
+  /** Whether the run is paused inside a function, so that "step out" is possible. */
   readonly inFunction: boolean;
-  /** The step buttons are shown. */
+  /** Whether the step buttons are shown. */
   readonly stepwise: boolean;
 }
 
 /** An action on a run, used by buttons and keyboard. */
 export interface RunAction {
   readonly name: string;
-  /** In the form of `keyOf`. */
+  /** The key, in the form of `keyOf`. */
   readonly shortcut: string;
   readonly testId: string;
   icon(state: RunState): LucideIcon;

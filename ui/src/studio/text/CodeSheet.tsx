@@ -10,11 +10,11 @@ interface CodeSheetProps {
   faulty?: ReadonlySet<number>;
   label: string;
   testId?: string;
-  /** Overlay that takes the keyboard input. */
+  /** Overlay that receives the keyboard input. */
   children?: ComponentChildren;
 }
 
-/** Lines around the running one that stay visible too. */
+/** Number of lines before and after the running line that stay visible. */
 const AROUND = 2;
 
 /** Python text with line numbers. */

@@ -120,7 +120,7 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
         {name === "fine" && <CircleCheck class="icon" aria-hidden="true" />}
         {label}
       </p>
-      {/* hidden with faults, which need the room */}
+      {/* hidden if there are faults, which need the space */}
       <p id="python-keys" class={name === "unchanged" ? "aside" : "visually-hidden"}>
         {python.keys}
       </p>

@@ -17,7 +17,7 @@ interface PythonPaneProps {
   running: ActiveBlock | null;
   editing: boolean;
   onEditing(editing: boolean): void;
-  /** Replaces the blocks by those of a text without faults. */
+  /** Replaces the blocks by the blocks of a text without faults. */
   onPlace(document: object): Promise<void>;
 }
 
@@ -92,7 +92,7 @@ function Written({ document, written, running }: WrittenProps) {
   );
 }
 
-/** The text shown without a program. */
+/** The text shown if there is no Python text. */
 function insteadOfText(document: object | null, written: WrittenPython | null): string {
   const { python } = texts.value;
   if (!document || !written) return "";
@@ -101,7 +101,7 @@ function insteadOfText(document: object | null, written: WrittenPython | null): 
   return commands.length + functions.length === 0 ? python.empty : "";
 }
 
-/** The line of the running command. Pointers change with edits, ids of blocks do not. */
+/** The line of the running command. Edits change pointers, so the id of the block is compared first. */
 function lineOf(lines: WrittenPython["lines"], { block, pointer }: ActiveBlock): number | null {
   const ofBlock = lines.filter((line) => line.block === block);
   return (ofBlock.find((line) => line.pointer === pointer) ?? ofBlock[0])?.line ?? null;

@@ -32,7 +32,7 @@ function make(field: HTMLTextAreaElement, edit: Edit): void {
   const { from, to, text, after } = edit(value, { start: selectionStart, end: selectionEnd });
   if (value.slice(from, to) === text) return;
   field.setSelectionRange(from, to);
-  // the only way to edit that preserves the browser's undo stack
+  // deprecated, but the only edit that preserves the browser's undo stack
   if (!document.execCommand("insertText", false, text)) {
     field.setRangeText(text);
     field.dispatchEvent(new InputEvent("input", { bubbles: true }));

@@ -10,10 +10,13 @@ import { type Progress, STEPS, type Step } from "./steps";
 import { useTargets } from "./targets";
 import { Tour } from "./tour";
 
-/** The activity that the tour ends with. */
+/** The activity with which the tour ends. */
 const FIRST_MISSION = "to_the_bakery";
 
-/** The guided first drive: one balloon beside a ring. It takes no focus and covers nothing that a step needs. */
+/**
+ * The guided first drive: a balloon beside a ring. It takes the focus from no other element and
+ * covers nothing that a step needs.
+ */
 export function TourBalloon({ control }: { control: StudioControl }) {
   const tour = useInstance(() => new Tour(control));
   const balloon = useRef<HTMLElement>(null);
@@ -64,7 +67,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
   );
 }
 
-/** Follows the steps for those who use the keyboard, unless they are at something already. */
+/** Focuses the balloon at each step, for keyboard users, unless another element has the focus. */
 function useFocus(balloon: { readonly current: HTMLElement | null }, step: Step): void {
   useEffect(() => {
     if (document.activeElement !== document.body) return;
@@ -94,7 +97,7 @@ function stepText({ step, isOther }: Progress): string {
   }
 }
 
-/** What a block is called: its words up to its first value. */
+/** The name of a block: its text up to its first value. */
 function blockName(key: TextKey): string {
   return texts.value.blocks[key].replace(/^%1 /, "").replace(/ ?%.*/, "");
 }

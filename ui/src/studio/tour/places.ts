@@ -6,7 +6,7 @@ export interface Box {
   readonly height: number;
 }
 
-/** Between the balloon and what it is beside, and around a ring. */
+/** Gap between the balloon and the box beside it, and margin of a ring; pixels. */
 const GAP = 12;
 const RING = 4;
 
@@ -19,16 +19,17 @@ export const ringOf = ({ x, y, width, height }: Box): Box => ({
 
 interface BalloonPlacement {
   size: Pick<Box, "width" | "height">;
-  /** What the balloon is to stand beside. */
+  /** The box beside which the balloon is placed. */
   beside: Box;
-  /** What it must not cover, because it is needed for the step. */
+  /** Boxes that the step needs, so that the balloon must not cover them. */
   free: readonly Box[];
   window: Pick<Box, "width" | "height">;
 }
 
 /**
- * Corner of a balloon beside a part of the page: below, left, right or above, the first place that lies in the window
- * and covers nothing that is needed; where there is none, the lower edge of the window.
+ * Upper left corner of a balloon beside a part of the page. Tries below, left, right and above, and
+ * takes the first position inside the window that covers no box of `free`. If none exists, takes the
+ * lower edge of the window.
  */
 export function placeBeside({ size, beside, free, window }: BalloonPlacement): {
   x: number;
@@ -52,7 +53,7 @@ export function placeBeside({ size, beside, free, window }: BalloonPlacement): {
   return places.find(fits) ?? { x, y: max.y };
 }
 
-/** What two boxes have in common. */
+/** The intersection of two boxes; null if they do not overlap. */
 export function shared(one: Box, other: Box): Box | null {
   const [x, y] = [Math.max(one.x, other.x), Math.max(one.y, other.y)];
   const width = Math.min(one.x + one.width, other.x + other.width) - x;

@@ -4,7 +4,7 @@ import { advanced, after, beginning, type Progress, STEPS, type StudioState } fr
 const NOTHING: StudioState = { actions: [], run: null, isRunning: false };
 const stateWith = (more: Partial<StudioState>): StudioState => ({ ...NOTHING, ...more });
 
-/** The steps that the pupils come to, one after each state of the studio. */
+/** The steps that the pupils reach, one after each state of the studio. */
 function walk(...states: StudioState[]): string[] {
   let now: Progress = after(beginning(NOTHING), NOTHING);
   return states.map((state) => {

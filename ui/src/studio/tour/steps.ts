@@ -3,7 +3,7 @@ export const STEPS = ["hello", "move", "run", "watch", "turn", "again", "end"] a
 
 export type Step = (typeof STEPS)[number];
 
-/** What a pupil has done so far, as the studio knows it. */
+/** The pupils' progress so far, as far as the studio knows it. */
 export interface StudioState {
   /** Actions of the commands directly under the start block, in order. */
   readonly actions: readonly string[];
@@ -14,13 +14,16 @@ export interface StudioState {
 
 export interface Progress {
   readonly step: Step;
-  /** Another block was put than the one that the step named. */
+  /** Whether the pupils added another block than the step asked for. */
   readonly isOther: boolean;
-  /** The blocks as the step began, and the run before the one that the step is about. */
+  /** The commands at the start of the step, and the last run before the run that the step asks for. */
   readonly since: Pick<StudioState, "actions" | "run">;
 }
 
-/** Begins at a step, the first one or that of a page that was loaded again: a run that nobody sees is repeated. */
+/**
+ * Progress at the start of the tour, or at the stored step after a reload of the page. A reload
+ * ends the step `watch`, so the run is repeated.
+ */
 export const beginning = ({ actions, run }: StudioState, step: Step = "hello"): Progress => ({
   step: step === "watch" ? "run" : step,
   isOther: false,
@@ -29,10 +32,10 @@ export const beginning = ({ actions, run }: StudioState, step: Step = "hello"): 
 
 export const isStep = (name: string | null): name is Step => STEPS.some((step) => step === name);
 
-/** The block that a step asks for. */
+/** The command that a step asks for. */
 const EXPECTED_ACTIONS: Partial<Record<Step, string>> = { move: "move_forward", turn: "turn" };
 
-/** The commands that are there now and were not before. */
+/** The commands of `now` that are not in `before`. */
 function put(before: readonly string[], now: readonly string[]): string[] {
   const left = [...before];
   return now.filter((action) => {
@@ -42,12 +45,12 @@ function put(before: readonly string[], now: readonly string[]): string[] {
   });
 }
 
-/** The next step; of the last one the last. */
+/** Progress at the next step; the last step follows itself. */
 export function after({ step, since, isOther }: Progress, { actions, run }: StudioState): Progress {
   const expected = EXPECTED_ACTIONS[step];
   return {
     step: STEPS[STEPS.indexOf(step) + 1] ?? "end",
-    // what was said of the block holds for its run
+    // a remark about the other block also applies to the step of its run
     isOther: expected ? !put(since.actions, actions).includes(expected) : step === "run" && isOther,
     since: {
       actions: step === "hello" ? since.actions : actions,
@@ -56,7 +59,7 @@ export function after({ step, since, isOther }: Progress, { actions, run }: Stud
   };
 }
 
-/** Where the pupils are after what they have done: a step is over once it is done, however it was done. */
+/** Progress in a state of the studio: skips each step that is done, by whatever means. */
 export function advanced(progress: Progress, state: StudioState): Progress {
   return isDone(progress, state) ? advanced(after(progress, state), state) : progress;
 }
@@ -64,7 +67,7 @@ export function advanced(progress: Progress, state: StudioState): Progress {
 function isDone({ step, since }: Progress, { actions, run, isRunning }: StudioState): boolean {
   const isNewRun = run !== null && run !== since.run;
   switch (step) {
-    case "hello": // whoever takes a block needs no greeting
+    case "hello": // pupils who add a block need no greeting
     case "move":
     case "turn":
       return put(since.actions, actions).length > 0;

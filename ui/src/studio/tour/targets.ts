@@ -5,23 +5,23 @@ import type { StudioControl } from "../studio_control";
 import { type Box, placeBeside, ringOf, shared } from "./places";
 import type { Step } from "./steps";
 
-/** Things of the page move without telling: floor, palette and blocks are looked at this often. */
+/** Floor, flyout and blocks move without an event, so their positions are polled at this interval. */
 const POLL_INTERVAL_MS = 200;
 
-/** Left free below the program, where the block is dropped. */
+/** Free space below the program, where the pupils drop the block. */
 const DROP_SPACE_PX = 56;
 
 interface Targets {
   readonly rings: readonly Box[];
-  /** Of the balloon. */
+  /** Upper left corner of the balloon. */
   readonly corner: { readonly x: number; readonly y: number };
-  /** A drag to show by a hand: its beginning and its way. */
+  /** A drag that an animated hand shows: its start and its displacement, pixels. */
   readonly drag: { x: number; y: number; right: number; down: number } | null;
 }
 
 const NOWHERE: Targets = { rings: [], corner: { x: -9999, y: 0 }, drag: null };
 
-/** Where rings, balloon and hand of a step stand at the moment. */
+/** Current positions of the rings, the balloon and the hand of a step. */
 export function useTargets(
   step: Step,
   control: StudioControl,
@@ -79,14 +79,14 @@ function partsOf(step: Step, control: StudioControl): Parts {
   }
 }
 
-/** The block that runs, and the floor. */
+/** Rings around the running block and the floor. */
 function driving({ editor }: StudioControl): Parts {
   return {
     rings: [inEditor(boxOf(editor?.elements.running())), boxOf(byId("scene"))].filter(isThere),
   };
 }
 
-/** From the block in the palette, or its category, to the end of the program. */
+/** A drag from the block in the flyout, or its category, to the end of the program. */
 function dragParts(type: "move_forward" | "turn", { editor }: StudioControl): Parts {
   const from = boxOf(editor?.elements.offered(type));
   const program = boxOf(editor?.elements.program());
@@ -95,7 +95,7 @@ function dragParts(type: "move_forward" | "turn", { editor }: StudioControl): Pa
   const x = from.x + Math.min(48, from.width / 2);
   const y = from.y + from.height / 2;
   const drag = { x, y, right: program.x + 48 - x, down: program.y + program.height - 24 - y };
-  // in narrow windows the palette lies over the program, until a block is taken
+  // in narrow windows the flyout covers the program until the pupils drag a block
   if (flyout && shared(flyout, program)) return { rings: [from], beside: flyout, drag };
   const ring = inEditor(program);
   return {
@@ -111,13 +111,13 @@ const boxes = (...elements: (Element | null)[]): Box[] => elements.map(boxOf).fi
 
 const isThere = (box: Box | null): box is Box => box !== null;
 
-/** Of a block the part that the editor shows. */
+/** The part of a block that is visible in the editor. */
 function inEditor(block: Box | null): Box | null {
   const pane = boxOf(byId("editor"));
   return block && pane && shared(block, pane);
 }
 
-/** Whole pixels, because drawings of blocks move by fractions. */
+/** The box of an element in whole pixels: drawings of blocks move by fractions of a pixel. */
 function boxOf(element: Element | null | undefined): Box | null {
   if (!element) return null;
   const { x, y, width, height } = element.getBoundingClientRect();

@@ -5,13 +5,13 @@ import { report } from "../../shell/session";
 import type { StudioControl } from "../studio_control";
 import { advanced, after, beginning, isStep, type Progress, type StudioState } from "./steps";
 
-/** After this time in a step the pupils may have it shown. */
+/** After this time in a step, the tour offers to do the step for the pupils. */
 const SHOW_AFTER_MS = 20_000;
 
-/** The guided first drive in a studio: where the pupils are, and what shows them the step. */
+/** State of the guided first drive in a studio: the pupils' progress, and the actions of the balloon. */
 export class Tour {
   readonly progress = signal<Progress>(beginning({ actions: [], run: null, isRunning: false }));
-  /** The step has lasted so long that it can be shown. */
+  /** Whether the tour offers to do the step: the step has lasted `SHOW_AFTER_MS`. */
   readonly canShow = signal(false);
   private readonly stops: (() => void)[];
   private timer = 0;
@@ -29,12 +29,12 @@ export class Tour {
     this.wait();
   }
 
-  /** Goes on from a step that has nothing to do. */
+  /** Goes to the next step, from a step that asks for no action. */
   next(): void {
     this.setProgress(after(this.progress.peek(), this.studioState()));
   }
 
-  /** Does what the step asks for. */
+  /** Performs the action of the step for the pupils. */
   show(): void {
     const { step } = this.progress.peek();
     const { editor } = this.control;
@@ -43,7 +43,7 @@ export class Tour {
     if (step === "run" || step === "again") this.control.run().catch(report);
   }
 
-  /** Leaves it, at any step; what was built stays. */
+  /** Ends the tour, at any step; the blocks stay. */
   end(): void {
     tourFor.value = null;
   }

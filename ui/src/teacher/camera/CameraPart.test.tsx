@@ -20,7 +20,7 @@ afterEach(() => {
 
 const findings = () => screen.getAllByTestId("camera-point").map((one) => one.dataset.finding);
 const isReady = () => screen.getByTestId("camera-ready").dataset.ready;
-/** A hand that fills this part of the picture's height. */
+/** A hand with a height of `part`, as a fraction of the picture's height. */
 const tall = (part: number, top = 0.05) =>
   hand({ points: Array.from({ length: 21 }, (_, n) => [0.5, top + (part * n) / 20]) });
 

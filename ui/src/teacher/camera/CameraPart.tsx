@@ -6,7 +6,10 @@ import { texts } from "../../i18n";
 import { useInstance } from "../../kit/instance";
 import { CameraCheck, POINTS, type Point, type PointStatus } from "./camera_check";
 
-/** The teacher tries the camera before a lesson: what it sees, and whether it serves. It is on while this is shown. */
+/**
+ * Camera check before a lesson: the picture, and whether it is good enough. The camera is on while
+ * this part is shown.
+ */
 export function CameraPart() {
   const check = useInstance(() => new CameraCheck());
   const { camera: labels } = texts.value.teacher;

@@ -3,23 +3,23 @@ import type { CameraSightEvent, SeenSign } from "../../api/model";
 import { type CameraNow, camera, sight } from "../../camera/sight";
 import { signStateOf } from "../../camera/sign_state";
 
-/** What is tried before a lesson, in the order in which one thing needs the other. */
+/** Points of the camera check, in order: each needs the points before it. */
 export const POINTS = ["picture", "light", "distance", "sign"] as const;
 export type Point = (typeof POINTS)[number];
 
-/** How a point stands; `open` where nothing is known yet. */
+/** Status of a point; `open` while nothing is known. */
 export type PointStatus = "good" | "open" | "missing" | "frozen" | "dark" | "far" | "near";
 
-/** Parts of the picture's height. A smaller hand has some 70 pixels or less, and is missed now and then. */
+/** Fraction of the picture's height. A smaller hand has about 70 pixels or less and is sometimes not detected. */
 const MIN_HAND_SIZE = 0.15;
-/** A larger one has no room to move. */
+/** Fraction of the picture's height. A larger hand cannot move without leaving the picture. */
 const MAX_HAND_SIZE = 0.85;
 
 const DARK = new Set(["camera_dark", "camera_black"]);
 
-/** Whether the camera serves for a lesson. What was seen of a hand stays true while the camera works. */
+/** Checks whether the camera is good enough for a lesson. Results of a hand stay while the camera works. */
 export class CameraCheck {
-  /** The sign that was seen for certain last; "" before there was one. */
+  /** The last sign that was recognised with certainty; "" before the first. */
   readonly sign = signal("");
   private readonly distance = signal<PointStatus>("open");
   readonly statuses = computed<Readonly<Record<Point, PointStatus>>>(() => ({
@@ -60,7 +60,7 @@ function lightOf({ mode, problem }: CameraNow): PointStatus {
   return mode === "on" ? "good" : "open";
 }
 
-/** By the larger side of the hand; joints at the edge of the picture are near too. */
+/** Rates the distance by the larger side of the hand. A hand with joints outside the picture is near too. */
 function distanceOf({ points }: SeenSign, aspect: number): PointStatus {
   const xs = points.map(([x = 0]) => x);
   const ys = points.map(([, y = 0]) => y);

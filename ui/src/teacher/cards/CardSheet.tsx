@@ -14,7 +14,7 @@ interface CardSheetProps {
   elementRef: Ref<HTMLElement>;
 }
 
-/** The paper: each card so many times, with lines to cut along. */
+/** The printed sheet: `copies` of each card, with lines to cut along. */
 export function CardSheet({ list, copies, ink, elementRef }: CardSheetProps) {
   const labels = texts.value.plan.cards;
   return (

@@ -17,7 +17,7 @@ const COPIES = [1, 2, 3, 4, 6, 8] as const;
 
 type Ink = "lines" | "colours";
 
-/** Cards of blocks to cut out, as they come on paper. */
+/** Cards of blocks to cut out, as the print shows them. */
 export function CardsScreen() {
   const { plan } = texts.value;
   const labels = plan.cards;
@@ -62,7 +62,7 @@ interface CardOptionsProps {
   ink: Signal<Ink>;
 }
 
-/** Which cards, how many of each, and in which ink. */
+/** Selects the cards, the number of copies, and the ink. */
 function CardOptions({ list, copies, ink }: CardOptionsProps) {
   const labels = texts.value.plan.cards;
   return (

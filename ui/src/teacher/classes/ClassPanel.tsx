@@ -12,7 +12,7 @@ import type { School } from "../school";
 import { ClassGroup } from "./ClassGroup";
 
 interface ClassPanelProps {
-  /** Id of the class; `NO_CLASS` for the groups without one. */
+  /** Id of the class; `NO_CLASS` for the groups without a class. */
   id: string;
   school: School;
   reload(): Promise<void>;

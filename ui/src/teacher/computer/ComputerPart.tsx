@@ -6,7 +6,7 @@ import { ComputerName } from "./ComputerName";
 import { NewPin } from "./NewPin";
 import { SettingChoice } from "./SettingChoice";
 
-/** The settings of this PC: its name, the PIN, how often pupils take turns. */
+/** The settings of this PC, such as its name, the PIN and the swap interval of pupils. */
 export function ComputerPart() {
   const { computer: labels } = texts.value.teacher;
   const computer = useLoaded("computer", () => classesApi.computer());

@@ -4,11 +4,11 @@ interface SettingChoiceProps<Name extends SettingName> {
   name: Name;
   title: string;
   hint: string;
-  /** What each of its values is called, in their order. */
+  /** Labels of the values, in their order. */
   options: Readonly<Record<SettingValues[Name], string>>;
 }
 
-/** Radio group for a setting of this PC that has a few values. */
+/** Radio group for a setting of this PC with few values. */
 export function SettingChoice<Name extends SettingName>(props: SettingChoiceProps<Name>) {
   const { name, title, hint, options } = props;
   const chosen = setting(name);

@@ -9,7 +9,7 @@ interface ConfirmDeletionProps {
   confirmId: string;
   onConfirm(): unknown;
   onCancel(): void;
-  /** What will be deleted. */
+  /** Description of the data that will be deleted. */
   children: ComponentChildren;
 }
 

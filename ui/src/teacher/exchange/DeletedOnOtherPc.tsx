@@ -11,7 +11,7 @@ interface DeletedOnOtherPcProps {
   onDecline(): void;
 }
 
-/** Asks whether what another PC deleted goes here too; what was moved or is newer here is marked to be kept. */
+/** Asks whether to apply another PC's deletion here. Preselects moved and newer work, to be retained. */
 export function DeletedOnOtherPc({
   computer,
   pending,
@@ -59,7 +59,7 @@ interface WorkRowProps {
   onToggle(): void;
 }
 
-/** A group or program that can be kept, with what was unknown where it was deleted. */
+/** A group or program that can be retained, with its work that the deleting PC did not have. */
 function WorkRow({ work, isRetained, onToggle }: WorkRowProps) {
   const labels = texts.value.exchange;
   const news = newsOf(work, labels);

@@ -18,7 +18,7 @@ interface DeletionProps {
   children?: ComponentChildren;
 }
 
-/** Deletes a group or the whole class for good, after showing what will be lost. */
+/** Deletes a group or the whole class for good, after showing the number of lost programs and runs. */
 export function Deletion({ classroom, groups, onDone, children }: DeletionProps) {
   const [chosen, setChosen] = useState("");
   const { fault, act } = useAction(asTeacher);
@@ -69,7 +69,7 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
   );
 }
 
-/** How many programs and runs will be lost. */
+/** Text about the programs and runs that will be lost. */
 function lossText(name: string, groups: readonly Group[]): string {
   const labels = texts.value.exchange;
   const total = (count: (group: Group) => number) =>

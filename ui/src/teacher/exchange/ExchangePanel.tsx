@@ -16,7 +16,7 @@ import { useMerging } from "./useMerging";
 /** Polling interval for sticks. */
 const POLL_MS = 4000;
 
-/** Merging from and exporting to sticks and the shared folder, and the PCs whose work is here. */
+/** Merges from and exports to sticks and the shared folder; lists the PCs whose work this PC has. */
 export function ExchangePanel() {
   const places = useTeacherLoaded("places", () => exchange.folders());
   const known = useTeacherLoaded("known", loadKnown);
@@ -33,7 +33,7 @@ export function ExchangePanel() {
 
 type Known = Awaited<ReturnType<typeof loadKnown>>;
 
-/** The PCs whose work is here, and the classes. */
+/** Loads the PCs whose work this PC has, and the classes. */
 async function loadKnown() {
   const [knownComputers, classes] = await Promise.all([
     exchange.knownComputers(),
@@ -50,13 +50,13 @@ interface BoxesProps {
 
 function Boxes({ found: { folders, shared, takes_backups }, places, known }: BoxesProps) {
   const saved = useSignal<Saved | null>(null);
-  // a plugged-in stick appears; the first request has already reported a failure
+  // shows a newly plugged-in stick; ignores failures, because the first request reports them
   usePolling(() => exchange.folders().then(places.set, () => {}), { everyMs: POLL_MS });
   const loadAll = async () => {
     await Promise.all([places.again(), known.again()]);
   };
   const merging = useMerging(loadAll);
-  /** Results of one folder must not be shown under another. */
+  /** Clears the results, which must not appear under another folder. */
   const forgetAnswers = () => {
     merging.forget();
     saved.value = null;

@@ -43,7 +43,7 @@ interface FileRowProps {
   onToggle(): void;
 }
 
-/** A bundle file. An anonymous one is marked: merging it duplicates groups. */
+/** A bundle file. Marks an anonymous bundle, because merging it duplicates groups. */
 function FileRow({ file, isChosen, onToggle }: FileRowProps) {
   const labels = texts.value.exchange;
   return (

@@ -6,11 +6,11 @@ import { Unconfirmed } from "./Unconfirmed";
 
 interface KnownComputersProps {
   knownComputers: KnownComputerList;
-  /** Loads anew. */
+  /** Loads the list again. */
   onAgain(): Promise<void>;
 }
 
-/** The PCs whose work is here, with the time of the last merge. */
+/** The PCs whose work this PC has, with the time of the last merge. */
 export function KnownComputers({ knownComputers, onAgain }: KnownComputersProps) {
   const { computers, unconfirmed } = knownComputers;
   usePolling(onAgain, { isOn: unconfirmed.waiting > 0 });

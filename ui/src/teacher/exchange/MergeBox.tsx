@@ -17,7 +17,7 @@ interface MergeBoxProps {
   onReload(): Promise<void>;
 }
 
-/** Merges files of sticks; all but anonymous ones are selected initially. */
+/** Merges files of sticks; all except anonymous files are selected initially. */
 export function MergeBox({ folders, merging, undecided, onReload }: MergeBoxProps) {
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
   const { results, progress, mergeAll, deleteToo, declineDeletion } = merging;

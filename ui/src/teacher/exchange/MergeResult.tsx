@@ -8,9 +8,9 @@ import { outcome } from "./outcome";
 
 interface MergeResultProps {
   merged: Merged;
-  /** It is a lesson file, whose lesson is not open yet. */
+  /** Whether the file is a lesson file whose lesson is not open yet. */
   isLesson: boolean;
-  /** Deletes what the other PC deleted, but for these groups and programs. */
+  /** Applies the deletion of the other PC, except for these groups and programs. */
   onDelete(retained: readonly string[]): Promise<void>;
   onDecline(): void;
 }

@@ -61,7 +61,7 @@ export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
   );
 }
 
-/** Work that the file lacks, as other PCs would refuse it. */
+/** Notice about work that the file lacks, because other PCs would refuse it. */
 function LeftOut({ of: { message, remedy } }: { of: Notice }) {
   return (
     <p role="alert" class="notice-box" data-testid="export-left-out">

@@ -10,15 +10,15 @@ import { asTeacher } from "../../shell/teacher/teacher_session";
 
 interface SharedFolderProps {
   path: string;
-  /** Whether copies of this PC's backups go there. */
+  /** Whether the folder gets copies of this PC's backups. */
   storesBackups: boolean;
-  /** Whether it is reachable now. */
+  /** Whether the folder is reachable now. */
   isReachable: boolean;
   onChoose(): void;
   onChosen(places: FolderList): void;
 }
 
-/** A network folder that is used like a stick. */
+/** A network folder, used like a stick. */
 export function SharedFolder(props: SharedFolderProps) {
   const { path, storesBackups, isReachable, onChoose, onChosen } = props;
   const typed = useSignal(path);
@@ -75,7 +75,7 @@ interface BackupsTickProps {
   onTick(isTicked: boolean): void;
 }
 
-/** Whether the folder also takes copies of this PC's backups. */
+/** Check box: whether the folder also gets copies of this PC's backups. */
 function BackupsTick({ isTicked, onTick }: BackupsTickProps) {
   const labels = texts.value.exchange;
   return (

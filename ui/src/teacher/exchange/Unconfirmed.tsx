@@ -5,7 +5,7 @@ interface UnconfirmedProps {
   counts: KnownComputerList["unconfirmed"];
 }
 
-/** How many runs of files wait to be checked, and how many did not come out as their file says. */
+/** Numbers of merged runs that await re-verification, that differed from their file, or cannot be repeated. */
 export function Unconfirmed({ counts }: UnconfirmedProps) {
   const { unconfirmed: labels } = texts.value.exchange;
   const wrong = counts.differs + counts.not_passed;

@@ -6,11 +6,11 @@ import { counted } from "./outcome";
 
 interface UndecidedProps {
   deletions: KnownComputerList["undecided"];
-  /** Merges the file again, which asks again. */
+  /** Merges the file again, so that the question appears again. */
   onAsk(path: string): Promise<void>;
 }
 
-/** What was deleted on other PCs and is still here, as nobody has decided about it. */
+/** Unresolved deletions of other PCs: this PC still has the data, because nobody has decided. */
 export function Undecided({ deletions, onAsk }: UndecidedProps) {
   const labels = texts.value.exchange;
   if (deletions.length === 0) return null;

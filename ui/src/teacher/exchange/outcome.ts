@@ -70,7 +70,7 @@ function textWithCounts(parts: string, format: (parts: string) => string, rest: 
   return parts ? format(parts) : rest;
 }
 
-/** Where a group is now, and what of it was unknown to the PC that deleted it; "" for nothing. */
+/** Text about a group's new place, and about work that the deleting PC did not have; "" without either. */
 export function newsOf(
   work: PendingWork,
   texts: Pick<

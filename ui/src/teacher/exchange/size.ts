@@ -3,7 +3,7 @@ import { decimal } from "../../i18n/format";
 
 const UNITS = ["KB", "MB", "GB", "TB"] as const;
 
-/** Bytes in words: "340 KB", "1,2 GB". 0 is "0 KB"; any other size is at least 1 KB. */
+/** A size as text, such as "340 KB" or "1,2 GB". 0 is "0 KB"; any other size is at least 1 KB. */
 export function size(bytes: number, language: Language): string {
   let value = bytes > 0 ? Math.max(1, bytes / 1000) : 0;
   let unit = 0;

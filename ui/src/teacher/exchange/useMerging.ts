@@ -9,7 +9,7 @@ export type Merging = ReturnType<typeof useMerging>;
 /** Merges files in sequence; `results` has an entry for each. */
 export function useMerging(onMerged: () => Promise<void>) {
   const results = useSignal<Merged[]>([]);
-  /** Number of times that results were cleared: those of an earlier merging are not shown. */
+  /** Number of times that results were cleared. Results of an earlier merge are not shown. */
   const turn = useRef(0);
   const progress = useSignal<{ n: number; of: number } | null>(null);
   const replace = (merged: Merged) => {
@@ -37,7 +37,10 @@ export function useMerging(onMerged: () => Promise<void>) {
     const merged = await asTeacher(() => exchange.merge(path, retained));
     if (merged) replace(merged);
   };
-  /** Applies the deletions of the other PC, but for what is kept. Files without news before may have some now. */
+  /**
+   * Applies the deletion of the other PC, except for retained work. Then merges the files again that
+   * had nothing new before: the deletion may have changed this.
+   */
   const deleteToo = async (deletedBy: string, retained: readonly string[]) => {
     await mergeAgain(deletedBy, retained);
     for (const { path, nothing_new, problem } of results.value) {

@@ -17,7 +17,7 @@ interface ClassPresetProps {
   onChanged(): Promise<void>;
 }
 
-/** With what the groups of a class begin; each choice is saved at once. */
+/** The preset of a class: settings with which its groups start. Each choice is saved at once. */
 export function ClassPreset({ classroom, preset, activities, onChanged }: ClassPresetProps) {
   const { preset: labels } = texts.value.making;
   const { fault, act } = useAction(asTeacher);
@@ -88,7 +88,7 @@ function Swap({ minutes, onChange }: SwapProps) {
   );
 }
 
-/** Shipped worlds, and those of activities that were made here in a world of their own. */
+/** Shipped worlds, and the own worlds of activities that were made on this PC. */
 function worldOptions(
   activities: readonly ActivityChoice[],
   worldOf: (title: string) => string,

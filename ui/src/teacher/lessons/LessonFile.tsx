@@ -14,12 +14,12 @@ import { OpenLessonFile, openedText } from "../../work/OpenLessonFile";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 
 interface LessonFileProps {
-  /** The open lesson; null without one, when there is nothing to save. */
+  /** The open lesson; null without one, so that there is nothing to save. */
   lesson: Lesson | null;
   onOpened(): Promise<void>;
 }
 
-/** Saves the file that prepares other PCs for the open lesson, and opens one. */
+/** Saves the file that prepares other PCs for the open lesson; opens a lesson file. */
 export function LessonFile({ lesson, onOpened }: LessonFileProps) {
   const { file: labels } = texts.value.making;
   const folders = useTeacherLoaded("folders", async () => (await exchange.folders()).folders);

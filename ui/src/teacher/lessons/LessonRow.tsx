@@ -14,7 +14,7 @@ import { titleOf } from "./lessons";
 interface LessonRowProps {
   lesson: Lesson;
   onChanged(): Promise<void>;
-  /** Joined to the lesson above. */
+  /** Whether the lesson is joined to the lesson above. */
   isPart?: boolean;
   /** Content before the title. */
   children?: ComponentChildren;

@@ -18,7 +18,7 @@ interface LessonsPartProps {
   reload(): Promise<void>;
 }
 
-/** The open lesson of each class, and its earlier ones. */
+/** The open lesson of each class, and its earlier lessons. */
 export function LessonsPart({ school: { classes, groups }, reload }: LessonsPartProps) {
   const { lessons: labels } = texts.value.teacher;
   const shown = shownClass(classroom.value, classes, groups);
@@ -92,7 +92,7 @@ function ClassLessons({ id }: ClassLessonsProps) {
   );
 }
 
-/** The lessons of a class, the open one, what is set for the class, and the titles of activities in the language of the page. */
+/** Loads the lessons of a class, its open lesson, its preset, and the activities in the language of the page. */
 async function loadLessons(id: string) {
   const [lessons, now, activities] = await Promise.all([
     classesApi.lessons(id),

@@ -17,9 +17,9 @@ import { useDraft } from "../useDraft";
 interface OpenLessonProps {
   classroom: string;
   activities: readonly ActivityChoice[];
-  /** Name of the activity that is set for the class, or "". */
+  /** Name of the activity in the preset of the class, or "". */
   proposed: string;
-  /** Another lesson is open; opening this one closes it. */
+  /** Whether another lesson is open: opening a lesson closes the other lesson. */
   another: boolean;
   onOpened(): Promise<void>;
 }
@@ -76,7 +76,7 @@ export function OpenLesson(props: OpenLessonProps) {
   );
 }
 
-/** Own activities first. */
+/** Activities as option groups, own activities first. */
 function groupsOf(activities: readonly ActivityChoice[]) {
   const { activity, teacher } = texts.value;
   const options = (own: boolean) =>

@@ -7,7 +7,7 @@ export interface LessonGroup {
   parts: Lesson[];
 }
 
-/** Lessons in order, each with its parts; a part without its lesson is listed alone. */
+/** Lessons in order, each with its parts; a part whose lesson is missing is listed alone. */
 export function withParts(lessons: readonly Lesson[]): LessonGroup[] {
   const ids = new Set(lessons.map((one) => one.id));
   const isPart = (one: Lesson) => one.part_of !== null && ids.has(one.part_of);
@@ -16,7 +16,7 @@ export function withParts(lessons: readonly Lesson[]): LessonGroup[] {
     .map((lesson) => ({ lesson, parts: lessons.filter((one) => one.part_of === lesson.id) }));
 }
 
-/** The lesson that the others will be joined to: the first with a title, else the oldest. */
+/** The lesson to which the others will be joined: the first with a title, else the oldest. */
 export function whole(lessons: readonly Lesson[]): Lesson | undefined {
   const oldestFirst = [...lessons].sort((a, b) => (a.opened_at < b.opened_at ? -1 : 1));
   return oldestFirst.find((one) => one.title) ?? oldestFirst[0];

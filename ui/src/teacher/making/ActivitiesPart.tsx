@@ -11,10 +11,10 @@ import { useTeacherLoaded } from "../useTeacherLoaded";
 import { ActivityForm } from "./ActivityForm";
 import { OwnActivityRow } from "./OwnActivityRow";
 
-/** What is in the form: an activity, or "new"; null without a form. */
+/** Content of the form: an activity, or "new"; null without a form. */
 type InForm = OwnActivityToEdit | "new" | null;
 
-/** The activities that were made here, and the form that makes one. */
+/** The activities that were made on this PC, and the form for an activity. */
 export function ActivitiesPart() {
   const { making: labels } = texts.value;
   const found = useTeacherLoaded(language.value, loadAll);

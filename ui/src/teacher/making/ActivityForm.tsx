@@ -69,7 +69,7 @@ export function ActivityForm({ activity, groups, onSaved, onCancel }: ActivityFo
   );
 }
 
-/** What is kept: without a text of its own, what counts is said by the checks. */
+/** The activity to save. If the teacher wrote no criteria, their text is derived from the checks. */
 function completed(editor: ActivityEditor) {
   const { value: draft } = editor.draft;
   const { value: choices } = editor.choices;

@@ -11,7 +11,7 @@ import {
   shownNumber,
 } from "./check_choices";
 
-/** What counts: checks in words, with the numbers of the solution to begin with. */
+/** Selects the checks of the activity. Their parameters start with the values of the solution. */
 export function ChecksPart({ editor }: { editor: ActivityEditor }) {
   const { making: labels } = texts.value;
   const { value: proposal } = editor.proposal;
@@ -89,7 +89,7 @@ interface FieldOfProps extends Pick<Chosen, "check"> {
   onValue(value: number | string): void;
 }
 
-/** A number, a place, or the text that is to be said. */
+/** Input for a parameter: a number, a place, or the expected text. */
 function FieldOf({ field, check, label, zones, onValue }: FieldOfProps) {
   const { numbers } = texts.value.making;
   const text = String(check[field.key]);

@@ -10,7 +10,7 @@ interface OwnActivityRowProps {
   onDelete(): Promise<void>;
 }
 
-/** An activity that was made here; one that this release cannot use says why. */
+/** An activity that was made on this PC; shows the reason if this release cannot use it. */
 export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowProps) {
   const { making: labels } = texts.value;
   const { title, goal_picture, problem } = activity;

@@ -1,6 +1,6 @@
 import { useId } from "preact/hooks";
 
-/** Letters that a text of an activity may have (pinel_desktop/activities/model.py). */
+/** Maximum length of an activity's text in characters, as in pinel_desktop/activities/model.py. */
 const MAX_LENGTH = 1000;
 
 interface TextAreaProps {

@@ -10,7 +10,7 @@ import { criteriaOf } from "./criteria";
 import { blocksNotOffered } from "./level_notices";
 import { TextArea } from "./TextArea";
 
-/** Title, story, what counts, hints and the question afterwards. */
+/** Fields for title, story, criteria, hints and the question after the run. */
 export function TextsPart({ editor }: { editor: ActivityEditor }) {
   const { making: labels } = texts.value;
   const { title, story, question } = editor.written.value;
@@ -44,7 +44,7 @@ export function TextsPart({ editor }: { editor: ActivityEditor }) {
   );
 }
 
-/** Without a text of its own the card says what was chosen. */
+/** Field for the criteria; if it is empty, the mission card describes the chosen checks. */
 function Criteria({ editor }: { editor: ActivityEditor }) {
   const { making: labels } = texts.value;
   const { value: choices } = editor.choices;

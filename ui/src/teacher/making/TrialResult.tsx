@@ -3,7 +3,7 @@ import type { Trial, Trials } from "../../api/model";
 import { texts } from "../../i18n";
 import { FaultLine } from "../../kit/requests/FaultLine";
 
-/** What the trial said: the solution must pass, a program without commands must not, under both robots. */
+/** Result of the trial: the solution must pass and a program without commands must fail, on both robots. */
 export function TrialResult({ trials: { faults, trials } }: { trials: Trials }) {
   const { trial: labels } = texts.value.making;
   const isRight = faults.length === 0 && trials.every((one) => one.is_right);

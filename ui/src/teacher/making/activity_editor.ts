@@ -37,7 +37,7 @@ type Stage = Pick<OwnActivityDraft, "solution" | "world">;
 
 const NOTHING: Written = { title: "", story: "", criteria: "", hints: ["", "", ""], question: "" };
 
-/** An activity while a teacher makes it: solution, checks, texts, and what the trial said. */
+/** State of the activity form: solution, checks, texts, and the result of the trial. */
 export class ActivityEditor {
   readonly id: string | null;
   readonly written = signal<Written>(NOTHING);
@@ -55,7 +55,7 @@ export class ActivityEditor {
   readonly trials = signal<Trials | null>(null);
   private others: readonly Check[] = [];
 
-  /** What the form would keep; null without a solution that runs. */
+  /** The activity that the form would save; null without a solution that runs. */
   readonly draft = computed<OwnActivityDraft | null>(() => {
     const { value: stage } = this.stage;
     const { value: choices } = this.choices;
@@ -89,7 +89,7 @@ export class ActivityEditor {
     this.trials.value = null;
   }
 
-  /** Takes a program as the solution, in the world in which it runs. Returns whether it can be one. */
+  /** Sets a program as the solution, in the world of its runs. Returns false for a program without commands. */
   async setProgram(id: string): Promise<boolean> {
     const { version } = await api.program(id);
     if (!version?.document || isEmpty(version.document)) return false;
@@ -156,7 +156,7 @@ const isEmpty = (document: object) => {
   return !commands || commands.length === 0;
 };
 
-/** The world of a version's runs: its name, or a document where the group made or moved something. */
+/** The world of a version's runs: its name, or a document if the group made the world or moved the start. */
 function worldOf({ setup, world }: Version): Stage["world"] {
   const name = setup?.world ?? (world ? OWN_WORLD : DEFAULT_WORLD);
   const shipped = worlds.peek().find((one) => one.name === name);

@@ -11,13 +11,13 @@ import {
 
 type MakingTexts = Texts["making"];
 
-/** What counts, in pupils' words with numbers; "" where nothing was chosen. */
+/** The chosen checks as a text for pupils, with values; "" if none is chosen. */
 export function criteriaOf(choices: Choices, texts: MakingTexts): string {
   const parts = chosen(choices).map(([kind, { check }]) => partOf(kind, check, texts));
   return parts.length > 0 ? texts.counts(parts.join("; ")) : "";
 }
 
-/** The words of a kind, which take what the form shows of it in the order of its fields. */
+/** The text of a check. Its function gets the values of the form's fields, in their order. */
 function partOf(kind: CheckKind, check: Check, texts: MakingTexts): string {
   const text: unknown = texts.criteria[kind];
   if (typeof text !== "function") return String(text);

@@ -1,12 +1,12 @@
 import type { Level } from "../../blocks/definition";
 import { ALL_DEFINITIONS } from "../../blocks/definitions";
 
-/** Words between quotation marks of any kind. */
+/** Text between quotation marks of any kind. */
 const QUOTED = /[“"„«‘']([^“”"„«»‘’']{2,60})[”"»’']/g;
 
 /**
- * Names of blocks in a hint that its level does not offer: what stands in quotation marks and begins a block's words.
- * `labelOf` gives the words on a block of that type.
+ * Blocks that a hint names but its level does not offer. A hint names a block if a text in quotation
+ * marks is the beginning of the block's label. `labelOf` returns the label of a type of block.
  */
 export function blocksNotOffered(
   hint: string,
@@ -24,7 +24,7 @@ export function blocksNotOffered(
   });
 }
 
-/** Without placeholders, numbers, accents and capitals. */
+/** A text without placeholders, numbers, accents and capitals. */
 function plain(text: string): string {
   return text
     .normalize("NFD")

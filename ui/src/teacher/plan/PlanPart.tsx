@@ -19,7 +19,7 @@ interface PlanPartProps {
   school: School;
 }
 
-/** The plan of a lesson of two hours: opens its activities for a class, leads to the cards, goes on paper. */
+/** The plan of a two-hour lesson: opens its activities for a class, links to the cards, can be printed. */
 export function PlanPart({ school: { classes } }: PlanPartProps) {
   const { plan: labels } = texts.value;
   const page = useRef<HTMLDivElement>(null);

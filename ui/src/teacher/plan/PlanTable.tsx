@@ -11,7 +11,7 @@ import { openForClass, type PlanClass } from "./open_for_class";
 type Step = keyof typeof texts.value.plan.steps;
 type Link = keyof typeof texts.value.plan.links;
 
-/** The steps in order, with what each opens. */
+/** The steps in order, with the activity or the link of each. */
 const STEPS: Readonly<Record<Step, { activity?: string; link?: Link }>> = {
   human: {},
   alphabet: { link: "letters" },
@@ -30,13 +30,13 @@ const ROUTES: Readonly<Record<Link, Route>> = {
 };
 
 interface PlanTableProps {
-  /** Null without classes. */
+  /** Id of the class; null if there are no classes. */
   classroom: string | null;
   found: PlanClass;
   reload(): Promise<void>;
 }
 
-/** The steps of the lesson: when, what the teacher and the groups do, and what is on the screen. */
+/** The steps of the lesson: time, actions of the teacher and of the groups, content of the screen. */
 export function PlanTable({ classroom, found, reload }: PlanTableProps) {
   const { plan: labels } = texts.value;
   const { fault, act } = useAction(asTeacher);
@@ -91,7 +91,7 @@ interface OpenActivityProps {
   onOpen(): Promise<boolean>;
 }
 
-/** Makes an activity the one of the lesson that is open for the class, or says that it is. */
+/** Button that sets the activity of the class's open lesson, or shows that it is already set. */
 function OpenActivity({ name, found: { current, activities }, onOpen }: OpenActivityProps) {
   const { plan: labels } = texts.value;
   const known = activities.find((one) => one.name === name);

@@ -1,9 +1,9 @@
 import { classesApi } from "../../api/classes";
 import type { ActivityChoice, Lesson } from "../../api/model";
 
-/** What the plan needs to know of a class. */
+/** Data of a class that the plan needs. */
 export interface PlanClass {
-  /** The lesson that the teacher opened and that goes on; null without one. */
+  /** The open lesson, if the teacher opened it; else null. */
   readonly current: Lesson | null;
   readonly activities: readonly ActivityChoice[];
 }
@@ -17,7 +17,7 @@ export async function loadPlanClass(classroom: string | null): Promise<PlanClass
   return { current: current?.by_itself === false ? current : null, activities };
 }
 
-/** Makes an activity that of the open lesson, so that the whole plan is one lesson; opens one where there is none. */
+/** Sets the activity of the open lesson, so that the whole plan is one lesson; without one, opens a lesson. */
 export async function openForClass(
   classroom: string,
   current: Lesson | null,

@@ -1,7 +1,7 @@
 import { language } from "../../i18n";
 import { saveFile } from "../../shell/save_file";
 
-/** What a rule names that is needed outside of the app: tokens, the printed parts, blocks, letters. */
+/** Parts of the CSS rules that the saved page needs: style tokens, printed parts, blocks, signs. */
 const NEEDED = [
   ":root",
   ".plan",
@@ -13,7 +13,7 @@ const NEEDED = [
   "@page",
 ];
 
-/** Saves an element as a page of its own, which opens and prints in any browser, without the app and without network. */
+/** Saves an element as a separate page that any browser opens and prints, without the app and the network. */
 export async function savePage(
   element: HTMLElement | null,
   title: string,
@@ -48,7 +48,7 @@ function rulesOf({ cssRules }: CSSStyleSheet): Promise<string>[] {
   });
 }
 
-/** The rule of a font with the font itself, which a file beside no server cannot fetch. */
+/** A font's rule with the font as a data URL: a saved file has no server from which to fetch the font. */
 async function withFont(rule: string): Promise<string> {
   const address = /url\("([^"]+)"\)/.exec(rule)?.[1];
   if (!address || address.startsWith("data:")) return rule;

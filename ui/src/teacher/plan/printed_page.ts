@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
 
-/** Names the screen for the rules of its paper, which hide all around it. */
+/** Sets the name of the printed page, by which the print rules hide everything around it. */
 export function usePrintedPage(name: "plan" | "cards"): void {
   useEffect(() => {
     document.documentElement.dataset.page = name;

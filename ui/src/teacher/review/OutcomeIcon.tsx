@@ -1,6 +1,6 @@
 import type { Outcome } from "./model";
 
-/** Icons by outcome: shape and sign carry the meaning, colour only repeats it. */
+/** Icons by outcome: shape and symbol carry the meaning, colour only repeats it. */
 const ICONS: Record<Outcome, preact.JSX.Element> = {
   passed: (
     <>

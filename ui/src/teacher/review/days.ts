@@ -14,7 +14,7 @@ export function dayOf(seconds: number): number {
   return new Date(seconds * 1000).setHours(0, 0, 0, 0) / 1000;
 }
 
-/** "Quinta-feira, 19 de novembro de 2026", or "19 de novembro e 21 de novembro de 2026". */
+/** The days as text: "Quinta-feira, 19 de novembro de 2026", "19 de novembro e 21 de novembro de 2026". */
 export function daysText(days: readonly Date[], language: Language): string {
   const last = days.at(-1);
   if (!last) return "";
@@ -30,7 +30,7 @@ export function daysText(days: readonly Date[], language: Language): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** "19 de nov.", on one line. */
+/** A short day, such as "19 de nov.", on one line. */
 export function shortDay(seconds: number, language: Language): string {
   const day = new Date(seconds * 1000);
   const text = day.toLocaleDateString(language, { day: "numeric", month: "short" });

@@ -2,7 +2,7 @@ import type { Figures, ReviewMark } from "../../api/model";
 
 export type MetricName = keyof Figures;
 
-/** Outcome of a run, as shown by its mark. */
+/** Outcome of a run, as its icon shows it. */
 export type Outcome = "passed" | "finished" | "notyet" | "stopped" | "failed" | "running";
 
 /** Recorded end of a run. */

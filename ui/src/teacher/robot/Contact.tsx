@@ -9,7 +9,7 @@ import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 
-/** Tries whether the robot, as it is saved, can be reached; it does not move. */
+/** Tests the connection to the robot of the saved description; the robot does not move. */
 export function Contact({ link }: { link: string }) {
   const { contact: labels } = texts.value.robotSetup;
   const [found, setFound] = useState<RobotContact | null>(null);

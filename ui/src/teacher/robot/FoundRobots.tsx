@@ -15,12 +15,12 @@ interface FoundRobotsProps {
   fill(texts: Draft): void;
 }
 
-/** The robots in the domain that is typed; one of them can be taken over into the form. */
+/** The robots in the DDS domain of the form; a press copies a robot's data into the form. */
 export function FoundRobots({ robot, draft, fill }: FoundRobotsProps) {
   const { find: labels } = texts.value.robotSetup;
   const [found, setFound] = useState<Found | null>(null);
   const [isUsed, setUsed] = useState(false);
-  useEffect(() => setUsed(false), [robot]); // it was saved
+  useEffect(() => setUsed(false), [robot]); // the form was saved
   const { busy, fault, act } = useAction(asTeacher);
   const search = () => {
     setFound(null);

@@ -14,7 +14,7 @@ const KEYS: readonly (readonly [Direction, string, LucideIcon])[] = [
   ["back", "ArrowDown", ArrowDown],
 ];
 
-/** Buttons that move the robot slowly while they are held, or an arrow key while one of them has the focus. */
+/** Buttons that jog the robot slowly while held; arrow keys do so while a button has the focus. */
 export function JogPad({ link }: { link: string }) {
   const { jog: labels } = texts.value.robotSetup;
   useEffect(letGoWithWindow, []);
@@ -24,7 +24,7 @@ export function JogPad({ link }: { link: string }) {
     const direction = isPress ? own : KEYS.find(([, key]) => key === event.key)?.[0];
     if (!direction || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
-    // a key that was stopped stays down: only the next press counts
+    // after an emergency stop a key may still be down: its repetitions must not jog the robot again
     if (!event.repeat) hold(link, direction);
   };
   return (
@@ -93,7 +93,7 @@ function Moving({ link }: { link: string }) {
   );
 }
 
-/** Whoever looks elsewhere holds nothing. */
+/** Releases the jog key when the window loses the focus or visibility, or at unmount. */
 function letGoWithWindow(): () => void {
   const stop = listen(window, { blur: release, pagehide: release, hashchange: release });
   document.addEventListener("visibilitychange", release);

@@ -12,7 +12,7 @@ interface RobotFieldsProps {
   fill(texts: Draft): void;
 }
 
-/** The fields of a record in their parts. */
+/** The fields of a robot description, in sections. */
 export function RobotFields({ robot, draft, field, fill }: RobotFieldsProps) {
   const { parts } = texts.value.robotSetup;
   const inputs = (part: RobotField["part"]) =>

@@ -20,7 +20,7 @@ interface RobotFormProps {
   onChanged(robot: RealRobot): void;
 }
 
-/** The record of one kind of robot: speeds, room, address, and tolerances folded away. */
+/** Form for the description of a kind of robot: speeds, room, address, and folded tolerances. */
 export function RobotForm({ robot, onChanged }: RobotFormProps) {
   const { robotSetup: labels } = texts.value;
   const [isSaved, setSaved] = useState(false);

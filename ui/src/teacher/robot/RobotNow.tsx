@@ -24,13 +24,13 @@ interface RobotNowProps {
   fill(texts: Draft): void;
 }
 
-/** How the robot that is set up is just now: connected or not, where; keys that move it, and its place as the start. */
+/** Current state and pose of a real robot. Has buttons that jog it, and one that uses its pose as the start. */
 export function RobotNow({ robot, draft, fill }: RobotNowProps) {
   const { now: labels } = texts.value.robotSetup;
   const { link } = robot;
   useWatchedRobot(link);
   const [isUsed, setUsed] = useState(false);
-  useEffect(() => setUsed(false), [robot]); // it was saved
+  useEffect(() => setUsed(false), [robot]); // the form was saved
   const state = robotStates.value[link];
   const place = state && poseInRoom(state);
   const use = () => {

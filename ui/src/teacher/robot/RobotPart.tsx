@@ -9,10 +9,10 @@ import { realRobots } from "../../run/real/real_robot";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 import { RobotForm } from "./RobotForm";
 
-/** The real robots of this PC: which ones it can drive, how they are reached and what they may do. */
+/** The real robots of this PC, with forms for address, limits and room. */
 export function RobotPart() {
   const { robotSetup: labels } = texts.value;
-  // the labels of the fields come in the language of the page
+  // the server sends the labels of the fields in the language of the page
   const robots = useTeacherLoaded(language.value, robotsApi.all);
   return (
     <>
@@ -43,7 +43,7 @@ function Kinds({ robots, onChanged }: KindsProps) {
   const { robotSetup: labels } = texts.value;
   const first = robots.find((one) => one.is_set_up) ?? robots[0];
   const link = useSignal(first?.link ?? "");
-  const forgotten = useSignal(0); // a form that was forgotten begins anew
+  const forgotten = useSignal(0); // counts deleted descriptions: after a deletion the form starts again
   const robot = robots.find((one) => one.link === link.value);
   if (!robot) return <p>{labels.none}</p>;
   return (

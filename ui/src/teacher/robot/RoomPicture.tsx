@@ -7,11 +7,11 @@ import type { Draft } from "./robot_description";
 
 interface RoomPictureProps {
   draft: Draft;
-  /** The robot whose place is drawn while it is watched. */
+  /** Link of the robot whose pose is drawn while it is watched. */
   link?: string;
 }
 
-/** The free floor with the start as it is typed, and the robot; nothing while a number is missing. */
+/** The free floor with the start of the form, and the robot; renders nothing while a number is missing. */
 export function RoomPicture({ draft, link }: RoomPictureProps) {
   const number = (name: string) => numberIn(draft[`room.${name}`] ?? "");
   const [width, depth, x, y] = ["width_m", "depth_m", "x_m", "y_m"].map(number);
@@ -41,7 +41,7 @@ export function RoomPicture({ draft, link }: RoomPictureProps) {
   );
 }
 
-/** Where the watched robot is, by its wheels. */
+/** Pose of the watched robot, by its odometry. */
 function RobotPose({ link }: { link: string }) {
   const state = robotStates.value[link];
   const place = state && poseInRoom(state);

@@ -4,14 +4,14 @@ import { numberIn } from "../../kit/NumberField";
 export type Draft = Readonly<Record<string, string>>;
 type Values = Readonly<Record<string, unknown>>;
 
-/** What the form of a robot shows at first: each field of its record as text. */
+/** Initial texts of a robot's form: each field of its description as text. */
 export function draftOf({ record, fields }: RealRobot, locale: string): Record<string, string> {
   return Object.fromEntries(
     fields.map((field) => [field.name, written(valueAt(record ?? {}, field.name), locale)]),
   );
 }
 
-/** The record of what was typed. What is no number stays text: the server says what is wrong with it. */
+/** The robot description from the typed texts. A text that is no number stays: the server reports the fault. */
 export function descriptionOf(
   fields: readonly RobotField[],
   draft: Draft,

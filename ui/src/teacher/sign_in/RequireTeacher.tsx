@@ -16,8 +16,8 @@ interface RequireTeacherProps {
 }
 
 /**
- * Shows its children only to the signed-in teacher. After the end of a session it asks for the PIN again; the children
- * stay mounted but hidden, with their input.
+ * Shows its children only to the signed-in teacher. After the end of a session it asks for the PIN
+ * again. The children stay mounted but hidden, with their input.
  */
 export function RequireTeacher({ children }: RequireTeacherProps) {
   const [isPreparing, setPreparing] = useState(false);

@@ -11,7 +11,7 @@ import { FaultLine } from "../../kit/requests/FaultLine";
 import { signIn } from "../../shell/teacher/teacher_session";
 
 interface SignInFormProps {
-  /** The teacher was signed in before. */
+  /** Whether the teacher was signed in before. */
   again: boolean;
 }
 
@@ -85,7 +85,7 @@ function useSignIn(onRefused: () => void) {
   return { pin, write, left, busy, fault, enter };
 }
 
-/** Seconds counting down to 0. */
+/** State that counts seconds down to 0. */
 function useCountdown() {
   const [left, setLeft] = useState(0);
   useEffect(() => {

@@ -15,10 +15,10 @@ import { Handles } from "./Handles";
 import { Outlines } from "./Outlines";
 
 const ZOOM_STEP = 1.4;
-/** Smaller pointer movements do not count as a drag, pixels. */
+/** Minimum pointer movement of a drag, pixels. */
 const TREMBLE = 4;
 
-/** The floor to draw on: the scene's picture below SVG elements for the things that can be selected or dragged. */
+/** The floor to draw on: the scene's picture below SVG elements for the objects to select or drag. */
 export function Board({ store, children }: { store: EditorStore; children: ComponentChildren }) {
   const view = useSignal<View | null>(null);
   const byHand = useSignal(false);
@@ -118,7 +118,7 @@ function Overlay({ store, view, byHand }: OverlayProps) {
   );
 }
 
-/** Turns pointer and wheel events into gestures, or into pan and zoom where nothing is dragged. */
+/** Turns pointer and wheel events into drags of objects, or else into pan and zoom. */
 function followHand(
   svg: SVGSVGElement,
   store: EditorStore,
@@ -170,7 +170,7 @@ function followHand(
     byHand.value = true;
     view.value = zoomed(view.value, Math.exp(-event.deltaY / 500), x, y);
   };
-  // keys belong to the board: a press does not move the focus to the element below it, only Tab does
+  // the board handles the keys, so only Tab moves the focus to an element; a press does not
   const preventFocus = (event: MouseEvent) => event.preventDefault();
   const listeners = {
     mousedown: preventFocus,

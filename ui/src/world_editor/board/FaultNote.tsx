@@ -4,12 +4,12 @@ import { objectOf, type Plan } from "../plan";
 import type { View } from "./board_view";
 import { onBoard, spanOf } from "./outline";
 
-/** Distance of the note from its element, clear of the handles, and size of the note. Pixels. */
+/** Distance between the note and its object, outside the handles, and size of the note; pixels. */
 const GAP = 48;
 const WIDE = 250;
 const HIGH = 110;
 
-/** Note with the fault of the selected thing, or else the first fault, placed at its thing. */
+/** Note with the fault of the selected object, else the first fault, placed at its object. */
 export function FaultNote({ store, view }: { store: EditorStore; view: View }) {
   const { value: faults } = store.faults;
   const { value: selected } = store.selected;

@@ -9,7 +9,7 @@ import { onBoard } from "./outline";
 /** Visible radius and touch radius of a handle, pixels. */
 const DOT = 8;
 const REACH = 20;
-/** Distance of the turning handle from the thing's edge, pixels. */
+/** Distance of the turning handle from the object's edge, pixels. */
 const ARM = 34;
 
 interface Handle {
@@ -19,7 +19,7 @@ interface Handle {
   readonly root?: XY;
 }
 
-/** Handles that resize and turn the selected thing. */
+/** Handles that resize and turn the selected object. */
 export function Handles({ store, view }: { store: EditorStore; view: View }) {
   const handles = handlesOf(store.shown.value, store.selected.value, view);
   return (
@@ -68,7 +68,7 @@ const radiusHandle = (object: AreaObject, radius: number, view: View): Handle =>
   at: onBoard(view, { x: object.x + radius, y: object.y }),
 });
 
-/** The turning handle, ahead of the thing in its heading. */
+/** The turning handle, ahead of the object in its heading. */
 function turnHandle(view: View, middle: XY, heading: number, reach: number): Handle {
   const along = (metres: number) => {
     const offset = turnedBy({ x: metres, y: 0 }, heading);

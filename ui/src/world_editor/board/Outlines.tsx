@@ -15,7 +15,7 @@ interface OutlinesProps {
   view: View;
 }
 
-/** An element for each thing, which can be clicked and reached with Tab, and is marked when it has a fault. */
+/** An element for each object: can be clicked and reached with Tab, and is marked if it has a fault. */
 export function Outlines({ store, view }: OutlinesProps) {
   const plan = store.shown.value;
   const faulty = useComputed(() => new Set(store.faults.value.map((one) => store.aboutFault(one))));
@@ -46,7 +46,7 @@ export function Outlines({ store, view }: OutlinesProps) {
 
 interface OutlineProps extends OutlinesProps {
   object: WorldObject;
-  /** Index in its list of the document. */
+  /** Index of the object in its list of the document. */
   index: number;
   isFaulty: boolean;
 }

@@ -6,7 +6,7 @@ import type { XY } from "../../scene/frames";
 import { drawRobot, drawStart } from "../../scene/robot";
 import { clampScale, type Size, type Viewport, viewportFor } from "../../scene/viewport";
 
-/** Camera and size of the board: where the floor is drawn. */
+/** Viewport and size of the board. */
 export interface View {
   readonly size: Size;
   readonly viewport: Viewport;
@@ -24,7 +24,7 @@ export function floorPoint({ viewport, size }: View, x: number, y: number): XY {
   };
 }
 
-/** Zooms about a fixed point of the board. */
+/** Zooms; the floor under the point `x`, `y` of the board stays in place. */
 export function zoomed(view: View, factor: number, x: number, y: number): View {
   const held = floorPoint(view, x, y);
   const scale = clampScale(view.viewport.scale * factor);
@@ -42,7 +42,7 @@ export function panned(view: View, dx: number, dy: number): View {
   return { ...view, viewport: { x: x - dx / scale, y: y + dy / scale, scale } };
 }
 
-/** Draws the floor with the scene's functions; tiles and numbers count from the start, as blocks do. */
+/** Draws the floor with the scene's functions; tiles and numbers are in the start frame, as in blocks. */
 export function paintBoard(
   canvas: HTMLCanvasElement,
   world: World,

@@ -8,14 +8,14 @@ import type { View } from "./board_view";
 /** Converts a point of the floor to pixels of the board. */
 export const onBoard = ({ viewport, size }: View, point: XY): XY => toScreen(viewport, size, point);
 
-/** The edge of a thing as an SVG path, in pixels of the board. */
+/** The edge of an object as an SVG path, in pixels of the board. */
 export function edgeOf(view: View, object: WorldObject): string {
   const place = (point: XY) => onBoard(view, point);
   if (isArea(object)) return outlineOf(object, place, view.viewport.scale);
   return lineThrough([object.from, object.to].map(place));
 }
 
-/** Top, bottom and horizontal centre of a thing, where a note about it can be placed. Pixels. */
+/** Top, bottom and horizontal centre of an object, for the position of its note; pixels. */
 export function spanOf(
   view: View,
   object: WorldObject,

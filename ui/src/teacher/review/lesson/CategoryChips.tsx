@@ -3,7 +3,7 @@ import type { Category } from "../../../blocks/categories";
 import { language, texts } from "../../../i18n";
 import { categoryName, categoryOfType, hueOf } from "../marks/block_kinds";
 
-/** Maximum number of categories for which names fit. */
+/** Maximum number of categories whose names fit. */
 const FEW = 2;
 
 interface CategoryChipsProps {

@@ -2,7 +2,7 @@ import { language, texts } from "../../../i18n";
 import { metricText } from "../metric_text";
 import { METRICS } from "./MetricRow";
 
-/** Explains each figure on the printed page, which has no tooltips. */
+/** Explains each metric on the printed page, which has no tooltips. */
 export function Explanations() {
   const { lesson: labels } = texts.value.review;
   const now = new Date().toLocaleString(language.value, { dateStyle: "long", timeStyle: "short" });

@@ -8,7 +8,7 @@ import { GroupRow } from "./GroupRow";
 import type { LessonViewState } from "./lesson_view_state";
 import { forPrint, PRINT_TIMELINE_PX } from "./printing";
 
-/** Minimum layout width of a timeline. */
+/** Minimum width for which a timeline is laid out. */
 const MIN_WIDTH_PX = 200;
 
 interface GroupListProps {
@@ -17,7 +17,7 @@ interface GroupListProps {
   onAccepted(): unknown;
 }
 
-/** Parts of the list, by what groups need; within a part they are in the order of their names. */
+/** Sections of the list, by the needs of groups. Within a section, groups are in the order of their names. */
 const NEEDS = ["help", "working", "passed"] as const;
 
 /** The groups of a lesson, with timelines of the width of the screen or the printed page. */

@@ -14,7 +14,7 @@ import { MetricRow } from "./MetricRow";
 interface GroupRowProps {
   review: GroupReview;
   layout: TimelineLayout;
-  /** The lesson lasted several days. */
+  /** Whether the lesson lasted several days. */
   withDays: boolean;
   open: boolean;
   onToggle(): void;
@@ -24,7 +24,7 @@ interface GroupRowProps {
 /** The element of a group's row, if it is shown. */
 export const rowOf = (group: string) => document.getElementById(`group-${group}`);
 
-/** A group: its name, timeline and figures; when opened, its runs as text. */
+/** A group: its name, timeline and metrics; when opened, its runs as text. */
 export function GroupRow(props: GroupRowProps) {
   const { review, layout, withDays, open, onToggle, onAccepted } = props;
   const { group, marks, figures, blocks, hints } = review;

@@ -3,7 +3,7 @@ import { OutcomeIcon } from "../OutcomeIcon";
 
 const OUTCOMES = ["passed", "finished", "notyet", "stopped", "failed"] as const;
 
-/** Legend of the marks on the timelines. */
+/** Legend of the events on the timelines. */
 export function Legend() {
   const { legend } = texts.value.review;
   return (

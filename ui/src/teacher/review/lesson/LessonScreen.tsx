@@ -31,7 +31,7 @@ export function LessonScreen({ lesson }: ParametersOf<"lesson">) {
 function LoadedLesson({ lessonId }: { lessonId: string }) {
   const page = useTeacherLoaded(`${lessonId} ${language.value}`, () => loadLesson(lessonId));
   const isWaiting = valueIn(page)?.review.groups.some(({ marks }) => marks.some(waits)) ?? false;
-  // quietly: the rows stay, so that nothing that is open or read moves away; a failure is left to the next look
+  // reloads without a loading state, so that open rows do not move; after a failure, the next poll tries again
   const reload = () => loadLesson(lessonId).then(page.set, () => {});
   usePolling(reload, { isOn: isWaiting });
   useEffect(() => {
@@ -53,13 +53,13 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
   );
 }
 
-/** Whether a run of a file is still to be repeated here. */
+/** Whether a merged run awaits re-verification on this PC. */
 const waits = ({ unconfirmed }: ReviewMark) => unconfirmed === "waiting";
 
 interface LessonProps {
   page: LessonPage;
   refresh: ComponentChildren;
-  /** After a run was accepted that cannot be repeated here. */
+  /** Called after the teacher accepted a run that this PC cannot repeat. */
   onAccepted(): unknown;
 }
 

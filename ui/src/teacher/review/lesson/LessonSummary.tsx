@@ -12,7 +12,7 @@ interface LessonSummaryProps {
   viewState: LessonViewState;
 }
 
-/** Where the teacher should go first; groups are not ranked. */
+/** Shows which groups need help first; groups are not ranked. */
 export function LessonSummary({ review: { summary, groups }, viewState }: LessonSummaryProps) {
   const labels = texts.value.review.lesson;
   const { n_passed, n_groups, fault, fault_run, n_with_fault, not_begun, differing } = summary;
@@ -52,7 +52,7 @@ export function LessonSummary({ review: { summary, groups }, viewState }: Lesson
   );
 }
 
-/** What waits to be checked, and what did not come out as its file says. */
+/** Texts about merged runs that await re-verification or that differed from their file. */
 function unconfirmedTexts(groups: readonly GroupReview[]): string[] {
   const { unconfirmed: labels } = texts.value.exchange;
   const found = groups.flatMap(({ marks }) => marks.map(({ unconfirmed }) => unconfirmed));

@@ -24,7 +24,7 @@ interface MetricRowProps {
   hints: readonly OpenedHints[];
 }
 
-/** The figures of a group, each with a tooltip that explains it. */
+/** The metrics of a group, each with a tooltip that explains it. */
 export function MetricRow({ group, metrics, hints }: MetricRowProps) {
   const labels = texts.value.review.figures;
   return (
@@ -47,7 +47,7 @@ interface MetricProps {
   name: MetricName;
   value: number | null;
   first: boolean;
-  /** Lines of its tooltip that say what was counted. */
+  /** Further lines of the tooltip: the counted items. */
   more: readonly string[];
 }
 
@@ -82,7 +82,7 @@ function Metric({ name, value, first, more }: MetricProps) {
   );
 }
 
-/** Which hints of each activity were opened. */
+/** Lines about the opened hints of each activity. */
 function hintLines(hints: readonly OpenedHints[]): string[] {
   const { detail } = texts.value.review;
   return hints.map(({ title, n }) => `${title}: ${detail.hintsRead(n)}.`);

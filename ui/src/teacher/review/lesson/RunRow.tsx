@@ -18,7 +18,7 @@ import { OutcomeIcon } from "../OutcomeIcon";
 interface RunRowProps {
   mark: ReviewMark;
   book: TimelineIndex;
-  /** After the teacher has accepted it. */
+  /** Called after the teacher has accepted the run. */
   onAccepted(): unknown;
 }
 
@@ -64,7 +64,7 @@ interface AcceptProps {
   onAccepted(): unknown;
 }
 
-/** Lets a run count that cannot be repeated here. */
+/** Button by which the teacher accepts a run that this PC cannot repeat. */
 function Accept({ run, title, onAccepted }: AcceptProps) {
   const { busy, fault, act } = useAction(asTeacher);
   const { detail } = texts.value.review;

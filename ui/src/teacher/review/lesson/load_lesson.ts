@@ -7,9 +7,9 @@ import { withDistinctNames } from "../../../shell/namesakes";
 /** A lesson with the lessons joined to it. */
 export interface LessonPage {
   review: LessonReview;
-  /** Name of the class; null for groups without one. */
+  /** Name of the class; null for groups without a class. */
   classroom: string | null;
-  /** Titles of its activities. */
+  /** Titles of the lesson's activities. */
   activities: readonly string[];
 }
 

@@ -2,7 +2,7 @@ import { options } from "preact";
 import { listen } from "../../../kit/listen";
 import { hideTip } from "../marks/tip";
 
-/** The width of a line on A4 beside the name of its group, in pixels, as in print.css. */
+/** Width of a timeline on A4 beside the name of its group, in pixels, as in print.css. */
 export const PRINT_TIMELINE_PX = 556;
 
 /** Some webviews cannot print. */

@@ -33,7 +33,7 @@ export function TipBubble() {
   );
 }
 
-/** Places the tooltip above the anchor, or below if there is no room. */
+/** Places the tooltip above the anchor, or below if there is not enough space. */
 function place(bubble: HTMLElement, anchor: DOMRect): void {
   const { width, height } = bubble.getBoundingClientRect();
   const middle = anchor.left + anchor.width / 2 - width / 2;

@@ -8,12 +8,12 @@ import { shortDay } from "../days";
 import { outcomeOf } from "../model";
 import { countTexts, differenceTexts } from "./difference_texts";
 
-/** The marks of a group, with the numbers of its runs and the repairs between them. */
+/** Index of a group's timeline events: numbers of runs, and the repairs between runs. */
 export class TimelineIndex {
   private readonly numbers = new Map<string, number>();
   private readonly repairedBy = new Map<string, ReviewMark>();
 
-  /** `withDays`: the lesson lasted several days, so times need their day. */
+  /** `withDays`: whether the lesson lasted several days, so that times need their day. */
   constructor(
     readonly marks: readonly ReviewMark[],
     readonly withDays = false,
@@ -29,25 +29,25 @@ export class TimelineIndex {
     return this.numbers.get(run ?? "") ?? 0;
   }
 
-  /** The run that repaired this one, if there is one. */
+  /** The run that repaired a failed run, if there is one. */
   repairOf(mark: ReviewMark): ReviewMark | null {
     return (mark.run_id && this.repairedBy.get(mark.run_id)) || null;
   }
 
-  /** The mark whose versions show the change: for a failed run the run that repaired it. */
+  /** The event whose versions show the change: for a repaired run, the run that repaired it. */
   changeOf(mark: ReviewMark): ReviewMark | null {
     const changed = this.repairOf(mark) ?? mark;
     return changed.changes ? changed : null;
   }
 }
 
-/** Text of a mark. */
+/** Text of a timeline event. */
 export interface TimelineEventText {
   readonly title: string;
   readonly lines: readonly string[];
 }
 
-/** `difference`: between the versions of `book.changeOf(mark)`; null while unknown. */
+/** `difference`: the difference between the versions of `book.changeOf(mark)`; null while unknown. */
 export function textOf(
   mark: ReviewMark,
   book: TimelineIndex,
@@ -104,7 +104,7 @@ export function facts(mark: ReviewMark, book: TimelineIndex): string {
     .join(" · ");
 }
 
-/** Of a run on a real robot its name, and whether it was judged for its activity. */
+/** For a run on a real robot: the robot's name, and whether the run was judged for its activity. */
 function onRobot({ link, activity, passed, state }: ReviewMark): string[] {
   if (!link || link === SIMULATOR) return [];
   const { inReview } = texts.value.robot;
@@ -112,7 +112,7 @@ function onRobot({ link, activity, passed, state }: ReviewMark): string[] {
   return [robotLabel(link), activity && state !== "running" ? isJudged : ""];
 }
 
-/** Changes before a mark: block by block if `difference` is known, otherwise the number of blocks. */
+/** Changes before an event: block by block if `difference` is known, else the number of blocks. */
 export function changeTexts(mark: ReviewMark, difference: VersionDifference | null): string[] {
   const { review } = texts.value;
   if (difference && mark.since) return differenceTexts(difference, review, language.value);

@@ -5,12 +5,12 @@ import { report } from "../../../kit/report";
 
 const cache = new Map<string, Signal<VersionDifference | null>>();
 
-/** Changes up to a mark; null without changes and before the response. */
+/** Changes up to a timeline event; null without changes and before the response. */
 export function differenceOf(mark: ReviewMark | null): VersionDifference | null {
   return mark?.since && mark.version_id ? between(mark.since, mark.version_id).value : null;
 }
 
-/** Cached, because versions never change. */
+/** The difference between two versions, cached, because versions never change. */
 function between(from: string, to: string): Signal<VersionDifference | null> {
   const key = `${from}/${to}`;
   const known = cache.get(key);

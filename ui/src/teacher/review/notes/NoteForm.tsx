@@ -99,7 +99,7 @@ interface ConfirmDeleteProps {
   onCancel(): void;
 }
 
-/** Deletion cannot be undone, so it needs a second press. */
+/** Asks for a second press, because the deletion cannot be undone. */
 function ConfirmDelete({ onConfirm, onCancel }: ConfirmDeleteProps) {
   const { note: labels } = texts.value.review;
   const cancel = useRef<HTMLButtonElement>(null);

@@ -5,7 +5,7 @@ export function draftOf(run: string): string | null {
   return sessionStorage.getItem(key(run));
 }
 
-/** `text`: null deletes the draft. */
+/** Stores the draft; a `text` of null deletes it. */
 export function storeDraft(run: string, text: string | null): void {
   if (text) sessionStorage.setItem(key(run), text);
   else sessionStorage.removeItem(key(run));

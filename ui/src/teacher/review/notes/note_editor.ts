@@ -15,7 +15,7 @@ export interface NoteEditor {
   readonly text: Signal<string>;
   readonly state: Signal<NoteState>;
   readonly open: Signal<boolean>;
-  /** The text differs from the sent note. */
+  /** Whether the text differs from the sent note. */
   readonly changed: boolean;
   write(text: string): void;
   save(): Promise<void>;

@@ -23,7 +23,7 @@ const SHORT: Partial<Record<Outcome, "passed" | "not_passed" | "finished" | "sto
 interface HistoryCardProps {
   run: HistoryRun;
   chosen: Signal<readonly HistoryRun[]>;
-  /** Title of its lesson; null for runs of none, and before the lessons are known. */
+  /** Title of the run's lesson; null without a lesson and before the lessons are loaded. */
   lesson: string | null;
 }
 

@@ -20,7 +20,7 @@ interface RunFiltersProps {
   choices: FilterChoices;
 }
 
-/** Class, group, lesson, activity, world, day and outcome. */
+/** Filters by class, group, lesson, activity, world, day and outcome. */
 export function RunFilters({ filter, choices }: RunFiltersProps) {
   const { runs: labels } = texts.value.review;
   const props = { filter, all: labels.all };
@@ -75,7 +75,7 @@ function groupOptions({ groups }: FilterChoices, classroom: string): Options {
     .sort(([, a], [, b]) => a.localeCompare(b, language.value, { numeric: true }));
 }
 
-/** Lessons with their date. One that was joined to another is chosen with that one, which may be gone. */
+/** Lessons with their dates. Choosing a lesson includes its parts; a part whose lesson is missing has an option. */
 function lessonOptions({ lessons }: FilterChoices, classroom: string): Options {
   const { title } = texts.value.review.lesson;
   const isPart = ({ part_of }: Lesson) => lessons.some(({ id }) => id === part_of);

@@ -38,7 +38,7 @@ function Runs() {
         )}
       </div>
       <Loaded of={choices}>{(found) => <RunFilters filter={filter} choices={found} />}</Loaded>
-      {choices.status !== "loading" && ( // later, the filters would move the cards under a click
+      {choices.status !== "loading" && ( // filters that appear later would move a card under a click
         <Loaded of={list}>
           {(page, { busy }) => (
             <RunCards

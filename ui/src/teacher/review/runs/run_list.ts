@@ -15,7 +15,7 @@ export const NO_FILTER: RunFilter = {
   outcome: "",
 };
 
-/** Filter and selection last as long as the page, for the return from a replay. */
+/** Filter and selection, stored until the page is closed, for the return from a replay. */
 export const filter = signal<RunFilter>(NO_FILTER);
 export const chosen = signal<readonly HistoryRun[]>([]);
 
@@ -43,7 +43,7 @@ export function useRunList() {
   return { list, older };
 }
 
-/** Loads pages until there are at least `least` runs. */
+/** Loads pages until there are at least `minRuns` runs. */
 async function loadRuns(requested: RunFilter, minRuns: number): Promise<RunPage> {
   let { runs, next } = await reviewApi.runs(requested, null);
   while (next && runs.length < minRuns) {
@@ -62,7 +62,7 @@ export async function loadFilterChoices() {
   return { ...school, activities, lessons: await loadLessons(school) };
 }
 
-/** The lessons of all classes, newest first, joined ones too. */
+/** The lessons of all classes, newest first, including joined lessons. */
 async function loadLessons({ classes }: School): Promise<Lesson[]> {
   const places = [...classes.map(({ id }) => id), NO_CLASS];
   const lessons = await Promise.all(places.map((place) => classesApi.lessons(place)));

@@ -98,7 +98,7 @@ function TimelineEvent({
 
 const isShown = (mark: ReviewMark) => tip.value?.anchor.getAttribute("href") === addressOf(mark);
 
-/** The address that a mark opens: the replay of a run, or the two versions of a burst of edits. */
+/** The address that an event opens: the replay of a run, or the two versions of a burst of edits. */
 export function addressOf(mark: ReviewMark): string {
   if (mark.run_id) return hashOf({ screen: "replay", run: mark.run_id });
   const { program_id, since, version_id } = mark;
@@ -160,7 +160,7 @@ function tickText({ time, labelKind, from }: Tick): string {
   return minutes === 0 ? line.begin : line.minutes(minutes);
 }
 
-/** An arrow from above one mark to above another. */
+/** Path of an arrow from above one event to above another. */
 function arcPath(from: number, to: number, top: number): string {
   const high = Math.max(-2, top - 8 - (to - from) / 8);
   const head = `M${to - 4} ${top - 5}L${to} ${top}L${to + 3} ${top - 6}`;

@@ -11,13 +11,14 @@ export interface Fold {
   readonly seconds: number;
 }
 
-/** Longer pauses are folded; the figures exclude them from the active time too. */
+/** Minimum length of a folded pause; the metrics exclude such pauses from the active time too. */
 export const FOLD_S = 300;
 /** Drawn length of a folded pause. */
 export const FOLDED_S = 60;
 
 /**
- * Maps time to positions in seconds, with folded pauses shortened. Built from all marks of the line.
+ * Maps time to positions in seconds, with folded pauses shortened. Built from all events of the
+ * timeline.
  */
 export class Axis {
   readonly folds: readonly Fold[];
@@ -42,7 +43,7 @@ export class Axis {
     this.to = reached;
   }
 
-  /** The position of a time, in seconds from the beginning of the line. */
+  /** The position of a time, in seconds from the beginning of the timeline. */
   at(time: number): number {
     let shown = time - this.from;
     for (const { from, seconds } of this.folds) {
@@ -52,7 +53,7 @@ export class Axis {
     return shown;
   }
 
-  /** Length of the line, in seconds. */
+  /** Length of the timeline with folded pauses, in seconds. */
   get length(): number {
     return this.at(this.to);
   }
@@ -69,8 +70,8 @@ interface Timed {
 }
 
 /**
- * Begin and end of each mark, in seconds since 1970. The marks are in the order of events; if the PC's clock was set
- * back in between, later times are shifted so that the order is kept.
+ * Begin and end of each timeline event, in seconds since 1970. The events are in their true order. If
+ * the PC's clock was set back in between, later times are shifted so that the order stays.
  */
 export function spansOf(marks: readonly Timed[]): Span[] {
   let shift = 0;
@@ -86,7 +87,7 @@ export function spansOf(marks: readonly Timed[]): Span[] {
 
 const STEPS_S = [60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 28_800, 86_400];
 
-/** Interval of a ruler in seconds, for ticks at least `apart` pixels apart. */
+/** Interval of a ruler in seconds, for ticks at least `spacing` pixels apart. */
 export function stepFor(pixelsPerSecond: number, spacing: number): number {
   return STEPS_S.find((step) => step * pixelsPerSecond >= spacing) ?? 86_400;
 }

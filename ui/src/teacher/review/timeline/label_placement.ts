@@ -13,8 +13,9 @@ export function minWidthFor(preferred: readonly PreferredPosition[]): number {
 }
 
 /**
- * Centres of the items without overlaps, in the same order, as near as possible to the preferred positions (least
- * squares) and within 0 to `room`, which must be at least `roomFor`. Pool adjacent violators: Best and Chakravarti 1990.
+ * Centres of the items without overlaps, in the same order, within 0 to `room` pixels. Minimises the
+ * squared distances from the preferred positions. `room` must be at least `minWidthFor(preferred)`.
+ * Pool adjacent violators: Best and Chakravarti 1990.
  */
 export function spread(preferred: readonly PreferredPosition[], room: number): number[] {
   const offsets: number[] = [];

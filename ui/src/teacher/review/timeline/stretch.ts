@@ -1,12 +1,12 @@
-/** A point in time on a line, with its minimum distance in pixels from the preceding point. */
+/** A point in time on a timeline, with its minimum distance in pixels from the preceding point. */
 export interface TimePoint {
   readonly time: number;
   readonly gap: number;
 }
 
-/** Positions of all points in one scale: linear where possible, stretched where marks are dense. */
+/** Positions of all points in one scale: linear where possible, stretched where events are dense. */
 export interface Stretched {
-  /** By line and point, in pixels. */
+  /** Positions by timeline and point, in pixels. */
   readonly positions: readonly (readonly number[])[];
   /** Pairs of time and position, both increasing. */
   readonly knots: readonly (readonly [number, number])[];
@@ -16,8 +16,8 @@ export interface Stretched {
 const STEPS = 24;
 
 /**
- * One scale for many lines: a time has the same position on all of them, and points of a line keep their minimum
- * distances. As linear as the width allows.
+ * Computes one scale for many timelines. A time has the same position on all of them, and the points
+ * of a timeline keep their minimum distances. The scale is as linear as the width allows.
  */
 export function stretch(lines: readonly (readonly TimePoint[])[], room: number): Stretched {
   const sorted = lines
@@ -38,7 +38,7 @@ interface Placed extends TimePoint {
   readonly index: number;
 }
 
-/** Leftmost positions of all points for a scale of at least `perSecond` pixels per second. */
+/** Leftmost positions of all points in a scale of at least `perSecond` pixels per second. */
 function laid(count: number, sorted: readonly Placed[], perSecond: number): Stretched {
   const positions: number[][] = Array.from({ length: count }, () => []);
   const knots: [number, number][] = [];

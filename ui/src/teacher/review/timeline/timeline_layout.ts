@@ -4,20 +4,20 @@ import { type Axis, type Fold, type Span, stepFor } from "./axis";
 import { between, GAP, minWidthFor, spread } from "./label_placement";
 import type { TimePoint } from "./stretch";
 
-/** Diameter of a round mark, and the smallest with a legible sign; in pixels. */
+/** Diameter of a round icon, and the minimum diameter with a legible symbol; pixels. */
 export const ROUND = 26;
 const MIN_ROUND = 16;
-/** Diameter where many lines share one scale. */
+/** Diameter if many timelines share one scale, pixels. */
 const DENSE = 20;
 const MIN_BAR_WIDTH = 10;
 const MIN_BAR_HEIGHT = 8;
 const MAX_BAR_HEIGHT = 30;
-/** Minimum distance of the ruler's labels, in pixels. */
+/** Minimum distance between the ruler's labels, in pixels. */
 const RULER_SPACING = 72;
-/** Widths of a day and of the label of a folded pause under the line, in pixels. */
+/** Widths of a day's label and of a folded pause's label under the timeline, in pixels. */
 const DAY_SPACING = 84;
 const FOLD_SPACING = 56;
-/** Margin left and right of the line, in pixels. */
+/** Margin left and right of the timeline, in pixels. */
 const EDGE = 4;
 
 export interface PlacedEvent {
@@ -38,7 +38,7 @@ export interface Arc {
 export interface Tick {
   readonly x: number;
   readonly time: number;
-  /** Its label: the day, the time of day, or the minutes since `from`. */
+  /** Kind of the label: the day, the time of day, or the minutes since `from`. */
   readonly labelKind: "day" | "clock" | "minutes";
   readonly from: number;
 }
@@ -47,28 +47,28 @@ export interface Tick {
 export interface PlacedFold {
   readonly x: number;
   readonly fold: Fold;
-  /** Whether a new day begins in the pause. */
+  /** Whether a new day starts in the pause. */
   readonly isNight: boolean;
-  /** Whether there is room for a label: its length, or the new day. */
+  /** Whether a label fits: the length of the pause, or the new day. */
   readonly isLabelled: boolean;
 }
 
 export interface TimelineLayout {
   readonly width: number;
   readonly marks: readonly PlacedEvent[];
-  /** From each failed run to the run that repaired it. */
+  /** Arcs from each failed run to the run that repaired it. */
   readonly arcs: readonly Arc[];
   readonly ticks: readonly Tick[];
   readonly folds: readonly PlacedFold[];
   /** Extents of runs that are longer than their icon. */
   readonly lengths: readonly Arc[];
-  /** Position of the end of the line's time. */
+  /** Position of the end of the group's time. */
   readonly end: number;
 }
 
-/** Positions in the shared scale of all lines. */
+/** Positions in the shared scale of all timelines. */
 export interface Common {
-  /** One for each element of `pointsOf` this line. */
+  /** Positions of the elements of `pointsOf` this timeline. */
   readonly positions: readonly number[];
   readonly knots: readonly (readonly [number, number])[];
   readonly end: number;
@@ -78,18 +78,18 @@ interface TimelineInput {
   marks: readonly ReviewMark[];
   spans: readonly Span[];
   axis: Axis;
-  /** Width of the line in pixels, and pixels per second. */
+  /** Width of the timeline in pixels, and pixels per second. */
   width: number;
   scale: number;
-  /** The ruler shows the time of day instead of minutes. */
+  /** Whether the ruler shows the time of day instead of minutes. */
   byClock: boolean;
-  /** The ruler's first label is the day. */
+  /** Whether the ruler's first label is the day. */
   withDays: boolean;
-  /** Undefined if each line has its own scale. */
+  /** Undefined if each timeline has its own scale. */
   common?: Common;
 }
 
-/** The points in time of a line: one for each run, and the beginning and end of each burst of edits. */
+/** The points in time of a timeline: one for each run, and the begin and end of each burst of edits. */
 export function pointsOf(
   marks: readonly ReviewMark[],
   spans: readonly Span[],
@@ -108,7 +108,7 @@ export function pointsOf(
   });
 }
 
-/** The layout of a line that shares its scale with others. */
+/** The layout of a timeline that shares its scale with others. */
 function layOutCommon(line: TimelineInput, common: Common): TimelineLayout {
   const { marks, axis, width, scale } = line;
   let next = 0;
@@ -130,7 +130,7 @@ function layOutCommon(line: TimelineInput, common: Common): TimelineLayout {
   };
 }
 
-/** The layout of a line. Where marks are moved apart, the ruler is stretched with them. */
+/** The layout of a timeline. Where events are moved to avoid overlaps, the ruler is stretched with them. */
 export function layOut(line: TimelineInput): TimelineLayout {
   const { marks, spans, axis, width, scale, common } = line;
   if (common) return layOutCommon(line, common);
@@ -167,12 +167,12 @@ export function layOut(line: TimelineInput): TimelineLayout {
   };
 }
 
-/** Height in pixels, proportional to the square root of the edits, so that few stay visible beside many. */
+/** Height of a bar in pixels: grows with the square root of the edits, so that few edits stay visible. */
 export function barHeight(edits: number): number {
   return Math.min(MAX_BAR_HEIGHT, MIN_BAR_HEIGHT + 4 * Math.sqrt(Math.max(0, edits - 1)));
 }
 
-/** Diameter of round marks: smaller if they would not fit on the line. */
+/** Diameter of round icons: smaller if they would not fit on the timeline. */
 function roundFor(marks: readonly ReviewMark[], room: number): number {
   const parts = marks.reduce(
     (sum, { kind }) => sum + (kind === "run" ? 1 : MIN_BAR_WIDTH / ROUND),
@@ -220,7 +220,7 @@ function arcsOf(placed: readonly PlacedEvent[]): Arc[] {
 
 type Ruler = Pick<TimelineLayout, "ticks" | "folds" | "lengths" | "end">;
 
-/** The ruler under the marks. */
+/** The ruler under the events. */
 function rulerOf(
   line: TimelineInput,
   placed: readonly PlacedEvent[],
@@ -241,7 +241,7 @@ function rulerOf(
   };
 }
 
-/** Labels of days have precedence over labels of pauses. */
+/** The folded pauses; labels of days have precedence over labels of pauses. */
 function foldsOf({ axis, withDays }: TimelineInput, place: At): PlacedFold[] {
   const folds = axis.folds.map((fold) => ({ fold, x: place(fold.from + fold.seconds / 2) }));
   const nights = folds.filter(({ fold }) => isNight(fold)).map(({ x }) => x);
@@ -257,14 +257,14 @@ function foldsOf({ axis, withDays }: TimelineInput, place: At): PlacedFold[] {
 
 const isNight = ({ from, seconds }: Fold) => dayOf(from) !== dayOf(from + seconds);
 
-/** Without the ticks that would overlap the label of a folded pause. */
+/** The ticks that do not overlap the label of a folded pause. */
 function withoutOverlaps(folds: readonly PlacedFold[], ticks: readonly Tick[]): Tick[] {
   return ticks.filter(({ x }) =>
     folds.every((fold) => Math.abs(fold.x - x) > (fold.isNight ? DAY_SPACING : 44)),
   );
 }
 
-/** Ticks that start anew with each day, so that minutes of nights do not count. */
+/** The ruler's ticks. Minutes are counted again from each day's start, so that nights do not count. */
 function ticksOf(line: TimelineInput, place: At, room: number): Tick[] {
   const { axis, scale, byClock, withDays } = line;
   const step = stepFor(scale, RULER_SPACING);
@@ -285,7 +285,7 @@ function ticksOf(line: TimelineInput, place: At, room: number): Tick[] {
   return ticks;
 }
 
-/** The axis without the nights that are folded. */
+/** The spans of the axis between folded nights. */
 function daysOn(axis: Axis): Span[] {
   const days: Span[] = [];
   let from = axis.from;

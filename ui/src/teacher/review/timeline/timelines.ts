@@ -4,13 +4,13 @@ import { Axis, type Span, spansOf } from "./axis";
 import { type Stretched, stretch } from "./stretch";
 import { layOut, pointsOf, type TimelineLayout } from "./timeline_layout";
 
-/** Meaning of positions: time since the group's first mark, or time of day. */
+/** Meaning of positions: time since the group's first event, or time of day. */
 export type TimeOf = "group" | "clock";
 
-/** Minimum length of a line in seconds, so that two minutes do not fill the whole screen. */
+/** Minimum length of a timeline in seconds, so that two minutes do not fill the whole screen. */
 const MIN_LENGTH_S = 600;
 
-/** Layouts of all groups in one scale: a minute has the same length on all lines. */
+/** Layouts of all groups in one scale: a minute has the same length on all timelines. */
 export function timelinesOf(
   groups: readonly GroupReview[],
   timeOf: TimeOf,
@@ -20,7 +20,7 @@ export function timelinesOf(
   const common = new Axis(spans.flat());
   const axes = spans.map((own) => (timeOf === "clock" ? common : new Axis(own)));
   const maxLength = Math.max(MIN_LENGTH_S, ...axes.map((axis) => axis.length));
-  // room for the last mark, which begins at the end of the line
+  // leaves space for the last event, which starts at the end of the timeline
   const scale = Math.max(1, width - 40) / maxLength;
   const withDays = daysOf(groups).length > 1;
   const stretched = timeOf === "clock" ? stretchAll(groups, spans, common, width) : null;
