@@ -1,6 +1,6 @@
 """Shows the HTTP interface as a page, without the app: `make api`.
 
-RapiDoc draws what docs/openapi.json says. It comes with the development environment and is told to load no fonts from the internet.
+RapiDoc draws docs/openapi.json. It comes with the development environment; its fonts from the internet are off.
 """
 
 import webbrowser

@@ -1,7 +1,7 @@
-"""Fails on identifiers that use a private word instead of the field's term.
+"""Fails on identifiers that use a private word where the field has a term.
 
-Reads the declarations of Python files (by `ast`) and of the page (by TypeScript's parser, `names.mjs`). Exempt are
-recorded names, which files of schools or HTTP contain, and names that another library requires.
+Reads what Python files declare (by `ast`) and what the page declares (by TypeScript's parser, `names.mjs`). Exempt are
+names that files of schools or HTTP record, which must not change, and names that another library demands.
 """
 
 import ast
@@ -21,7 +21,7 @@ from pinel_desktop.web.description import description
 from scripts.reference import schemas
 
 ROOT = Path(__file__).resolve().parents[1]
-# CONTRIBUTING.md, "Names", has the term for each
+# docs/glossary.md has the terms to write instead
 BANNED = frozenset(
     re.findall(
         r"\w+",
@@ -39,15 +39,15 @@ BANNED_PHRASES = (
     ("stand", "in"), ("made", "up"), ("hand", "on"), ("go", "on"), ("goes", "on"), ("going", "on"),
     ("take", "over"), ("put", "right"), ("set", "aside"),
 )  # fmt: skip
-# names of other libraries, or of a command, check or block of the language, in any spelling
+# of other libraries, or the name of a command, check or block of the program's language, in any spelling
 EXEMPT = frozenset({"peek", "say", "says", "KEEP_LAST", "look_at"})
-TEXTS = "i18n/"  # the catalogue defines the keys of these files
+TEXTS = "i18n/"  # its keys are the catalogue's
 
 Declaration = tuple[str, int, str]
 
 
-def words_of(name: str) -> list[str]:
-    """Splits an identifier into words: `takeBack_s` -> ["take", "back", "s"]."""
+def split(name: str) -> list[str]:
+    """Splits an identifier: `takeBack_s` -> ["take", "back", "s"]."""
     parted = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name)
     parted = re.sub(r"([A-Z]+)([A-Z][a-z])", r"\1_\2", parted)
     return [part for part in parted.lower().split("_") if part]
@@ -55,14 +55,14 @@ def words_of(name: str) -> list[str]:
 
 def banned_in(name: str) -> list[str]:
     """Returns the banned words and phrases of an identifier."""
-    words = words_of(name)
-    found = [word for word in words if word in BANNED]
-    pairs = set(pairwise(words))
+    parts = split(name)
+    found = [part for part in parts if part in BANNED]
+    pairs = set(pairwise(parts))
     return found + [" ".join(phrase) for phrase in BANNED_PHRASES if phrase in pairs]
 
 
 def declared_in(tree: ast.AST) -> Iterator[tuple[int, str]]:
-    """Yields line and name of each declaration in a Python file, except names of tests, which are sentences."""
+    """Line and name of all that a Python file declares; a test's name is a sentence and is left out."""
     for node in ast.walk(tree):
         match node:
             case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
@@ -103,8 +103,14 @@ def page_declarations() -> Iterator[Declaration]:
 
 @cache
 def recorded_names() -> frozenset[str]:
-    """Returns the names of HTTP, of the database, and of documents in files."""
-    found = {*_keys(description()), *_keys(schemas.of_programs()), *_keys(schemas.of_worlds())}
+    """Names of HTTP, of the database, and of the documents that files hold."""
+    documents = (
+        description(),
+        schemas.of_programs(),
+        schemas.of_worlds(),
+        Activity.model_json_schema(),
+    )
+    found = {name for document in documents for name in _keys(document)}
     found |= set(re.findall(r"\w+", (ROOT / "storage" / "tables" / "ddl.py").read_text("utf-8")))
     for language in LANGUAGES:
         for message in catalogue(language).values():
@@ -113,7 +119,7 @@ def recorded_names() -> frozenset[str]:
 
 
 def _keys(document: Any) -> Iterator[str]:
-    """Yields all keys and all short texts of a JSON document: properties, parameters, constants."""
+    """All keys and all short texts of a JSON document: properties, parameters, constants."""
     if isinstance(document, dict):
         for key, value in document.items():
             yield key
@@ -126,7 +132,7 @@ def _keys(document: Any) -> Iterator[str]:
 
 
 def violations(declarations: Iterable[Declaration]) -> list[str]:
-    """Returns each banned name once for each file, with its first line."""
+    """Each name once for each file, with its first line."""
     allowed = EXEMPT | recorded_names()
     first: dict[tuple[str, str], int] = {}
     for file, line, name in declarations:

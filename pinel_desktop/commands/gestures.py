@@ -1,4 +1,4 @@
-"""`pinel gestures`: classifies letters of LIBRAS in pictures, evaluates and trains the classifier, teaches signs."""
+"""`pinel gestures`: classifies letters of Libras in pictures, evaluates and trains the classifier, teaches signs."""
 
 import json
 import re

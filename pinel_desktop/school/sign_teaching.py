@@ -20,7 +20,7 @@ Samples = tuple[bytes, ...]
 
 @dataclass(frozen=True, slots=True)
 class KnownSign:
-    """A sign that a capture can return for a class: a letter of LIBRAS, or a sign that only the class taught.
+    """A sign that a capture can return for a class: a letter of Libras, or a sign that only the class taught.
 
     Attributes:
         n_samples, n_movements: how often the class showed the sign at rest and in motion.

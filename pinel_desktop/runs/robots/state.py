@@ -95,7 +95,7 @@ class StatePublisher:
 
     def _rate(self, link: RealLink) -> float | None:
         """Returns the odometry messages per second; ignores changes of up to 1 Hz or a tenth."""
-        now_s, n_heard = time.monotonic(), link.n_odometry
+        now_s, n_received = time.monotonic(), link.n_odometry
         counted, since_s, before = self._counted
         if counted is not link:
             self._counted, self._rate_hz = (link, now_s, n_received), None

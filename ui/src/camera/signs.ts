@@ -7,7 +7,7 @@ import { isSameSign } from "../blocks/known_signs";
 import { listenForKeys } from "../kit/listen";
 
 /**
- * The static letters of the LIBRAS alphabet, which need no teaching; both signs for D are one
+ * The static letters of the Libras alphabet, which need no teaching; both signs for D are one
  * letter.
  */
 export const LETTERS: readonly string[] = KNOWN;

@@ -5,14 +5,14 @@ import { ROOM_WORLD } from "../run/real/real_robot";
 import { robotOf, worlds } from "../shell/session";
 import { lifelikeOf } from "../studio/program/setup";
 
-/** A changed part of a program's setup, as texts. */
+/** A changed part of where and how a program runs, in words. */
 export interface SetupChange {
   readonly what: string;
   readonly before: string;
   readonly after: string;
 }
 
-/** Differences between the setups of two versions; empty if an earlier release saved one of them. */
+/** What differs between the setups of two versions; nothing where an earlier release saved one of them. */
 export function setupChanges(
   before: Setup | null | undefined,
   after: Setup | null | undefined,
@@ -27,7 +27,7 @@ export function setupChanges(
   });
 }
 
-/** Changes of a step besides blocks, such as "Mundo: Labirinto" or "Dica 2 aberta". */
+/** What a step changed besides blocks: "Mundo: Labirinto", "Dica 2 aberta". */
 export function setupFacts(
   before: VersionMark,
   after: VersionMark,
@@ -42,9 +42,9 @@ export function setupFacts(
   return facts.length === 0 && after.setup_only ? [unnamed(after, texts)] : facts;
 }
 
-/** Text for a version whose setup differs in a part without a name, while its blocks are equal. */
-function unnamed({ setup }: VersionMark, { keeping, run, world }: Texts): string {
-  return setup?.world === OWN_WORLD ? keeping.setupFact(run.world, world.own) : keeping.setup;
+/** Of a version with other setup and equal blocks, where no named part differs. */
+function unnamed({ setup }: VersionMark, { archive, run, world }: Texts): string {
+  return setup?.world === OWN_WORLD ? archive.setupFact(run.world, world.own) : archive.setup;
 }
 
 /** Each part of a setup with its name. */
@@ -59,7 +59,7 @@ function partsOf(setup: Setup, texts: Texts, language: Language): [string, strin
   ];
 }
 
-/** The name of a shipped world or of the group's own world. */
+/** The name of a world: of one that ships, or of the group's own. */
 export function worldLabel(name: string, texts: Texts, language: Language): string {
   if (name === OWN_WORLD) return texts.world.own;
   if (name === ROOM_WORLD) return texts.robot.room;

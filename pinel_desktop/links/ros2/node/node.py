@@ -28,9 +28,9 @@ import time
 
 import rclpy
 import sensor_msgs.msg
+from command_claim import PINEL, CommandClaim, RefusalError
 from drivers import LAST_S, LOST_TIMEOUT_S, UNMATCHED_TIMEOUT_S
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
-from holding import PINEL, CommandClaim, RefusalError
 from inbox import Inbox
 from nav_msgs.msg import Odometry
 from outbox import Outbox
