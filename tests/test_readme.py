@@ -64,7 +64,7 @@ def test_every_folder_named_exists(page: str) -> None:
         assert (ROOT / folder).is_dir(), folder
 
 
-PATH = re.compile(r"`((?:[\w./-]|\{[\w, -]+\})+(?:/|\.(?:py|tsx?|css|json|sh|npz|spec)))`")
+PATH = re.compile(r"`((?:[\w./-]|\{[\w, -]+\})+(?:/|\.(?:py|tsx?|css|json|sh|npz|spec|png)))`")
 # where the paths of a column of the map lie: its text, Python, page
 ROOTS: tuple[tuple[Path, ...], ...] = (
     (),
