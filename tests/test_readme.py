@@ -1,6 +1,7 @@
 """What the README and CONTRIBUTING name exists: targets, commands, options, files, links."""
 
 import re
+import subprocess
 from itertools import pairwise
 from pathlib import Path
 
@@ -63,26 +64,83 @@ def test_every_folder_named_exists(page: str) -> None:
         assert (ROOT / folder).is_dir(), folder
 
 
-def paths_named_in_a_row(row: str) -> list[str]:
-    """Paths of one row of ARCHITECTURE.md. A name without a folder lies in the folder of the path before it."""
+PATH = re.compile(r"`((?:[\w./-]|\{[\w, -]+\})+(?:/|\.(?:py|tsx?|css|json|sh|npz|spec|png)))`")
+# where the paths of a column of the map lie: its text, Python, page
+ROOTS: tuple[tuple[Path, ...], ...] = (
+    (),
+    (ROOT, ROOT / "pinel_desktop"),
+    (ROOT / "ui" / "src", ROOT),
+)
+# the folders that the map covers
+COVERED = ("pinel_desktop", "sim", "storage", "packaging", "scripts", "ui/src")
+
+
+def expanded(path: str) -> list[str]:
+    """`a/{b, c}.py` as `a/b.py` and `a/c.py`."""
+    braces = re.search(r"\{(.*?)\}", path)
+    if braces is None:
+        return [path]
+    return [path.replace(braces[0], name.strip()) for name in braces[1].split(",")]
+
+
+def paths_named_in_a_cell(cell: str) -> list[str]:
+    """Paths of one cell of ARCHITECTURE.md. A name without a folder lies in the folder of the path before it."""
     paths: list[str] = []
     folder = ""
-    for path in re.findall(r"`([\w./-]+(?:/|\.(?:py|ts|tsx|css|json)))`", row):
+    for path in (path for listed in PATH.findall(cell) for path in expanded(listed)):
         whole = path if "/" in path or not folder else f"{folder}/{path}"
-        folder = whole.rstrip("/").rpartition("/")[0] if not whole.endswith("/") else whole[:-1]
+        folder = whole.rpartition("/")[0]
         paths.append(whole)
     return paths
 
 
+def files_of_the_map(text: str) -> list[tuple[str, list[Path]]]:
+    """Each path that the table names, and the files and folders that it stands for.
+
+    Words in capitals stand for any name: `commands/NAME.py`.
+    """
+    found = []
+    for row in re.findall(r"^\| (.*)\|$", text, re.M):
+        for roots, cell in zip(ROOTS, row.split("|"), strict=True):
+            for path in paths_named_in_a_cell(cell):
+                pattern = re.sub(r"\b[A-Z]{2,}\b", "*", path).rstrip("/")
+                found.append((path, [match for root in roots for match in root.glob(pattern)]))
+    return found
+
+
+def unnamed_folders(text: str) -> set[str]:
+    """The folders with sources that the table names neither by themselves nor by a file in them."""
+    listed = subprocess.run(
+        ["git", "ls-files", *COVERED], cwd=ROOT, check=True, capture_output=True, text=True
+    ).stdout.splitlines()
+    folders = {str(Path(file).parent) for file in listed if not file.endswith("/README.md")}
+    matches = [match for _, matches in files_of_the_map(text) for match in matches]
+    named = {match if match.is_dir() else match.parent for match in matches}
+    return folders - {str(folder.relative_to(ROOT)) for folder in named}
+
+
 def test_every_path_that_the_architecture_names_exists() -> None:
-    """Words in capitals stand for any name: `commands/NAME.py`."""
-    rows = re.findall(r"^\| .*\|$", text_of("ARCHITECTURE.md"), re.M)
-    named = [path for row in rows for cell in row.split("|") for path in paths_named_in_a_row(cell)]
-    assert len(named) > 100
-    for path in named:
-        pattern = re.sub(r"\b[A-Z]{2,}\b", "*", path).rstrip("/")
-        roots = (ROOT, ROOT / "pinel_desktop", ROOT / "ui" / "src")
-        assert any(any(root.glob(pattern)) for root in roots), path
+    files = files_of_the_map(text_of("ARCHITECTURE.md"))
+    assert len(files) > 500
+    assert [path for path, matches in files if not matches] == []
+
+
+def test_the_architecture_names_every_folder_that_holds_sources() -> None:
+    assert unnamed_folders(text_of("ARCHITECTURE.md")) == set()
+
+
+@pytest.mark.parametrize(
+    ("path", "folder"),
+    [
+        ("`sim/worlds/NAME.json`", "sim/worlds"),
+        ("`activities/checks/GROUP/KIND.py`", "pinel_desktop/activities/checks/run"),
+        ("`camera/testing/`", "ui/src/camera/testing"),
+    ],
+)
+def test_a_folder_that_the_architecture_does_not_name_is_found(path: str, folder: str) -> None:
+    text = text_of("ARCHITECTURE.md")
+    assert path in text
+    assert folder in unnamed_folders(text.replace(path, ""))
 
 
 def arrows(diagram: str) -> set[tuple[str, str]]:
@@ -127,7 +185,9 @@ def test_the_diagram_of_imports_is_what_the_code_does() -> None:
 
 
 def test_the_architecture_is_short() -> None:
-    assert len(text_of("ARCHITECTURE.md").splitlines()) <= 150
+    lines = text_of("ARCHITECTURE.md").splitlines()
+    assert len(lines) <= 150
+    assert max(map(len, lines)) <= 300
 
 
 def test_both_readmes_have_the_same_two_commands_first() -> None:
