@@ -19,7 +19,7 @@ chance = random.Random(24)
 def export(name="PC"):
     with open_for_reading(store) as opened:
         opened.exchange.export(
-            folder / f"{name}.pinel", app_version="1", computer=("1" * 36, "PC"), is_noted=False
+            folder / f"{name}.pinel", app_version="1", computer=("1" * 36, "PC"), is_recorded=False
         )
 
 def killed_at(n_steps):

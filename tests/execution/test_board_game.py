@@ -72,7 +72,7 @@ def test_robot_marks_the_cells_that_were_signed(execute_commands: Any) -> None:
         world="tic_tac_toe",
     )
     assert result.ended.state == "finished"
-    assert result.said == [f"Estou em {cell}" for cell in "ALGI"]
+    assert result.shown_texts == [f"Estou em {cell}" for cell in "ALGI"]
     places = [(mark.x_m, mark.y_m) for mark in result.marks]
     for place, cell in zip(places, [(1, 0), (3, -2), (1, -2), (2, -2)], strict=True):
         assert place == pytest.approx(cell, abs=1e-3)

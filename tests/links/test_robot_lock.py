@@ -19,8 +19,8 @@ WAIT_S = 60.0
 HOLD = """
 import sys
 from pinel_desktop.links.robot_lock import RobotLock
-from pinel_desktop.robot.robot_profile import BridgeRecord
-lock = RobotLock(BridgeRecord(host="robot-lock-test"))
+from pinel_desktop.robot.robot_profile import BridgeProfile
+lock = RobotLock(BridgeProfile(host="robot-lock-test"))
 lock.acquire()
 print("locked", flush=True)
 sys.stdin.read()
@@ -30,10 +30,10 @@ RACE = """
 import os, sys
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.robot_lock import RobotLock
-from pinel_desktop.robot.robot_profile import BridgeRecord
+from pinel_desktop.robot.robot_profile import BridgeProfile
 n_left = 150
 while n_left:
-    lock = RobotLock(BridgeRecord(host="robot-lock-test"))
+    lock = RobotLock(BridgeProfile(host="robot-lock-test"))
     try:
         lock.acquire()
     except PinelError:

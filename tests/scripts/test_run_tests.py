@@ -33,13 +33,15 @@ def test_the_closing_lines_of_both_runners_are_counted(
     output: str, expected: tuple[int, int, int]
 ) -> None:
     failing = 1 if expected[1] else 0
-    assert tuple(run_tests.sums([outcome(PYTEST, output, failing)]).values()) == expected
+    assert tuple(run_tests.totals([outcome(PYTEST, output, failing)]).values()) == expected
 
 
 def test_sums_are_over_all_runners_and_the_last_closing_line_of_each() -> None:
     quoted = "E   1 failed in 2.00s\n4 passed in 1.00s\n"
     assert (
-        run_tests.sums([outcome(PYTEST, quoted), outcome(PYTEST, "2 passed in 1.00s\n")])["passed"]
+        run_tests.totals([outcome(PYTEST, quoted), outcome(PYTEST, "2 passed in 1.00s\n")])[
+            "passed"
+        ]
         == 6
     )
 
@@ -47,16 +49,16 @@ def test_sums_are_over_all_runners_and_the_last_closing_line_of_each() -> None:
 @pytest.mark.parametrize("output", ["", "no tests ran in 0.01s\n", "5 deselected in 0.10s\n"])
 def test_a_runner_that_ran_nothing_has_failed(output: str) -> None:
     assert outcome(PYTEST, output).failed  # type: ignore[attr-defined]
-    assert run_tests.sums([outcome(PYTEST, output)]) == {"passed": 0, "failed": 1, "skipped": 0}
+    assert run_tests.totals([outcome(PYTEST, output)]) == {"passed": 0, "failed": 1, "skipped": 0}
 
 
 def test_a_linter_that_fails_counts_as_one_failure() -> None:
-    assert run_tests.sums([outcome(LINT, "Found 20 errors.\n", 1)])["failed"] == 1
+    assert run_tests.totals([outcome(LINT, "Found 20 errors.\n", 1)])["failed"] == 1
 
 
 def test_a_runner_that_breaks_off_counts_as_one_failure() -> None:
-    assert run_tests.sums([outcome(PYTEST, "Segmentation fault\n", -11)])["failed"] == 1
-    assert run_tests.sums([outcome(PYTEST, "3 passed in 1.00s\n", 1)]) == {
+    assert run_tests.totals([outcome(PYTEST, "Segmentation fault\n", -11)])["failed"] == 1
+    assert run_tests.totals([outcome(PYTEST, "3 passed in 1.00s\n", 1)]) == {
         "passed": 3,
         "failed": 1,
         "skipped": 0,
@@ -108,7 +110,7 @@ def test_the_slowest_tests_of_all_steps_are_named() -> None:
         "12.50s setup    tests/a/test_a.py::test_one\n0.90s call     tests/b.py::test_two[a b]\n",
         "30.01s call     tests/c.py::test_three\n1.00s of a text that a test printed\n",
     ]
-    assert run_tests.slowest([outcome(PYTEST, output) for output in outputs]) == [
+    assert run_tests.by_duration([outcome(PYTEST, output) for output in outputs]) == [
         (30.01, "tests/c.py::test_three"),
         (12.5, "tests/a/test_a.py::test_one"),
         (0.9, "tests/b.py::test_two[a b]"),
@@ -117,7 +119,7 @@ def test_the_slowest_tests_of_all_steps_are_named() -> None:
 
 def test_at_most_ten_are_named() -> None:
     output = "".join(f"{n}.00s call     tests/a.py::test_{n}\n" for n in range(20))
-    assert len(run_tests.slowest([outcome(PYTEST, output)])) == 10
+    assert len(run_tests.by_duration([outcome(PYTEST, output)])) == 10
 
 
 def test_a_step_aside_is_there_before_the_next_one_of_its_group(

@@ -233,7 +233,7 @@ def test_only_the_teacher_tries_the_connection_and_hears_what_the_robot_tells(
 def test_a_robot_that_cannot_be_reached_is_told_in_words(teacher: Browser) -> None:
     teacher.put("/api/real-robots/dds", {"record": {}})
     found = teacher.post("/api/real-robots/dds/contact").data
-    assert "/cmd_vel" in found["problem"]
+    assert "/cmd_vel" in found["remedy"]
     assert found["remedy"]
     assert found["rate_hz"] is None
 

@@ -46,7 +46,7 @@ def test_conditions_mean_what_the_language_says(
             "else": [{"action": "say", "text": "false"}],
         },
     )
-    assert result.said == [str(value).lower()]
+    assert result.shown_texts == [str(value).lower()]
 
 
 @pytest.mark.parametrize(

@@ -198,7 +198,7 @@ def test_cells_of_the_board_are_those_of_the_dissertation(execute_commands: Any)
         world="tic_tac_toe",
     )
     assert result.ended.state == "finished"
-    assert result.said == ["", "green", "A", "yellow", *"BCDEFGIL"]
+    assert result.shown_texts == ["", "green", "A", "yellow", *"BCDEFGIL"]
 
 
 def test_world_without_zones_and_paint_is_white_and_has_no_cells(value_of: Any) -> None:

@@ -59,7 +59,7 @@ def test_for_counts_to_the_end_and_down_where_the_step_is_negative(
     start: float, end: float, by: float | None, texts: list[str], execute_commands: Any
 ) -> None:
     result, _ = execute_commands(count(start, end, by))
-    assert result.said == texts
+    assert result.shown_texts == texts
 
 
 def test_for_fixes_its_values_on_entry_and_sets_its_variable_every_round(
@@ -78,7 +78,7 @@ def test_for_fixes_its_values_on_entry_and_sets_its_variable_every_round(
             **{"from": var("s"), "to": var("n"), "by": var("s")},
         ),
     )
-    assert result.said == ["1", "2", "3"]
+    assert result.shown_texts == ["1", "2", "3"]
     assert result.variables["i"] == 100
 
 
@@ -113,7 +113,7 @@ def test_while_and_until_test_first(execute_commands: Any) -> None:
         loop("while", say("never"), condition=False),
         loop("until", say("never"), condition=True),
     )
-    assert result.said == ["5", "8"]
+    assert result.shown_texts == ["5", "8"]
 
 
 def test_break_ends_the_innermost_loop_and_continue_its_round(execute_commands: Any) -> None:
@@ -133,7 +133,7 @@ def test_break_ends_the_innermost_loop_and_continue_its_round(execute_commands: 
             times=2,
         ),
     )
-    assert result.said == ["2", "round", "2", "round"]
+    assert result.shown_texts == ["2", "round", "2", "round"]
     started = [event.pointer for _, event in log if isinstance(event, BlockStarted)]
     ended = [event.pointer for _, event in log if isinstance(event, BlockEnded)]
     assert sorted(started) == sorted(ended)
@@ -160,7 +160,7 @@ def test_break_and_continue_work_in_every_loop(action: str, execute_commands: An
         ),
         say("after"),
     )
-    assert result.said == ["5", "after"]
+    assert result.shown_texts == ["5", "after"]
 
 
 def test_forever_without_motion_lets_time_pass_and_ends_at_the_hour(execute_commands: Any) -> None:
@@ -180,7 +180,7 @@ def test_first_true_branch_is_taken(execute_commands: Any) -> None:
         }
 
     result, _ = execute_commands(*[branches(value) for value in (1, 2, 3, 4)])
-    assert result.said == ["if", "elif 1", "elif 2", "else"]
+    assert result.shown_texts == ["if", "elif 1", "elif 2", "else"]
 
 
 @pytest.mark.parametrize(

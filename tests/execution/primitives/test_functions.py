@@ -76,7 +76,7 @@ def test_parameters_are_the_functions_own_and_other_variables_everybodys(
     result, _ = execute_commands(
         put("a", 1), put("b", 1), call("change", a=10), say(var("a")), functions=[change]
     )
-    assert result.said == ["11", "1"]
+    assert result.shown_texts == ["11", "1"]
     assert result.variables == {"a": 1, "b": 11}
 
 
@@ -118,7 +118,7 @@ def test_return_leaves_all_loops_and_ends_their_blocks(execute_commands: Any) ->
         },
     )
     result, log = execute_commands(say(value("find")), say("after"), functions=[find])
-    assert result.said == ["4", "after"]
+    assert result.shown_texts == ["4", "after"]
     started = [event.pointer for _, event in log if isinstance(event, BlockStarted)]
     ended = [event.pointer for _, event in log if isinstance(event, BlockEnded)]
     assert sorted(started) == sorted(ended)
@@ -179,7 +179,7 @@ def test_short_circuit_does_not_call(execute_commands: Any) -> None:
         when(op("and", False, op("==", value("dance"), 1)), say("y")),
         functions=[DANCE],
     )
-    assert (result.said, result.ended.duration_s) == (["x"], 0)
+    assert (result.shown_texts, result.ended.duration_s) == (["x"], 0)
 
 
 @pytest.mark.parametrize(("depth", "state"), [(100, "finished"), (101, "failed")])
@@ -228,7 +228,7 @@ def test_function_that_ends_without_a_value_in_an_expression_fails_at_the_caller
 def test_return_without_a_value_ends_a_function_called_as_a_command(execute_commands: Any) -> None:
     early = function("early", [], say("a"), give(), say("never"))
     result, _ = execute_commands(call("early"), call("early"), functions=[early])
-    assert result.said == ["a", "a"]
+    assert result.shown_texts == ["a", "a"]
 
 
 def test_failure_inside_a_function_names_the_block_inside(execute_commands: Any) -> None:

@@ -23,8 +23,8 @@ def of_type(log: Any, kind: type[Event]) -> list[Any]:
 
 def test_what_is_said_is_reported_in_order_and_kept(execute_commands: Any) -> None:
     result, log = execute_commands(say("Olá!"), say(3), say(0.5), say(True), say([1, "a"]))
-    assert result.said == ["Olá!", "3", "0.5", "true", "1, a"]
-    assert of_type(log, TextShown) == [TextShown("s", text) for text in result.said]
+    assert result.shown_texts == ["Olá!", "3", "0.5", "true", "1, a"]
+    assert of_type(log, TextShown) == [TextShown("s", text) for text in result.shown_texts]
     assert result.ended.duration_s == 0
 
 
