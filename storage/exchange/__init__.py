@@ -1,1 +1,1 @@
-"""What travels between stores: bundles, merging, deletion, anonymous export, Parquet."""
+"""Exchange between stores: bundles, merging, deletion for good, anonymous export, Parquet."""

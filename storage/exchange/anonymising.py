@@ -1,10 +1,10 @@
-"""Anonymous bundles: what was done stays, who did it and in which words does not.
+"""Anonymises a bundle: deletes names and texts, and replaces keys.
 
-Stays: what programs do and their numbers, runs with path, samples, outcome and times, the order of everything.
-Goes: names of groups, classes, lessons, programs and PCs (a number in their place), notes, labels, comments, all
-that is said, asked, answered or named in programs, the blocks as they lay in the editor. Keys are new ones.
-What becomes of each column is declared with it (`storage/tables/`). Whoever has the original file can
-still find a run by its samples: docs/bundles.md says so to teachers.
+Unchanged: the commands of programs with their numbers; runs with path, samples, outcome and times; the order of rows.
+Deleted: names of groups, classes, lessons, programs and PCs (a number replaces each), notes, labels, comments, the
+editor's workspaces, and every text that a program says, asks or names, or that a person answers. All keys are new.
+Each column declares how it is anonymised (`storage/tables/`). Who has the original file can still find a run by its
+samples; docs/bundles.md warns teachers.
 """
 
 import re
@@ -16,7 +16,7 @@ from storage.tables.columns import KEY, UNCHANGED, Column, ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.text import from_json, name_key, new_id, to_json
 
-# values under these keys are words of the language or of the robot, no texts of pupils
+# values under these keys are terms of the language or of the robot, not texts of pupils
 _UNCHANGED_KEYS = {
     *("action", "op", "sensor", "direction", "gesture", "symbol", "color", "state", "cause"),
     *(
@@ -33,18 +33,18 @@ _UNCHANGED_KEYS = {
         "by",
     ),
 }
-# names are keys of these
+# under these keys, the keys of the object are names that pupils gave
 _NAMING = ("arguments", "variables")
-_OWN = "own"  # the name of every world that a group has made
+_OWN = "own"  # the name of every world that a group made
 _POINTER = re.compile(r"(/(functions|commands|elif|else|\d+))*")
 _TABLES = tuple(table for table in REPLICATED if table.anonymous)
 
 
 def anonymising(known: Collection[str]) -> Callable[[sqlite3.Connection], None]:
-    """What takes names and texts out of a bundle before it is finished.
+    """Returns the function that deletes names and texts from a bundle before it is finished.
 
     Args:
-        known: names and texts of worlds and activities that ship, which tell nothing of a group.
+        known: names and texts of worlds and activities that ship, which identify no group.
     """
     return lambda db: _Anonymising(db, frozenset(known)).work()
 
@@ -65,14 +65,14 @@ class _Anonymising:
         for table in REPLICATED:
             if not table.anonymous:
                 self._db.execute(f"DELETE FROM {table.name}")
-        # numbers in place of names go by the old keys
+        # first all other columns: the numbers that replace names follow the order of the old keys
         for table in _TABLES:
             self._replace(table, [column for column in table.columns if column.kind is not KEY])
         self._make_keys()
         for table in _TABLES:
             self._replace(table, _keys_of(table))
         self._db.execute("COMMIT")
-        self._db.execute("VACUUM")  # or the texts would still lie in pages that are free now
+        self._db.execute("VACUUM")  # otherwise free pages would still hold the texts
 
     def _replace(self, table: ReplicatedTable, columns: list[Column]) -> None:
         replaced = [
@@ -82,7 +82,7 @@ class _Anonymising:
             self._db.execute(f"UPDATE {table.name} SET {', '.join(replaced)}")
 
     def _make_keys(self) -> None:
-        """New keys in the order of the old ones, which lists go by."""
+        """Makes new keys in the order of the old ones, because lists are sorted by key."""
         old: set[str] = set()
         for table in _TABLES:
             for column in _keys_of(table):
@@ -110,7 +110,10 @@ class _Anonymising:
         return self._plain(value)
 
     def _plain(self, text: str | None) -> str | None:
-        """The same for the same text: a variable stays one. A single sign is a letter of Libras or a mark."""
+        """Returns the same replacement for the same text, so that one variable stays one variable.
+
+        A single character is unchanged: it is a letter of LIBRAS or a mark.
+        """
         if text is None or len(text) <= 1 or text in self._known:
             return text
         return self._texts.setdefault(text, f"t{len(self._texts) + 1}")

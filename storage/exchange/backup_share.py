@@ -1,7 +1,7 @@
-"""Brings copies of the backups to the school's shared folder, on a thread of its own.
+"""Copies the backups to the school's shared folder, on a thread of its own.
 
-A network folder may be slow, full, read-only or gone, and may keep a thread waiting for ever. So nothing else waits for
-it: one thread at a time works there, and another begins only when it has come back.
+A network folder may be slow, full, read-only or disconnected, and a call to it may block for ever. So no other thread
+waits for it without a time limit. One thread at a time works there, and the next one starts when it has ended.
 """
 
 import errno
@@ -23,13 +23,13 @@ if TYPE_CHECKING:  # few PCs make copies
 
 SHARED_FOLDER = "shared_folder"
 COPIES_BACKUPS = "shared_folder_takes_backups"
-_CLEAN_TIMEOUT_S = 5.0  # of a deletion for good
+_CLEAN_TIMEOUT_S = 5.0  # limit for a deletion for good
 _SLOW_S = 600.0
 
 
 @dataclass(frozen=True, slots=True)
 class _Task:
-    """The shared folder, None for none, and the keys of rows that must be in none of the copies."""
+    """The shared folder, None for none, and the keys of rows that no copy may hold."""
 
     copies: "ShareCopies"
     shared: Path | None
@@ -37,10 +37,10 @@ class _Task:
 
 
 class BackupShare:
-    """The copies of one database's backups. Thread-safe.
+    """The copies of one database's backups in the shared folder. Thread-safe.
 
     Attributes:
-        problem: why the folder lacks the newest backup, None when all is well.
+        problem: why the folder lacks the newest backup, None if it has it.
         on_change: called, on any thread, after `problem` may have changed.
     """
 
@@ -52,22 +52,22 @@ class BackupShare:
         self._task: _Task | None = None
         self._n_requested = self._n_cleaned = self._n_done = 0
         self._left: tuple[Path, ...] = ()
-        self._start_s: float | None = None  # of the thread at work, None for none
+        self._start_s: float | None = None  # start of the current round of work, None if idle
 
     def update(self, wait_s: float = 0.0) -> bool:
-        """Brings the folder up to date; True when that was done within the time."""
+        """Brings the folder up to date; returns True if that was done within `wait_s` seconds."""
         return self._ask(wait_s, lambda n_requested: self._n_done >= n_requested)
 
     def resume(self) -> None:
-        """Tries again to delete what the last attempt left."""
+        """Tries again to delete the copies that the last attempt could not delete."""
         if self._left:
             self.update()
 
     def clean(self) -> tuple[Path, ...]:
-        """Deletes copies with what was deleted for good, and makes the newest anew. Waits some seconds at most.
+        """Deletes copies that hold deleted rows, and copies the newest backup again. Waits for 5 s at most.
 
         Returns:
-            Copies that may hold it still.
+            Copies that may still hold deleted rows.
         """
         is_in_time = self._ask(_CLEAN_TIMEOUT_S, lambda n_requested: self._n_cleaned >= n_requested)
         if not is_in_time and self._task is not None:
@@ -91,7 +91,7 @@ class BackupShare:
         return is_in_time
 
     def _next_task(self) -> _Task | None:
-        """None where there is nothing to be done. Raises StoreError."""
+        """Returns the task, None if there is nothing to do. Raises StoreError."""
         from storage.exchange.deleting.deletion import tombstoned_keys  # noqa: PLC0415 - few PCs need it
         from storage.file.share_copies import ShareCopies, read_manifest  # noqa: PLC0415 - see above
 
@@ -107,7 +107,7 @@ class BackupShare:
         return _Task(copies, None, tombstoned) if tombstoned and copies.manifest.copies else None
 
     def _start(self, task: _Task) -> float:
-        """Starts a thread, unless one is at work; returns how long it has been, in s."""
+        """Starts the thread unless it runs; returns for how long it has been working, in s."""
         now_s = time.monotonic()
         if self._start_s is None:
             self._start_s = now_s
@@ -130,7 +130,7 @@ class BackupShare:
             self.on_change()
 
     def _do(self, task: _Task, n_requested: int) -> Notice | None:
-        self._left = task.copies.manifest.copies  # until they were looked at
+        self._left = task.copies.manifest.copies  # until `clean` has inspected them
         try:
             left = task.copies.clean(task.shared, task.tombstoned)
             with self._changed:
@@ -138,7 +138,7 @@ class BackupShare:
                 self._changed.notify_all()
             if task.shared:
                 task.copies.copy_newest(task.shared, task.tombstoned)
-        except Exception as error:  # any failure is shown, and the next attempt is in an hour
+        except Exception as error:  # any failure is shown; the next attempt is in an hour
             problem = getattr(error, "strerror", None) or str(error)
             return _notice(task.shared, problem) if task.shared else None
         return None

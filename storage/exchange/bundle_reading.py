@@ -1,6 +1,6 @@
-"""Opening a bundle, which may have been made by anybody: all of it is checked before anything of it is used.
+"""Opens a bundle. Anybody may have made it, so the whole file is checked before any of it is used.
 
-The file is read once, into a private copy: a stick may be read-only or pulled out, a file on a share may change
+The file is read once, into a private copy. A stick may be read-only or pulled out, a file on a share may change
 meanwhile, and a bundle of an earlier release is migrated on the copy.
 """
 
@@ -39,7 +39,7 @@ _log = logging.getLogger(__name__)
 _MAX_BYTES = 4 * 2**30
 _MAGIC = b"SQLite format 3\0"
 _HEADER = 100
-# its words change from release to release; texts can do nothing
+# the texts of the view `about` change from release to release; they contain nothing executable
 _ABOUT = re.compile(
     r"CREATEVIEW\"about\"AS(UNIONALL)?(SELECT'([^']|'')*'ASname,'([^']|'')*'ASmeaning(UNIONALL)?)+"
 )
@@ -49,10 +49,10 @@ _Objects = frozenset[tuple[str, str, str, str]]
 
 @dataclass(frozen=True, slots=True)
 class Bundle:
-    """A bundle that was checked.
+    """A bundle that passed all checks.
 
     Attributes:
-        address: of the private copy, with the tables of this release; the copy is deleted afterwards.
+        address: URI of the private copy, with the tables of this release; the copy is deleted afterwards.
     """
 
     info: BundleInfo
@@ -61,15 +61,16 @@ class Bundle:
 
 @contextmanager
 def open_bundle(path: Path, *, max_samples: int | None = None) -> Iterator[Bundle]:
-    """The bundle, where every part of it is as PINEL writes it; the file is only read.
+    """Yields the bundle, if every part of it is as PINEL writes it. Only reads the file.
 
     Args:
-        max_samples: of all runs together, as unpacking takes time that anybody can ask for without PIN.
+        max_samples: maximum of all runs together. Unpacking samples takes time, and some bundles need no PIN.
 
     Raises:
-        StoreError: `bundle_missing`, `bundle_unreadable`; `bundle_foreign` of another program, `bundle_is_store`
-            the file that an app works in; `bundle_damaged` truncated or changed; `bundle_newer`; `bundle_hostile`
-            holds what no PINEL writes; `bundle_too_large`, `bundle_too_long`; `disk_full` no room for the copy.
+        StoreError: `bundle_missing`, `bundle_unreadable`; `bundle_foreign` file of another program;
+            `bundle_is_store` the file that an app works in; `bundle_damaged` truncated or changed; `bundle_newer`;
+            `bundle_hostile` holds what no PINEL writes; `bundle_too_large`, `bundle_too_long`; `disk_full` no space
+            for the copy.
     """
     remove_leftovers()
     with temporary_folder() as folder:
@@ -77,7 +78,7 @@ def open_bundle(path: Path, *, max_samples: int | None = None) -> Iterator[Bundl
         try:
             _copied(path, copy)
             info = _examined(copy, path, max_samples)
-        except StoreError as error:  # the code says what to do; the problem is for the log
+        except StoreError as error:  # the code tells people what to do; the log gets the problem
             _log.info("%s: %s %s", path, error.code, error.params.get("problem", ""))
             raise
         except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
@@ -87,18 +88,18 @@ def open_bundle(path: Path, *, max_samples: int | None = None) -> Iterator[Bundl
 
 
 def declares_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
-    """Whether the file says that names were left out of it; False of what cannot be a bundle.
+    """Returns whether the file declares that names were left out of it; False if it cannot be a bundle.
 
-    Only its head is read, and once, as long as size and time of the file stay the same.
+    Reads only the file's head, and only once while the size and time of the file stay the same.
     """
     try:
         return _read_anonymous_flag(path, size_bytes, modified_s)
-    except (sqlite3.Error, UnicodeDecodeError):  # asked again next time: a stick may be busy
+    except (sqlite3.Error, UnicodeDecodeError):  # not cached: a stick may be busy
         return False
 
 
 def prepares_lesson(path: Path) -> bool:
-    """Whether the file says that it prepares a PC for a lesson; False of what cannot be read."""
+    """Returns whether the file declares that it prepares a PC for a lesson; False if it cannot be read."""
     try:
         with path.open("rb") as file:
             head = file.read(_HEADER)
@@ -140,7 +141,7 @@ def _copied(path: Path, copy: Path) -> None:
 
 
 def _size_by(head: bytes) -> int:
-    """The length in bytes that the file must have, by its header (sqlite.org/fileformat.html)."""
+    """Returns the length of the file in bytes by its header (sqlite.org/fileformat.html), -1 if it is cut."""
     if len(head) < _HEADER:
         return -1
     page = int.from_bytes(head[16:18], "big")
@@ -179,9 +180,11 @@ def _require_few_samples(db: sqlite3.Connection, path: Path, max_samples: int) -
 
 
 def _release(db: sqlite3.Connection, path: Path) -> int:
-    """How many migrations the file has. Every object must be one that those migrations make. Definitions are compared
-    before any table is queried, since a query would run a view or a trigger of the file."""
-    # lengths and comparisons are of UTF-8
+    """Returns how many migrations the file has, after checking that those migrations make all of its objects.
+
+    Compares definitions before it queries any table, since a query would run a view or a trigger of the file.
+    """
+    # the lengths and comparisons of other checks assume UTF-8
     if db.execute("PRAGMA encoding").fetchone()[0] != "UTF-8":
         raise StoreError("bundle_hostile", path=str(path), problem="encoding")
     objects = _objects(db)
@@ -210,7 +213,7 @@ def _release(db: sqlite3.Connection, path: Path) -> int:
 
 
 def _format(db: sqlite3.Connection, objects: _Objects) -> int:
-    """The bundle's format; a later format may have other columns too."""
+    """Returns the bundle's format. Reads it by itself, as a later format may have other columns too."""
     texts = [text for kind, name, _, text in objects if (kind, name) == ("table", "bundle")]
     if not texts[0].startswith("CREATETABLEbundle(formatINTEGERNOTNULL,"):
         return FORMAT
@@ -234,7 +237,10 @@ def _described(db: sqlite3.Connection, path: Path) -> BundleInfo:
 
 
 def _lesson_of(db: sqlite3.Connection) -> str | None:
-    """The lesson that the file prepares a PC for; the one that it was joined to is in the file too."""
+    """Returns the lesson that the file prepares a PC for, None for another file.
+
+    The file also has the lesson that this lesson was joined to.
+    """
     if db.execute("PRAGMA application_id").fetchone()[0] != LESSON_FILE:
         return None
     found = db.execute("SELECT id FROM lessons ORDER BY part_of IS NULL, id LIMIT 1").fetchone()
@@ -256,7 +262,7 @@ _RULES: dict[str, rules.Rule] = {
 
 
 def _objects(db: sqlite3.Connection) -> _Objects:
-    """Type, name, table and text of everything in the file; SQLite's own indexes have no text."""
+    """Returns type, name, table and SQL of every object in the file; SQLite's own indexes have no SQL."""
     _require_bounded(db, "sqlite_schema")
     rows = db.execute(
         "SELECT type, name, tbl_name, coalesce(sql, '') FROM sqlite_schema"
@@ -265,7 +271,7 @@ def _objects(db: sqlite3.Connection) -> _Objects:
 
 
 def _text(name: str, sql: str) -> str:
-    """Without spaces, which differ between releases of the library that writes it."""
+    """Returns the SQL without white space, which differs between releases of the library that writes it."""
     text = "".join(sql.split())
     return "about" if name == "about" and _ABOUT.fullmatch(text) else text
 
@@ -292,7 +298,7 @@ def _connected(copy: Path) -> sqlite3.Connection:
 
 
 def _require_bounded(db: sqlite3.Connection, table: str) -> None:
-    """Raises DataError for a text or blob that is too long; SQLite knows the lengths without reading the values."""
+    """Raises DataError if a text or blob is too long. SQLite gets lengths without reading the values."""
     if hasattr(db, "setlimit"):
         return
     too_long = " OR ".join(

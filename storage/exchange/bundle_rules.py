@@ -1,4 +1,4 @@
-"""Looking through the rows of a bundle: each value must be one that a store writes (`storage/tables/rules.py`)."""
+"""Validates the rows of a bundle: each value must be one that a store can write (`storage/tables/rules.py`)."""
 
 import zlib
 from collections.abc import Iterator
@@ -14,12 +14,12 @@ from storage.tables.runs import TELEMETRY
 from storage.text import may_be_of, time_text, to_json, utc_now
 
 _SAMPLE_COLUMNS = 16
-_RELEASED = datetime(2026, 11, 23, tzinfo=UTC)  # the clock may be at 2010
+_RELEASED = datetime(2026, 11, 23, tzinfo=UTC)  # lower bound: the clock of a PC may be at 2010
 _CLOCKS_DIFFER = timedelta(days=1)
 
 
 def problem_in_rows(db: sqlite3.Connection) -> str | None:
-    """The first place that holds what no store writes, as `table.column`; None when all is well."""
+    """Returns the first invalid place as `table.column`, None if all rows are valid."""
     for table in REPLICATED:
         if problem := _problem_in_table(db, table):
             return problem
@@ -32,9 +32,9 @@ def problem_in_rows(db: sqlite3.Connection) -> str | None:
 def refused_rows(
     db: sqlite3.Connection, table: ReplicatedTable
 ) -> Iterator[tuple[tuple[Any, ...], str]]:
-    """Rows of a table that break a rule: the key, and the place as `table.column`; samples are not unpacked.
+    """Yields the key of each row that breaks a rule, and the place as `table.column`; unpacks no samples.
 
-    A text that is no UTF-8 is told as octets, also in the key.
+    A text that is not UTF-8 is given as octets, also in the key.
     """
     try:
         yield from list(_refused_rows(db, table))
@@ -67,7 +67,7 @@ def _refused_rows(
         columns = zip(*rows, strict=True)
         is_well = all(all(map(rule, values)) for rule, values in zip(rules, columns, strict=True))
         if is_well and not table.bound:
-            continue  # as nearly always
+            continue  # nearly always
         for row in rows:
             wrong = (
                 name for value, rule, name in zip(row, rules, names, strict=True) if not rule(value)
@@ -78,7 +78,7 @@ def _refused_rows(
 
 
 def _wrong_key(table: ReplicatedTable, row: dict[str, Any]) -> str | None:
-    """`id` where that is the key of another content: somebody put this in the place of what the key is of."""
+    """Returns `id` if the key is not derived from the row's content: somebody replaced the content."""
     is_own = not table.bound or may_be_of(
         row["id"], to_json([row.get(name) for name in table.bound])
     )
@@ -86,7 +86,7 @@ def _wrong_key(table: ReplicatedTable, row: dict[str, Any]) -> str | None:
 
 
 def _problem_in_table(db: sqlite3.Connection, table: ReplicatedTable) -> str | None:
-    if not column_names(db, table.name):  # the release which wrote it did not have the table
+    if not column_names(db, table.name):  # the release that wrote the file had no such table
         return None
     for _, problem in refused_rows(db, table):
         return problem
@@ -97,7 +97,7 @@ def _problem_in_table(db: sqlite3.Connection, table: ReplicatedTable) -> str | N
 
 
 def _unpacks(blob: bytes, n_rows: int) -> bool:
-    """True for telemetry of that many rows; never unpacks more than they need."""
+    """Returns True if the blob is telemetry of `n_rows` rows; never unpacks more octets than these need."""
     max_octets = 4 * _SAMPLE_COLUMNS * n_rows
     unpacking = zlib.decompressobj()
     try:
@@ -109,7 +109,7 @@ def _unpacks(blob: bytes, n_rows: int) -> bool:
 
 
 def _problem_in_runs(db: sqlite3.Connection) -> str | None:
-    """A run is read as a whole, so all its samples together are bounded too."""
+    """Bounds the samples of a run together, because a run is read as a whole."""
     by_length = db.execute(
         "SELECT sum(n_rows) FROM telemetry GROUP BY run_id ORDER BY 1 DESC LIMIT 1"
     )
@@ -118,8 +118,11 @@ def _problem_in_runs(db: sqlite3.Connection) -> str | None:
 
 
 def _problem_in_numbers(db: sqlite3.Connection) -> str | None:
-    """Versions are counted from 1 on and a bundle has all of a program: a number far beyond their count would stay
-    the newest, whatever is edited afterwards. The count grows with each edit, so that no honest one exceeds it."""
+    """Bounds the numbers of versions: a number far above the count would stay the newest after every edit.
+
+    Versions are numbered from 1, and a bundle has all versions of a program. Number and count both grow with each
+    edit, so no number that PINEL gave exceeds the count.
+    """
     ahead = db.execute(
         f"SELECT 1 FROM versions GROUP BY program_id HAVING max(number) > count(*) + {MAX_NUMBERS_AHEAD}"
     )
@@ -127,7 +130,10 @@ def _problem_in_numbers(db: sqlite3.Connection) -> str | None:
 
 
 def _problem_in_revisions(db: sqlite3.Connection) -> str | None:
-    """At the greatest revision, which no person reaches, the time decides; one to come would win over corrections."""
+    """Refuses times in the future at the maximum revision: there the time decides, so it would win for ever.
+
+    No person reaches the maximum revision.
+    """
     latest = time_text(max(utc_now(), _RELEASED) + _CLOCKS_DIFFER)
     for table in REPLICATED:
         if "revision" in column_names(db, table.name):

@@ -1,7 +1,7 @@
-"""Writing bundles: one SQLite file with all of a store, or with what belongs to one class, group or program.
+"""Writes bundles: one SQLite file with a whole store, or with the rows of one class, group or program.
 
-It has the tables and views of a store, so that Datasette opens it, and one more table, `bundle`, with its origin and
-its checksum (docs/bundles.md).
+A bundle has the tables and views of a store, so Datasette opens it. One more table, `bundle`, has its origin and its
+checksum (docs/bundles.md).
 """
 
 import logging
@@ -53,15 +53,15 @@ Alteration = Callable[[sqlite3.Connection], None]
 
 @dataclass(frozen=True, slots=True)
 class BundleInfo:
-    """What a bundle says of itself.
+    """The contents of the table `bundle`, and what was left out.
 
     Attributes:
-        content_hash: `content_hash.content_hash` of what it holds, as the release that wrote it counts it.
+        content_hash: `content_hash.content_hash` of the content, as the release that wrote the file computes it.
         counts: rows by table.
         anonymous: names and texts were left out.
         lesson_id: the lesson that the file prepares a PC for; None for a file of work.
-        left_out: of one just written, `table.column key` of rows that other PCs would refuse.
-        lacking: names of groups, and of groups with their programs, whose work is not or not wholly in it therefore.
+        left_out: for a file just written, `table.column key` of rows that other PCs would refuse.
+        lacking: names of groups, and of groups with a program, whose work the file therefore lacks in part or whole.
     """
 
     path: Path
@@ -78,7 +78,7 @@ class BundleInfo:
 
     @property
     def left_out_params(self) -> dict[str, object]:
-        """What fills the words about `left_out`: how many records, and of whom, as far as a person reads."""
+        """Parameters of the message about `left_out`: how many rows, and the first names of `lacking`."""
         more = " …" if len(self.lacking) > _MAX_NAMED else ""
         return {
             "count": len(self.left_out),
@@ -99,14 +99,15 @@ def export_bundle(
     """Writes what is on disk at this moment, without runs that have not ended; the file appears when it is complete.
 
     Args:
-        dest: the file; where there is one already, the new one gets a number.
+        dest: the file. If it exists, the new one gets a number.
         computer: key and name of this PC.
         alter: changes the copy before it is finished; the bundle then counts as anonymous.
-        is_recorded: whether the file is noted in `exports`; not one that is sent to a browser or deleted at once.
+        is_recorded: whether `exports` gets an entry; False for a file that a browser downloads or that is
+            deleted at once.
 
     Raises:
         StoreError: `classroom_not_found`, `group_not_found`, `program_not_found`, `lesson_not_found`; `export_failed`
-            or `disk_full` where nothing could be written.
+            or `disk_full` if nothing could be written.
     """
     with database.read_connection() as db:
         scope.require(db)
@@ -144,7 +145,7 @@ def export_bundle(
 
 
 def record_export(database: Database, info: BundleInfo, scope: Scope) -> None:
-    """Notes the file in `exports`, where the store can be written: what is deleted later may be in it."""
+    """Records the file in `exports`, if the store can be written: rows deleted later may still be in the file."""
     content = {"checksum": info.content_hash, "of": scope.values(), "runs": info.counts["runs"]}
     row = {
         "id": new_id(),
@@ -157,7 +158,7 @@ def record_export(database: Database, info: BundleInfo, scope: Scope) -> None:
 
 
 def counts_of(db: sqlite3.Connection) -> dict[str, int]:
-    """Rows by replicated table, of those that the file has."""
+    """Returns the number of rows of each replicated table that the file has."""
     return {
         table.name: row_count(db, table.name)
         for table in REPLICATED
@@ -166,7 +167,7 @@ def counts_of(db: sqlite3.Connection) -> dict[str, int]:
 
 
 def _new_database(path: Path) -> sqlite3.Connection:
-    """Without journal: a file whose writing fails is thrown away."""
+    """Opens a new database without journal: a file whose writing fails is deleted."""
     db = opened(path, "rwc")
     db.execute("PRAGMA journal_mode = OFF")
     db.execute("PRAGMA synchronous = OFF")
@@ -174,8 +175,7 @@ def _new_database(path: Path) -> sqlite3.Connection:
 
 
 def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> dict[str, str]:
-    """Copies the rows; returns `table key` of those that are not as they were written, which stay behind, and whose
-    work they are."""
+    """Copies the rows, except damaged ones; returns `table key` of each damaged row and the names of its owners."""
     migrate(db)
     db.execute(BUNDLE_TABLE)
     db.execute("ATTACH DATABASE ? AS store", [store])
@@ -197,7 +197,11 @@ def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> dict[str, str]:
 def _record_damaged(
     db: sqlite3.Connection, table: ReplicatedTable, condition: str, scope: Scope
 ) -> dict[str, str]:
-    """Notes versions, or runs with their events and samples, that are not as they were written."""
+    """Records versions, and runs with their events and samples, whose checksum does not match.
+
+    Returns:
+        `table key` of each, and the name of its group, for versions with the program.
+    """
     parts = OF_RUNS if table is RUNS else (table.name,)
     query = f"SELECT id, {_WHOSE[table.name]} FROM store.{table.name} WHERE {condition}"
     found = {
@@ -231,11 +235,13 @@ def _copy_table(
 def _leave_out(
     db: sqlite3.Connection, damaged: Mapping[str, str]
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Deletes rows for which the whole bundle would be refused, with what belongs to them; returns which rows, and
-    whose work is missing now.
+    """Deletes rows for which other PCs would refuse the whole bundle, with their children.
 
     Args:
-        damaged: what was not copied, and whose work it is.
+        damaged: rows that were not copied, and the names of their owners.
+
+    Returns:
+        The rows, and the names of groups and programs that lost work.
     """
     refused = [
         (table, key, place) for table in REPLICATED for key, place in refused_rows(db, table)
@@ -258,7 +264,7 @@ def _leave_out(
 
 
 def _amounts(db: sqlite3.Connection) -> dict[tuple[str, str], int]:
-    """Rows of work by key and name of each group, and of each program with its group."""
+    """Returns the number of runs of each group and of versions of each program, by key and name."""
     found = rows_of(
         db,
         """SELECT id, name, (SELECT count(*) FROM runs WHERE group_id = groups.id) FROM groups
@@ -288,7 +294,7 @@ def _describe(db: sqlite3.Connection, info: BundleInfo) -> None:
 
 
 def forget_unconfirmed(db: sqlite3.Connection) -> None:
-    """In a file for statistics, a pass that is not confirmed counts as not judged; nothing else tells of marks."""
+    """Makes an unconfirmed pass count as not judged, for a file for statistics, which does not have the marks."""
     db.execute("UPDATE runs SET passed = NULL WHERE id IN (SELECT run_id FROM unconfirmed_runs)")
     db.execute("DELETE FROM unconfirmed_runs")
 

@@ -1,9 +1,10 @@
-"""Which runs of a bundle this PC must repeat before their pass counts, and which records give way to others.
+"""Tracks the runs of a bundle whose pass does not count until this PC has re-verified them.
 
-A bundle may have been made by anybody, so a pass that comes with one is marked in `unconfirmed_runs`, whoever wrote it.
-The mark goes when the run, repeated here, came out the same and passed (`pinel_desktop/school/confirming.py`).
+Anybody can make a bundle. So each pass that comes with one is marked in `unconfirmed_runs`, whoever wrote the bundle.
+The mark is removed when this PC has repeated the run with the same record and a pass
+(`pinel_desktop/school/confirming.py`). A run whose re-verification failed may be replaced by the bundle's record.
 
-In the SQL `main` is the store and `bundle` the bundle; a row of the store is called `ours`, one of the bundle `theirs`.
+In the SQL `main` is the store and `bundle` the bundle. A row of the store is `ours`, a row of the bundle `theirs`.
 """
 
 from collections.abc import Iterator
@@ -17,11 +18,11 @@ from storage.tables.runs import RUNS
 from storage.text import to_json
 
 _UNCONFIRMED = "main.unconfirmed_runs"
-# a run that counts as passed, or will be judged by its record: only these need a mark
+# condition: the run counts as passed, or is still to be judged by its record; only such runs need a mark
 _COUNTS = "activity IS NOT NULL AND (passed = 1 OR passed IS NULL AND check_report IS NULL)"
 _IS_CUT_OFF = "ours.state = 'running' OR ours.reason IS 'interrupted'"
 _IS_TO_BE_JUDGED = f"ours.passed IS NULL AND ours.check_report IS NULL AND NOT ({_IS_CUT_OFF})"
-# condition: the run `ours` counts here as passed, or is to be judged by its record; no bundle changes it
+# condition: the run `ours` counts here as passed, or is still to be judged; no bundle changes it
 COUNTS_HERE = f"""(ours.activity IS NOT NULL AND (ours.passed IS 1 OR {_IS_TO_BE_JUDGED})
     AND ours.id NOT IN (SELECT run_id FROM {_UNCONFIRMED}))"""
 _REFUTED = f"""SELECT ours.id {rows_in_both(RUNS)} JOIN {_UNCONFIRMED} AS mark ON mark.run_id = ours.id
@@ -32,11 +33,11 @@ _REFUTED = f"""SELECT ours.id {rows_in_both(RUNS)} JOIN {_UNCONFIRMED} AS mark O
 def tracking_unconfirmed(
     db: sqlite3.Connection, now: str, *, replaces_refuted: bool = True
 ) -> Iterator[None]:
-    """Merge within this: afterwards the runs that came or changed have the marks that they need.
+    """Marks the runs that a merge within this context adds or changes and whose pass would count.
 
     Args:
-        replaces_refuted: replaces a run that this PC refuted by the bundle's run, which is then repeated: a forged
-            record may have come before the record of the PC that drove.
+        replaces_refuted: if re-verification refuted a run on this PC, replaces it by the bundle's run, which is then
+            re-verified. The forged record may have arrived before the record of the PC that ran the program.
     """
     shared = f"SELECT * FROM main.runs WHERE id IN (SELECT id FROM bundle.runs) AND {_COUNTS}"
     db.execute(f"CREATE TEMP TABLE before AS {shared}")
@@ -55,7 +56,7 @@ def tracking_unconfirmed(
 
 
 def n_unconfirmed(db: sqlite3.Connection) -> int:
-    """How many runs of the bundle have a mark in the store."""
+    """Returns how many runs of the bundle have a mark in the store."""
     return row_count(db, _UNCONFIRMED, "run_id IN (SELECT id FROM bundle.runs)")
 
 
@@ -67,7 +68,7 @@ def _differs(db: sqlite3.Connection, run_id: str) -> bool:
 
 
 def _replace(db: sqlite3.Connection, run_id: str) -> None:
-    """Not a run whose group or version was deleted here."""
+    """Replaces a run by the bundle's, unless its group or version was deleted here."""
     which = f"SELECT 1 FROM bundle.runs AS theirs WHERE id = ? AND {may_merge(RUNS)}"
     if db.execute(which, [run_id]).fetchone():
         for table in OF_RUNS:

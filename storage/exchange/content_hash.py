@@ -1,8 +1,8 @@
-"""The content hash: equal for two files that hold the same replicated rows.
+"""The content hash of a store or bundle: equal for two files that hold the same replicated rows.
 
-It covers the tables of `REPLICATED`. Settings, merges and exports belong to one PC. A run that
-has not ended does not count yet, nor does a PC that nothing in the file was made on: a file that was only merged into
-has the same hash on every PC.
+It covers the tables of `REPLICATED`, not settings, merges and exports, which belong to one PC. Runs that have not
+ended do not count yet. A PC counts only if rows of the file were made on it, so a file into which bundles were only
+merged has the same hash on every PC.
 """
 
 import hashlib
@@ -15,23 +15,23 @@ from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 
 _encode = json.JSONEncoder(separators=(",", ":")).encode
-# a row's last value while it is encoded. No text has the end of such a row in it: quotation marks of texts are escaped
+# the last value of each row while it is encoded; no text contains the encoded end, as its quotes are escaped
 _END = "\0"
 _END_OF_ROW = ',"\\u0000"]'
 
 
 def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
-    """SHA-256, in hex, of every replicated row, in the order of the tables and of their keys.
+    """Returns the SHA-256, in hex, of every replicated row, in the order of the tables and of their keys.
 
-    Of each table first a JSON array of its name and its columns, then each row as a JSON array, each followed by a
-    line feed; in place of a blob stands its length, and the blob follows the line feed. Tables that later releases
-    added are left out while they are empty. docs/bundles.md says more.
+    Each table is hashed as a JSON array of its name and its columns, then each row as a JSON array; a line feed follows
+    each array. In the array the length of a blob, in octets, replaces it; the blob follows the line feed. Tables that
+    later releases added are left out while they are empty. docs/bundles.md has the details.
     """
     digest = hashlib.sha256()
     with snapshot(db):
         for table in REPLICATED:
             names = column_names(db, table.name, schema)
-            if not names:  # a table that the release which wrote the file did not have
+            if not names:  # the release that wrote the file had no such table
                 continue
             going = table.condition.format(schema=schema)
             if not table.counts_empty and not row_count(db, f"{schema}.{table.name}", going):
@@ -56,7 +56,7 @@ def _encoded_rows(
 
 
 def _lines(rows: list[tuple[object, ...]]) -> Iterator[bytes]:
-    """Each row as a JSON array; encoded together, as each by itself takes twice as long."""
+    """Yields each row as a JSON array. Encodes many at once, as one by one takes twice as long."""
     heads = [
         [len(value) if type(value) is bytes else value for value in (*row, _END)] for row in rows
     ]

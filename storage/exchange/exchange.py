@@ -1,4 +1,4 @@
-"""Exporting and merging bundles, and deleting for good: the store's side of the exchange between PCs."""
+"""Exports and merges bundles and deletes for good: the store's side of the exchange between PCs."""
 
 from collections.abc import Collection
 from contextlib import closing
@@ -31,7 +31,7 @@ from storage.text import new_id
 
 
 class Exchange:
-    """What goes from this file to others, and comes from them."""
+    """The exchange of one store with other files: export, merge, and deletion for good."""
 
     def __init__(self, database: Database, share: BackupShare) -> None:
         self._database = database
@@ -50,7 +50,7 @@ class Exchange:
         """Writes a bundle; see `export_bundle`.
 
         Args:
-            anonymous: leaves names and texts out, but for these of worlds and activities that ship.
+            anonymous: if given, names and texts are left out, except these texts of worlds and activities that ship.
         """
         return export_bundle(
             self._database,
@@ -71,7 +71,7 @@ class Exchange:
         scope: Scope = ALL,
         anonymous: Collection[str] | None = None,
     ) -> BundleInfo:
-        """Writes a folder of Parquet files; see `write_parquet`, and `export` for the rest."""
+        """Writes a folder of Parquet files; see `write_parquet`, and `export` for the arguments."""
         with temporary_folder() as folder:
             info = self.export(
                 folder / "bundle",
@@ -95,13 +95,14 @@ class Exchange:
         retained: Collection[str] = (),
         retain_newer: bool = True,
     ) -> MergeReport:
-        """Merges a bundle into the store; on disk when this returns.
+        """Merges a bundle into the store. The transaction is on disk when this returns.
 
         Args:
-            delete: also deletes what was deleted for good where the bundle is from, from the store, the write-ahead
-                log and the backups; without it the report only tells what that would be.
-            retained: with `delete`, groups and programs that stay nevertheless.
-            retain_newer: with `delete`, also what was moved, or is newer here than where it was deleted.
+            delete: also deletes the rows that the bundle's tombstones name, from the store, the write-ahead log and
+                the backups. Without it the report only counts them.
+            retained: with `delete`, keys of groups and programs that are retained.
+            retain_newer: with `delete`, also retains groups and programs that were moved to another class, or that
+                have work which the deleting PC did not have.
 
         Raises:
             StoreError: see `merging.merge`.
@@ -115,29 +116,34 @@ class Exchange:
         return report
 
     def merge_program(self, path: Path) -> tuple[MergeReport, str]:
-        """Adds what is new of one program; see `program_merging.merge_program`."""
+        """Adds the new rows of one program; see `program_merging.merge_program`."""
         return merge_program(self._database, path)
 
     def merge_lesson(self, path: Path) -> tuple[MergeReport, str]:
-        """Adds what a PC needs for a lesson; see `lesson_merging.merge_lesson`."""
+        """Adds the rows that a PC needs for a lesson; see `lesson_merging.merge_lesson`."""
         return merge_lesson(self._database, path)
 
     def known_computers(self) -> list[KnownComputer]:
-        """PCs whose bundles were merged, the latest first."""
+        """Returns the PCs whose bundles were merged, the latest first."""
         return known_computers(self._database)
 
     def unresolved_deletions(self) -> list[UnresolvedDeletion]:
-        """Deletions of other PCs that were neither confirmed nor kept here."""
+        """Returns deletions of other PCs that were neither confirmed nor refused here."""
         return unresolved_deletions(self._database)
 
     def purge(self, kind: str, *keys: str) -> Deletion:
-        """Deletes rows of a kind for good, such as a `group`, also from the backups; see `deletion.remove`."""
+        """Deletes rows of a kind for good, such as a `group`, also from the backups; see `deletion.purge`."""
         deletion = purge(self._database, kind, *keys)
         return replace(deletion, still_in=self._clean_copies(deletion.ids))
 
     def finish_removals(self, stop: Stop = lambda: False) -> tuple[Path, ...]:
-        """Deletes what was deleted for good from backups and write-ahead log that still hold it: after a deletion that
-        was cut off, or while a backup was locked or being made. Returns the backups that still hold it."""
+        """Deletes tombstoned rows from the backups and the write-ahead log that still hold them.
+
+        A deletion may have been interrupted, or a backup may have been locked or in the making.
+
+        Returns:
+            The backups that still hold such rows.
+        """
         with self._database.read_connection() as db:
             ids = tombstoned_keys(db)
         if not ids:
@@ -148,13 +154,13 @@ class Exchange:
         return left
 
     def _clean_copies(self, ids: Collection[str]) -> tuple[Path, ...]:
-        """Here and in the shared folder; returns the files that may hold the rows still."""
+        """Cleans the backups here and in the shared folder; returns the files that may still hold the rows."""
         return self._clean_backups(ids) + self._share.clean()
 
     def _clean_backups(self, ids: Collection[str], stop: Stop = lambda: False) -> tuple[Path, ...]:
         return tuple(remove_from_backups(self._database.path, ids, purge_keys, stop))
 
     def content_hash(self) -> str:
-        """One number for all that the store holds; equal stores have equal ones."""
+        """Returns the content hash; stores with the same replicated rows have equal ones."""
         with self._database.read_connection() as db:
             return content_hash(db)

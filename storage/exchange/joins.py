@@ -1,6 +1,6 @@
-"""SQL that joins a table of a bundle with that of the store, by key.
+"""SQL that joins a table of a bundle with the same table of the store, by key.
 
-In it `main` is the store and `bundle` the bundle; a row of the store is called `ours`, one of the bundle `theirs`.
+In the SQL `main` is the store and `bundle` the bundle. A row of the store is `ours`, a row of the bundle `theirs`.
 """
 
 from storage.exchange.deleting.deletion import TOMBSTONED_KEYS
@@ -10,7 +10,7 @@ from storage.tables.columns import ReplicatedTable
 
 
 def insert_new(db: sqlite3.Connection, table: ReplicatedTable, condition: str) -> int:
-    """Adds the rows of the bundle that meet the condition and whose key the store does not have; tells how many."""
+    """Adds the bundle's rows that meet the condition and whose key the store lacks; returns their number."""
     names = column_names(db, table.name)
     return db.execute(
         f"INSERT INTO main.{table.name} ({', '.join(names)})"
@@ -25,7 +25,7 @@ def is_new(table: ReplicatedTable) -> str:
 
 
 def may_merge(table: ReplicatedTable) -> str:
-    """Condition: neither the row nor what it belongs to is deleted; a bundle holds what its rows belong to."""
+    """Condition: neither the row nor a parent of it was deleted; a bundle holds the parents of its rows."""
     parents = [
         f"(theirs.{column} IS NULL OR EXISTS (SELECT 1 FROM main.{parent} WHERE id = theirs.{column}))"
         for column, parent in table.parents
@@ -34,15 +34,15 @@ def may_merge(table: ReplicatedTable) -> str:
 
 
 def rows_in_both(table: ReplicatedTable, kind: str = "") -> str:
-    """Rows of a table that both have, `theirs` and `ours`."""
+    """Returns the FROM clause of the rows that both have, `theirs` and `ours`."""
     return f"FROM bundle.{table.name} AS theirs {kind} JOIN main.{table.name} AS ours ON {same_key(table)}"
 
 
 def same_key(table: ReplicatedTable) -> str:
-    """Condition: `ours` and `theirs` are one row."""
+    """Condition: `ours` and `theirs` are the same row."""
     return " AND ".join(f"ours.{name} = theirs.{name}" for name in table.key)
 
 
 def qualified_columns(side: str, names: tuple[str, ...]) -> str:
-    """Columns of `ours` or `theirs`."""
+    """Returns the columns, qualified with `ours` or `theirs`."""
     return ", ".join(f"{side}.{name}" for name in names)

@@ -18,7 +18,7 @@ class KnownComputer:
 
 
 def known_computers(database: Database) -> list[KnownComputer]:
-    """Every PC that bundles were from, the one whose bundle was merged last first."""
+    """Returns every PC whose bundles were merged, by the time of the last merge, newest first."""
     with database.read_connection() as db:
         rows = rows_of(
             db,

@@ -1,4 +1,4 @@
-"""Merging the file that prepares a PC for a lesson. It may need no PIN: no work of pupils is merged."""
+"""Merges a lesson file, which prepares a PC for a lesson. It may need no PIN, so it must hold no work of pupils."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ def merge_lesson(database: Database, path: Path) -> tuple[MergeReport, str]:
     """Merges class, groups, lesson, preset, own activities and taught signs; returns the lesson's key too.
 
     Raises:
-        StoreError: `bundle_not_lesson` where the file is of another kind; else as `merging.merge`.
+        StoreError: `bundle_not_lesson` if the file is of another kind; else as `merging.merge`.
     """
     with open_bundle(path, max_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
         lesson_id = bundle.info.lesson_id

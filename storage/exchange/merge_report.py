@@ -1,4 +1,4 @@
-"""What a merge did."""
+"""The report of a merge."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,19 +10,20 @@ from storage.exchange.deleting.pending import PendingDeletion, PendingWork
 
 @dataclass(frozen=True, slots=True)
 class MergeReport:
-    """What a merge did: numbers of rows by table, without zeros.
+    """What a merge changed, as numbers of rows by table, without zeros.
 
     Attributes:
         added: rows that were not in the store.
-        changed: rows of which the bundle had a later state.
-        skipped: rows that were left out, as they or what they belong to was deleted from the store.
-        removed: rows of the store that were deleted, as the bundle has tombstones for them.
-        would_delete: rows of the store that a merge with `delete` would delete, None where it was done or for nothing.
-        retained: what was kept here, and is kept from now on wherever the store's bundles go.
-        tombstones: keys of what was deleted; backups are to lose the same.
-        exports: files that were written from this store and may still hold it.
-        still_in: backups that could not be written anew, and may hold it.
-        n_unconfirmed: runs of it whose pass does not count here yet.
+        changed: rows whose state in the bundle was newer.
+        skipped: rows that were left out, because they or their parents were deleted from the store.
+        removed: rows of the store that were deleted, because the bundle has tombstones for them.
+        would_delete: rows of the store that a merge with `delete` would delete; None for none, or if this merge
+            deleted them.
+        retained: groups and programs that were retained; the store's bundles retain them on other PCs too.
+        tombstones: keys of the deleted rows, which must be deleted from the backups too.
+        exports: files that were written from this store and may still hold deleted rows.
+        still_in: backups that could not be rewritten and may still hold deleted rows.
+        n_unconfirmed: number of the bundle's runs whose pass does not count on this PC yet.
     """
 
     info: BundleInfo
@@ -39,12 +40,12 @@ class MergeReport:
 
     @property
     def left_in(self) -> list[str]:
-        """Files that people have to delete by hand, as they may hold what was deleted."""
+        """Paths of files that may hold deleted rows and that people have to delete by hand."""
         return [one.path for one in self.exports] + [str(path) for path in self.still_in]
 
     @property
     def nothing_new(self) -> bool:
-        """All of it was in the store already, or was deleted from it."""
+        """True if every row of the bundle was in the store already, or was deleted from it."""
         return not (
             self.added or self.changed or self.removed or self.would_delete or self.retained
         )

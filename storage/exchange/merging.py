@@ -1,12 +1,12 @@
-"""Merging a bundle into a store: the union of both by key, of two states of one row the later.
+"""Merges a bundle into a store: the union of both by key; of two states of one row the newer wins.
 
-The union does not depend on the order: the same bundles give the same store, and a bundle that was merged before
-changes nothing. A row with a tombstone stays deleted, with all that belongs to it, until a person on any PC keeps it
-(`deleting/`); of what was skipped meanwhile the rest comes when its bundle is merged again. No row of the store is
-deleted because a file says so, unless a person says so too. Each bundle is one transaction: of one that is cut off
-nothing is in the store, and it can be merged again.
+The result does not depend on the order: the same bundles give the same store. A bundle that was merged before changes
+nothing. A tombstoned row stays deleted, with all rows that belong to it, until a person on any PC retains it
+(`deleting/`). The rows that a merge skipped meanwhile come when their bundle is merged again. A merge deletes no row of
+the store unless a person confirms it. Each bundle is one transaction: an interrupted merge changes nothing and can be
+repeated.
 
-In the SQL `main` is the store and `bundle` the bundle; a row of the store is called `ours`, one of the bundle `theirs`.
+In the SQL `main` is the store and `bundle` the bundle. A row of the store is `ours`, a row of the bundle `theirs`.
 """
 
 from collections.abc import Collection
@@ -45,14 +45,14 @@ _FIRST = ("revision", "changed_at")
 _DECISIONS = (TOMBSTONES, DELETIONS, FORMER_CLASSES)
 _WITH_ID = tuple(table for table in REPLICATED if "id" in table.key and table not in _DECISIONS)
 _BEFORE_VERSIONS = _WITH_ID[: _WITH_ID.index(VERSIONS)]
-# rows that PINEL never changes, with what may follow: a version's number, where made-up ones were mended
+# immutable tables, and the columns that may still change: the repair of implausible ids sets numbers
 _IMMUTABLE = {VERSIONS.name: ("number",), TAUGHT_SIGNS.name: ()}
-# for the PC that deleted the class the group was elsewhere: it does not go with it
+# condition: the PC that deleted the class knew that the group had left it, so the group is not deleted
 _HAS_LEFT = f"""ours.classroom_id IN {TOMBSTONED_KEYS} AND theirs.id NOT IN {TOMBSTONED_KEYS} AND EXISTS (
     SELECT 1 FROM main.former_classes
     WHERE group_id = ours.id AND classroom_id = ours.classroom_id AND has_left)"""
 _GROUP_HERE = "group_id IN (SELECT id FROM main.groups)"
-# what a tombstone would delete: rows that are here, and groups that were in that class
+# keys whose tombstone would delete rows of the store, and former classes of groups of the store
 _OURS = " UNION ALL ".join(
     (
         *(f"SELECT id FROM main.{table.name}" for table in _WITH_ID if table.deletable),
@@ -77,17 +77,18 @@ def merge(
     retained: Collection[str] = (),
     retain_newer: bool = False,
 ) -> MergeReport:
-    """Merges a bundle into the store; on disk when this returns.
+    """Merges a bundle into the store. The transaction is on disk when this returns.
 
     Args:
-        delete: also deletes from the store what was deleted for good where the bundle is from; not from the
-            write-ahead log nor from backups, which `Exchange.merge` does.
-        retained: with `delete`, keys of groups and programs that stay nevertheless.
-        retain_newer: with `delete`, so does what was moved, or is newer here than where it was deleted.
+        delete: also deletes the rows of the store that the bundle's tombstones name. `Exchange.merge` deletes
+            them from the write-ahead log and the backups.
+        retained: with `delete`, keys of groups and programs that are retained in spite of a tombstone.
+        retain_newer: with `delete`, also retains groups and programs that were moved to another class, or that
+            have work which the deleting PC did not have.
 
     Raises:
         StoreError: the bundle is refused (see `open_bundle`), it deletes a run that has not ended
-            (`run_in_progress`) or the store cannot be written; nothing has changed.
+            (`run_in_progress`) or the store cannot be written. Nothing has changed then.
     """
     with open_bundle(path) as bundle:
 
@@ -110,7 +111,7 @@ def merge(
 
 
 def nonzero(counts: dict[str, int]) -> dict[str, int]:
-    """Without zeros."""
+    """Returns the counts that are not zero."""
     return {table: n for table, n in counts.items() if n > 0}
 
 
@@ -124,10 +125,10 @@ def merge_attached(
     retain_newer: bool = False,
     protected_runs: str = "0",
 ) -> MergeReport:
-    """The same with the bundle attached as the schema `bundle`, within the caller's transaction.
+    """Merges the bundle that is attached as the schema `bundle`, within the caller's transaction; see `merge`.
 
     Args:
-        protected_runs: condition of runs `ours` that must not change.
+        protected_runs: SQL condition of the runs `ours` that must not change.
     """
     db.execute("PRAGMA defer_foreign_keys = ON")
     merging = _BundleMerge(db, delete=delete, protected_runs=protected_runs)
@@ -163,7 +164,7 @@ def merge_attached(
 
 
 class _BundleMerge:
-    """One bundle being merged, table by table; counts what becomes of its rows."""
+    """Merges one bundle table by table; counts the rows that it adds, changes and skips."""
 
     def __init__(self, db: sqlite3.Connection, *, delete: bool, protected_runs: str = "0") -> None:
         self.added: dict[str, int] = {}
@@ -175,7 +176,7 @@ class _BundleMerge:
         self._given_up: set[str] = set()
 
     def has_nothing_new(self) -> bool:
-        """Of a bundle that was merged before: nothing was left out that may be wanted now, as something is kept."""
+        """Returns True if merging this bundle again would change nothing; it was merged before."""
         if self._misses_decisions():
             return False
         others = (table for table in _WITH_ID if table is not VERSIONS)  # versions never change
@@ -188,7 +189,10 @@ class _BundleMerge:
         return self.would_delete() is None
 
     def merge_tombstones(self) -> None:
-        """Joins turns and tombstones; those that would delete rows of the store only when they are to be deleted."""
+        """Merges turns, tombstones and former classes.
+
+        Without `delete`, leaves out the ones that would delete rows of the store.
+        """
         for table, deletes_nothing in _DECIDED:
             condition = "1" if self._delete else f"({deletes_nothing})"
             self.added[table.name] = insert_new(self._db, table, condition)
@@ -196,7 +200,10 @@ class _BundleMerge:
                 self.changed[table.name] = self._apply_newer(table, condition)
 
     def snapshot_memberships(self) -> None:
-        """Keeps in mind in which classes groups are and were, here and in the bundle, until they are noted."""
+        """Stores the classes of all groups, in the store and in the bundle, in `temp.seen`.
+
+        `record_former_classes` compares them with the classes after the merge.
+        """
         self._do(
             """CREATE TEMP TABLE seen AS
                SELECT id AS group_id, classroom_id, 1 AS was_here FROM main.groups WHERE classroom_id IS NOT NULL
@@ -205,7 +212,10 @@ class _BundleMerge:
         )
 
     def record_former_classes(self, which: str = "1") -> None:
-        """Notes classes in which a group is no more; those that would delete it only when it is to be deleted."""
+        """Records the classes of `temp.seen` that a group is no longer in.
+
+        Without `delete`, leaves out the deleted classes, since a former class would delete the group too.
+        """
         spared = (
             ""
             if self._delete
@@ -218,7 +228,11 @@ class _BundleMerge:
         )
 
     def delete(self) -> Deletion:
-        """Deletes what is deleted in its later state, and what a person did not keep of a class that stays."""
+        """Deletes the tombstoned rows in their newer state, and the rows that a person gave up.
+
+        A retained group retains its class, so the tombstone of the class no longer deletes its other groups.
+        Those that the person did not retain are deleted by their own keys.
+        """
         self._apply_newer_parents()
         with tombstoned_rows(self._db):
             deletion = delete_tombstoned(self._db, spare_running=True)
@@ -234,7 +248,10 @@ class _BundleMerge:
         return Deletion((*deletion.ids, *rest.ids), counts, tuple(exports))
 
     def retain(self, requested: Collection[str], *, retain_newer: bool) -> tuple[PendingWork, ...]:
-        """Keeps these of what is to be deleted, and what is newer; tells which."""
+        """Retains groups and programs that would be deleted, and returns them.
+
+        These are the requested ones and, with `retain_newer`, the newer ones.
+        """
         if not requested and not retain_newer:
             return ()
         pending, to_delete = self._dry_run()
@@ -247,11 +264,11 @@ class _BundleMerge:
         return staying
 
     def would_delete(self) -> PendingDeletion | None:
-        """What a merge with `delete` would delete."""
+        """Returns what a merge with `delete` would delete, None for nothing."""
         return self._dry_run()[0]
 
     def _dry_run(self) -> tuple[PendingDeletion | None, set[str]]:
-        """What would be deleted and the keys of it, found out by a trial that is rolled back."""
+        """Returns what would be deleted, and its keys, from a dry run that is rolled back."""
         self._do("SAVEPOINT trial")
         try:
             trial = _BundleMerge(self._db, delete=True, protected_runs=self._protected_runs)
@@ -271,21 +288,25 @@ class _BundleMerge:
         return PendingDeletion(groups, programs, runs, names, work), to_delete
 
     def _apply_newer_parents(self) -> None:
-        """Also what belongs to a deleted row in its later state: it is deleted with it."""
+        """Applies newer states to tombstoned rows too, since children are deleted with their newer parent."""
         for table in _BEFORE_VERSIONS:
             self.changed[table.name] = self._apply_newer(table, "1")
         self.changed[GROUPS.name] += self._replace(GROUPS, _HAS_LEFT)
         self.record_former_classes("was_here")
 
     def rows(self, table: ReplicatedTable) -> None:
-        """Adds rows that may come and are new, and brings the others to their later state."""
+        """Adds new rows and applies newer states, except for deleted rows and their children."""
         self._count_skipped(table)
         self.added[table.name] = insert_new(self._db, table, may_merge(table))
         n_changed = self._apply_newer(table, may_merge(table))
         self.changed[table.name] = self.changed.get(table.name, 0) + n_changed
 
     def runs(self) -> None:
-        """Runs with their events and samples: those of the later state, of equal states all."""
+        """Merges runs with their events and samples.
+
+        If the bundle's run is newer, its events and samples replace the stored ones. If both states are equal, the
+        store gets the events and samples of both.
+        """
         newer, equal = (
             self._is_newer(RUNS),
             f"({self._state_order(RUNS, '=')} AND NOT {self._protected_runs})",
@@ -310,7 +331,7 @@ class _BundleMerge:
         return self._replace(table, f"{self._is_newer(table)} AND {condition}")
 
     def _replace(self, table: ReplicatedTable, condition: str) -> int:
-        """Rows that both have become as they are in the bundle."""
+        """Sets rows that store and bundle both have to the bundle's state; returns their number."""
         names = column_names(self._db, table.name)
         keys = f"SELECT {qualified_columns('theirs', table.key)} {rows_in_both(table)} WHERE {condition}"
         same_key = " AND ".join(f"theirs.{name} = {table.name}.{name}" for name in table.key)
@@ -325,7 +346,10 @@ class _BundleMerge:
         self.skipped[table.name] = row_count(self._db, f"bundle.{table.name} AS theirs", skipped)
 
     def _misses_decisions(self) -> bool:
-        """The store does not have a tombstone or turn of the bundle, as what it would delete is still here."""
+        """Returns True if the store lacks a tombstone, turn or former class of the bundle.
+
+        It lacks one that would delete rows which are still in the store.
+        """
         newer = f"SELECT 1 {rows_in_both(DELETIONS)} WHERE {self._is_newer(DELETIONS)}"
         new = (
             f"SELECT 1 FROM bundle.{table.name} AS theirs WHERE {is_new(table)}"
@@ -342,17 +366,17 @@ class _BundleMerge:
         return f"((ours.state = 'running' OR {is_newer}) AND NOT {self._protected_runs})"
 
     def _is_same(self, table: ReplicatedTable) -> str:
-        """What was written once: a file that has it otherwise was made up, or is damaged."""
+        """Condition: the immutable columns are equal. If they differ, the file is forged or damaged."""
         names = column_names(self._db, table.name)
         fixed = [name for name in names if name not in _IMMUTABLE[table.name]]
         return " AND ".join(f"ours.{name} IS theirs.{name}" for name in fixed)
 
     def _state_order(self, table: ReplicatedTable, sign: str) -> str:
-        """Of two states the one with the greater `later_by`, revision, time and values, in this order, is later."""
+        """Condition that orders two states by `precedence`, revision, time and values; the greater is newer."""
         names = column_names(self._db, table.name)
         rest = [name for name in names if name not in (*_FIRST, *table.key)]
         order = [name for name in _FIRST if name in names] + rest
-        # not coalesce alone: what stands in for NULL must not be greater than any number ("not judged" and "passed")
+        # coalesce alone would rank NULL as 0: any value must win over NULL ("passed" over "not judged")
         theirs, ours = (
             ", ".join(
                 [
@@ -369,7 +393,7 @@ class _BundleMerge:
 
 
 def _was_merged(db: sqlite3.Connection, info: BundleInfo) -> bool:
-    """The same content was merged before. Rows of it that the store lacks were deleted since."""
+    """Returns True if the same content was merged before. Rows that the store lacks were deleted since."""
     found = db.execute("SELECT 1 FROM main.merges WHERE checksum = ?", [info.content_hash])
     return found.fetchone() is not None
 

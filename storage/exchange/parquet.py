@@ -1,6 +1,6 @@
-"""A bundle as Parquet files, one for each table, for the statistics of a district; docs/parquet.md has the columns.
+"""Writes a bundle as Parquet files, one for each table, for the statistics of a district (docs/parquet.md: columns).
 
-pyarrow is large and used by this module alone: a school that wants Parquet files installs it.
+pyarrow is large and only this module uses it, so a school that wants Parquet files installs it.
 """
 
 import shutil
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 _ROWS = 10_000
-# the files, by table
+# the columns of the files, by table
 FILES = {table.name: table.parquet_columns for table in REPLICATED if table.parquet}
 
 
@@ -28,7 +28,7 @@ def write_parquet(bundle: Path, dest: Path) -> Path:
 
     Args:
         bundle: a bundle that this release wrote.
-        dest: the folder; where there is one already, the new one gets a number.
+        dest: the folder. If it exists, the new one gets a number.
 
     Raises:
         StoreError: `parquet_missing` without pyarrow; `export_failed`.

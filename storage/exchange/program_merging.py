@@ -1,8 +1,9 @@
-"""Merging the one program that a group takes along. It needs no PIN, so it only adds rows.
+"""Merges the one program that a group exported to take it along. This needs no PIN, so it only adds rows.
 
-The file may have been changed by anybody. No row of the store changes, and no row is added but the program and what it
-belongs to: its group, class, lessons and PCs, its versions with their labels, its runs. Notes are the teacher's.
-A pass of such a run does not count before this PC has repeated it (`marking.py`).
+Anybody may have changed the file. So no row of the store changes. The only rows added are the program, the rows
+that it belongs to (its group, class, lessons and PCs), its versions with their labels, and its runs. Notes are left
+out, because they are the teacher's. A pass of these runs does not count until this PC has repeated the run
+(`confirmation_tracking.py`).
 """
 
 from contextlib import closing
@@ -26,7 +27,7 @@ from storage.tables.runs import EVENTS, RUNS, TELEMETRY
 from storage.tables.work import CLASSROOMS, GROUPS, LABELS, LESSONS, PROGRAMS, VERSIONS
 
 _PROGRAM = "(SELECT id FROM bundle.programs)"
-# a program that the store has already stays in the group that it has there
+# if the store has the program already, it stays in its group of the store
 _GROUP = f"""coalesce((SELECT group_id FROM main.programs WHERE id IN {_PROGRAM}),
     (SELECT group_id FROM bundle.programs))"""
 _VERSIONS = f"(SELECT id FROM main.versions WHERE program_id IN {_PROGRAM})"
@@ -34,7 +35,7 @@ _WORK = f"""SELECT {{column}} FROM bundle.versions WHERE program_id IN {_PROGRAM
     UNION SELECT {{column}} FROM bundle.runs WHERE program_id IN {_PROGRAM}"""
 _WORKED_IN = _WORK.format(column="lesson_id")
 _LESSONS = f"({_WORKED_IN} UNION SELECT part_of FROM bundle.lessons WHERE id IN ({_WORKED_IN}))"
-# rows of the bundle that are of the program; rows stand before those that refer to them
+# rows of the bundle that belong to the program, parents before children
 _OF_PROGRAM: tuple[tuple[ReplicatedTable, str], ...] = (
     (
         COMPUTERS,
@@ -57,10 +58,11 @@ _RUNS = f"""theirs.program_id IN {_PROGRAM} AND theirs.group_id = {_GROUP}
 
 
 def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
-    """Adds the new rows of a bundle of one program; returns the program's key too.
+    """Adds the new rows of a bundle of one program; returns the report and the program's key.
 
     Raises:
-        StoreError: `bundle_not_program` where it holds more or less, or deletions; else as `merging.merge`.
+        StoreError: `bundle_not_program` if it does not hold exactly one program, or holds deletions; else as
+            `merging.merge`.
     """
     with open_bundle(path, max_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
         with closing(connect(bundle.address)) as db:
@@ -79,7 +81,7 @@ def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
 
 
 def _merge(db: sqlite3.Connection, info: BundleInfo) -> MergeReport:
-    """Not noted in `merges`, as a teacher's merge of the same file adds more."""
+    """Adds the rows. `merges` gets no entry, because a teacher's merge of the same file adds more."""
     db.execute("PRAGMA defer_foreign_keys = ON")
     added = {
         table.name: insert_new(db, table, f"({condition}) AND {may_merge(table)}")

@@ -1,4 +1,4 @@
-"""What of a store goes into a bundle: all, one class, group or program with what belongs to it, or a lesson to open."""
+"""The part of a store that goes into a bundle: all, one class, group or program with its rows, or a lesson file."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from storage.tables.work import (
     TAUGHT_SIGNS,
 )
 
-# copied last, in this order: only rows that copied rows refer to
+# copied last, in this order, and only the rows that copied rows refer to
 _REFERRED = (LESSONS, CLASSROOMS, COMPUTERS)
 _JOINED = "id IN (SELECT part_of FROM store.lessons WHERE id IN (SELECT id FROM main.lessons))"
 
@@ -32,10 +32,10 @@ _RETAINED_OF_GROUP = """turn % 2 AND id IN (SELECT :group UNION SELECT id FROM s
 
 @dataclass(frozen=True, slots=True)
 class Scope:
-    """All, or what belongs to one class, group or program.
+    """The whole store, or the rows that belong to one class, group or program.
 
     Attributes:
-        lesson_id: with its class: what PCs need to hold this lesson, without anything that pupils made.
+        lesson_id: given with its class: the rows that other PCs need for this lesson, without work of pupils.
     """
 
     classroom_id: str | None = None
@@ -45,13 +45,13 @@ class Scope:
 
     @property
     def whole(self) -> bool:
-        """All of the store."""
+        """True for the whole store."""
         return not (self.classroom_id or self.group_id or self.program_id)
 
     def conditions(self) -> Iterator[tuple[ReplicatedTable, str]]:
-        """Which rows are copied from the schema `store` to `main`, table by table.
+        """Yields the condition of the rows to copy from the schema `store` to `main`, table by table.
 
-        A condition refers to rows that were copied before, and has places for `values`.
+        A condition may refer to rows that were copied before, and has parameters, see `values`.
         """
         if self.whole:
             yield from ((table, "1") for table in REPLICATED)
@@ -63,7 +63,7 @@ class Scope:
                 yield table, _JOINED
 
     def values(self) -> dict[str, str | None]:
-        """Values of the places in conditions."""
+        """Returns the parameters of the conditions."""
         return {
             "classroom": self.classroom_id,
             "group": self.group_id,
@@ -78,12 +78,12 @@ class Scope:
                 require(db, f"{kind}s", key)
 
     def _chosen(self) -> dict[str, str]:
-        """Conditions by table, where they are others than `_belonging` makes."""
+        """Returns the conditions by table that differ from those of `_belonging`."""
         rows = {
             TOMBSTONES.name: "0",
             DELETIONS.name: "0",
             FORMER_CLASSES.name: "0",
-            TAUGHT_SIGNS.name: "0",  # they are of the whole class
+            TAUGHT_SIGNS.name: "0",  # belong to the whole class
             CLASS_PRESETS.name: "0",
             RUNS.name: """(program_id IN (SELECT id FROM main.programs)
                 OR program_id IS NULL AND group_id IN (SELECT id FROM main.groups))""",
@@ -118,7 +118,7 @@ ALL = Scope()
 
 
 def _belonging(table: ReplicatedTable) -> str:
-    """Rows whose parents were copied; of `_REFERRED` those that copied rows refer to."""
+    """Condition: the row's parents were copied; for `_REFERRED`: copied rows refer to the row."""
     if table not in _REFERRED:
         return " AND ".join(
             f"{column} IN (SELECT id FROM main.{parent})" for column, parent in table.parents

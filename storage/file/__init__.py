@@ -1,1 +1,1 @@
-"""The SQLite file: connection, writer thread, opening, backups, integrity check."""
+"""The SQLite file: opening, connections, writer thread, backups, checksums, integrity check, repair."""

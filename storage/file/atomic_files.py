@@ -1,4 +1,4 @@
-"""Files that appear under their name only when they are complete, and names that no file has yet."""
+"""Atomic writing: files appear under their name only when they are complete. Also finds free file names."""
 
 import errno
 import os
@@ -8,12 +8,12 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-_LEFTOVER_S = 3600.0  # without a write; an export takes minutes
+_LEFTOVER_S = 3600.0  # since the last write; an export takes minutes
 
 
 @contextmanager
 def atomic_write(final: Path) -> Iterator[Path]:
-    """A path to write to; its file replaces `final` when it is complete and on disk. A failure leaves nothing."""
+    """Yields a path to write to; its file replaces `final` once complete and on disk. A failure leaves no file."""
     part = final.with_name(f".{final.name}.part")
     try:
         part.unlink(missing_ok=True)
@@ -31,7 +31,7 @@ class NewFile:
 
     Attributes:
         part: the path to write to.
-        final: where it is in the end.
+        final: the path of the completed file.
     """
 
     part: Path
@@ -40,9 +40,9 @@ class NewFile:
 
 @contextmanager
 def atomic_create(dest: Path) -> Iterator[NewFile]:
-    """A file that gets its name when it is complete and on disk; where there is one already, the new one gets a number.
+    """Yields a file that gets its name once it is complete and on disk. If the name is taken, it gets a number.
 
-    A failure leaves nothing. What a process that was killed left in the folder is deleted with a later file there.
+    A failure leaves no file. Files that a killed process left in the folder are deleted when a later one is completed.
     """
     part = dest.with_name(f".{dest.name}.{secrets.token_hex(4)}.part")
     new = NewFile(part, dest)
@@ -65,12 +65,12 @@ def _placed(part: Path, dest: Path) -> Path:
 
 
 def _link(part: Path, final: Path) -> None:
-    """Gives the file its name. Raises FileExistsError where there is one."""
+    """Gives the file its name. Raises FileExistsError if the name is taken."""
     try:
         os.link(part, final)
     except FileExistsError:
         raise
-    except OSError:  # FAT and some shares know no links: for a moment an empty file has the name
+    except OSError:  # FAT and some shares have no links: an empty file has the name for a moment
         final.open("xb").close()
         try:
             part.replace(final)
@@ -80,7 +80,7 @@ def _link(part: Path, final: Path) -> None:
 
 
 def _remove_leftovers(part: Path, suffix: str) -> None:
-    """Times are compared on the disk: the clock of this PC may be wrong, and others write into a shared folder."""
+    """Deletes leftovers. Compares times on the disk, as PCs with other clocks write into a shared folder."""
     now_s = part.stat().st_mtime
     for left in part.parent.glob(f".*{suffix}.*part"):
         with suppress(OSError):
@@ -94,7 +94,7 @@ def _remove(part: Path) -> None:
 
 
 def numbered(path: Path, suffix: str | None = None) -> Iterator[Path]:
-    """The path, then the same with 2, 3 and so on before its suffix."""
+    """Yields the path, then the same path with 2, 3 and so on before its suffix."""
     ending = path.suffix if suffix is None else suffix
     yield path
     n = 1
@@ -104,7 +104,7 @@ def numbered(path: Path, suffix: str | None = None) -> Iterator[Path]:
 
 
 def free_path(path: Path, suffix: str | None = None) -> Path:
-    """The first of `numbered` where nothing is."""
+    """Returns the first path of `numbered` that does not exist."""
     return next(one for one in numbered(path, suffix) if not one.exists())
 
 
@@ -114,7 +114,7 @@ def _sync(path: Path) -> None:
 
 
 def _sync_folder(folder: Path) -> None:
-    """Puts the file's name on disk too. Systems that cannot sync a folder do this by themselves."""
+    """Puts the file's name on disk too. Systems that cannot sync a folder do so by themselves."""
     try:
         handle = os.open(folder, os.O_RDONLY)
         try:

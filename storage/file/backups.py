@@ -1,7 +1,7 @@
 """Backups: copies of the file in the folder `backups` beside it, made while the app works.
 
-A number in the name orders them. The time in it is for people: clocks of school PCs are often wrong, and a copy made in
-what the PC took for 2099 must not be the newest for ever.
+The number in a file name orders backups. The time in the name is for people only: clocks of school PCs are often wrong,
+and a copy dated 2099 must not be the newest for ever.
 """
 
 import contextlib
@@ -28,22 +28,22 @@ Remove = Callable[[sqlite3.Connection, Collection[str]], object]
 
 EVERY = timedelta(hours=24)
 EVERY_HOUR = timedelta(hours=1)
-_LATEST = 3  # a PC whose battery is empty has the same day every day
+_LATEST = 3  # whatever their day: a PC whose battery is empty has the same day every day
 _DAYS = 14
 _WEEKS = 8
 _MAX_BYTES = 10**9
-_LEFT_FREE = 50 * 10**6  # the store needs room to grow beside a backup
+_LEFT_FREE = 50 * 10**6  # bytes; the store needs space to grow beside a backup
 _PAGES = 256
 _PAUSE_S = 0.002
 _RESTARTS = 20
 _TIME = "%Y%m%dT%H%M%SZ"
-# a copy that began before a deletion and ended after it would hold what was deleted
+# a copy that started before a deletion and ended after it would hold the deleted rows
 _at_work = threading.Lock()
 
 
 @dataclass(frozen=True, slots=True)
 class Backup:
-    """A copy of the file, sound when it was made. The clock's time may be wrong; the number is not."""
+    """A copy of the file, intact when it was made. The clock's time may be wrong; the number is not."""
 
     path: Path
     number: int
@@ -56,12 +56,12 @@ class _StoppedError(Exception):
 
 
 def folder_of(path: Path) -> Path:
-    """Where backups of a database lie."""
+    """Returns the folder of a database's backups."""
     return path.parent / "backups"
 
 
 def list_backups(path: Path, folder: Path | None = None) -> list[Backup]:
-    """Backups of a database, the newest first; other files of the folder, by default its own, are ignored."""
+    """Returns the backups of a database, newest first; ignores other files of the folder, by default its own."""
     name = re.compile(rf"{re.escape(path.stem)}-(\d+)-(\d{{8}}T\d{{6}}Z){re.escape(path.suffix)}")
     found = []
     with contextlib.suppress(OSError):
@@ -74,16 +74,17 @@ def list_backups(path: Path, folder: Path | None = None) -> list[Backup]:
 
 
 def time_of(backup: Path) -> datetime:
-    """The time in the name of a backup. Raises ValueError."""
+    """Returns the time in the name of a backup. Raises ValueError."""
     return datetime.strptime(backup.stem.rpartition("-")[2], _TIME).replace(tzinfo=UTC)
 
 
 def is_due(path: Path, now: datetime, n_saves: int) -> bool:
-    """True when the newest is a day old, or an hour old while there is work that it does not have, or seems to come
-    from the future because the clock was set back.
+    """Returns True if the newest backup is a day old, or an hour old and lacks commits.
+
+    Also if its time is in the future, because the clock was set back.
 
     Args:
-        n_saves: commits that the database has counted (see `mark`).
+        n_saves: commits that the database has counted (see `commit_counter`).
     """
     newest = next(iter(list_backups(path)), None)
     if newest is None:
@@ -93,7 +94,7 @@ def is_due(path: Path, now: datetime, n_saves: int) -> bool:
 
 
 def lacks_work(backup: Backup, n_saves: int) -> bool:
-    """True where something was saved since the backup was made."""
+    """Returns True if the database has commits that the backup lacks."""
     with contextlib.suppress(sqlite3.Error), closing(opened(backup.path, "immutable")) as db:
         return commit_count(db) != n_saves
     return True
@@ -102,17 +103,17 @@ def lacks_work(backup: Backup, n_saves: int) -> bool:
 def make_backup(
     path: Path, now: datetime, *, free: Free = free_bytes, stop: Stop = lambda: False
 ) -> Backup | None:
-    """Copies the file as it is at this moment; readers and writers do not wait. None when stopped.
+    """Copies the file as it is at this moment; readers and writers do not wait. Returns None if stopped.
 
-    Backups that are no longer worth keeping are deleted afterwards. A backup that cannot be finished leaves nothing.
+    Afterwards deletes backups that need not be retained. A backup that fails leaves no file.
 
     Args:
-        free: bytes that are free where a folder lies.
-        stop: asked every few milliseconds.
+        free: returns the free bytes on the disk of a folder.
+        stop: polled every few milliseconds.
 
     Raises:
-        StoreError: `backup_no_room`; `backup_found_damage` when the copy is not sound, so neither is the
-            file; `backup_failed`.
+        StoreError: `backup_no_room`; `backup_found_damage` if the copy is damaged, as the file is then too;
+            `backup_failed`.
     """
     try:
         with _at_work:
@@ -135,27 +136,30 @@ def make_backup(
 def _next_path(path: Path, now: datetime) -> Path:
     folder = folder_of(path)
     folder.mkdir(exist_ok=True)
-    for left in folder.glob("*.part"):  # by a power cut
+    for left in folder.glob("*.part"):  # left by a power cut
         left.unlink()
     number = max((backup.number for backup in list_backups(path)), default=0) + 1
     return folder / f"{path.stem}-{number:05d}-{now.astimezone(UTC):{_TIME}}{path.suffix}"
 
 
 def prune(path: Path, *, free: Free = free_bytes) -> None:
-    """Deletes the backups that are not `worth_keeping`."""
+    """Deletes the backups that are not in `retained_backups`."""
     backups = list_backups(path)
     total = sum(backup.size_bytes for backup in backups)
-    with contextlib.suppress(OSError):  # tried again with the next one
+    with contextlib.suppress(OSError):  # the next backup tries again
         limit = min(_MAX_BYTES, (free(folder_of(path)) + total) // 10)
         for backup in set(backups).difference(retained_backups(backups, limit)):
             backup.path.unlink()
 
 
 def retained_backups(backups: Sequence[Backup], limit_bytes: int) -> list[Backup]:
-    """Of backups, the newest first, the last three, then the last of each day, then the last of each week.
+    """Returns the backups to retain: the last three, then the last of each day, then the last of each week.
 
-    Counted are the 14 days, and before them the 8 weeks, in which there were backups: so neither holidays nor a wrong
-    clock make all of them old at once. The oldest are left out when together they are too large, the newest never is.
+    Only days and weeks with backups count, 14 days and before them 8 weeks. So neither holidays nor a wrong clock make
+    all backups old at once. If all together are too large, the oldest are left out, but never the newest.
+
+    Args:
+        backups: newest first.
     """
     days: set[object] = set()
     weeks: set[object] = set()
@@ -179,10 +183,10 @@ def retained_backups(backups: Sequence[Backup], limit_bytes: int) -> list[Backup
 def restored_copy(
     path: Path, target: Path, is_ours: Callable[[sqlite3.Connection], None]
 ) -> Backup | None:
-    """Puts a copy of the newest sound backup to `target` and tells which it is; None where there is none.
+    """Copies the newest intact backup to `target`; returns the backup, None if there is none.
 
     Args:
-        is_ours: raises StoreError for a file that is not to be used.
+        is_ours: raises StoreError for a file that must not be used.
 
     Raises:
         StoreError: `disk_full`; nothing has changed.
@@ -207,18 +211,18 @@ def restored_copy(
 def remove_from_backups(
     path: Path, ids: Collection[str], remove: Remove, stop: Stop = lambda: False
 ) -> list[Path]:
-    """Deletes rows from every backup, so that what was deleted is nowhere; each backup is replaced as a whole.
+    """Deletes rows from every backup, so that deleted rows are nowhere. Replaces each backup as a whole.
 
-    A backup that has tombstones of the keys is left as it is: the same again, after it was cut off, does the rest.
+    Skips a backup that has tombstones of the keys, so a repeated call completes an interrupted one.
 
     Args:
-        ids: keys of the rows, which are deleted with all that belongs to them.
+        ids: keys of the rows, which are deleted with all rows that belong to them.
         remove: deletes them within a transaction, as from the file itself, and adds tombstones.
-        stop: asked before each backup.
+        stop: polled before each backup.
 
     Returns:
-        Files that may hold them still, for people to be told: backups that could not be written anew, and damaged
-        files that were set aside.
+        Files that may still hold the rows: backups that could not be rewritten, and damaged files that were set
+        aside. People must be informed of them.
     """
     with _at_work:
         left = [
@@ -232,7 +236,7 @@ def remove_from_backups(
 
 
 def damage_of(file: Path, stop: Stop = lambda: False) -> str | None:
-    """What SQLite finds wrong with a file that nobody writes; None when all is well."""
+    """Returns the problem that SQLite finds in a file that nobody writes; None for none."""
     try:
         with closing(opened(file, "immutable")) as db:
             return integrity_problem(db, stop=stop)
@@ -245,16 +249,16 @@ def damage_of(file: Path, stop: Stop = lambda: False) -> str | None:
 def _copy(path: Path, part: Path, stop: Stop) -> None:
     with closing(opened(path, "rw")) as source, closing(opened(part, "rwc")) as target:
         if source.execute("PRAGMA journal_mode").fetchone()[0] == "wal":
-            # one moment of the file, while others write on; without it, each write would begin the copy anew.
-            # A file without WAL cannot be held like this: its writers would wait.
+            # one snapshot of the file while others write; otherwise each write would restart the copy.
+            # A file without WAL has no such snapshot: its writers would wait.
             source.execute("BEGIN")
             source.execute("SELECT count(*) FROM sqlite_master").fetchone()
-        target.execute("PRAGMA synchronous = OFF")  # `whole_file` syncs once, at the end
+        target.execute("PRAGMA synchronous = OFF")  # `atomic_write` syncs once, at the end
         source.backup(target, pages=_PAGES, progress=_pauses(stop))
 
 
 def _pauses(stop: Stop) -> Callable[[int, int, int], None]:
-    """What is done between two steps of a copy: others get the disk, and a copy that begins anew too often ends."""
+    """Returns the callback between two steps of a copy: pauses, and ends a copy that restarts too often."""
     before, restarts = 2**62, 0
 
     def pause(_status: int, remaining: int, _total: int) -> None:
@@ -271,7 +275,7 @@ def _pauses(stop: Stop) -> Callable[[int, int, int], None]:
 
 
 def has_tombstones(backup: Path, ids: Collection[str]) -> bool:
-    """True where a backup has tombstones of all keys: as a whole is replaced, it then holds nothing of their rows."""
+    """Returns True if a backup has tombstones of all keys: it is replaced as a whole, so it lacks their rows then."""
     try:
         with closing(opened(backup, "immutable")) as db:
             tombstoned = {key for (key,) in db.execute("SELECT id FROM tombstones")}
@@ -303,9 +307,9 @@ def _remove(file: Path, ids: Collection[str], remove: Remove) -> None:
         changes = ChangedRows(db)
         db.execute("BEGIN IMMEDIATE")
         remove(db, ids)
-        changes.update_checksums(db)  # the sums go with the rows
+        changes.update_checksums(db)  # checksums are deleted with their rows
         db.execute("COMMIT")
-        db.execute("VACUUM")  # the text of deleted rows is still in free pages before
+        db.execute("VACUUM")  # otherwise free pages would still hold the deleted texts
 
 
 def _is_good(file: Path, is_ours: Callable[[sqlite3.Connection], None]) -> bool:

@@ -1,8 +1,8 @@
-"""The mark: a small file beside the database that knows how often it was saved to.
+"""The commit counter: a small file beside the database (`.mark.json`) with the number of its commits.
 
-The database counts its commits in `user_version`. After each the mark is written too, without waiting for the disk: so
-it is never ahead of what is on disk, and a database that knows fewer commits than its mark has lost some, or an earlier
-copy of it was put back.
+The database counts its commits in `user_version`. The file is written after each commit, without fsync, so its
+number is never ahead of the commits on disk. If a database has fewer commits than its file, it has lost some, or an
+earlier copy of it was put back.
 """
 
 import json
@@ -16,25 +16,25 @@ from storage.side_files import open_regular, read_regular
 from storage.sqlite import sqlite3
 from storage.text import local_time
 
-_LENGTH = 96  # bytes, always the same: it is overwritten in place
-_LAST = 2**31 - 1  # of `user_version`
+_LENGTH = 96  # bytes, always the same, as the file is overwritten in place
+_LAST = 2**31 - 1  # maximum of `user_version`
 
 
 @dataclass(frozen=True, slots=True)
 class CommitRecord:
-    """Commits that the database had, and when the last of them was."""
+    """The number of commits of the database, and the time of the last one."""
 
     n_saves: int
     at: str
 
 
 def path_of(database: Path) -> Path:
-    """Where the mark of a database lies."""
+    """Returns the path of a database's commit counter."""
     return database.with_name(f"{database.name}.mark.json")
 
 
 def read_counter(database: Path) -> CommitRecord | None:
-    """What the mark says; None where there is none, or where it cannot be read."""
+    """Returns the content of the commit counter; None if it is missing or cannot be read."""
     with suppress(OSError, ValueError, TypeError, KeyError, RecursionError, OverflowError):
         found = json.loads(read_regular(path_of(database)))
         n_saves, at = found["saves"], found["at"]
@@ -44,9 +44,9 @@ def read_counter(database: Path) -> CommitRecord | None:
 
 
 class CommitCounter:
-    """The mark of an open database, which is written after each commit; close it.
+    """The commit counter of an open database, written after each commit; close it.
 
-    A folder that cannot be written goes without.
+    If the folder cannot be written, nothing is counted.
     """
 
     def __init__(self, database: Path) -> None:
@@ -55,7 +55,7 @@ class CommitCounter:
             self._handle = open_regular(path_of(database), os.O_WRONLY | os.O_CREAT)
 
     def write(self, n_saves: int, at: str) -> None:
-        """Overwrites the mark; `at` is the time as text."""
+        """Overwrites the commit counter; `at` is the time as text."""
         if self._handle is not None:
             with suppress(OSError):
                 os.lseek(self._handle, 0, os.SEEK_SET)
@@ -63,38 +63,38 @@ class CommitCounter:
                 os.write(self._handle, text.encode().ljust(_LENGTH - 1) + b"\n")
 
     def close(self) -> None:
-        """Lets go of the file."""
+        """Closes the file."""
         if self._handle is not None:
             os.close(self._handle)
             self._handle = None
 
 
 def write_counter(database: Path, n_saves: int, at: str) -> None:
-    """Writes the mark of a database that is not open."""
+    """Writes the commit counter of a database that is not open."""
     mark = CommitCounter(database)
     mark.write(n_saves, at)
     mark.close()
 
 
 def ensure_counter(database: Path, n_saves: int, at: str) -> None:
-    """Makes the mark where it is missing or was of another file."""
+    """Writes the commit counter if it is missing or does not match the database."""
     known = read_counter(database)
     if known is None or known.n_saves != n_saves:
         write_counter(database, n_saves, at)
 
 
 def commit_count(db: sqlite3.Connection) -> int:
-    """Commits that the database has counted."""
+    """Returns the number of commits that the database has counted."""
     return int(db.execute("PRAGMA user_version").fetchone()[0])
 
 
 def count_save(db: sqlite3.Connection) -> int:
-    """Counts one more within the transaction; returns the number."""
+    """Counts one commit more within the transaction; returns the number."""
     return set_saves(db, commit_count(db) + 1)
 
 
 def set_saves(db: sqlite3.Connection, n_saves: int) -> int:
-    """Sets the count within the transaction, up to the greatest that the file can hold; returns it."""
+    """Sets the count within the transaction, up to the maximum of `user_version`; returns it."""
     n_saves = min(n_saves, _LAST)
     db.execute(f"PRAGMA user_version = {n_saves}")
     return n_saves

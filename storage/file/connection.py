@@ -1,4 +1,4 @@
-"""How the repositories reach the file: one writer thread, and a pool of reading connections."""
+"""Connections to the file: one writer thread, and a pool of reading connections."""
 
 import queue
 import sys
@@ -23,12 +23,12 @@ _MAX_IDLE = 8
 
 
 class Timestamp(NamedTuple):
-    """When something is done.
+    """A time by two clocks.
 
     Attributes:
         text: the time by the PC's clock, which may be set.
-        app: names the running app.
-        uptime_s: s by a monotonic clock; comparable within one app only.
+        app: identifies the running app.
+        uptime_s: monotonic time in s; comparable within one app only.
     """
 
     text: str
@@ -37,18 +37,18 @@ class Timestamp(NamedTuple):
 
 
 def uptime_s() -> float:
-    """A monotonic clock in s that also counts while the PC sleeps."""
+    """Returns the time of a monotonic clock in s that also runs while the PC sleeps."""
     if sys.platform == "linux":
         return time.clock_gettime(time.CLOCK_BOOTTIME)
     return time.monotonic()
 
 
 class Database:
-    """Reading and writing one file.
+    """Reads and writes one file.
 
     Args:
-        address: how SQLite is to open it.
-        refusal: raised by every attempt to write, for a file that cannot be written.
+        address: SQLite's URI of the file.
+        refusal: raised by every attempt to write; None if the file can be written.
         uptime: a monotonic clock in s.
     """
 
@@ -71,22 +71,22 @@ class Database:
         self._writer = None if refusal else Writer(connect(address), path, self.now)
 
     def now(self) -> str:
-        """The time as text."""
+        """Returns the time as text."""
         return time_text(self._clock())
 
     def timestamp(self) -> Timestamp:
-        """The time as text, with the monotonic time that measures pauses although the clock is set."""
+        """Returns the time by both clocks, so that pauses are measured correctly when the clock is set."""
         return Timestamp(self.now(), self._app, self._uptime())
 
     @contextmanager
     def read_connection(self) -> Iterator[sqlite3.Connection]:
-        """A connection for this thread alone, seeing all that was committed. Raises StoreError."""
+        """Yields a connection for this thread alone, which reads all that was committed. Raises StoreError."""
         connection: sqlite3.Connection | None = None
         try:
             connection = self._acquire()
             yield connection
         except sqlite3.Error as error:
-            if is_text_damage(error):  # of a name; the next attempt reads it
+            if is_text_damage(error):  # in a name; later connections can read it
                 self._has_damaged_texts = True
             raise translated(error, self.path) from error
         finally:
@@ -94,17 +94,20 @@ class Database:
                 self._release(connection)
 
     def write(self, job: Callable[[sqlite3.Connection], T], *, attached: str | None = None) -> T:
-        """Runs the job in a transaction of the writer; on disk when this returns. Raises StoreError.
+        """Runs the job in a transaction of the writer. The transaction is on disk when this returns.
 
         Args:
-            attached: address of another file, which the job sees as the schema `bundle`.
+            attached: address of another file, which is the schema `bundle` during the job.
+
+        Raises:
+            StoreError: nothing was written.
         """
         return self.submit(job, attached=attached).result()
 
     def submit(
         self, job: Callable[[sqlite3.Connection], T], *, attached: str | None = None
     ) -> "Future[T]":
-        """The same without waiting."""
+        """Queues the job for the writer without waiting; see `write`."""
         if self._writer is not None:
             return self._writer.submit(job, attached)
         future: Future[T] = Future()
@@ -112,17 +115,17 @@ class Database:
         return future
 
     def checkpoint(self, *, waits_for_readers: bool = False) -> bool:
-        """Empties the write-ahead log, by the writer; False while another connection still reads from it.
+        """Empties the write-ahead log; returns False if another connection still reads from it.
 
         Args:
-            waits_for_readers: waits some seconds for those who read, and lets those who write wait too.
+            waits_for_readers: waits some seconds for readers; writers wait too.
         """
         if self._writer is None:
             return False
         return self._writer.checkpoint(waits_for_readers=waits_for_readers).result()
 
     def listen(self, on_written: Callable[[], None]) -> None:
-        """Calls it after each write that is on disk, on the writer's thread; it must not raise or wait."""
+        """Calls `on_written` after each write that is on disk, on the writer's thread; it must not raise or wait."""
         if self._writer is not None:
             self._writer.on_written = on_written
 
@@ -132,7 +135,7 @@ class Database:
         return self._writer is not None and not self._writer.closed
 
     def close(self) -> None:
-        """Finishes what is queued and closes every connection; the writer last, it empties the WAL."""
+        """Finishes queued jobs and closes every connection, the writer last, as it empties the write-ahead log."""
         while not self._idle.empty():
             self._idle.get_nowait().close()
         if self._writer is not None:

@@ -1,4 +1,4 @@
-"""Where a file lies."""
+"""File systems: free space, and whether a folder is on a network share."""
 
 import re
 import shutil
@@ -34,14 +34,14 @@ _REMOTE_DRIVE = 4
 
 
 def free_bytes(folder: Path) -> int:
-    """Room on the disk of a folder."""
+    """Returns the free bytes on the disk of a folder."""
     return shutil.disk_usage(folder).free
 
 
 def is_on_share(folder: Path) -> bool:
-    """True for a folder that other PCs reach too; False also where that cannot be known.
+    """Returns True for a folder that other PCs reach too; False also if that is unknown.
 
-    SQLite's WAL is for one PC: its index is memory that the processes share.
+    SQLite's WAL works on one PC only, because its index is memory that the processes share.
     """
     if sys.platform == "win32":
         import ctypes  # noqa: PLC0415
@@ -57,7 +57,7 @@ def is_on_share(folder: Path) -> bool:
 
 
 def kind_of_file_system(folder: Path, mounts: str) -> str:
-    """The kind that Linux gives in its list of mounts (proc(5), mountinfo) for where a folder lies."""
+    """Returns the file system of a folder by Linux's list of mounts (proc(5), mountinfo)."""
     found, max_length = "", -1
     for line in mounts.splitlines():
         before, _, after = line.partition(" - ")

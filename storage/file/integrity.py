@@ -1,8 +1,8 @@
-"""The integrity check that the start leaves out, as it takes long: indexes that do not fit their tables, and rows that
-do not fit each other.
+"""The integrity check that takes too long for the start: indexes that do not match their tables, and rows whose parent
+is missing.
 
-By a wrong bit in an index nothing is lost, but rows cannot be found by their key, and no edit of them is written. By
-one in the key of a group its programs belong to none, and no list has them.
+A wrong bit in an index loses no row. But such a row is not found by its key, and no edit of it can be written. A wrong
+bit in the key of a group leaves its programs without a group, so no list shows them.
 """
 
 from storage.errors import StoreError
@@ -11,9 +11,9 @@ from storage.sql import Stop, integrity_problem, stoppable
 
 
 def check_and_reindex(database: Database, stop: Stop = lambda: False) -> str | None:
-    """What is wrong with the file after its indexes were made anew; None when all is well, or when stopped.
+    """Returns the problem of the file after rebuilding its indexes; None for none, or if stopped.
 
-    Readers and writers go on during the check. Indexes are only made anew where something is wrong.
+    Readers and writers continue during the check. Indexes are rebuilt only if there is a problem.
     """
     try:
         problem = _problem(database, stop)
@@ -26,7 +26,7 @@ def check_and_reindex(database: Database, stop: Stop = lambda: False) -> str | N
 
 
 def _misfit(database: Database, stop: Stop) -> str | None:
-    """The first row that belongs to one which is not there, as the tables of both."""
+    """Returns the first row whose parent is missing, as the tables of both."""
     with database.read_connection() as db, stoppable(db, stop):
         row = db.execute("PRAGMA foreign_key_check").fetchone()
         return f"{row[0]} - {row[2]}" if row else None

@@ -1,6 +1,6 @@
-"""Values that no PINEL writes, looked for at each start: a bit of them is wrong.
+"""Values that PINEL never writes and that a wrong bit makes; each start searches for them.
 
-Settings that cannot be read would keep PINEL from starting: those of the newest backup are taken, else they begin anew.
+A setting that cannot be read would prevent the start. It is restored from the newest backup, else deleted.
 """
 
 import logging
@@ -36,7 +36,7 @@ _ORPHAN_CHECKSUMS = """SELECT 1 FROM content_sums WHERE table_name IN ('versions
 
 
 def _has_implausible_id(connection: sqlite3.Connection, table: str) -> bool:
-    """Asks the index, which is quick, then the table itself: the bit that is wrong may be one of the index."""
+    """Queries the index, which is quick, then the table itself, as the wrong bit may be in the index."""
     asked = f"SELECT 1 FROM {table} {{how}} WHERE id >= ? AND {IS_ID} LIMIT 1"
     return all(
         connection.execute(asked.format(how=how), [FIRST_IMPLAUSIBLE_ID]).fetchone()
@@ -45,9 +45,9 @@ def _has_implausible_id(connection: sqlite3.Connection, table: str) -> bool:
 
 
 def damaged_ids(db: sqlite3.Connection) -> str:
-    """A wrong bit can make an id one that no PC makes; then what belongs to its row, or its sum, has another id.
+    """Returns "ids" if damage made an id implausible, "" for no damage.
 
-    "" where all fit.
+    Then child rows or the checksum of the row still have the original id.
     """
     if not any(_has_implausible_id(db, name) for name in _WITH_ID):
         return ""
@@ -56,7 +56,7 @@ def damaged_ids(db: sqlite3.Connection) -> str:
 
 
 def repair_settings(db: sqlite3.Connection, path: Path) -> Notice | None:
-    """Mends the settings of the database that lies at the path; None where all can be read."""
+    """Repairs the settings of the database at the path; returns None if all can be read."""
     damaged = [key for key, value in _rows(db) if not is_json(value)]
     for key in damaged:
         right = _from_backups(path, key)
@@ -74,7 +74,7 @@ def _rows(db: sqlite3.Connection) -> Iterator[tuple[str, bytes]]:
 
 
 def _from_backups(path: Path, key: str) -> str | None:
-    from storage.file.backups import list_backups  # noqa: PLC0415 - hardly any start needs them
+    from storage.file.backups import list_backups  # noqa: PLC0415 - rarely needed at a start
 
     for backup in list_backups(path):
         with suppress(sqlite3.Error), closing(opened(backup.path, "immutable")) as db:

@@ -1,7 +1,8 @@
-"""The write-ahead log as it lies on disk: whether SQLite would leave out frames that belong to it.
+"""The write-ahead log (WAL) on disk: finds frames that belong to it but that SQLite would ignore.
 
-SQLite reads a log up to the first frame whose checksum does not fit, and takes what follows for remains of earlier
-rounds. Frames of the same round that follow are work that a wrong bit cuts off (sqlite.org/fileformat2.html#walformat).
+SQLite reads a log up to the first frame whose checksum does not match, and takes all later frames for remains from
+before the last reset of the log. If later frames have the current salts, they are commits that a wrong bit has cut
+off (sqlite.org/fileformat2.html#walformat).
 """
 
 import struct
@@ -18,12 +19,12 @@ _STEP = FRAME_HEADER + PAGE
 
 
 def path_of(database: Path) -> Path:
-    """Where the log of a database lies."""
+    """Returns the path of a database's log."""
     return database.with_name(f"{database.name}-wal")
 
 
 def has_frames(database: Path) -> bool:
-    """True where there is a log with content."""
+    """Returns True if there is a log with content."""
     try:
         return path_of(database).stat().st_size > HEADER
     except OSError:
@@ -31,7 +32,7 @@ def has_frames(database: Path) -> bool:
 
 
 def lost_commits(database: Path) -> int:
-    """Commits in the log that SQLite leaves out as something before them is damaged; 0 where all is well."""
+    """Returns how many commits in the log SQLite ignores because of damage before them; 0 for none."""
     try:
         octets = read_regular(path_of(database))
     except OSError:
@@ -43,12 +44,12 @@ def lost_commits(database: Path) -> int:
     checksum = wal_checksum((0, 0), octets[:24], order)
     step = FRAME_HEADER + header[2]
     if header[0] & ~1 != WAL_MAGIC or checksum != header[6:] or not 512 <= header[2] <= 65536:
-        return 1  # nothing of it is read
+        return 1  # SQLite reads no frame of it
     return _commits_after_damage(octets, order, step, checksum, header[4:6])
 
 
 def intact_frames(database: Path) -> Iterator[tuple[int, bytes]]:
-    """Number and content of each page in the log that is as it was written, in their order, also after damage."""
+    """Yields number and content of each intact page in the log, in order, also after damage."""
     try:
         octets = read_regular(path_of(database))
     except OSError:
@@ -62,7 +63,7 @@ def intact_frames(database: Path) -> Iterator[tuple[int, bytes]]:
 
 
 def _salts(octets: bytes, starts: range) -> bytes:
-    """What marks frames of the present round: the header tells; where it is damaged, most frames do."""
+    """Returns the current salts: from an intact header, else those of most frames."""
     stored = struct.unpack_from(">2I", octets, 24) if starts else ()
     if any(wal_checksum((0, 0), octets[:24], order) == stored for order in "<>"):
         return octets[16:24]
@@ -70,7 +71,7 @@ def _salts(octets: bytes, starts: range) -> bytes:
 
 
 def _continues(octets: bytes, start: int) -> bool:
-    """Whether a frame's checksum continues that of the frame before it, of the first one that of the log's header."""
+    """Returns whether the frame's checksum continues the checksum of the frame, or header, before it."""
     before = start - _STEP + 16 if start > HEADER else HEADER - 8
     checksum: tuple[int, int] = struct.unpack_from(">2I", octets, before)
     counted = octets[start : start + 8] + octets[start + FRAME_HEADER : start + _STEP]
@@ -96,7 +97,7 @@ def _commits_after_damage(
 
 
 def _recurs(octets: bytes, begin: int, step: int, salts: tuple[int, ...]) -> bool:
-    """Frames of this round come after one that seems to be of another: that one's salts are damaged."""
+    """Returns True if frames with the current salts follow a frame with others, whose salts are damaged then."""
     return any(
         struct.unpack(">2I", octets[start + 8 : start + 16]) == salts
         for start in range(begin, len(octets) - step + 1, step)
@@ -104,7 +105,7 @@ def _recurs(octets: bytes, begin: int, step: int, salts: tuple[int, ...]) -> boo
 
 
 def wal_checksum(checksum: tuple[int, int], octets: bytes, order: str) -> tuple[int, int]:
-    """The log's checksum of what came before, continued over more octets; `order`: of the words, as in struct."""
+    """Continues the log's checksum over more octets; `order` is the byte order of the words, as in struct."""
     one, other = checksum
     integers = struct.unpack(f"{order}{len(octets) // 4}I", octets)
     for first, second in zip(integers[::2], integers[1::2], strict=True):

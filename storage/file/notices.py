@@ -1,11 +1,11 @@
-"""What a person should know about the file, and what came back of a damaged one."""
+"""Notices to people about the file, and the result of a salvage."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
 class Notice:
-    """Something a person should know about the file that was opened."""
+    """A message to a person about the file that was opened."""
 
     code: str
     params: dict[str, object]
@@ -13,13 +13,13 @@ class Notice:
 
 @dataclass(frozen=True, slots=True)
 class SalvageResult:
-    """What came out of a damaged file.
+    """The result of salvaging a damaged file.
 
     Attributes:
-        n_edits: versions of programs that came back.
-        n_rows: rows of all tables that came back, or came back in a later state.
-        n_unread: versions that are known to have been, and could not be read.
-        is_cut_short: reading took too long and was ended.
+        n_edits: recovered versions of programs.
+        n_rows: recovered rows of all tables, new or in a newer state.
+        n_unread: versions that existed and could not be read.
+        is_cut_short: the time limit of reading was reached.
     """
 
     n_edits: int = 0

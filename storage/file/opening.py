@@ -1,4 +1,4 @@
-"""Opening the file in any state: damaged, read-only, of a newer release, or of another program."""
+"""Opens the file in any state: damaged, read-only, of a newer release, or of another program."""
 
 import contextlib
 import math
@@ -37,7 +37,7 @@ from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
 from storage.text import IS_ID, continue_after, from_json, local_time, time_text
 
 _BUSY_S = 5.0
-# the newest id that this PC made; of rows with thousands from PCs whose clocks are ahead the last merge is near enough
+# queries for the newest id that this PC made; if the newest 2000 rows are of other PCs, `merges` gives a bound
 _MADE_HERE = (
     *(f"SELECT max(id) FROM {table} WHERE {IS_ID}" for table in ("merges", "exports")),
     *(
@@ -52,7 +52,7 @@ _CHUNK = 2**20
 
 @dataclass(frozen=True, slots=True)
 class OpenPlan:
-    """How to connect, and whether writing is possible."""
+    """The address to connect to, and whether writing is possible."""
 
     address: str
     writable: bool
@@ -60,26 +60,26 @@ class OpenPlan:
 
 
 def connect(address: str) -> sqlite3.Connection:
-    """A connection in autocommit, for use by one thread at a time."""
+    """Returns a connection in autocommit mode, for use by one thread at a time."""
     connection = sqlite3.connect(
         address, uri=True, timeout=_BUSY_S, isolation_level=None, check_same_thread=False
     )
     connection.row_factory = sqlite3.Row
     connection.execute("PRAGMA foreign_keys = ON")
     connection.execute("PRAGMA synchronous = FULL")  # schools cut the power
-    connection.execute("PRAGMA wal_autocheckpoint = 0")  # the writer alone empties the log
+    connection.execute("PRAGMA wal_autocheckpoint = 0")  # only the writer empties the log
     return connection
 
 
 def prepare(path: Path, now: datetime, salvage_into: SalvageInto | None = None) -> OpenPlan:
-    """Makes the file ready: replaces a damaged file by its last sound backup and runs the migrations it lacks.
+    """Makes the file ready: replaces a damaged file by its last intact backup and applies missing migrations.
 
     Args:
-        salvage_into: brings what is still readable of a damaged file into the one that takes its place.
+        salvage_into: merges the readable rows of a damaged file into the file that replaces it.
 
     Raises:
         StoreError: `database_newer`, `database_foreign` or `database_is_bundle` with the file untouched;
-            `database_read_only`, `disk_full` where not even reading is possible; `database_locked`, `database_failed`.
+            `database_read_only`, `disk_full` if not even reading is possible; `database_locked`, `database_failed`.
     """
     try:
         found = _examined(path, now, salvage_into)
@@ -94,7 +94,7 @@ def prepare(path: Path, now: datetime, salvage_into: SalvageInto | None = None) 
 
 
 def _shown_on_full_disk(path: Path, error: sqlite3.Error | StoreError) -> OpenPlan:
-    """How to read a sound file beside which SQLite has no room for its own files. Raises StoreError for any other."""
+    """Returns how to read an intact file whose disk has no space for SQLite's own files. Else raises StoreError."""
     problem = error if isinstance(error, StoreError) else translated(error, path)
     if problem.code == "disk_full":
         with contextlib.suppress(sqlite3.Error, StoreError):
@@ -108,7 +108,7 @@ def _shown_on_full_disk(path: Path, error: sqlite3.Error | StoreError) -> OpenPl
 
 
 def prepare_reading(path: Path) -> OpenPlan:
-    """How to read the file as it is; nothing is written, made or set aside, not even beside it.
+    """Returns how to read the file as it is. Writes, creates and renames nothing, not even beside the file.
 
     Raises:
         StoreError: `database_damaged`, `database_older`, `database_newer`, `database_foreign`,
@@ -137,12 +137,12 @@ class _ReadOnlyError(Exception):
 
 
 def _examined(path: Path, now: datetime, salvage_into: SalvageInto | None) -> Notice | None:
-    """Looks at the file without writing to it; replaces it when it is damaged, empty or missing."""
-    if path.exists() and not path.is_file():  # a folder, a pipe: waiting for it would have no end
+    """Inspects the file without writing to it; replaces it if it is damaged or lost."""
+    if path.exists() and not path.is_file():  # a folder or a pipe: reading might never end
         raise StoreError("database_failed", path=str(path), problem=f"{path}: no file")
     path.parent.mkdir(PRIVATE_FOLDER, parents=True, exist_ok=True)
     finish_replacing(path)
-    known = read_counter(path)  # before the file is read: another program may be saving to it
+    known = read_counter(path)  # before the file is read, as another program may commit meanwhile
     problem, n_saves = _inspect(path)
     if problem in _EMPTY and not is_lost_file(path, by_log=problem == "missing"):
         return None  # the first start
@@ -152,7 +152,7 @@ def _examined(path: Path, now: datetime, salvage_into: SalvageInto | None) -> No
 
 
 def _inspect(path: Path) -> tuple[str, int]:
-    """What is wrong with the file, "" where all is well, and the saves that it has counted."""
+    """Returns the problem of the file, "" for none, and its commit count."""
     if not path.exists() or not path.stat().st_size:
         return "missing", 0
     try:
@@ -171,9 +171,9 @@ def _inspect(path: Path) -> tuple[str, int]:
 
 
 def _is_damage(error: sqlite3.Error, path: Path) -> bool:
-    """Whether an error of opening means wrong bytes in the file.
+    """Returns whether an error of opening means wrong bytes in the file.
 
-    SQLite says only "disk I/O error" of some files that were cut off below their log, though every byte can be read.
+    SQLite reports only "disk I/O error" for some truncated files with a log, though every byte can be read.
     """
     code = translated(error, path).code
     if code != "database_failed" or error_name(error) != "SQLITE_IOERR":
@@ -198,15 +198,14 @@ def _examined_end(
     now: datetime,
     salvage_into: SalvageInto | None,
 ) -> Notice | None:
-    """Whether all that was saved is there, as far as log and mark tell."""
+    """Checks by log and commit counter whether commits were lost; salvages them, or returns a rollback notice."""
     is_behind = known is not None and n_saves < known.n_saves
     n_cut_off = log.lost_commits(path) if is_behind or known is None else 0
     notice = repair_wal_tail(path, now, salvage_into) if n_cut_off else None
     if notice or not is_behind or known is None:
         return notice
-    write_counter(
-        path, n_saves, known.at
-    )  # once: a person may have put an earlier copy back on purpose
+    # so the notice comes once: a person may have restored an earlier copy on purpose
+    write_counter(path, n_saves, known.at)
     return rollback_notice(path, known, n_saves)
 
 
@@ -243,7 +242,7 @@ def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
         raise StoreError("database_foreign", path=str(path))
     if applied - MIGRATIONS.keys():
         raise StoreError("database_newer", path=str(path))
-    if "bundle" in tables:  # with other work in it, other PCs would refuse it as a bundle
+    if "bundle" in tables:  # other PCs would refuse it as a bundle once it has other work
         raise StoreError("database_is_bundle", path=str(path))
 
 
@@ -273,9 +272,9 @@ def _require_ours(connection: sqlite3.Connection, path: Path) -> None:
 
 
 def _migrate(path: Path, now: datetime) -> Notice | None:
-    """Brings the tables up to date; raises _ReadOnlyError where the file can be read but not written."""
+    """Applies missing migrations; raises _ReadOnlyError if the file can be read but not written."""
     if path.exists() and not os.access(path, os.W_OK):
-        # SQLite itself notices it only with the first save where a WAL and its index are left on a read-only disk
+        # if a WAL and its index were left on a read-only disk, SQLite would notice only at the first write
         raise _ReadOnlyError(_readable_address(path))
     try:
         with closing(_connect_writing(path)) as connection, _reporting_full_disk(path):
@@ -300,7 +299,7 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
 
 @contextlib.contextmanager
 def _reporting_full_disk(path: Path) -> Iterator[None]:
-    """Raises `disk_full` while the WAL is there, whose size can be the only sign of it; closing removes the WAL."""
+    """Raises `disk_full` before closing deletes the WAL, whose size may be the only evidence of a full disk."""
     try:
         yield
     except sqlite3.Error as error:
@@ -311,7 +310,7 @@ def _reporting_full_disk(path: Path) -> Iterator[None]:
 
 
 def _continue_ids(connection: sqlite3.Connection) -> None:
-    """Makes new ids greater than those made here: lists go by them, and an empty battery sets the clock to 2010."""
+    """Makes new ids greater than those made here: lists sort by id, and an empty battery sets the clock to 2010."""
     key = connection.execute("SELECT value FROM settings WHERE key = 'computer_id'").fetchone()
     computer = from_json(key[0]) if key else None
     for query in _MADE_HERE:
@@ -319,17 +318,17 @@ def _continue_ids(connection: sqlite3.Connection) -> None:
 
 
 def _back_up(path: Path, now: datetime) -> Notice | None:
-    from storage.file.backups import make_backup  # noqa: PLC0415 - see above
+    from storage.file.backups import make_backup  # noqa: PLC0415 - few starts need it
 
     try:
         make_backup(path, now)
-    except StoreError as error:  # each step of a migration is a transaction: it can go on without
+    except StoreError as error:  # migrates without backup, as each migration is a transaction
         return Notice(error.code, error.params)
     return None
 
 
 def _choose_journal(connection: sqlite3.Connection, path: Path) -> Notice | None:
-    """WAL, unless the file lies where its index cannot be shared: on a network, or where SQLite says so."""
+    """Chooses WAL, unless processes cannot share its index: on a network share, or if SQLite refuses WAL."""
     if not is_on_share(path.parent):
         mode = connection.execute("PRAGMA journal_mode = WAL").fetchone()[0]
         if mode == "wal":
@@ -339,7 +338,7 @@ def _choose_journal(connection: sqlite3.Connection, path: Path) -> Notice | None
 
 
 def _connect_writing(path: Path) -> sqlite3.Connection:
-    """Also connects to a file that was copied in WAL mode to a file system without shared memory."""
+    """Connects for writing, also to a file that was copied in WAL mode to a file system without shared memory."""
     writable = address(path, "rwc")
     try:
         return _tried(writable)
@@ -352,7 +351,7 @@ def _connect_writing(path: Path) -> sqlite3.Connection:
 
 
 def _may_write(path: Path) -> bool:
-    """Whether this user may write the file and make others beside it."""
+    """Returns whether this user may write the file and create others beside it."""
     return os.access(path, os.W_OK) and os.access(path.parent, os.W_OK)
 
 
@@ -368,7 +367,7 @@ def _left_wal(path: Path) -> bool:
 
 
 def _readable_address(path: Path) -> str:
-    """The address that reads a file which cannot be written; its tables must be up to date."""
+    """Returns the address that reads a file which cannot be written. Its tables must be up to date."""
     for mode in ("ro", "immutable"):
         readable = address(path, mode)
         try:
@@ -381,7 +380,7 @@ def _readable_address(path: Path) -> str:
 
 
 def _of_read_only(path: Path, readable: str, code: str = "database_read_only") -> Notice:
-    """A file that is read as `immutable` is read without its WAL, in which the last edits may be."""
+    """Returns the notice of a read-only file. `immutable` reads it without its WAL, which may have the last edits."""
     wal = path.with_name(path.name + "-wal")
     if readable != address(path, "immutable") or not wal.exists() or not wal.stat().st_size:
         return Notice(code, {"path": str(path)})
@@ -393,9 +392,10 @@ def _of_read_only(path: Path, readable: str, code: str = "database_read_only") -
 
 
 def _untouching_address(path: Path) -> str:
-    """The address that reads a file without making anything beside it.
+    """Returns the address that reads a file without creating anything beside it.
 
-    A reader of a file in WAL mode makes the WAL where there is none; but then nobody has the file open.
+    A reader of a file in WAL mode creates the WAL if there is none. Without WAL nobody has the file open, so
+    `immutable` is safe then.
     """
     has_wal = path.with_name(path.name + "-wal").exists()
     return address(path, "ro" if has_wal else "immutable")

@@ -1,4 +1,4 @@
-"""Who may read the file: on systems with accounts, only the account that PINEL runs in."""
+"""File permissions: on systems with accounts, only the account that PINEL runs in may read the file."""
 
 import contextlib
 import os
@@ -10,14 +10,14 @@ PRIVATE_FOLDER, _PRIVATE_FILE = 0o700, 0o600
 
 
 def restrict_permissions(path: Path, *, is_own_folder: bool) -> None:
-    """Takes the database and what lies beside it from other accounts of the PC. What cannot be changed stays.
+    """Withdraws access to the database and the files beside it from other accounts of the PC.
 
-    A folder that somebody has chosen keeps its permissions: a technician may share it among accounts. So does one with
-    the set-group-ID bit, which is set for sharing.
+    Ignores permissions that cannot be changed. A folder that somebody chose keeps its permissions, since a technician
+    may share it among accounts. So does a folder with the set-group-ID bit, which is set for sharing.
 
     Args:
         path: the database.
-        is_own_folder: whether it lies where PINEL keeps data by itself.
+        is_own_folder: whether it is in the folder that PINEL chooses by default.
     """
     if os.name != "posix":
         return

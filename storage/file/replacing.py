@@ -1,4 +1,4 @@
-"""What takes the place of a damaged, empty or missing file: its last sound backup, and what it still holds itself."""
+"""Replaces a damaged, empty or missing file by its last intact backup and the rows that are still readable in it."""
 
 import logging
 import shutil
@@ -21,15 +21,17 @@ from storage.text import local_time, time_text
 SalvageInto = Callable[[Path, Path, str], SalvageResult]
 IsOurs = Callable[[sqlite3.Connection], None]
 _log = logging.getLogger(__name__)
-# in the order in which they are set aside: as long as the file is there, the next start begins anew with all of them
+# in the order of renaming: while the file itself is there, the next start repeats it with all of them
 _SIBLINGS = ("", "-wal", "-journal", "-shm")
 
 
 def is_lost_file(path: Path, *, by_log: bool) -> bool:
-    """True where a missing or empty file is a loss: it has backups or a log, was damaged before, or was saved to.
+    """Returns True if a missing or empty file is a loss, and not a first start.
+
+    It is one if the file has backups or a log, was damaged before, or has counted commits.
 
     Args:
-        by_log: a log is a sign; not of a file without tables, whose making was cut off.
+        by_log: whether a log counts; not for a file without tables, whose making was interrupted.
     """
     known = read_counter(path)
     return bool(
@@ -43,13 +45,13 @@ def is_lost_file(path: Path, *, by_log: bool) -> bool:
 def replace_damaged(
     path: Path, problem: str, now: datetime, is_ours: IsOurs, salvage_into: SalvageInto | None
 ) -> Notice:
-    """Puts the last sound backup, with all that is readable of the file, in its place, and the file aside.
+    """Replaces the file by the last intact backup with all readable rows of the file, and sets the file aside.
 
-    Without a backup what is readable goes into a new file.
+    Without a backup the readable rows go into a new file.
 
     Args:
-        is_ours: raises StoreError for a backup that is not to be used.
-        salvage_into: brings what is readable of a file into another; None to leave that out.
+        is_ours: raises StoreError for a backup that must not be used.
+        salvage_into: merges the readable rows of a file into another; None to leave that out.
 
     Raises:
         StoreError: `disk_full`; the file is in its place.
@@ -69,9 +71,9 @@ def replace_damaged(
 
 
 def repair_wal_tail(path: Path, now: datetime, salvage_into: SalvageInto | None) -> Notice | None:
-    """The same for a file that is sound but for the end of its log: a copy of the file takes the backup's part.
+    """Replaces a file that is intact except for the end of its log by a copy with the readable rows of the log.
 
-    None where nothing can be brought back; nothing has changed then.
+    Returns None if no row can be recovered; nothing has changed then.
     """
     made = _unfinished(path)
     try:
@@ -91,7 +93,7 @@ def repair_wal_tail(path: Path, now: datetime, salvage_into: SalvageInto | None)
 
 
 def finish_replacing(path: Path) -> None:
-    """The power was cut while another file took the damaged one's place, or while it was read."""
+    """Finishes or undoes a replacement that a power cut interrupted."""
     remove_leftovers(path.parent)
     _remove(_unfinished(path))
     copy = _restoring(path)
@@ -99,14 +101,13 @@ def finish_replacing(path: Path) -> None:
         if path.exists():
             copy.unlink()
         else:
-            _quarantine(
-                path, datetime.fromtimestamp(copy.stat().st_mtime, UTC)
-            )  # what was left of it
+            # the remaining siblings of the damaged file
+            _quarantine(path, datetime.fromtimestamp(copy.stat().st_mtime, UTC))
             copy.replace(path)
 
 
 def rollback_notice(path: Path, known: CommitRecord, n_saves: int) -> Notice:
-    """The file has fewer commits than it had; names the newest backup that has more, where there is one."""
+    """Returns the notice that the file has fewer commits than before; names the newest backup with more, if any."""
     params: dict[str, object] = {
         "path": str(path),
         "time": local_time(known.at),
@@ -126,7 +127,7 @@ def _saves_in(backup: Path) -> int:
 
 
 class _Outcome:
-    """What is known of a file that was replaced, and how to say it."""
+    """How a file was replaced, and the notice about it."""
 
     def __init__(
         self,
@@ -150,7 +151,7 @@ class _Outcome:
 
     @property
     def has_successor(self) -> bool:
-        """Something is to take the file's place; else a new one is begun."""
+        """True if another file replaces it; otherwise the next step makes a new one."""
         return bool(self.backup or self.salvaged.n_rows)
 
     def notice(self) -> Notice:
@@ -183,8 +184,11 @@ class _Outcome:
 def _try_salvage(
     path: Path, made: Path, now: datetime, salvage_into: SalvageInto | None
 ) -> SalvageResult | None:
-    """None where nothing was brought back. No fault of a damaged file may keep the app from starting; but without room
-    it must not be set aside unread: raises StoreError `disk_full`."""
+    """Merges the readable rows into `made`; returns None if that failed.
+
+    No error of a damaged file may prevent the start. But without space the file must not be set aside unread: then
+    raises StoreError `disk_full`.
+    """
     if salvage_into is None:
         return None
     before = made.with_name(f"{made.name}.before")
@@ -207,7 +211,7 @@ def _try_salvage(
 
 
 def _is_disk_full(error: Exception) -> bool:
-    """SQLite writes here only what is new: the damaged file is not read by it."""
+    """Returns whether the disk is full. An I/O error of SQLite counts, as it does not read the damaged file here."""
     if isinstance(error, OSError):
         return is_full(error)
     return error_name(error).startswith(("SQLITE_FULL", "SQLITE_IOERR"))
@@ -220,7 +224,7 @@ def _check(made: Path) -> None:
 
 
 def _install(path: Path, made: Path, now: datetime, found: _Outcome) -> None:
-    """In this order: cut off anywhere, the next start begins anew, or finishes it (`finish_replacing`)."""
+    """Renames files in an order that the next start can repeat or finish (`finish_replacing`) after a power cut."""
     copy = _restoring(path)
     if found.has_successor:
         _copy_commit_count(path, made)
@@ -233,7 +237,7 @@ def _install(path: Path, made: Path, now: datetime, found: _Outcome) -> None:
 
 
 def _copy_commit_count(path: Path, made: Path) -> None:
-    """The successor goes on counting where the file had come to (see `mark`)."""
+    """Lets the successor continue the commit count of the file (see `commit_counter`)."""
     known = read_counter(path)
     with suppress(sqlite3.Error), closing(opened(made, "rw")) as db:
         db.execute("PRAGMA journal_mode = DELETE")
@@ -251,7 +255,7 @@ def _copy_with_log(path: Path, made: Path) -> None:
 def _remove(made: Path) -> None:
     for suffix in ("", "-journal", "-wal", "-shm", ".before"):
         part = made.with_name(made.name + suffix)
-        if part.exists():  # a read-only disk refuses to remove even what is not there
+        if part.exists():  # a read-only disk refuses even the deletion of a missing file
             part.unlink(missing_ok=True)
 
 
@@ -264,7 +268,7 @@ def _unfinished(path: Path) -> Path:
 
 
 def _quarantine(path: Path, now: datetime) -> Path | None:
-    """Where the file is now; None where there was nothing to set aside."""
+    """Sets the file aside; returns its new path, None if there was none."""
     aside = free_path(path.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}{path.suffix}"))
     moved = False
     for sibling in _SIBLINGS:

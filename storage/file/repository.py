@@ -1,4 +1,4 @@
-"""What the repositories of groups, lessons, programs, runs and so on have in common."""
+"""The base class of the repositories of groups, lessons, programs, runs and so on."""
 
 from storage.file.connection import Database
 from storage.file.row_checksums import is_intact
@@ -7,7 +7,7 @@ from storage.sqlite import sqlite3
 
 
 class Repository:
-    """Rows of one kind in the file."""
+    """Reads rows of one kind; repairs damaged ones."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
@@ -17,14 +17,14 @@ class Repository:
             return rows_of(db, query, values)
 
     def _is_intact(self, table: str, key: str) -> bool:
-        """Whether a row is as it was written (`sums`); one that is not is mended from a backup, where one has it."""
+        """Returns whether the row is intact (`row_checksums`); repairs a damaged one if a backup has it intact."""
         with self._database.read_connection() as db:
             if is_intact(db, table, key):
                 return True
         return self._try_repair(table, key)
 
     def _intact_row(self, table: str, query: str, key: str) -> sqlite3.Row | None:
-        """The first row, read in the same moment as it is found to be as it was written; None where it is damaged.
+        """Returns the first row, None if it is damaged. One snapshot serves the check and the query.
 
         Raises:
             StoreError: `KIND_not_found`.
@@ -35,12 +35,12 @@ class Repository:
         return self._row(table, query, key) if self._try_repair(table, key) else None
 
     def _try_repair(self, table: str, key: str) -> bool:
-        from storage.file.row_repair import try_repair  # noqa: PLC0415 - hardly ever needed
+        from storage.file.row_repair import try_repair  # noqa: PLC0415 - rarely needed
 
         return try_repair(self._database, table, key)
 
     def _row(self, table: str, query: str, key: str) -> sqlite3.Row:
-        """The first row. Raises StoreError `KIND_not_found`, the kind being the table's name in the singular."""
+        """Returns the first row. Raises StoreError `KIND_not_found`; the kind is the table's name in the singular."""
         return _first(self._rows(query, key), table, key)
 
 

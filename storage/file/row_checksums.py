@@ -1,12 +1,12 @@
-"""A SHA-256 of each version and of each run that has ended: a bit that flips inside a value is seen.
+"""Checksums: a SHA-256 of each version and of each run that has ended, which detects a flipped bit in a value.
 
-SQLite finds damage to the structure of its file, not to what stands in it. The sums stay on one PC, in `content_sums`;
-the sum of a run's row, of its events and of its samples are three, so that a run that is judged later costs little.
-Worlds are columns of versions and runs, and are covered with them.
+SQLite detects damage to the structure of its file, not to values. The checksums stay on one PC, in `content_sums`.
+A run has three, of its row, its events and its samples, so that judging a run later costs little. Worlds are
+columns of versions and runs, which covers them.
 
-Nobody has to remember to renew a sum: triggers of the writer's connection note each row that a transaction changes,
-and `Changes.renew` gives these rows their sums before it commits, or takes them away with the row. A run that goes on
-has none.
+No code has to update checksums by itself. Triggers of the writer's connection record each row that a transaction
+changes. Before the commit `ChangedRows.update_checksums` stores the checksums of these rows, or deletes those of
+deleted rows. A run that has not ended has none.
 """
 
 import hashlib
@@ -20,12 +20,12 @@ from storage.sql import column_names, snapshot, tuples
 from storage.sqlite import sqlite3
 from storage.text import to_json
 
-# the column that names the row, or the run that the rows belong to
+# the column with the row's key, or with the key of the run that the rows belong to
 KEYS = {"versions": "id", "runs": "id", "events": "run_id", "telemetry": "run_id"}
 _PARTS = ("events", "telemetry")
 OF_RUNS = ("runs", *_PARTS)
 _SIDES = {"INSERT": ("new",), "UPDATE": ("old", "new"), "DELETE": ("old",)}
-# of a run without events or without samples
+# checksum of the events or samples of a run without any
 _NOTHING = hashlib.sha256().hexdigest()
 _ORDER = {"versions": "id", "runs": "id", "events": "seq", "telemetry": "chunk"}
 _SELECT = {
@@ -37,9 +37,9 @@ _IN = "IN (SELECT value FROM json_each(?))"
 
 
 class ChangedRows:
-    """What a connection has changed since `update_checksums` was called last.
+    """The rows that a connection has changed since the last call of `update_checksums`.
 
-    A change that was rolled back may still be noted: its row then gets the sum that it has.
+    A row may be recorded though its change was rolled back. It gets its present checksum again then.
     """
 
     def __init__(self, db: sqlite3.Connection) -> None:
@@ -56,9 +56,9 @@ class ChangedRows:
                 )
 
     def update_checksums(self, db: sqlite3.Connection) -> None:
-        """Gives each row that was changed its sum, within the transaction that changed it."""
+        """Stores the checksum of each changed row, within the transaction that changed it."""
         changed = {
-            (table, key.decode("utf-8", "replace"))  # the key may be what is damaged
+            (table, key.decode("utf-8", "replace"))  # the key itself may be damaged
             for table, keys in self._keys.items()
             for key in keys
         }
@@ -68,14 +68,14 @@ class ChangedRows:
 
 
 def add_missing_checksums(db: sqlite3.Connection, keys: Sequence[tuple[str, str]]) -> None:
-    """Gives rows without a sum the one of what is there now, within the caller's transaction."""
+    """Stores the checksums of rows that have none, from their present content, within the caller's transaction."""
     _update_checksums(db, [which for which in keys if stored_checksum(db, *which) is None])
 
 
 def repair_from(db: sqlite3.Connection, schema: str) -> None:
-    """Mends rows that were found damaged from an attached file that has them as they were written.
+    """Repairs rows that were found damaged from an attached file that has them intact.
 
-    A row that no longer is there is left to the backups: it may have been deleted.
+    Does not restore a missing row, since it may have been deleted. The backups may have it.
     """
     damaged = "SELECT table_name, row_id, sha256 FROM content_sums WHERE damaged_at IS NOT NULL"
     for table, key, right in tuples(db, damaged).fetchall():
@@ -86,13 +86,13 @@ def repair_from(db: sqlite3.Connection, schema: str) -> None:
 def content_checksum(
     db: sqlite3.Connection, table: str, key: str, schema: str = "main"
 ) -> str | None:
-    """SHA-256, in hex, of a row of `versions` or `runs`, or of the rows of a run in `events` or `telemetry`.
+    """Returns the SHA-256, in hex, of a row of `versions` or `runs`, or of a run's rows in `events` or `telemetry`.
 
-    None where there is no row of that key. A column that is NULL does not count: one that a later release adds leaves
-    the sums of earlier rows as they are.
+    Returns None if there is no row of that key. A NULL does not count, so that a column which a later release adds
+    leaves earlier checksums as they are.
 
     Raises:
-        sqlite3.DatabaseError: the value lies on a page that cannot be read.
+        sqlite3.DatabaseError: the value is on a page that cannot be read.
     """
     nothing = _NOTHING if table in _PARTS else None
     return _content_checksums(db, table, [key], schema).get(key, nothing)
@@ -101,14 +101,14 @@ def content_checksum(
 def stored_checksum(
     db: sqlite3.Connection, table: str, key: str, schema: str = "main"
 ) -> str | None:
-    """The sum that the row had when it was written; None where it has none."""
+    """Returns the checksum that was stored with the row; None if it has none."""
     query = f"SELECT sha256 FROM {schema}.content_sums WHERE table_name = ? AND row_id = ?"
     row = tuples(db, query, (table, key)).fetchone()
     return row and str(row[0])
 
 
 def is_intact(db: sqlite3.Connection, table: str, key: str, schema: str = "main") -> bool:
-    """Whether the row is as it was written; True for one without a sum."""
+    """Returns whether the row matches its stored checksum; True if it has none."""
     with snapshot(db):
         stored = stored_checksum(db, table, key, schema)
         if stored is None:
@@ -124,7 +124,7 @@ def is_intact(db: sqlite3.Connection, table: str, key: str, schema: str = "main"
 def copy_rows(
     db: sqlite3.Connection, table: str, key: str, schema: str, target: str = "main"
 ) -> None:
-    """Puts the rows of a file into those of another, which has a row or run of that key."""
+    """Replaces the rows of a key in the schema `target`, which has such a row or run, by the rows of `schema`."""
     names = ", ".join(column_names(db, table, schema))
     which = f"FROM {schema}.{table} WHERE {KEYS[table]} = ?"
     if table in ("versions", "runs"):
@@ -138,7 +138,7 @@ def copy_rows(
 def _stale_checksums(
     db: sqlite3.Connection, changed: set[tuple[str, str]]
 ) -> Iterator[tuple[str, str]]:
-    """The sums that change with the rows. A run's events and samples get theirs when it ends."""
+    """Yields the checksums that change with the rows. Those of a run's events and samples are due when it ends."""
     for table, key in changed:
         yield table, key
         if table == "runs":
@@ -171,7 +171,7 @@ def _ended(db: sqlite3.Connection, run_ids: Sequence[str]) -> list[str]:
 
 @contextmanager
 def _raw(db: sqlite3.Connection) -> Iterator[None]:
-    """Texts as the bytes in the file, whether they are UTF-8 or not; told apart from blobs."""
+    """Reads texts as the octets in the file, whether they are UTF-8 or not; blobs are still a type of their own."""
     before = db.text_factory
     db.text_factory = bytearray
     try:
@@ -183,8 +183,8 @@ def _raw(db: sqlite3.Connection) -> Iterator[None]:
 def _content_checksums(
     db: sqlite3.Connection, table: str, keys: Sequence[str], schema: str = "main"
 ) -> dict[str, str]:
-    """By key; without those of which there is no row."""
-    # one edit is by far the most frequent change
+    """Returns the checksums by key, without the keys that have no row."""
+    # a query of its own for one key, as one edit is by far the most frequent change
     which, parameter = ("= ?", keys[0]) if len(keys) == 1 else (_IN, to_json(keys))
     with _raw(db):
         cursor = tuples(db, _SELECT[table].format(schema=schema, which=which), (parameter,))
@@ -198,13 +198,13 @@ def _content_checksums(
 
 def _digest(names: Sequence[bytes], rows: Iterator[tuple[object, ...]]) -> str:
     digest = hashlib.sha256()
-    while some := list(islice(rows, _ROWS_AT_ONCE)):  # an hour's run has many events
+    while some := list(islice(rows, _ROWS_AT_ONCE)):  # a run of an hour has many events
         digest.update(_octets(names, some))
     return digest.hexdigest()
 
 
 def _octets(names: Sequence[bytes], rows: Iterable[tuple[object, ...]]) -> bytes:
-    """What counts of rows: the type, the length and the octets of each value that is not NULL."""
+    """Encodes rows for the checksum: the name, type, length and octets of each value that is not NULL."""
     parts: list[bytes | bytearray] = []
     for row in rows:
         for name, value in zip(names, row, strict=True):

@@ -1,6 +1,6 @@
-"""Mending what is not as it was written: from the newest backup that holds it right, or from a bundle that brings it.
+"""Repairs damaged rows from the newest backup that has them intact, or from a merged bundle.
 
-A row is right where its content gives the sum that it had when it was written (`sums`); nobody can slip in another.
+A row is intact if its content has the checksum that was stored with it (`row_checksums`), so no other content fits.
 """
 
 import logging
@@ -20,9 +20,9 @@ _Rows = list[tuple[object, ...]]
 
 
 def try_repair(database: Database, table: str, key: str) -> bool:
-    """Whether a row that was found damaged is as it was written, after an attempt to mend it from the backups.
+    """Tries to repair a damaged row from the backups; returns whether it is intact now.
 
-    One that no backup holds right, or in a file that cannot be written, is only noted as damaged.
+    If no backup has the row intact, it is recorded as damaged. If the file cannot be written, nothing is changed.
     """
     with database.read_connection() as db:
         right = stored_checksum(db, table, key)
@@ -31,7 +31,7 @@ def try_repair(database: Database, table: str, key: str) -> bool:
     found = _right_rows(database.path, table, key, right)
 
     def write(db: sqlite3.Connection) -> bool:
-        if is_intact(db, table, key):  # mended meanwhile
+        if is_intact(db, table, key):  # repaired meanwhile
             return True
         if found is None:
             record_damage(db, table, key, database.now())
@@ -45,7 +45,7 @@ def try_repair(database: Database, table: str, key: str) -> bool:
 
 
 def record_damage(db: sqlite3.Connection, table: str, key: str, now: str) -> None:
-    """Notes when damage was seen first; such a run does not count as passed."""
+    """Records when the damage was found first; a damaged run does not count as passed."""
     db.execute(
         "UPDATE content_sums SET damaged_at = ? WHERE table_name = ? AND row_id = ? AND damaged_at IS NULL",
         [now, table, key],
@@ -53,7 +53,7 @@ def record_damage(db: sqlite3.Connection, table: str, key: str, now: str) -> Non
 
 
 def _right_rows(path: Path, table: str, key: str, right: str) -> tuple[Sequence[str], _Rows] | None:
-    """Columns and rows of the newest backup that has them right."""
+    """Returns columns and rows from the newest backup that has them intact."""
     for backup in list_backups(path):
         try:
             with closing(opened(backup.path, "immutable")) as db:
@@ -71,14 +71,14 @@ def _rows(db: sqlite3.Connection, table: str, key: str) -> tuple[Sequence[str], 
 
 
 def _put(db: sqlite3.Connection, table: str, key: str, names: Sequence[str], rows: _Rows) -> None:
-    """Puts the rows in the place of what is there; a row that others refer to is changed, not deleted."""
+    """Replaces rows by the given ones. Updates a row that others refer to, instead of deleting it."""
     if table in ("versions", "runs"):
         assignments = ", ".join(f"{name} = ?" for name in names)
         changed = db.execute(f"UPDATE {table} SET {assignments} WHERE id = ?", [*rows[0], key])
         if changed.rowcount:
             return
         _remove_stray(db, table, dict(zip(names, rows[0], strict=True)))
-    else:  # also what lost its run
+    else:  # also deletes rows whose run is missing
         db.execute(
             f"DELETE FROM {table} WHERE run_id = ? OR run_id NOT IN (SELECT id FROM runs)", [key]
         )
@@ -87,7 +87,7 @@ def _put(db: sqlite3.Connection, table: str, key: str, names: Sequence[str], row
 
 
 def _remove_stray(db: sqlite3.Connection, table: str, right: Mapping[str, object]) -> None:
-    """Deletes the same row under a damaged key: equal in all but its key."""
+    """Deletes the copy of the row under a damaged key, whose other values are all equal."""
     others = {name: value for name, value in right.items() if name != "id"}
     condition = " AND ".join(f"{name} IS :{name}" for name in others)
     db.execute(f"DELETE FROM {table} WHERE {condition}", others)

@@ -1,8 +1,8 @@
-"""Copies of the newest backups in a folder that the school shares, for the day on which this PC's disk breaks.
+"""Copies of the newest backups in the school's shared folder, in case the disk of this PC breaks.
 
-A small file beside the database names every copy, from before it is made until it is seen to be gone. So a deletion
-for good finds them also after another folder was chosen, and can name them while the folder does not answer. It is not
-in the database, where each copy would count as new work that needs another backup.
+A manifest beside the database lists every copy, from before it is made until its deletion is confirmed. So a deletion
+for good finds copies also after another folder was chosen, and can name them while the folder does not respond. The
+manifest is not in the database, where each copy would count as new work that needs another backup.
 """
 
 import json
@@ -23,7 +23,7 @@ _FOLDER = "PINEL-backups"
 
 @dataclass(frozen=True, slots=True)
 class CopyManifest:
-    """The copies of a PC that may exist, in the order in which they were made, and the last that was finished."""
+    """The copies of a PC that may exist, in the order of their making, and the last that was completed."""
 
     computer_id: str
     copies: tuple[Path, ...] = ()
@@ -31,7 +31,7 @@ class CopyManifest:
 
 
 def read_manifest(database: Path) -> CopyManifest | None:
-    """What is known of the copies, without a look at their folder; None where there are no notes."""
+    """Returns the manifest without accessing the folder of the copies; None if there is none."""
     with suppress(OSError, ValueError, TypeError, KeyError, RecursionError):
         found = json.loads(read_regular(_notes_of(database)))
         finished = Path(found["finished"]) if found["finished"] else None
@@ -43,7 +43,7 @@ class ShareCopies:
     """The copies of this PC's backups.
 
     Args:
-        computer: its key and name.
+        computer: key and name of this PC.
     """
 
     def __init__(self, database: Path, computer: tuple[str, str]) -> None:
@@ -52,13 +52,13 @@ class ShareCopies:
 
     @property
     def manifest(self) -> CopyManifest:
-        """The copies that may exist. Notes that came with a copied data folder are of another PC, and not followed."""
+        """The copies that may exist. A manifest that came with a copied data folder is another PC's and ignored."""
         found = read_manifest(self._database)
         key = self._computer[0]
         return found if found and found.computer_id == key else CopyManifest(key)
 
     def folder_in(self, shared: Path) -> Path:
-        """Where they lie. The end of the key tells PCs of one name apart: keys of the same minute begin alike."""
+        """Returns the folder of the copies. Its name has the end of the key, as keys of one minute start alike."""
         key, name = self._computer
         clean = re.sub(r"[^\w -]", "", name).strip()[:60] or "PC"
         return shared / _FOLDER / f"{clean}-{key[-8:]}"
@@ -67,11 +67,11 @@ class ShareCopies:
         """Deletes the copies that may hold rows deleted for good.
 
         Args:
-            shared: where copies may lie that are not noted, as the notes were lost with a disk.
+            shared: the folder to search for copies that the manifest lacks, because it was lost with a disk.
             tombstoned: keys of the rows.
 
         Returns:
-            Copies that could not be looked at or deleted, and may hold the rows still.
+            Copies that could not be inspected or deleted and may still hold the rows.
         """
         deleted, left = set(), []
         for copy in dict.fromkeys((*self.manifest.copies, *self._listed(shared))):
@@ -81,27 +81,26 @@ class ShareCopies:
             except OSError:
                 left.append(copy)
         if deleted:
-            with suppress(OSError):  # what stays noted is looked at again
+            with suppress(OSError):  # copies that stay in the manifest are inspected again
                 self._note([copy for copy in self.manifest.copies if copy not in deleted])
         return tuple(left)
 
     def copy_newest(self, shared: Path, tombstoned: Collection[str]) -> None:
         """Copies the newest backup, unless it is there, and deletes older copies of this PC.
 
-        A backup that holds rows deleted for good stays here until it is cleaned.
+        A backup that holds rows deleted for good is not copied until it is cleaned.
 
         Raises:
-            OSError: the folder is missing, full, read-only or unreachable; what was there before is still there.
+            OSError: the folder is missing, full, read-only or unreachable; earlier copies are still there.
         """
         newest = next(iter(list_backups(self._database)), None)
         if newest is None or (tombstoned and not has_tombstones(newest.path, tombstoned)):
             return
         folder = self.folder_in(shared)
-        folder.parent.mkdir(
-            exist_ok=True
-        )  # the shared folder must be there: else it is not mounted
+        # the shared folder itself is not created: if it is missing, it is not mounted
+        folder.parent.mkdir(exist_ok=True)
         folder.mkdir(exist_ok=True)
-        for part in folder.glob(f".{self._database.stem}-*.part"):  # of a copy that was cut off
+        for part in folder.glob(f".{self._database.stem}-*.part"):  # of an interrupted copy
             part.unlink()
         target = folder / newest.path.name
         if not _is_there(target, newest):
@@ -109,7 +108,7 @@ class ShareCopies:
         self._prune(shared)
 
     def _listed(self, shared: Path | None) -> list[Path]:
-        """The copies where they lie now, the oldest first."""
+        """Returns the copies in the folder, oldest first."""
         found = list_backups(self._database, self.folder_in(shared)) if shared else []
         return [copy.path for copy in reversed(found)]
 
@@ -121,7 +120,7 @@ class ShareCopies:
         self._note(copies, target)
 
     def _prune(self, shared: Path) -> None:
-        """Deletes all but the copies made last: where the database was put back, their numbers begin anew."""
+        """Deletes all but the newest copies. The manifest orders them, as a restored database reuses numbers."""
         copies, folder = self.manifest.copies, self.folder_in(shared)
         here = [copy for copy in copies if copy.parent.parent == folder.parent]
         surplus = [*(copy for copy in self._listed(shared) if copy not in here), *here][
@@ -129,7 +128,7 @@ class ShareCopies:
         ]
         for copy in surplus:
             copy.unlink(missing_ok=True)
-            if copy.parent != folder:  # of the time when this PC had another name
+            if copy.parent != folder:  # made when this PC had another name
                 with suppress(OSError):
                     copy.parent.rmdir()
         if surplus:
@@ -151,10 +150,10 @@ def _is_there(target: Path, backup: Backup) -> bool:
 
 
 def _ensure_deleted(copy: Path, tombstoned: Collection[str]) -> bool:
-    """True for a copy that does not exist any more; one that lacks tombstones of the keys is deleted first.
+    """Returns True if the copy does not exist any more. Deletes one that lacks tombstones of the keys first.
 
     Raises:
-        OSError: that could not be found out.
+        OSError: the copy cannot be inspected.
     """
     if not copy.parent.is_dir():
         raise FileNotFoundError(copy.parent)  # not mounted, perhaps

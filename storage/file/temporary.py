@@ -1,4 +1,4 @@
-"""Folders for copies of files that come and go. One whose process was killed is deleted at a later start."""
+"""Temporary folders for copies of files. A folder whose process was killed is deleted at a later start."""
 
 import contextlib
 import os
@@ -15,15 +15,15 @@ except ImportError:  # Windows, where an open file cannot be deleted
 
 _PREFIX = "pinel-bundle-"
 _LOCK = "lock"
-_WITHOUT_LOCK_S = 86_400.0  # of an earlier release, or one that is just being made
+_WITHOUT_LOCK_S = 86_400.0  # then it is left by an earlier release; a new one has no lock yet
 
 
 @contextlib.contextmanager
 def temporary_folder(parent: Path | None = None) -> Iterator[Path]:
-    """A new folder of this process alone; deleted at the end, or at a later start where this process was killed.
+    """Yields a new folder for this process alone. It is deleted at the end, or at a later start after a kill.
 
     Args:
-        parent: where it is to lie; None for the system's folder.
+        parent: the folder to make it in; None for the system's temporary folder.
     """
     with tempfile.TemporaryDirectory(
         prefix=_PREFIX, dir=parent, ignore_cleanup_errors=True
@@ -32,13 +32,13 @@ def temporary_folder(parent: Path | None = None) -> Iterator[Path]:
         with (folder / f".{_LOCK}").open("wb") as lock:
             if fcntl is not None:
                 fcntl.flock(lock, fcntl.LOCK_EX)
-                # locked before it has its name: no other process takes it for one left behind
+                # locked before it gets its name, so that no other process takes it for a leftover
                 (folder / f".{_LOCK}").rename(folder / _LOCK)
             yield folder
 
 
 def remove_leftovers(parent: Path | None = None) -> None:
-    """Deletes folders of processes that are no more: killed, or ended by a power cut. `parent` as above."""
+    """Deletes folders whose process was killed or ended by a power cut; for `parent` see `temporary_folder`."""
     place = parent or Path(tempfile.gettempdir())
     with contextlib.suppress(OSError):
         for folder in [place / name for name in os.listdir(place) if name.startswith(_PREFIX)]:

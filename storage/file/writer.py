@@ -1,4 +1,4 @@
-"""The writer thread: each job is one transaction, and its caller may wait until it is on disk."""
+"""The writer thread: each job is one transaction, and its caller may wait until the transaction is on disk."""
 
 import contextlib
 import queue
@@ -18,16 +18,16 @@ from storage.sqlite import sqlite3
 T = TypeVar("T")
 _Task = Callable[[], None]
 ATTACHED = "bundle"
-_PAGES_IN_LOG = 1000  # then a commit moves them to the file, as SQLite does by itself
-_IDLE_S = 2.0  # then the log is emptied: a wrong bit in it would cut off all that follows
-_MAX_LOG_AGE_S = 30.0  # of work without a pause
+_PAGES_IN_LOG = 1000  # then a commit moves them to the file, which is SQLite's default
+_IDLE_S = 2.0  # then the log is emptied: a wrong bit in it would cut off all later commits
+_MAX_LOG_AGE_S = 30.0  # without a pause of that length
 
 
 class Writer:
-    """Owns the writing connection, and alone moves the write-ahead log into the file.
+    """Owns the writing connection. Only this class moves the write-ahead log into the file.
 
     Args:
-        now: the time as text, for the mark beside the file.
+        now: returns the time as text, for the commit counter.
 
     Attributes:
         on_written: called after each job that is on disk, on the writer's thread; must not raise or wait.
@@ -53,7 +53,7 @@ class Writer:
     def submit(
         self, job: Callable[[sqlite3.Connection], T], attached: str | None = None
     ) -> "Future[T]":
-        """Queues the job. The future has its result once it is on disk, or a StoreError where nothing was written.
+        """Queues the job. The future gets its result once it is on disk, or a StoreError if nothing was written.
 
         Args:
             attached: address of a file that is the schema `bundle` during the job.
@@ -70,11 +70,11 @@ class Writer:
 
     @property
     def closed(self) -> bool:
-        """True when nothing more can be written."""
+        """True if nothing more can be written."""
         return self._closed
 
     def close(self) -> None:
-        """Finishes what is queued, then closes the connection."""
+        """Finishes queued jobs, then closes the connection."""
         with self._lock:
             if not self._closed:
                 self._closed = True
@@ -82,8 +82,11 @@ class Writer:
         self._thread.join()
 
     def checkpoint(self, *, waits_for_readers: bool = False) -> "Future[bool]":
-        """Empties the write-ahead log; False while another connection still reads from it, for some seconds if it is
-        to be patient."""
+        """Empties the write-ahead log; the future gets False if another connection still reads from it.
+
+        Args:
+            waits_for_readers: waits for them for some seconds.
+        """
         future: Future[bool] = Future()
         with self._lock:
             if self._closed:
@@ -104,7 +107,7 @@ class Writer:
         self._connection.close()
 
     def _next(self) -> _Task | None:
-        """The next task; when there is none for a while, the log is emptied meanwhile."""
+        """Returns the next task; empties the log if none comes for a while."""
         while True:
             try:
                 return self._tasks.get(timeout=_IDLE_S if self._in_log_since else None)
@@ -116,12 +119,12 @@ class Writer:
         return since is not None and time.monotonic() - since > _MAX_LOG_AGE_S
 
     def _empty_log(self, *, waits_for_readers: bool = False) -> bool:
-        """What readers still need stays in the log until the next time."""
+        """Empties the log; pages that readers still need stay until the next time."""
         self._in_log_since = None
         try:
             with contextlib.nullcontext() if waits_for_readers else self._without_waiting():
                 return checkpoint(self._connection)
-        except sqlite3.Error:  # the next write tells what is wrong
+        except sqlite3.Error:  # the next write reports the problem
             return False
 
     @contextlib.contextmanager
@@ -149,7 +152,7 @@ class Writer:
 
     @contextlib.contextmanager
     def _attaching(self, address: str | None) -> Iterator[None]:
-        """SQLite attaches and detaches outside of transactions only."""
+        """Attaches the file for one job, outside of the transaction, as SQLite requires."""
         if address is None:
             yield
             return
@@ -162,7 +165,10 @@ class Writer:
     def _of_readable_texts(
         self, job: Callable[[sqlite3.Connection], T], *, has_attached: bool
     ) -> T:
-        """A damaged name must not keep people from writing, such as another name."""
+        """Runs the job. If a damaged text stops it, runs it again with a tolerant decoder.
+
+        Otherwise one damaged name would keep people from writing anything else.
+        """
         try:
             return self._in_transaction(job, has_attached=has_attached)
         except sqlite3.Error as error:
@@ -172,7 +178,7 @@ class Writer:
         return self._in_transaction(job, has_attached=has_attached)
 
     def _in_transaction(self, job: Callable[[sqlite3.Connection], T], *, has_attached: bool) -> T:
-        # IMMEDIATE: a job that reads first must not lose to another process that wrote in between
+        # IMMEDIATE: otherwise a job that reads first would fail if another process wrote in between
         self._connection.execute("BEGIN IMMEDIATE")
         try:
             n_changes = self._connection.total_changes

@@ -1,1 +1,1 @@
-"""Runs: reading, telemetry codec, history, grading results."""
+"""Repositories of runs: records, telemetry codec, history, grading results, confirmation."""

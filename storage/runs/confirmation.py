@@ -1,6 +1,6 @@
-"""Runs whose pass does not count until this PC has repeated them.
+"""Unconfirmed runs: their pass does not count until this PC has repeated them.
 
-`storage/exchange/confirmation_tracking.py` records which these are.
+`storage/exchange/confirmation_tracking.py` marks them.
 """
 
 from collections import Counter
@@ -10,11 +10,12 @@ from storage.run_validity import WAITING, ConfirmationFinding
 
 
 class Unconfirmed(Repository):
-    """The marks."""
+    """The marks of unconfirmed runs."""
 
     def waiting(self) -> list[str]:
-        """Runs to be repeated, those with the shortest record before the others, so that a file of long ones does not
-        hold up all that come later. Not those that were deleted, nor those of an own activity that is not here yet.
+        """Returns the runs to repeat, those with the shortest record first, so that long ones do not delay all others.
+
+        Leaves out deleted runs, and runs of an own activity that this store does not have yet.
         """
         rows = self._rows(
             """SELECT run_id FROM unconfirmed_runs JOIN runs ON runs.id = run_id WHERE finding IS NULL
@@ -25,7 +26,7 @@ class Unconfirmed(Repository):
         return [str(row["run_id"]) for row in rows]
 
     def counts(self) -> dict[str, int]:
-        """How many runs wait, and how many there are of each finding."""
+        """Returns how many runs wait, and how many have each finding."""
         rows = self._rows(
             f"""SELECT coalesce(finding, '{WAITING}') AS mark, count(*) AS n FROM unconfirmed_runs
                 WHERE run_id IN (SELECT id FROM runs) GROUP BY mark"""
@@ -33,16 +34,16 @@ class Unconfirmed(Repository):
         return Counter({str(row["mark"]): int(row["n"]) for row in rows})
 
     def accept(self, run_id: str) -> None:
-        """A run that cannot be repeated here counts, as the teacher says; nothing changes for another."""
+        """Confirms a run that cannot be repeated here, as the teacher decided; changes no other run."""
         query = "DELETE FROM unconfirmed_runs WHERE run_id = ? AND finding = 'not_repeatable'"
         self._database.write(lambda db: db.execute(query, [run_id]).rowcount)
 
     def confirm(self, run_id: str) -> None:
-        """The run counts from now on."""
+        """Deletes the mark, so that the run counts from now on."""
         query = "DELETE FROM unconfirmed_runs WHERE run_id = ?"
         self._database.write(lambda db: db.execute(query, [run_id]).rowcount)
 
     def note(self, run_id: str, finding: ConfirmationFinding) -> None:
-        """The run stays marked, for this reason."""
+        """Records why the run stays marked."""
         query = "UPDATE unconfirmed_runs SET finding = ? WHERE run_id = ?"
         self._database.write(lambda db: db.execute(query, [finding, run_id]).rowcount)

@@ -1,4 +1,4 @@
-"""Whether runs have passed their activity, which is found out after they have ended."""
+"""Grading results: whether runs have passed their activity, which is judged after they have ended."""
 
 from storage.file.repository import Repository
 from storage.row_types import SIMULATOR, Json
@@ -6,17 +6,17 @@ from storage.run_validity import counted
 from storage.sql import require
 from storage.text import to_json
 
-# Runs that count for their activity: those of the simulator, and of real robots those that were judged.
+# condition: the run counts for its activity: a simulated one always, one of a real robot if it was judged
 COUNTS = f"(link = '{SIMULATOR}' OR passed IS NOT NULL)"
 
 
 class GradingResults(Repository):
-    """Results of the runs that an activity belongs to."""
+    """The grading results of runs with an activity."""
 
     def pending(self) -> list[str]:
-        """Runs that have ended and have no result yet, the oldest first. That a run is not judged is a result, too.
+        """Returns ended runs without a result, oldest first. "Not judged" is a result, too.
 
-        Not runs that came from elsewhere and are to be repeated first: they are judged by their record.
+        Leaves out unconfirmed runs, which must be repeated first.
         """
         rows = self._rows(
             """SELECT id FROM runs INDEXED BY runs_lesson WHERE lesson_id IS NOT NULL AND activity IS NOT NULL
@@ -26,7 +26,9 @@ class GradingResults(Repository):
         return [str(row["id"]) for row in rows]
 
     def of_group(self, group_id: str) -> dict[str, bool]:
-        """The activities that a group has tried, with whether one run counts as passed; a real run not judged is none.
+        """Returns the activities that a group has tried, and whether a run passed each and counts.
+
+        A run of a real robot that was not judged is no try.
 
         Raises:
             StoreError: `group_not_found`.
@@ -38,7 +40,11 @@ class GradingResults(Repository):
             return {row["activity"]: bool(row["passed"]) for row in db.execute(query, [group_id])}
 
     def record(self, run_id: str, passed: bool | None, report: Json) -> None:
-        """On disk when this returns; a run gets one result. `passed` is None for one that was not judged."""
+        """Records the result of a run; a run gets one result only. It is on disk when this returns.
+
+        Args:
+            passed: None for a run that was not judged.
+        """
 
         query = """UPDATE runs SET passed = ?, check_report = ?
             WHERE id = ? AND passed IS NULL AND check_report IS NULL"""

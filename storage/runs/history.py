@@ -1,7 +1,7 @@
-"""Runs of all groups, a page at a time, chosen by class, group, lesson, activity, world, day and outcome.
+"""The history: runs of all groups, page by page, filtered by class, group, lesson, activity, world, day and outcome.
 
-The index `runs_history` holds all that they are chosen by: a page reads it backwards until it is full. Where nothing
-fits it reads all of it, which takes some milliseconds for 100,000 runs.
+The index `runs_history` has all columns of the filters. A page reads it backward until the page is full. If no run
+matches, it reads the whole index, which takes some milliseconds for 100,000 runs.
 """
 
 import json
@@ -16,7 +16,7 @@ from storage.sqlite import sqlite3
 from storage.work.lesson_history import GroupSummary
 
 Outcome = Literal["finished", "stopped", "failed", "passed", "not_passed"]
-# in place of a class: the groups that belong to none
+# filter for groups without a class
 NO_CLASSROOM = "none"
 _PASSED = {"passed": 1, "not_passed": 0}
 _COMPUTED = {"passed_bit": counted(), "unconfirmed": confirmation_status()}
@@ -27,18 +27,18 @@ _SELECT = f"""
     SELECT {_COLUMNS}, groups.id, groups.name, groups.color, groups.picture
     FROM runs LEFT JOIN groups ON groups.id = runs.group_id
     WHERE {{which}} ORDER BY runs.id DESC LIMIT ?"""
-# found in the index alone: of rows that do not fit nothing else is read
+# the inner query reads the index only, so that other columns are read of matching rows alone
 _FITTING = "runs.id IN (SELECT id FROM runs WHERE {which} ORDER BY id DESC LIMIT ?)"
 
 
 @dataclass(frozen=True, slots=True)
 class RunFilter:
-    """Which runs; None does not choose.
+    """A filter of runs; None matches all.
 
     Attributes:
         classroom_id: `NO_CLASSROOM` for groups without one.
         lesson_ids: a lesson with its parts.
-        started_from, started_before: times between which a run began.
+        started_from, started_before: bounds of the time at which a run started.
     """
 
     classroom_id: str | None = None
@@ -64,7 +64,7 @@ class History(Repository):
     def page(
         self, which: RunFilter, *, before: str | None = None, limit: int = 50
     ) -> list[HistoryEntry]:
-        """Newest first; `before` is the id of the last run of the page before."""
+        """Returns a page of runs, newest first; `before` is the id of the last run of the previous page."""
         clauses = [("runs.id < ?", before or "~"), *_clauses(which)]
         where = " AND ".join(clause for clause, _ in clauses)
         values = [value for _, value in clauses]
@@ -75,7 +75,7 @@ class History(Repository):
 
 
 def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
-    # with a plus: not by the index of groups, which would have to be sorted
+    # the plus keeps SQLite from using the index of that column, whose result it would have to sort
     if which.classroom_id is not None:
         classroom = None if which.classroom_id == NO_CLASSROOM else which.classroom_id
         yield "+group_id IN (SELECT id FROM groups WHERE classroom_id IS ?)", classroom

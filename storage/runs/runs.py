@@ -1,6 +1,6 @@
-"""Runs: begun, recorded, ended; read back as they were.
+"""Runs: creates, records and ends them, and reads them back.
 
-Telemetry needs numpy, which takes longer to load than the rest of the store: it is imported when first used.
+Telemetry needs numpy, which takes longer to load than the rest of the store, so it is imported when first used.
 """
 
 from collections.abc import Mapping, Sequence
@@ -44,12 +44,12 @@ _AT_END = ("state", "reason", "block", "duration_s", *_METRICS)
 
 @dataclass(slots=True, eq=False)
 class Batch:
-    """What is written of a run in one transaction.
+    """The part of a run that is written in one transaction.
 
     Attributes:
         chunks: (chunk, first tick, rows, blob) of telemetry.
         ended: the `run_ended` event, None before the end.
-        path: points for the picture, used with `ended`.
+        path: points for the picture, in m; used with `ended`.
         at: when it happened, which may be long before it can be written.
     """
 
@@ -65,18 +65,18 @@ class Runs(Repository):
     """The runs of the file."""
 
     def begin(self, start: RunStart) -> RunRow:
-        """Notes that a run begins; on disk when this returns. Raises StoreError `version_not_found`."""
+        """Records that a run starts; on disk when this returns. Raises StoreError `version_not_found`."""
         now = self._database.timestamp()
         return self.get(self._database.write(lambda db: _insert(db, start, now)))
 
     def discard(self, run_id: str) -> None:
-        """Takes back a run that could not begin after all."""
+        """Deletes a run that could not start."""
         self._database.write(
             lambda db: db.execute("DELETE FROM runs WHERE id = ?", [run_id]).rowcount
         )
 
     def update_document(self, run_id: str, document: Json) -> None:
-        """The document of a live run without a version is this one from now on; on disk when this returns."""
+        """Replaces the document of a live run that has no version; on disk when this returns."""
         self._database.write(
             lambda db: (
                 db.execute(
@@ -87,7 +87,7 @@ class Runs(Repository):
         )
 
     def attach_version(self, run_id: str, version_id: str) -> None:
-        """A version holds the run's document from now on."""
+        """Records that a version has the run's document."""
         self._database.write(
             lambda db: (
                 db.execute(
@@ -98,29 +98,37 @@ class Runs(Repository):
         )
 
     def get(self, run_id: str) -> RunRow:
-        """Raises StoreError `run_not_found`, `run_damaged`."""
+        """Returns a run. Raises StoreError `run_not_found`, `run_damaged`."""
         self._require_intact("runs", run_id)
         return _run_row(self._row("runs", f"{_SELECT} WHERE id = ?", run_id))
 
     def of_group(
         self, group_id: str, *, before: str | None = None, limit: int = 50
     ) -> list[RunSummary]:
-        """Newest first; `before` is the id of the last run of the page before. What is damaged of one is empty."""
+        """Returns a page of runs, newest first, without their damaged values.
+
+        Args:
+            before: id of the last run of the previous page.
+        """
         query = f"{_SUMMARY} WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?"
         return [RunSummary._make(row) for row in self._rows(query, group_id, before or "~", limit)]
 
     def newest(self, limit: int) -> list[RunRow]:
-        """Of all groups and of none, newest first; what is damaged of one is empty."""
+        """Returns the newest runs of all groups and of none, newest first, without their damaged values."""
         rows = self._rows(f"{_SELECT} ORDER BY id DESC LIMIT ?", limit)
         return [_run_row(row, lenient=True) for row in rows]
 
     def ids_beginning_with(self, prefix: str) -> list[str]:
-        """Ids that a person may mean who typed the beginning only; at most 10."""
+        """Returns ids that begin with what a person typed; at most 10."""
         query = "SELECT id FROM runs WHERE substr(id, 1, ?) = ? ORDER BY id DESC LIMIT 10"
         return [str(row["id"]) for row in self._rows(query, len(prefix), prefix)]
 
     def events(self, run_id: str) -> list[Json]:
-        """All events but telemetry, as they were on the wire. Raises StoreError `run_not_found`, `run_damaged`."""
+        """Returns all events but telemetry, as they were on the wire.
+
+        Raises:
+            StoreError: `run_not_found`, `run_damaged`.
+        """
         self._require_intact("events", run_id)
         with self._database.read_connection() as db:
             require(db, "runs", run_id)
@@ -132,14 +140,14 @@ class Runs(Repository):
         return [_event(run_id, row) for row in rows]
 
     def telemetry(self, run_id: str) -> "Telemetry":
-        """All samples of a run. Raises StoreError `run_not_found`, `run_damaged`."""
+        """Returns all samples of a run. Raises StoreError `run_not_found`, `run_damaged`."""
         self._require_intact("telemetry", run_id)
         with self._database.read_connection() as db:
             require(db, "runs", run_id)
             return _telemetry(db, run_id)
 
     def damaged_parts(self, run_id: str) -> list[str]:
-        """Of `runs`, `events` and `telemetry` what is not as it was written and cannot be mended."""
+        """Returns the parts, of `runs`, `events` and `telemetry`, that are damaged and cannot be repaired."""
         return [part for part in OF_RUNS if not self._is_intact(part, run_id)]
 
     def _require_intact(self, part: str, run_id: str) -> None:
@@ -147,12 +155,12 @@ class Runs(Repository):
             raise StoreError("run_damaged", id=run_id, part=part)
 
     def running(self) -> list[str]:
-        """Ids of the runs that have not ended."""
+        """Returns the ids of the runs that have not ended."""
         with self._database.read_connection() as db:
             return _running(db)
 
     def close_interrupted(self) -> int:
-        """Ends every run that is still `running`, after its program was killed. Returns how many."""
+        """Ends every run that is still `running`, after its program was killed. Returns their number."""
         now = self._database.now()
 
         def close_all(db: sqlite3.Connection) -> int:
@@ -164,13 +172,13 @@ class Runs(Repository):
 
 
 def close_runs(db: sqlite3.Connection, run_ids: Sequence[str], now: str) -> None:
-    """Ends those of the runs that have not ended, within the caller's transaction."""
+    """Ends the given runs that have not ended, within the caller's transaction."""
     for run_id in set(run_ids).intersection(_running(db)):
         write_batch(db, _interrupted(db, run_id, now))
 
 
 def write_batch(db: sqlite3.Connection, batch: Batch) -> None:
-    """Writes a batch within the caller's transaction; the same batch twice changes nothing."""
+    """Writes a batch within the caller's transaction; writing it again changes nothing."""
     db.executemany(
         "INSERT OR REPLACE INTO events (run_id, seq, tick, type, data) VALUES (?, ?, ?, ?, ?)",
         [
@@ -227,7 +235,7 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: Timestamp) -> str:
 
 
 def _origin(db: sqlite3.Connection, start: RunStart) -> dict[str, str | None]:
-    """Group and program of a version; a run of the command line has its document's name only."""
+    """Returns group and program of a version; for a run of the command line only the name in its document."""
     version_id = start.version_id
     if version_id is None and start.program_id is not None:
         return _origin_of_program(db, start.program_id)
@@ -264,7 +272,7 @@ def _running(db: sqlite3.Connection) -> list[str]:
 
 
 def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
-    """The end that an interrupted run never had, from what was recorded of it."""
+    """Returns the end of an interrupted run, computed from its recorded events and samples."""
     from storage.runs.simplify_path import outline  # noqa: PLC0415 - see above
     from storage.runs.telemetry import RATE_HZ  # noqa: PLC0415
 
@@ -312,7 +320,7 @@ def _event(run_id: str, row: sqlite3.Row) -> Json:
 
 
 def _run_row(row: sqlite3.Row, *, lenient: bool = False) -> RunRow:
-    """The row; `lenient`, as for lists, leaves empty what is damaged."""
+    """Returns the row. `lenient`, for lists, leaves damaged values empty."""
     values = dict(row)
     for name in _OBJECTS:
         text = values[name]
@@ -329,7 +337,7 @@ def _run_row(row: sqlite3.Row, *, lenient: bool = False) -> RunRow:
 
 
 def _object(text: Any, run_id: str, part: str) -> Json | None:
-    """A JSON object, None for NULL. Raises StoreError `run_damaged`."""
+    """Returns a JSON object, None for NULL. Raises StoreError `run_damaged`."""
     value = readable_object(text)
     if value is None and text not in (None, "null"):
         raise StoreError("run_damaged", id=run_id, part=part)

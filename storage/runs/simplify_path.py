@@ -1,4 +1,4 @@
-"""The path of a run as a picture: few points that keep its shape."""
+"""Path simplification: reduces the path of a run to few points for its picture."""
 
 from collections.abc import Sequence
 
@@ -8,23 +8,23 @@ from numpy.typing import NDArray
 Points = NDArray[np.float64]
 MAX_POINTS = 64
 _FINEST_M = 0.005
-_COARSEST = 0.05  # of the path's extent: what cannot be seen in a small picture
+_COARSEST = 0.05  # share of the path's extent; less cannot be distinguished in a small picture
 _GROWTH = 1.5
 _ROUNDED = 4  # decimals: 0.1 mm
 
 
 def outline(points: Points) -> list[list[float]]:
-    """At most 64 of the points (n, 2) in m, chosen by Douglas and Peucker's method.
+    """Returns at most 64 of the points (n, 2) in m, chosen by the method of Douglas and Peucker.
 
-    A path with more corners than that is cut off after its first 64: ten rounds look like one, and a line that
-    was never driven is never drawn.
+    A path with more corners is cut off after its first 64: ten laps look like one. A greater tolerance would draw lines
+    that the robot never drove.
     """
     simplified = _coarsened(points, _FINEST_M, limit=_COARSEST * _extent(points))[:MAX_POINTS]
     return [[round(float(x), _ROUNDED), round(float(y), _ROUNDED)] for x, y in simplified]
 
 
 def outline_of_trail(trail: Sequence[float]) -> list[list[float]]:
-    """The same of x, y, x, y... in m."""
+    """Returns the same for x, y, x, y... in m."""
     return outline(np.array(trail, dtype=np.float64).reshape(-1, 2))
 
 
@@ -33,7 +33,7 @@ def _extent(points: Points) -> float:
 
 
 def _coarsened(points: Points, tolerance: float, *, limit: float) -> Points:
-    """The points, with a tolerance that grows until they are few enough or it reaches the limit."""
+    """Raises the tolerance until the points are few enough or the tolerance reaches the limit."""
     simplified = _simplified(points, tolerance)
     while len(simplified) > MAX_POINTS and tolerance * _GROWTH <= limit:
         tolerance *= _GROWTH
@@ -61,7 +61,7 @@ def _simplified(points: Points, tolerance: float) -> Points:
 
 
 def _distances(points: Points, start: Points, end: Points) -> Points:
-    """Of each point from the stretch start to end, in m."""
+    """Returns the distance of each point from the segment start to end, in m."""
     along = end - start
     length2 = float(along @ along)
     share = np.clip((points - start) @ along / length2, 0, 1) if length2 else np.zeros(len(points))

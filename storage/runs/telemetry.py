@@ -1,8 +1,8 @@
-"""Telemetry as small as it can be at the precision a person can use.
+"""The telemetry codec: packs samples as small as the precision that people use allows.
 
-A chunk holds about a second. Each column is quantised to a whole number of steps, kept as differences from row
-to row (the robot moves smoothly, so they are small), the bytes of all columns are shuffled (the high bytes are
-nearly all zero) and packed by zlib: a small part of what float32 columns need.
+A chunk has about a second. Each column is quantised to a whole number of steps and stored as differences from row to
+row, which are small as the robot moves smoothly. The bytes of all columns are shuffled, as the high bytes are nearly
+all zero, and packed by zlib. The result is a small part of the size of float32 columns.
 """
 
 import json
@@ -36,7 +36,7 @@ STEPS: dict[str, float] = {
 COLUMNS = tuple(STEPS)
 Rows = NDArray[np.float64]
 _STEP = np.array(list(STEPS.values()))
-_MISSING = np.int32(-(2**31))  # stands for null, which float columns read back as NaN
+_MISSING = np.int32(-(2**31))  # null, which float columns read back as NaN
 _LIMIT = float(2**31 - 1)
 
 
@@ -47,11 +47,11 @@ class Telemetry:
     rows: Rows
 
     def column(self, name: str) -> Rows:
-        """One column by its name, shape (n,)."""
+        """Returns one column by its name, shape (n,)."""
         return self.rows[:, COLUMNS.index(name)]
 
     def to_wire(self) -> bytes:
-        """Length of the header (uint32), the header (JSON), float32 columns; all little-endian."""
+        """Encodes the length of the header (uint32), the header (JSON) and float32 columns, all little-endian."""
         header = {"columns": COLUMNS, "rows": len(self.rows), "rate_hz": RATE_HZ}
         text = json.dumps(header, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 4)
@@ -59,28 +59,28 @@ class Telemetry:
 
 
 def rows_of(events: Iterable[Mapping[str, object]]) -> Rows:
-    """Telemetry events as rows; what an event lacks is NaN."""
+    """Returns telemetry events as rows; NaN for fields that an event lacks."""
     rows = [[_number(event.get(name)) for name in COLUMNS] for event in events]
     return np.array(rows, dtype=np.float64).reshape(-1, len(COLUMNS))
 
 
 def pack(rows: Rows) -> bytes:
-    """Rows of shape (n, 16) as a blob."""
+    """Packs rows of shape (n, 16) into a blob."""
     steps = np.clip(np.nan_to_num(np.rint(rows / _STEP)), -_LIMIT, _LIMIT).astype(np.int32)
     steps[np.isnan(rows)] = _MISSING
     differences = np.empty_like(steps)
     differences[:1] = steps[:1]
-    differences[1:] = (
-        steps[1:] - steps[:-1]
-    )  # wraps around where it must; so does the sum in `unpack`
+    # int32 differences may wrap around; the sum in `unpack` wraps back
+    differences[1:] = steps[1:] - steps[:-1]
     octets = np.ascontiguousarray(differences.T.astype("<i4")).view(np.uint8).reshape(-1, 4)
     return zlib.compress(octets.T.tobytes(), 9)
 
 
 def unpack(blob: bytes, n_rows: int) -> Rows:
-    """What `pack` packed, to half a step. Columns that came later are NaN in what was packed before.
+    """Unpacks a blob of `pack`, to half a step. Columns that later releases added are NaN in earlier blobs.
 
-    Raises ValueError for a blob that is none, or not of so many rows.
+    Raises:
+        ValueError: the blob is not telemetry, or does not have that many rows.
     """
     try:
         octets = np.frombuffer(zlib.decompress(blob), dtype=np.uint8).reshape(4, -1)
@@ -98,7 +98,7 @@ def unpack(blob: bytes, n_rows: int) -> Rows:
 
 
 def joined(chunks: Sequence[tuple[bytes, int]]) -> Telemetry:
-    """All chunks of a run, each a blob and its number of rows. Raises ValueError as `unpack` does."""
+    """Unpacks and joins all chunks of a run, each a blob and its number of rows. Raises ValueError as `unpack`."""
     parts = [unpack(blob, n_rows) for blob, n_rows in chunks]
     return Telemetry(np.concatenate(parts) if parts else np.empty((0, len(COLUMNS))))
 

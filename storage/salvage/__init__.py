@@ -1,1 +1,1 @@
-"""Reading what is still readable of a damaged file, and bringing it into a sound one."""
+"""Salvage: recovers the readable rows of a damaged file and merges them into an intact one."""

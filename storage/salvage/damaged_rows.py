@@ -1,7 +1,7 @@
-"""Rows of a damaged file that do not give the sum they had when they were written (`storage/file/row_checksums.py`).
+"""Rows of a damaged file whose checksum does not match (`storage/file/row_checksums.py`).
 
-A bit that flipped inside a value fits every rule of its table. A version that is not as it was written counts as
-unread; what is left of a run is kept, marked as damaged, where the store has nothing better.
+A bit that flipped inside a value still fits every rule of its table. A damaged version counts as unread. The
+remaining rows of a damaged run are imported, marked as damaged, unless the store has an intact copy.
 """
 
 from collections.abc import Iterator
@@ -15,7 +15,7 @@ _DAMAGED = "SELECT table_name, row_id, sha256 FROM bundle.content_sums WHERE dam
 
 
 def remove_damaged_versions(db: sqlite3.Connection) -> set[tuple[str, int]]:
-    """Deletes versions that are not as they were written; tells program and number of each, as it has them now."""
+    """Deletes versions whose checksum does not match; returns program and number of each, as read now."""
     removed = set()
     for key in _damaged_keys(db, "versions"):
         query = "DELETE FROM versions WHERE id = ? RETURNING program_id, number"
@@ -25,7 +25,7 @@ def remove_damaged_versions(db: sqlite3.Connection) -> set[tuple[str, int]]:
 
 
 def record_damaged_runs(db: sqlite3.Connection, now: str) -> None:
-    """Notes which rows, events and samples of runs are not as they were written, or not whole."""
+    """Records which rows, events and samples of runs are damaged or incomplete."""
     db.execute("UPDATE content_sums SET damaged_at = NULL")
     for table in OF_RUNS:
         for key in list(_damaged_keys(db, table)):
@@ -33,7 +33,7 @@ def record_damaged_runs(db: sqlite3.Connection, now: str) -> None:
 
 
 def prefer_intact_rows(db: sqlite3.Connection) -> None:
-    """What the store has as it was written goes into the schema `bundle` in the place of what is damaged there."""
+    """Replaces damaged rows in the schema `bundle` by intact rows of the store."""
     for table, key, right in tuples(db, _DAMAGED).fetchall():
         if content_checksum(db, table, key) == right or (table == "runs" and _has_its_end(db, key)):
             copy_rows(db, table, key, "main", "bundle")
@@ -42,7 +42,7 @@ def prefer_intact_rows(db: sqlite3.Connection) -> None:
 
 
 def import_damage_records(db: sqlite3.Connection) -> None:
-    """Notes in the store which of the runs that came are damaged, with the sums that they should have."""
+    """Records in the store which of the imported runs are damaged, with the checksums that they should have."""
     db.execute(
         """INSERT OR REPLACE INTO main.content_sums SELECT * FROM bundle.content_sums
            WHERE damaged_at IS NOT NULL AND row_id IN (SELECT id FROM main.runs)"""
@@ -58,7 +58,7 @@ def _damaged_keys(db: sqlite3.Connection, table: str) -> Iterator[str]:
 
 
 def _has_its_end(db: sqlite3.Connection, run_id: str) -> bool:
-    """A run that was cut off, as in a backup, is better with what is left of its end."""
+    """Returns True if the stored run has its end. An interrupted one, as in a backup, is worse than a damaged row."""
     ended = "state <> 'running' AND reason IS NOT 'interrupted'"
     return bool(
         db.execute(f"SELECT 1 FROM main.runs WHERE id = ? AND {ended}", [run_id]).fetchone()

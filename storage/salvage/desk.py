@@ -1,8 +1,7 @@
-"""SQLite reads single pages of a damaged file, or what lies below one: neither header, list of tables nor trees of the
-file are needed.
+"""Reads single pages of a damaged SQLite file, or the tree below a page, without the file's header and schema.
 
-It is given a copy with a sound header and a list of tables of our own, by which every table begins on one and the same
-page, the desk. Whatever page is laid there is read by a plain SELECT (sqlite.org/fileformat2.html).
+SQLite opens a copy with an intact header and a schema of our own. In this schema every table has the same root page,
+the desk. A page to read is written to the desk, and a plain SELECT reads it (sqlite.org/fileformat2.html).
 """
 
 import shutil
@@ -20,31 +19,31 @@ TABLE_LEAF, INDEX_LEAF, INDEX_INTERIOR = 13, 10, 2
 EDITS_INDEX = "idx_versions_program_id_number"
 Row = tuple[object, ...]
 _EMPTY = struct.pack(">BHHHB", TABLE_LEAF, 0, 0, PAGE, 0)
-# of a file in UTF-8 without free pages, whose count of pages is not to be trusted
+# header of a file in UTF-8 without free pages; its counters make SQLite ignore the page count
 _HEADER = struct.pack(
     ">16sH6B9I40x", b"SQLite format 3", PAGE, 1, 1, 0, 64, 32, 32, 1, 0, 0, 0, 1, 4, 0, 0, 1
 )
-# where a file counts its changes: SQLite reads its pages anew when the count is another
+# offset of the file's change counter: SQLite reads pages again when the counter has changed
 _CHANGES = 24
 _MIN_CELL_BYTES = 4
 _STEPS_BETWEEN_STOPS = 10_000
-# an index is kept as a table without row numbers is
+# an index has the format of a table without row numbers
 _EDITS = f"""CREATE TABLE {EDITS_INDEX} (program_id TEXT, number INTEGER, row INTEGER, more,
     PRIMARY KEY (program_id, number, row)) WITHOUT ROWID"""
 
 
 class Desk:
-    """The copy, for as long as it is read.
+    """The copy of the damaged file, open for reading.
 
     Args:
-        path: where the copy is made.
-        file: the damaged file, with its log beside it; both may be missing.
-        db: a database with the tables of those names.
-        stop: asked while SQLite reads: once it is true, no more rows come.
+        path: path of the copy to make.
+        file: the damaged file, with its write-ahead log beside it; both may be missing.
+        db: a database that has the tables `names`.
+        stop: polled while SQLite reads; no more rows come once it returns True.
 
     Attributes:
-        roots: the page with which each table and index of the file begins, as far as its own list can be read.
-        keyed: tables that are kept as an index is, by their key, each with its order from the end.
+        roots: root page of each table and index, as far as the file's own schema can be read.
+        keyed: tables stored by key (WITHOUT ROWID), each with the clause that orders its rows backward.
     """
 
     def __init__(
@@ -68,7 +67,7 @@ class Desk:
         self._db.set_progress_handler(stop, _STEPS_BETWEEN_STOPS)
 
     def _clear(self, path: Path, definitions: Mapping[str, str]) -> None:
-        """Puts a list of tables, all of which begin with the desk, in the place of the file's own."""
+        """Replaces the file's schema by one in which the desk is the root page of every table."""
         self._write(0, (_HEADER + _EMPTY).ljust(PAGE, b"\0"))
         self._write(self._desk_offset, _EMPTY.ljust(PAGE, b"\0"))
         with closing(opened(path, "rw")) as db:
@@ -79,32 +78,32 @@ class Desk:
             db.executemany("INSERT INTO sqlite_schema VALUES ('table', ?, ?, ?, ?)", rows)
 
     def close(self) -> None:
-        """The copy can be deleted then."""
+        """Closes the copy, so that it can be deleted."""
         self._db.close()
         self._file.close()
 
     def pages(self) -> Iterator[bytes]:
-        """All pages but the first, in their order."""
+        """Yields all pages except the first, in order."""
         return map(self.page, range(2, self._n_pages + 1))
 
     def page(self, number: int) -> bytes:
-        """The newest state of a page that is left; zeros where there is none."""
+        """Returns the newest readable state of a page; zeros for a page beyond the end."""
         self._file.seek((number - 1) * PAGE)
         return self._file.read(PAGE).ljust(PAGE, b"\0")
 
     def tree(self, table: str, root: int) -> Iterator[Row]:
-        """What can be read of a table that begins with the page of that number.
+        """Yields the readable rows of the table whose root page has that number.
 
-        Rows that lie before or after damage may come again. A text that is none is given as bytes.
+        Rows before or after damage may come twice. A text that is not UTF-8 is given as bytes.
         """
         return self._rows(table, self.page(root))
 
     def rows(self, table: str, page: bytes) -> Iterator[Row]:
-        """What can be read of a page by itself, if it is one of that table."""
+        """Yields the readable rows of one page, as if the page belonged to that table."""
         return self._rows(table, _as_leaf(page))
 
     def _rows(self, table: str, page: bytes) -> Iterator[Row]:
-        """Forward up to the damage; then by row numbers, and backward."""
+        """Reads forward up to the damage, then by row numbers, then backward."""
         self._lay(page)
         backward = self.keyed.get(table, "ORDER BY rowid DESC")
         with suppress(sqlite3.DatabaseError):
@@ -127,14 +126,14 @@ class Desk:
                 yield from self._selected(f"SELECT * FROM {table} WHERE rowid = {number}")
 
     def _selected(self, query: str) -> Iterator[Row]:
-        """Rows that have no more values than the table has columns: others are of another table."""
+        """Yields rows with no more values than the table has columns; longer rows belong to another table."""
         for *values, more in islice(self._db.execute(query), self._max_rows):
             if more is None:
                 yield tuple(values)
 
     @property
     def _max_rows(self) -> int:
-        return self._desk_offset // _MIN_CELL_BYTES  # more than that are a circle
+        return self._desk_offset // _MIN_CELL_BYTES  # more rows mean that pages form a cycle
 
     def _lay(self, page: bytes) -> None:
         self._n_changes += 1
@@ -147,12 +146,12 @@ class Desk:
 
 
 def roots(path: Path) -> dict[str, int]:
-    """The page with which each table and index of a file begins, as far as SQLite can read its list of them."""
+    """Returns the root page of each table and index of a file, as far as SQLite can read its schema."""
     found: dict[str, int] = {}
     with closing(opened(path, "ro")) as db:
         for order in ("ASC", "DESC"):
             with suppress(sqlite3.DatabaseError):
-                db.execute("PRAGMA writable_schema = ON")  # a damaged line does not hide the others
+                db.execute("PRAGMA writable_schema = ON")  # a damaged row hides no others
                 query = f"SELECT name, rootpage FROM sqlite_schema WHERE rootpage > 1 ORDER BY rowid {order}"
                 for name, page in islice(tuples(db, query), 1000):
                     found[name] = page
@@ -160,7 +159,7 @@ def roots(path: Path) -> dict[str, int]:
 
 
 def _as_leaf(page: bytes) -> bytes:
-    """The same page without what is wrong with its count of cells, and without the pages below it."""
+    """Returns the page as a leaf with a valid cell count, without the pages below it."""
     is_interior = page[0] == INDEX_INTERIOR
     start = 12 if is_interior else 8
     n_declared = min(int.from_bytes(page[3:5], "big"), (PAGE - start) // 2)
@@ -176,7 +175,10 @@ def _as_leaf(page: bytes) -> bytes:
 def _definitions(
     db: sqlite3.Connection, names: Iterable[str]
 ) -> tuple[dict[str, str], Mapping[str, str]]:
-    """Tables without constraints, each with a column for what is too much; and from the end those by key."""
+    """Returns definitions of the tables and, for tables by key, the clause that orders their rows backward.
+
+    The tables have no constraints, and one column more, `more`, for surplus values.
+    """
     made, keyed = {EDITS_INDEX: _EDITS}, {EDITS_INDEX: _backward("program_id", "number", "row")}
     for name in names:
         columns = tuples(db, f"PRAGMA table_info({name})").fetchall()

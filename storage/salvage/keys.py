@@ -1,7 +1,7 @@
-"""Rows of a damaged file in whose own key one bit flipped, as what names them shows: the sum that a version or run had
-when it was written, or the rows that belong to a class, group or program.
+"""Repairs keys of rows in which one bit flipped.
 
-Keys are random enough that two of them hardly ever differ by one bit alone.
+The right key is known from the row's checksum, for a version or run, or from its child rows, for a class, group or
+program. Keys are random enough that two of them hardly ever differ by one bit.
 """
 
 from collections.abc import Iterator
@@ -16,13 +16,14 @@ _ABOVE = ("classrooms", "groups", "programs")
 
 
 def repair_keys(db: sqlite3.Connection, invalid_keys: set[tuple[str, str]]) -> set[tuple[str, int]]:
-    """Gives rows the key that they had.
+    """Restores the keys of rows.
 
     Args:
-        invalid_keys: table and key of rows in the database whose key is none: what cannot be mended is deleted.
+        invalid_keys: table and key of rows in the database whose key is invalid; if the key cannot be repaired,
+            the row is deleted.
 
     Returns:
-        Program and number of the edits that were deleted.
+        Program and number of the deleted edits.
     """
     for table in _SUMMED:
         for key in _checksums_without_row(db, table):
@@ -62,7 +63,7 @@ def _find_unnamed(db: sqlite3.Connection, table: str, key: str) -> None:
 
 
 def _named(table: str) -> str:
-    """Keys of a table that rows of others name; not by their own key, which may be the damaged one."""
+    """Returns SQL of the table's keys that rows refer to; not their own keys, which may be the damaged ones."""
     return " UNION ".join(
         f"SELECT {column} AS key FROM {child.name} WHERE {column} IS NOT NULL"
         for child in REPLICATED
@@ -72,7 +73,7 @@ def _named(table: str) -> str:
 
 
 def _one_bit_neighbours(db: sqlite3.Connection, table: str, key: str) -> list[str]:
-    """Keys of rows that differ from a key by one bit."""
+    """Returns the keys of rows that differ from a key by one bit."""
     keys = tuple(_one_bit_away(key))
     marks = ", ".join("?" * len(keys))
     return [

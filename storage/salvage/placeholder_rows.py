@@ -1,4 +1,4 @@
-"""Rows that are missing above others: work whose group or program could not be read is kept under a stand-in."""
+"""Placeholders for missing parents: work whose group or program could not be read gets a placeholder as parent."""
 
 from storage.choices import GREY
 from storage.sql import tuples
@@ -9,7 +9,7 @@ from storage.text import name_key, new_id
 
 
 def add_missing_parents(db: sqlite3.Connection, now: str) -> None:
-    """Gives the rows of the schema `bundle` what they belong to, where neither it nor the store has it."""
+    """Adds the parents of rows of the schema `bundle` that neither `bundle` nor the store has."""
     _add_placeholder_programs(db, now)
     _add_placeholder_groups(db, now)
     for table in REPLICATED:
@@ -17,7 +17,7 @@ def add_missing_parents(db: sqlite3.Connection, now: str) -> None:
 
 
 def _missing(column: str, table: str, parent: str) -> str:
-    """Keys that rows of a table name and of which no row is left, and which were not deleted."""
+    """Returns SQL of keys that rows refer to, for which no row is left, and which were not deleted for good."""
     return (
         f"SELECT DISTINCT {column} FROM bundle.{table} WHERE {column} IS NOT NULL"
         f" AND {column} NOT IN (SELECT id FROM bundle.{parent}) AND {column} NOT IN (SELECT id FROM main.{parent})"
@@ -52,7 +52,7 @@ def _add_group(db: sqlite3.Connection, key: str, now: str) -> None:
 
 
 def _detach(db: sqlite3.Connection, table: ReplicatedTable) -> None:
-    """Rows that can do without what they belong to, as a group without its class."""
+    """Clears references to missing parents where the column is optional, as the class of a group."""
     optional = {column.name for column in table.columns if column.optional}
     for column, parent in table.parents:
         if column in optional:

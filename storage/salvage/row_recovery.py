@@ -1,7 +1,7 @@
-"""Rows out of a damaged file, into a fresh database with the tables of this release.
+"""Recovers rows of a damaged file into a new database with the tables of this release.
 
-SQLite reads each table from its first page, then each page by itself (`desk`): where the way to a page is damaged, its
-rows tell the table, as each value must be one that a store writes, as for a bundle of anybody.
+SQLite reads each table from its root page, then each page by itself (`desk`). If the tree above a page is damaged, the
+values of its rows identify its table: they must fit the rules of the table, as the rows of a bundle must.
 """
 
 import zlib
@@ -22,21 +22,20 @@ from storage.tables.local import LOCAL
 from storage.tables.replicated import REPLICATED
 from storage.tables.rules import Rule
 
-_SAMPLE_OCTETS = 4 * 64  # of a sample, more than any release has
+_SAMPLE_OCTETS = 4 * 64  # upper bound for one sample, in octets; no release has more
 _TABLES: dict[str, Table] = {table.name: table for table in (*REPLICATED, *LOCAL)}
-# tables by key that are told by a row alone from the entries of any index
+# tables by key whose rows cannot be confused with the entries of an index
 _IDENTIFIED_BY_SCHEMA = ("tombstones", "content_sums", "unconfirmed_runs", "deletions")
-_A_KEY = "00000000-0000-4000-8000-000000000000"  # any that a rule accepts
+_A_KEY = "00000000-0000-4000-8000-000000000000"  # any valid key
 
 
 @dataclass(slots=True)
 class RecoveryStats:
-    """What the reading came to.
+    """The result of a recovery.
 
     Attributes:
-        edits: program and number of each edit that an index still names, readable or not, and of those that are not
-            as they were written.
-        is_cut_short: the time was over before the end of the file.
+        edits: program and number of each edit that an index lists, readable or not, and of each damaged edit.
+        is_cut_short: the time limit was reached before the end of the file.
     """
 
     edits: set[tuple[str, int]] = field(default_factory=set)
@@ -44,7 +43,7 @@ class RecoveryStats:
 
 
 class _RowSchema(NamedTuple):
-    """What rows of a table must look like."""
+    """The columns of a table and the rules for their values."""
 
     name: str
     columns: tuple[str, ...]
@@ -60,9 +59,9 @@ def recover_rows(
     """Adds the readable rows of a file to a database that `migrate` has made.
 
     Args:
-        folder: where a copy of the file has room.
-        usual_roots: where tables and indexes begin if the file's own list of them is damaged.
-        stop: asked all the time; once it is true, the reading ends with what was found until then.
+        folder: a folder for a copy of the file.
+        usual_roots: root pages of tables and indexes, used where the file's own schema is damaged.
+        stop: polled; once it returns True, the recovery ends with the rows found so far.
     """
     with closing(Desk(folder / "copy", file, db, _TABLES, stop)) as desk:
         return _Recovery(db, desk, {**usual_roots, **desk.roots}, stop).read()
@@ -77,8 +76,8 @@ class _Recovery:
         self._of_leaves = [one for name, one in self._schemas.items() if name not in desk.keyed]
         self._of_indexes = [self._schemas[name] for name in _IDENTIFIED_BY_SCHEMA]
         self._found = RecoveryStats()
-        self._added_hashes: set[int] = set()  # rows that fitted, however often they are met
-        self._invalid_keys: set[tuple[str, str]] = set()  # table and key of rows whose key is none
+        self._added_hashes: set[int] = set()  # of accepted rows; pages may yield a row again
+        self._invalid_keys: set[tuple[str, str]] = set()  # table and key of such rows
 
     def read(self) -> RecoveryStats:
         self._db.execute("BEGIN")
@@ -105,7 +104,7 @@ class _Recovery:
                     self._add_with_invalid_key(self._schemas[name], row)
 
     def _read_page(self, page: bytes) -> None:
-        """A page is of one table, mostly of that to which the page before belongs."""
+        """Adds the rows of a page. Tries the table of the page before first, as a table's pages often lie together."""
         likely = self._of_leaves if page[0] == TABLE_LEAF else self._of_indexes
         if page[0] not in (TABLE_LEAF, INDEX_LEAF, INDEX_INTERIOR):
             return
@@ -117,7 +116,7 @@ class _Recovery:
                 return
 
     def _try_add(self, shape: _RowSchema, row: Row) -> bool:
-        """Adds a row that fits; one that fitted before is no other table's."""
+        """Adds a row that fits the schema. A row that fitted a table before belongs to no other table."""
         if hash(row) in self._added_hashes:
             return True
         if not shape.fits(row):
@@ -127,7 +126,7 @@ class _Recovery:
         return True
 
     def _add_with_invalid_key(self, shape: _RowSchema, row: Row) -> None:
-        """A row of which only the key is not as a store writes it: what names the row may tell it."""
+        """Adds a row in which only the key is invalid; `repair_keys` may find its key by the rows that refer to it."""
         key = row[0]
         is_keyed = isinstance(key, str) and shape.columns[0] == "id"
         if is_keyed and shape.fits((_A_KEY, *row[1:])):
@@ -143,7 +142,7 @@ class _Recovery:
             )
 
     def _reassign_rows(self) -> None:
-        """Rows of one shape belong to the table of which the key is; those of a page without owner were guessed."""
+        """Moves rows to the table that their key belongs to, as these three tables have the same columns."""
         for name, parent in (("version_labels", "versions"), ("class_presets", "classrooms")):
             theirs = f"id IN (SELECT id FROM {parent})"
             listed = ", ".join(self._schemas[name].columns)
@@ -162,7 +161,7 @@ def _row_schema(db: sqlite3.Connection, table: Table) -> _RowSchema:
 
 
 def _unpacks(blob: object) -> bool:
-    """True for what zlib has packed, as far as one looks."""
+    """Returns True if zlib packed the blob, as far as its first octets show."""
     if not isinstance(blob, bytes):
         return False
     unpacking = zlib.decompressobj()
@@ -173,7 +172,7 @@ def _unpacks(blob: object) -> bool:
 
 
 _OTHER_RULES: Mapping[str, Mapping[str, Rule]] = {
-    # one that has not ended is ended, as after a power cut
+    # a run that has not ended is recovered too, and ended as after a power cut
     "runs": {"state": rules.one_of("running", "finished", "stopped", "failed")},
     "telemetry": {"data": _unpacks},
     "settings": {"value": lambda value: isinstance(value, str)},

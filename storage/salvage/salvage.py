@@ -1,6 +1,6 @@
-"""Brings what is still readable of a damaged file into a sound one, by the merging of `storage/exchange`.
+"""Salvages a damaged file: merges its readable rows into an intact store, by `storage/exchange`.
 
-Of two states of a row the later is kept, nothing of the sound file is lost, what was deleted for good stays deleted.
+Of two states of a row the newer wins. The store loses no row, and rows that were deleted for good stay deleted.
 """
 
 import errno
@@ -34,16 +34,16 @@ from storage.tables.local import LOCAL
 from storage.tables.migrations import migrate
 from storage.text import new_id
 
-_TIMEOUT_S = 20.0  # of a start; the command has no limit
+_TIMEOUT_S = 20.0  # limit at the start of the app; `pinel salvage` has none
 _LEFT_FREE = 50 * 10**6
-# of the sums only those of damaged runs: all other rows that come get theirs anew
+# checksums are imported for damaged runs only; all other imported rows get new ones
 _NOT_BROUGHT = ("merges", "content_sums")
 _LOCAL = tuple(table for table in LOCAL if table.name not in _NOT_BROUGHT)
 
 
 @dataclass(frozen=True, slots=True)
 class RecoveredRows:
-    """Readable rows of a damaged file, in a database of its own for as long as they are needed."""
+    """Readable rows of a damaged file, in a temporary database at `address`."""
 
     address: str
     found: RecoveryStats
@@ -52,14 +52,14 @@ class RecoveredRows:
 def salvage_into(
     file: Path, target: Path, now: str, *, timeout_s: float = _TIMEOUT_S
 ) -> SalvageResult:
-    """Brings what is readable of a file, with the log beside it, into a database that nobody has open.
+    """Merges the readable rows of a file, with the log beside it, into a database that nobody has open.
 
     Args:
-        target: a restored backup, or a path where nothing is: then a new database is made.
-        timeout_s: reading ends after this time, with what was found until then.
+        target: a restored backup, or a free path, where a new database is made.
+        timeout_s: time limit of reading, in s; the rows found until then are merged.
 
     Raises:
-        sqlite3.Error, OSError, StoreError: nothing was brought; the target is as it was, or empty.
+        sqlite3.Error, OSError, StoreError: nothing was merged; the target is unchanged, or empty.
     """
     with (
         recovered_rows(file, now, beside=target, timeout_s=timeout_s) as found,
@@ -70,18 +70,16 @@ def salvage_into(
         db.execute("PRAGMA foreign_keys = ON")
         migrate(db)
         db.execute("ATTACH DATABASE ? AS bundle", [found.address])
-        changes = ChangedRows(db)  # rows that come in a later state get new sums
+        changes = ChangedRows(db)  # rows that get a newer state get new checksums
         _import_settings(db)
         try:
             return import_rows(db, found.found, now, changes, delete=True)
-        except (
-            StoreError
-        ):  # a deletion that does not fit what is here, as of a run that has not ended
+        except StoreError:  # a deletion does not fit the target, as of a run that has not ended
             return import_rows(db, found.found, now, changes, delete=False)
 
 
 def salvage(database: Database, file: Path) -> SalvageResult:
-    """Brings what is readable of a file into a store; deletes nothing from it. Raises StoreError, OSError."""
+    """Merges the readable rows of a file into a store; deletes nothing from it. Raises StoreError, OSError."""
     now = database.now()
     with recovered_rows(file, now, beside=database.path, timeout_s=math.inf) as found:
         return database.write(
@@ -94,11 +92,11 @@ def salvage(database: Database, file: Path) -> SalvageResult:
 def recovered_rows(
     file: Path, now: str, *, beside: Path, timeout_s: float
 ) -> Iterator[RecoveredRows]:
-    """What is readable of a file, which is only read. Raises OSError, sqlite3.Error.
+    """Yields the readable rows of a file; only reads the file. Raises OSError, sqlite3.Error.
 
     Args:
-        beside: the file that it is for; the work is done in its folder.
-        timeout_s: reading ends after this time.
+        beside: the database that the rows are for; the temporary database is made in its folder.
+        timeout_s: time limit of reading, in s.
     """
     deadline = time.monotonic() + timeout_s
     with temporary_folder(beside.parent) as folder:
@@ -122,10 +120,10 @@ def recovered_rows(
 def import_rows(
     db: sqlite3.Connection, found: RecoveryStats, now: str, changes: ChangedRows, *, delete: bool
 ) -> SalvageResult:
-    """Merges the remains, which are the schema `bundle`, in one transaction.
+    """Merges the recovered rows, which are the schema `bundle`, in one transaction.
 
     Args:
-        delete: what the remains have as deleted for good is deleted here too.
+        delete: also deletes the rows for which the recovered rows have tombstones.
     """
     with _transaction(db):
         salvaged = merge_recovered_rows(db, found, now, delete=delete)
@@ -134,7 +132,7 @@ def import_rows(
 
 
 def _import_settings(db: sqlite3.Connection) -> None:
-    """What a person chose on this PC the damaged file knows better: a PIN that was replaced must not count again."""
+    """Takes all settings from the damaged file, which is newer: a PIN that was replaced must not be valid again."""
     names = ", ".join(column_names(db, "settings"))
     db.execute(
         f"INSERT OR REPLACE INTO main.settings ({names}) SELECT {names} FROM bundle.settings WHERE json_valid(value)"
@@ -144,7 +142,7 @@ def _import_settings(db: sqlite3.Connection) -> None:
 def merge_recovered_rows(
     db: sqlite3.Connection, found: RecoveryStats, now: str, *, delete: bool
 ) -> SalvageResult:
-    """The same within the caller's transaction."""
+    """Merges the recovered rows within the caller's transaction; see `import_rows`."""
     numbers = dict(_highest(db))
     add_missing_parents(db, now)
     prefer_intact_rows(db)
@@ -163,7 +161,7 @@ def merge_recovered_rows(
 
 
 def _info(now: str) -> BundleInfo:
-    """Of no bundle: the remains are of this PC and were never merged."""
+    """Returns the description of a bundle that does not exist: recovered rows were never exported or merged."""
     return BundleInfo(Path("remains"), "", now, new_id(), "", f"{new_id()}", {}, False)
 
 
@@ -173,7 +171,7 @@ def _highest(db: sqlite3.Connection) -> Iterator[tuple[str, int]]:
 
 
 def _n_unread(db: sqlite3.Connection, found: RecoveryStats, before: dict[str, int]) -> int:
-    """Edits that must have been and are not here: an index names them, or others that came have later numbers."""
+    """Returns how many edits are missing: an index lists them, or imported edits have greater numbers."""
     here: dict[str, set[int]] = {}
     for row in db.execute("SELECT program_id, number FROM main.versions"):
         here.setdefault(str(row[0]), set()).add(int(row[1]))

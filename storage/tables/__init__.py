@@ -1,1 +1,1 @@
-"""Migrations, views, and the generated description of the tables."""
+"""Table declarations, validation rules, migrations and views."""

@@ -1,4 +1,4 @@
-"""What can be declared of a table and its columns; the other modules of this folder declare them."""
+"""The classes that declare tables and columns; the other modules of this folder use them."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -7,7 +7,7 @@ from storage.limits import MAX_REVISION
 from storage.tables import rules
 from storage.tables.rules import Rule
 
-UNCHANGED = ""  # an anonymous bundle keeps what the column holds
+UNCHANGED = ""  # an anonymous bundle has the column's value as it is
 
 
 class Kind(NamedTuple):
@@ -16,7 +16,7 @@ class Kind(NamedTuple):
     Attributes:
         sql: its type in SQLite.
         parquet: its type in docs/parquet.md.
-        rule: validation rule of columns that have none of their own; None where every column must have one.
+        rule: validation rule of columns that have none of their own; None if every column must have one.
         anonymised: as `Column.anonymised`, with `{}` for the column's name.
     """
 
@@ -41,14 +41,14 @@ class Column:
     """A column of a table.
 
     Attributes:
-        description: what it holds, in words for docs/.
-        rule: true of each value that a store writes; a bundle with another value is refused.
-        anonymised: SQL expression of what an anonymous bundle holds instead, or `KEPT`. A text column must tell it.
+        description: its meaning, for docs/.
+        rule: true for each value that a store writes; a bundle with another value is refused.
+        anonymised: SQL expression of its value in an anonymous bundle, or `UNCHANGED`. Required for a text column.
             The expression can use `fresh` (a new key), `plain` (a neutral word), `neutral` (JSON with neutral words)
             and `name_key`.
         optional: the column may be NULL.
         parquet: the Parquet export has the column.
-        references: the table whose key it holds.
+        references: the table whose key it has.
         is_parent: the row is deleted with the row that it references.
     """
 
@@ -70,14 +70,14 @@ class Column:
 
     @property
     def accepts(self) -> Rule:
-        """Its rule, with NULL where it may be."""
+        """Its rule, which also accepts NULL if the column is optional."""
         rule = self.rule or self.kind.rule
         assert rule is not None
         return rules.optional(rule) if self.optional else rule
 
     @property
     def anonymous(self) -> str:
-        """SQL expression of what an anonymous bundle holds, `KEPT` for the value itself."""
+        """SQL expression of its value in an anonymous bundle, `UNCHANGED` for the value itself."""
         if self.anonymised is not None:
             return self.anonymised
         return (self.kind.anonymised or UNCHANGED).format(self.name)
@@ -109,21 +109,21 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class ReplicatedTable(Table):
-    """A table whose rows go from PC to PC.
+    """A table whose rows are exchanged between PCs.
 
     Attributes:
-        condition: SQL of which rows go, with `{schema}` in place of the schema's name.
+        condition: SQL of the rows that are exchanged, with `{schema}` in place of the schema's name.
         own_tombstone: a row that is deleted with its parent gets a tombstone of its own. Rows of other tables are
             only found below such rows, and need none.
-        deletable: False where deletions never remove a row.
-        anonymous: False where anonymous bundles have no rows.
+        deletable: False if deletions never delete a row.
+        anonymous: False if anonymous bundles have no rows.
         parquet: the Parquet export has the table.
         metrics: further columns of the Parquet file.
-        precedence: SQL expressions that decide, before revision and values, which of two states of a row is the later
-            one, with `{side}` in place of the table's name.
-        bound: columns that are never changed, and of which the key is a hash (`storage/text.py: id_of`).
-        counts_empty: False where the content hash leaves the table out while it has no rows, so that files without
-            such rows keep the hash that an earlier release gives them.
+        precedence: SQL expressions that decide, before revision and values, which of two states of a row is newer,
+            with `{side}` in place of the table's name.
+        bound: columns that never change, and whose hash is in the key (`storage/text.py: id_of`).
+        counts_empty: False if the content hash leaves the table out while it has no rows. Files without such rows
+            then have the same hash as in an earlier release.
     """
 
     condition: str = "1"
@@ -138,7 +138,7 @@ class ReplicatedTable(Table):
 
     @property
     def parents(self) -> tuple[tuple[str, str], ...]:
-        """Columns with the table of the row that they belong to."""
+        """The columns that refer to a parent row, each with the parent's table."""
         return tuple(
             (column.name, column.references) for column in self.columns if column.is_parent
         )
@@ -160,22 +160,22 @@ class ReplicatedTable(Table):
 
 
 def parent(name: str, table: str, description: str, *, optional: bool = False) -> Column:
-    """The key of the row that a row belongs to."""
+    """Returns a column with the key of the parent row."""
     return Column(name, KEY, description, optional=optional, references=table, is_parent=True)
 
 
 def reference(name: str, table: str, description: str, *, optional: bool = True) -> Column:
-    """The key of a row that outlives this one and that this one outlives."""
+    """Returns a column with the key of a row that is deleted independently of this one."""
     return Column(name, KEY, description, optional=optional, references=table)
 
 
 def metric(name: str, description: str, sql: str) -> ParquetColumn:
-    """A count that only the Parquet export has."""
+    """Returns a count that only the Parquet export has."""
     return ParquetColumn(name, "count", description, sql)
 
 
 def numbered(table: str, label: str) -> str:
-    """In place of a name: a word and the place of the row among those of its table."""
+    """Returns the SQL of a name's replacement: a word, and the position of the row in its table."""
     return f"'{label} ' || (SELECT count(*) FROM {table} AS other WHERE other.id <= {table}.id)"
 
 
@@ -196,5 +196,5 @@ REVISED = (
         parquet=False,
     ),
 )
-# rows of a run that has ended
+# condition: the row belongs to a run that has ended
 ENDED = "run_id NOT IN (SELECT id FROM {schema}.runs WHERE state = 'running')"

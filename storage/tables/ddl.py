@@ -1,14 +1,14 @@
-"""The migrations: statements by name, in their order. The first makes all tables; new ones are added at the end.
+"""The migrations: SQL statements by name, in order. The first makes all tables; new ones are added at the end.
 
-A bundle is refused where a table has another definition than these statements give it, so none is ever changed, not
-even in its quotes. What a table means, and what other modules derive from it, is declared in `work.py`, `runs.py`,
-`replicated.py` and `local.py`.
+A bundle is refused if a definition in it differs from these statements. So a released statement never changes, not even
+in its quotes. `work.py`, `runs.py`, `replicated.py` and `local.py` declare what a table means and what other modules
+derive from it.
 
-Rows that are changed in place carry `revision`, which counts their changes, and `changed_at`: of two states of a row
-the greater one (revision, then time, then values) is kept in every merge, whichever comes first. Of groups, lessons
-and notes the revision counts the teacher's changes only: what pupils change, and what happens by itself, does not beat
-what the teacher changed elsewhere meanwhile. Rows of other tables are only ever added. A key in `tombstones` is only
-brought back where `deletions` says that it was kept.
+Rows that change in place have `revision`, which counts changes, and `changed_at`. Of two states of a row every merge
+retains the greater one by revision, then time, then values, in any order of merges. For groups, lessons and notes the
+revision counts the teacher's changes only. So changes by pupils, or by the app itself, never win over what the teacher
+changed on another PC meanwhile. Rows of other tables are only added. A row with a key in `tombstones` comes back only
+if `deletions` has the key as retained.
 """
 
 from storage.tables.views import VIEWS
@@ -28,7 +28,7 @@ _GROUPS_AND_PROGRAMS = (
         {_STATE}
     ) STRICT""",
     "CREATE INDEX groups_classroom ON groups (classroom_id)",
-    # two PCs may have given one name to two groups: both are kept
+    # not unique: two PCs may give one name to two groups, and both stay
     "CREATE INDEX groups_name_key ON groups (name_key)",
     f"""CREATE TABLE "programs" (
         "id" TEXT PRIMARY KEY,
@@ -97,7 +97,7 @@ _RUNS = (
     'CREATE INDEX "idx_runs_version_id" ON "runs" ("version_id")',
     "CREATE INDEX running ON runs (state) WHERE state = 'running'",
     "CREATE INDEX runs_lesson ON runs (lesson_id, id)",
-    # a page of runs is found by more than their group (storage/runs/history.py)
+    # the filters of the history use more columns than the group (storage/runs/history.py)
     "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, world, state, passed, started_at)",
     """CREATE TABLE "events" (
         "run_id" TEXT REFERENCES "runs"("id"),
@@ -179,7 +179,7 @@ _COMPUTERS = (
     """CREATE TABLE exports (
         id TEXT PRIMARY KEY, path TEXT NOT NULL, made_at TEXT NOT NULL, content TEXT NOT NULL
     ) STRICT""",
-    # of releases before 0.3, whose bundles were signed; nothing reads the two tables
+    # releases before 0.3 signed bundles; nothing reads these two tables
     "CREATE TABLE signatures (public_key TEXT PRIMARY KEY, signature TEXT NOT NULL) STRICT, WITHOUT ROWID",
     """CREATE TABLE computer_keys (
         public_key TEXT PRIMARY KEY,
@@ -191,7 +191,7 @@ _COMPUTERS = (
     """CREATE TABLE unconfirmed_runs (
         run_id TEXT PRIMARY KEY, public_key TEXT, marked_at TEXT NOT NULL, finding TEXT
     ) STRICT, WITHOUT ROWID""",
-    # of this PC alone: rows of a bundle get theirs where they are merged (storage/file/row_checksums.py)
+    # stays on this PC: rows of a bundle get checksums when they are merged (storage/file/row_checksums.py)
     """CREATE TABLE content_sums (
         table_name TEXT NOT NULL,
         row_id TEXT NOT NULL,
@@ -200,14 +200,14 @@ _COMPUTERS = (
         PRIMARY KEY (table_name, row_id)
     ) STRICT, WITHOUT ROWID""",
     "CREATE INDEX content_sums_damaged ON content_sums (row_id) WHERE damaged_at IS NOT NULL",
-    # what is kept in spite of a tombstone, and what a class takes with it (storage/exchange/deleting/deletion.py)
+    # rows retained in spite of a tombstone, and groups deleted with a class (storage/exchange/deleting/deletion.py)
     "CREATE TABLE deletions (id TEXT PRIMARY KEY, turn INTEGER NOT NULL, knew TEXT NOT NULL) STRICT, WITHOUT ROWID",
     """CREATE TABLE former_classes (
         group_id TEXT NOT NULL, classroom_id TEXT NOT NULL, has_left INTEGER NOT NULL,
         PRIMARY KEY (group_id, classroom_id)
     ) STRICT, WITHOUT ROWID""",
 )
-# a file notes each of these names: they are the steps in which the tables came to be, before the first release
+# each file has all of these names: the steps in which the tables developed before the first release
 BASELINE = (
     "first_tables",
     "first_views",

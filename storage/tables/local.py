@@ -1,4 +1,4 @@
-"""The tables whose rows stay on one PC."""
+"""Declarations of the tables whose rows stay on one PC."""
 
 from storage.tables import rules
 from storage.tables.columns import (

@@ -1,10 +1,10 @@
-"""Bringing the tables and views of a file up to date, by the library sqlite-utils, which notes each migration's name.
+"""Applies migrations to the tables and views of a file. The library sqlite-utils records each migration's name.
 
-Views carry plain names for people who open the file with Datasette or `sqlite-utils`; `about` says what is what, and
-every migration makes it anew.
+Views have plain names for people who open the file with Datasette or `sqlite-utils`. The view `about` describes all
+tables; every migration makes it again.
 
-sqlite-utils (and numpy with it) takes longer to load than a group's program to be read, and most starts find the
-tables up to date: it and the declarations of the tables are imported only to change them.
+sqlite-utils, with numpy, takes longer to load than a group's program to be read, and most starts have no migration to
+apply. So sqlite-utils and the declarations of the tables are imported only for a migration.
 """
 
 from collections.abc import Callable
@@ -25,11 +25,11 @@ MIGRATIONS_TABLE = "_sqlite_migrations"
 def migrate(
     connection: sqlite3.Connection, n_steps: int | None = None, *, at_once: bool = False
 ) -> None:
-    """Makes the tables, or brings them up to date, each migration in a transaction of its own.
+    """Applies the migrations that the file lacks, each in a transaction of its own.
 
     Args:
-        n_steps: how many of the migrations a file is to have, all with None.
-        at_once: all of them in one transaction, for a new file: each waits for the disk.
+        n_steps: how many of the migrations the file must have; None for all.
+        at_once: applies all in one transaction, for a new file, because each transaction waits for the disk.
     """
     from sqlite_utils import Database  # noqa: PLC0415 - see above
     from sqlite_utils.migrations import Migrations  # noqa: PLC0415

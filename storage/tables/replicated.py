@@ -1,8 +1,8 @@
-"""The tables of the file, each declared once, in the order of the content hash; rows of `LOCAL` stay on one PC.
+"""The replicated tables, each declared once, in the order of the content hash; rows of `LOCAL` stay on one PC.
 
 Bundles, merging, deleting, the content hash, anonymous and Parquet exports, the view `about`, docs/database.md and
-docs/parquet.md derive from these declarations; a test holds the tables that the migrations make against them.
-The columns stand in the order of docs/parquet.md. The file has them in the order in which migrations added them.
+docs/parquet.md derive from these declarations. A test compares them with the tables that the migrations make. The
+order of columns is the one of docs/parquet.md. In the file, columns are in the order in which migrations added them.
 """
 
 from storage.limits import MAX_TURN
@@ -81,7 +81,7 @@ FORMER_CLASSES = ReplicatedTable(
         ),
     ),
     key=("group_id", "classroom_id"),
-    # neither the class that it is in now, nor those of a group that has a tombstone of its own
+    # without the class that the group is in now, and without groups that have a tombstone of their own
     condition="group_id NOT IN (SELECT id FROM {schema}.tombstones)"
     " AND (group_id, classroom_id) NOT IN (SELECT id, coalesce(classroom_id, '') FROM {schema}.groups)",
     deletable=False,
@@ -101,7 +101,7 @@ COMPUTERS = ReplicatedTable(
     deletable=False,
 )
 
-# a row's parents stand before it; the content hash goes by this order
+# parents stand before their children; the content hash follows this order
 REPLICATED = (
     TOMBSTONES,
     DELETIONS,

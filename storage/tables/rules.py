@@ -1,7 +1,7 @@
-"""Validation rules: which values a column may hold in a bundle.
+"""Validation rules: which values a column may have in a bundle.
 
-A file from a stick may have been made by anybody. Its values end up in lists, in the editor and in later exports:
-a key that is no key, a number that overflows with the next change or a blob that unpacks to gigabytes is refused.
+Anybody can make a file on a stick, and its values end up in lists, in the editor and in later exports. So these are
+refused: keys that are no keys, numbers that overflow with the next change, blobs that unpack to gigabytes.
 """
 
 import math
@@ -30,7 +30,7 @@ MAX_TEXT = 10_000
 _UUID = r"[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}"
 _UUID_LENGTH = 36
 _TIME = re.compile(r"[0-9]{4}(-[0-9]{2}){2}T[0-9]{2}(:[0-9]{2}){2}(\.[0-9]{1,6})?Z")
-# control characters, and those that turn the direction of what follows
+# control characters, and characters that change the direction of the text after them
 _UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 _WORLD_PARTS = {
     **dict.fromkeys(("size_m", "walls", "boxes", "zones", "floor"), list),
@@ -43,28 +43,28 @@ _GOAL_PARTS = {"lines": list, "zones": list, "boxes": dict}
 
 
 def optional(rule: Rule) -> Rule:
-    """The same, or NULL."""
+    """Accepts NULL, and what the rule accepts."""
     return lambda value: value is None or rule(value)
 
 
 def matching(pattern: str) -> Rule:
-    """Texts that match a regular expression as a whole."""
+    """Accepts texts that match a regular expression as a whole."""
     compiled = re.compile(pattern)
     return lambda value: isinstance(value, str) and compiled.fullmatch(value) is not None
 
 
 def one_of(*texts: str) -> Rule:
-    """Some texts and no others."""
+    """Accepts these texts only."""
     return lambda value: value in texts
 
 
 def whole(low: int, high: int) -> Rule:
-    """Integers between two limits."""
+    """Accepts integers between two limits."""
     return lambda value: isinstance(value, int) and low <= value <= high
 
 
 def line(max_length: int, min_length: int = 0) -> Rule:
-    """One line of text, without characters that cannot be seen."""
+    """Accepts one line of text without invisible characters."""
     return lambda value: (
         isinstance(value, str)
         and min_length <= len(value) <= max_length
@@ -73,22 +73,22 @@ def line(max_length: int, min_length: int = 0) -> Rule:
 
 
 def lines(max_length: int) -> Rule:
-    """Text of several lines."""
+    """Accepts text of several lines."""
     return lambda value: isinstance(value, str) and len(value) <= max_length and "\0" not in value
 
 
 def block(value: Any) -> bool:
-    """The key of a block in the editor: any text of bounded length."""
+    """Accepts the key of a block in the editor: any text of bounded length."""
     return isinstance(value, str) and len(value) <= MAX_TEXT
 
 
 def blob(value: Any) -> bool:
-    """Bytes."""
+    """Accepts octets."""
     return isinstance(value, bytes)
 
 
 def hands(value: Any) -> bool:
-    """Samples of a taught sign: 1 to `MAX_TAUGHT_SAMPLES` rows of `N_FEATURES` float16, all finite."""
+    """Accepts samples of a taught sign: 1 to `MAX_TAUGHT_SAMPLES` rows of `N_FEATURES` float16, all finite."""
     if not isinstance(value, bytes):
         return False
     n_samples, rest = divmod(len(value), 2 * N_FEATURES)
@@ -98,7 +98,7 @@ def hands(value: Any) -> bool:
 
 
 def real(value: Any) -> bool:
-    """A number that is finite as a float too."""
+    """Accepts a number that is also finite as a float."""
     try:
         return isinstance(value, int | float) and math.isfinite(value)
     except OverflowError:
@@ -106,17 +106,17 @@ def real(value: Any) -> bool:
 
 
 def key(value: Any) -> bool:
-    """A UUID. One that begins with a time must not be so late that no later one is left for rows made afterwards."""
+    """Accepts a UUID. If it begins with a time, later times must be left for rows that are made afterwards."""
     return isinstance(value, str) and len(value) == _UUID_LENGTH and _is_key(value)
 
 
-@lru_cache(maxsize=256)  # rows of one run follow each other
+@lru_cache(maxsize=256)  # consecutive rows of one run have the same key
 def _is_key(text: str) -> bool:
     return _is_uuid(text) and not (text[14] in "78" and text >= FIRST_IMPLAUSIBLE_ID)
 
 
 def time(value: Any) -> bool:
-    """A moment as the store writes it, with a day to spare at both ends of the calendar for zones of time."""
+    """Accepts a time as the store writes it, a day away from both ends of the calendar, as time zones need."""
     if not isinstance(value, str) or not _TIME.fullmatch(value):
         return False
     try:
@@ -126,12 +126,12 @@ def time(value: Any) -> bool:
 
 
 def time_or_empty(value: Any) -> bool:
-    """A moment, or "" for a row of a release that did not note it."""
+    """Accepts a time, or "" for a row of a release that did not record it."""
     return value == "" or time(value)
 
 
 def json_of(kind: type, check: Callable[[Any], bool] = lambda value: True) -> Rule:
-    """JSON whose outermost value is of a kind."""
+    """Accepts JSON whose outermost value is of a type and passes the check."""
 
     def rule(value: Any) -> bool:
         found = parsed(value) if isinstance(value, str) else None
@@ -141,12 +141,12 @@ def json_of(kind: type, check: Callable[[Any], bool] = lambda value: True) -> Ru
 
 
 def workspace(value: Any) -> bool:
-    """JSON of what the editor shows, which may be nested deeper than other JSON."""
+    """Accepts JSON of the editor's workspace, which may be nested deeper than other JSON."""
     return isinstance(value, str) and is_object(value)
 
 
 def _are_faults(value: list[Any]) -> bool:
-    """As `records.FaultRow` is written: code, pointer, block, params."""
+    """Accepts faults as `row_types.FaultRow` is written: code, pointer, block, params."""
     return all(
         isinstance(fault, list)
         and len(fault) == 4
@@ -165,7 +165,7 @@ def _are_points(value: list[Any]) -> bool:
 
 
 def _is_world(value: dict[str, Any]) -> bool:
-    """As far as it can be told without the simulator: its version, its name, and the types of its parts."""
+    """Checks what can be checked without the simulator: version, name, and the types of the parts."""
     return (
         isinstance(value.get("pinel_world"), int)
         and isinstance(value.get("name"), str)
@@ -174,7 +174,7 @@ def _is_world(value: dict[str, Any]) -> bool:
 
 
 def _is_activity(value: dict[str, Any]) -> bool:
-    """As far as it can be told without the app: its format, its name, and the types of its parts."""
+    """Checks what can be checked without the app: format, name, and the types of the parts."""
     return isinstance(value.get("pinel_activity"), int) and all(
         isinstance(value.get(part, kind()), kind) for part, kind in _ACTIVITY_PARTS.items()
     )
@@ -185,7 +185,7 @@ def _is_goal(value: dict[str, Any]) -> bool:
 
 
 def _is_version_vector(value: dict[str, Any]) -> bool:
-    """As `storage/exchange/knowledge.py` writes it: a class or none, and the newest key of work by PC."""
+    """Accepts what `storage/exchange/deleting/knowledge.py` writes: a class or none, and the newest key by PC."""
     newest = value.get("newest", {})
     classroom = value.get("classroom")
     return (
@@ -202,7 +202,7 @@ flag = whole(0, 1)
 identifier = matching("[a-z][a-z0-9_]{0,63}")
 color = matching("#[0-9a-f]{6}")
 sha256 = matching("[0-9a-f]{64}")
-# part of an address: begins with a letter or digit, and has no mark that an address gives a meaning
+# part of a URL path: begins with a letter or digit, and has no character with a meaning in URLs
 sign = matching(rf"[^\W_][\w '-]{{0,{MAX_SIGN - 1}}}")
 short = line(_MAX_SHORT)
 title = line(MAX_NAME)

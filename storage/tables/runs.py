@@ -1,4 +1,4 @@
-"""The tables of what `storage/runs/` keeps; `replicated.py` has their order."""
+"""Declarations of the tables of `storage/runs/`; `replicated.py` has their order."""
 
 from storage.limits import MAX_SAMPLES
 from storage.tables import rules
@@ -141,7 +141,7 @@ RUNS = ReplicatedTable(
             "(SELECT coalesce(sum(n_rows), 0) FROM telemetry WHERE run_id = runs.id)",
         ),
     ),
-    # a run that was cut off, as in a backup that came back, is earlier than one that has ended
+    # a run that was interrupted, as in a restored backup, is older than the same run with its end
     precedence=("{side}.reason IS NOT 'interrupted'", "coalesce({side}.duration_s, 0)"),
 )
 EVENTS = ReplicatedTable(

@@ -1,4 +1,4 @@
-"""The content with names and times for people, in place of keys: what Datasette and `sqlite-utils` show first."""
+"""Views for people, with names and times in place of keys: Datasette and `sqlite-utils` show them first."""
 
 from storage.run_validity import confirmation_status, counted
 

@@ -1,4 +1,4 @@
-"""The tables of what `storage/work/` keeps; `replicated.py` has their order."""
+"""Declarations of the tables of `storage/work/`; `replicated.py` has their order."""
 
 from storage.choices import PICTURES
 from storage.limits import MAX_NAME, MAX_NOTE, MAX_NUMBER, N_FEATURES
@@ -204,7 +204,7 @@ VERSIONS = ReplicatedTable(
         ),
     ),
     metrics=(metric("n_faults", "how many faults it has", "json_array_length(faults)"),),
-    # keys that files have are hashes of just these: a column that comes later cannot be one of them
+    # the keys in files are hashes of just these columns, so no later column can be added
     bound=(
         *("program_id", "parent_id", "lesson_id", "computer_id", "created_at"),
         *("workspace", "document", "faults", "world", "setup"),

@@ -1,4 +1,4 @@
-"""With what the groups of a class begin: one row for a class, made when it is first set."""
+"""Class presets: the settings that the groups of a class start with. One row for each class, made when first set."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -13,7 +13,7 @@ class ClassPresets(Repository):
     """The presets of the classes."""
 
     def get(self, classroom_id: str) -> dict[str, Any]:
-        """Empty where nothing was set. Raises StoreError `classroom_not_found`."""
+        """Returns the preset, empty if none was set. Raises StoreError `classroom_not_found`."""
         with self._database.read_connection() as db:
             require(db, "classrooms", classroom_id)
             query = "SELECT preset FROM class_presets WHERE id = ?"
@@ -21,7 +21,7 @@ class ClassPresets(Repository):
         return (readable_object(found[0]["preset"]) or {}) if found else {}
 
     def set(self, classroom_id: str, preset: Mapping[str, Any]) -> None:
-        """Does nothing where it is set so already. Raises StoreError `classroom_not_found`."""
+        """Sets the preset; does nothing if it is the present one. Raises StoreError `classroom_not_found`."""
         now, preset_json = self._database.now(), to_json(dict(preset))
         if self.get(classroom_id) == dict(preset):
             return

@@ -20,17 +20,17 @@ class Classrooms(Repository):
     """The classes of the file."""
 
     def all(self) -> list[ClassroomRow]:
-        """By name, numbers in it by their value: 1º, 2º, 10º."""
+        """Returns all classes by name, with numbers in names ordered by value: 1º, 2º, 10º."""
         return sorted((ClassroomRow(**dict(row)) for row in self._rows(_SELECT)), key=_order)
 
     def get(self, classroom_id: str) -> ClassroomRow:
-        """Raises StoreError `classroom_not_found`."""
+        """Returns a class. Raises StoreError `classroom_not_found`."""
         return ClassroomRow(
             **dict(self._row("classrooms", f"{_SELECT} WHERE id = ?", classroom_id))
         )
 
     def create(self, name: str) -> ClassroomRow:
-        """Raises StoreError `classroom_exists`, `name_empty` or `name_too_long`."""
+        """Adds a class. Raises StoreError `classroom_exists`, `name_empty` or `name_too_long`."""
         clean, now = clean_name(name), self._database.now()
         row = {"id": new_id(), "name": clean, "created_at": now, "changed_at": now}
 
@@ -42,7 +42,11 @@ class Classrooms(Repository):
         return self.get(row["id"])
 
     def rename(self, classroom_id: str, name: str) -> ClassroomRow:
-        """Raises StoreError `classroom_not_found`, `classroom_exists`, `name_empty` or `name_too_long`."""
+        """Renames a class.
+
+        Raises:
+            StoreError: `classroom_not_found`, `classroom_exists`, `name_empty` or `name_too_long`.
+        """
         clean, now = clean_name(name), self._database.now()
 
         def write(db: sqlite3.Connection) -> None:
@@ -55,7 +59,7 @@ class Classrooms(Repository):
 
 
 def _order(row: ClassroomRow) -> tuple[list[str | int], str]:
-    """Classes of one name stay in their order."""
+    """Returns the sort key; classes of the same name are ordered by key."""
     return natural_key(row.name), row.id
 
 

@@ -1,7 +1,7 @@
-"""This PC's key and name, by which work of this PC differs from work of others.
+"""This PC's key and name, which distinguish its work from the work of other PCs.
 
-A mark of the machine is kept with the key. Where it is the mark of another machine, the data folder was copied to this
-one: this PC then gets a key of its own, and earlier work keeps the old key.
+A hash of the machine's id is stored with the key. If it is the hash of another machine, the data folder was copied to
+this one. This PC then gets a key of its own, and earlier work keeps the old key.
 """
 
 import platform
@@ -22,7 +22,7 @@ class Computers(Repository):
     """This PC's key and name."""
 
     def this(self) -> tuple[str, str]:
-        """Key and name of this PC; made when first asked for. Raises StoreError where they cannot be kept."""
+        """Returns key and name of this PC, made on the first call. Raises StoreError if they cannot be stored."""
         with self._database.read_connection() as db:
             found = find_computer(db)
         if found is not None:
@@ -31,7 +31,7 @@ class Computers(Repository):
         return self._database.write(lambda db: this_computer(db, now))
 
     def rename(self, name: str) -> str:
-        """Gives this PC a name that people know it by. Raises StoreError `name_empty` or `name_too_long`."""
+        """Renames this PC. Raises StoreError `name_empty` or `name_too_long`."""
         clean, now = clean_name(name), self._database.now()
 
         def write(db: sqlite3.Connection) -> None:
@@ -44,7 +44,7 @@ class Computers(Repository):
 
 
 def this_computer(db: sqlite3.Connection, now: str) -> tuple[str, str]:
-    """Key and name of this PC, made where there are none, within the caller's transaction."""
+    """Returns key and name of this PC; makes them if there are none, within the caller's transaction."""
     found = find_computer(db)
     if found is not None:
         if read_setting(db, _MACHINE) is None:  # made by an earlier release
@@ -58,7 +58,7 @@ def this_computer(db: sqlite3.Connection, now: str) -> tuple[str, str]:
 
 
 def find_computer(db: sqlite3.Connection) -> tuple[str, str] | None:
-    """Key and name of this PC, None where it has none in this file yet."""
+    """Returns key and name of this PC, None if it has none in this file yet."""
     key, mark, this = read_setting(db, _KEY), read_setting(db, _MACHINE), machine.machine_id_hash()
     if key is None or (mark and this and mark != this):
         return None
@@ -67,7 +67,7 @@ def find_computer(db: sqlite3.Connection) -> tuple[str, str] | None:
 
 
 def _name_of_system() -> str:
-    """As the network knows the PC: up to 64 letters, of which a name here has fewer."""
+    """Returns the PC's network name, cut to `MAX_NAME` characters, as it can have 64."""
     try:
         return clean_name(platform.node()[:MAX_NAME])
     except StoreError:

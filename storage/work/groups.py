@@ -26,16 +26,16 @@ class Groups(Repository):
     """The groups of the file."""
 
     def all(self) -> list[GroupRow]:
-        """Newest use first."""
+        """Returns all groups, the one used last first."""
         rows = self._rows(f"{_SELECT} ORDER BY used_at DESC, id DESC")
         return [_group_row(row) for row in rows]
 
     def get(self, group_id: str) -> GroupRow:
-        """Raises StoreError `group_not_found`."""
+        """Returns a group. Raises StoreError `group_not_found`."""
         return _group_row(self._row("groups", f"{_SELECT} WHERE id = ?", group_id))
 
     def create(self, name: str, *, classroom_id: str | None = None, picture: str = "") -> GroupRow:
-        """A group with a colour that few have, and a picture that few have where none was chosen.
+        """Adds a group. Its colour, and its picture unless one is given, are ones that few groups of the class have.
 
         Raises:
             StoreError: `group_exists` in that class, `classroom_not_found`, `picture_unknown`, `name_empty`,
@@ -70,7 +70,7 @@ class Groups(Repository):
         """Changes some of `name`, `color`, `picture` and `classroom_id`.
 
         Args:
-            by_teacher: where files are merged the change beats all that pupils changed without knowing of it.
+            by_teacher: raises the revision, so that in merges the change wins over pupils' changes on other PCs.
 
         Raises:
             StoreError: `group_not_found` and what `create` raises; `color_unknown`.
@@ -88,14 +88,14 @@ class Groups(Repository):
 
 
 def _group_row(row: sqlite3.Row) -> GroupRow:
-    """What the disk has damaged of colour and picture is shown as none."""
+    """Returns the row of a group, with grey for a damaged colour and "" for a damaged picture."""
     found = GroupRow(**dict(row))
     color = found.color if _COLOR.fullmatch(str(found.color)) else GREY
     return replace(found, color=color, picture=found.picture if found.picture in PICTURES else "")
 
 
 def record_use(db: sqlite3.Connection, group_id: str, now: str) -> None:
-    """Notes that the group was used, within the transaction of what it did."""
+    """Records that the group was used, within the transaction of its work."""
     db.execute("UPDATE groups SET used_at = ? WHERE id = ?", [now, group_id])
 
 
@@ -123,7 +123,7 @@ def _change(
 
 
 def _note_former_class(db: sqlite3.Connection, group_id: str, classroom_id: str) -> None:
-    """Another PC may delete that class meanwhile, with the group in it."""
+    """Records the class that a group leaves, because another PC may delete that class meanwhile with the group."""
     values = [group_id, classroom_id]
     db.execute("INSERT OR IGNORE INTO former_classes VALUES (?, ?, 0)", values)
 
@@ -145,7 +145,7 @@ def _require_picture(picture: str) -> None:
 def _rarest(
     db: sqlite3.Connection, column: str, choice: tuple[str, ...], classroom_id: str | None
 ) -> str:
-    """The first of those that fewest groups of the class have."""
+    """Returns the first value that fewest groups of the class have."""
     rows = db.execute(f"SELECT {column} FROM groups WHERE classroom_id IS ?", [classroom_id])
     used = [row[0] for row in rows]
     return min(choice, key=used.count)

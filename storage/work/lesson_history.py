@@ -1,4 +1,4 @@
-"""All that was done in a lesson, read for its review: without worlds, paths and programs; workspaces by themselves."""
+"""Reads all work of a lesson for its review, without worlds, paths and programs. Workspaces are read separately."""
 
 import json
 from collections.abc import Collection, Iterable
@@ -47,7 +47,7 @@ class EditSummary(NamedTuple):
 
     Attributes:
         setup_only: 1 if it has the blocks of its parent, else 0.
-        activity: that the program is to solve.
+        activity: the activity that the program is for.
     """
 
     version_id: str
@@ -64,11 +64,11 @@ class EditSummary(NamedTuple):
 
 
 class LessonRun(NamedTuple):
-    """A run of a lesson; JSON is parsed when it is asked for.
+    """A run of a lesson. JSON is parsed on access.
 
     Attributes:
-        advice_json: list of what was said about each case of a run that did not pass, null for a case that passed.
-        unconfirmed: as in `RunLine`.
+        advice_json: list of the advice about each case of a run that did not pass, null for a case that passed.
+        unconfirmed: as in `RunSummary`.
     """
 
     id: str
@@ -93,18 +93,18 @@ class LessonRun(NamedTuple):
 
     @property
     def params(self) -> dict[str, Any]:
-        """What fills the words of the reason."""
+        """Parameters of the reason's message."""
         return readable_object(self.params_json) or {}
 
     @property
     def passed(self) -> bool | None:
-        """Whether the activity was passed; None without one, if the run was not judged, and while it does not count."""
+        """Whether it passed the activity; None without activity, if it was not judged, and while it does not count."""
         return None if self.passed_bit is None else bool(self.passed_bit)
 
 
 @dataclass(slots=True)
 class GroupHistory:
-    """What a group did, by keys."""
+    """The work of one group: edits and runs."""
 
     edits: list[EditSummary] = field(default_factory=list)
     runs: list[LessonRun] = field(default_factory=list)
@@ -112,11 +112,11 @@ class GroupHistory:
 
 @dataclass(slots=True)
 class LessonHistory:
-    """What all groups did in a lesson.
+    """The work of all groups in a lesson.
 
     Attributes:
-        groups: those that worked in it.
-        work: of each group, by its key.
+        groups: the groups that worked in it.
+        work: the work of each group, by its key.
         computers: names of PCs by their key.
     """
 
@@ -126,10 +126,10 @@ class LessonHistory:
 
 
 class LessonHistories(Repository):
-    """What was done in lessons."""
+    """The work in lessons."""
 
     def of(self, lesson_ids: Collection[str]) -> LessonHistory:
-        """Edits and runs of all the lessons together."""
+        """Returns edits and runs of all the lessons together."""
         lessons = json.dumps(list(lesson_ids))
         work: dict[str, GroupHistory] = {}
         with self._database.read_connection() as db:
@@ -145,7 +145,7 @@ class LessonHistories(Repository):
         )
 
     def workspaces(self, version_ids: Iterable[str]) -> dict[str, Any]:
-        """Workspaces by version; those that are not in the file, or damaged, are left out."""
+        """Returns workspaces by version, without missing and damaged ones."""
         query = f"SELECT id, workspace FROM versions WHERE id {_IN}"
         rows = self._rows(query, json.dumps(list(version_ids)))
         found = {row["id"]: readable_object(row["workspace"]) for row in rows}

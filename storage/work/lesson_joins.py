@@ -1,7 +1,8 @@
-"""Lessons that were joined, as trees of one level, also after merges have combined the joins of several PCs.
+"""Joined lessons as trees of one level, also after merges have combined the joins of several PCs.
 
-Each PC joins lessons by what it knows. Merged, a lesson may be a part of one that is itself a part of another, and two
-may each be a part of the other: of such a circle the lesson with the smallest key is the root.
+Each PC joins the lessons that it has. After a merge, a lesson may be a part of a lesson that is itself a part of
+another. Two lessons may also each be a part of the other. In such a cycle the lesson with the smallest key is the
+root.
 """
 
 from collections.abc import Mapping
@@ -11,7 +12,7 @@ from storage.sqlite import sqlite3
 
 
 def roots(db: sqlite3.Connection) -> dict[str, str]:
-    """The root of each lesson that is a part of another; lessons that are no part are not in it."""
+    """Returns the root of each lesson that is a part of another, without lessons that are no part."""
     rows = db.execute(
         """SELECT part.id, part.part_of FROM lessons AS part JOIN lessons AS whole ON whole.id = part.part_of
            WHERE part.part_of != part.id"""
@@ -21,14 +22,14 @@ def roots(db: sqlite3.Connection) -> dict[str, str]:
 
 
 def tree_of(db: sqlite3.Connection, lesson_id: str) -> list[str]:
-    """The root of the lesson's tree, then all parts by their keys."""
+    """Returns the root of the lesson's tree, then all parts in the order of their keys."""
     by_part = roots(db)
     root = by_part.get(lesson_id, lesson_id)
     return [root, *sorted(part for part, of in by_part.items() if of == root)]
 
 
 def flatten(db: sqlite3.Connection, lesson_id: str, now: str) -> None:
-    """Writes the joins of the lesson's tree as they are shown, so that one of them can be changed."""
+    """Makes all joins of the lesson's tree point to its root, so that one of them can be changed."""
     root, *parts = tree_of(db, lesson_id)
     desired = [(root, None), *((part, root) for part in parts)]
     for part, of in desired:
@@ -38,7 +39,7 @@ def flatten(db: sqlite3.Connection, lesson_id: str, now: str) -> None:
 
 
 def _ends(joined: Mapping[str, str]) -> dict[str, str]:
-    """Where the chain from each lesson ends. Each lesson is visited once: a bundle may hold a chain without end."""
+    """Returns the end of the chain from each lesson. Visits each once, as a bundle may have a chain without end."""
     ends: dict[str, str] = {}
     for start in joined:
         chain: dict[str, None] = {}

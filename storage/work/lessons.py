@@ -1,7 +1,7 @@
-"""Lessons: meetings of a class, opened by the teacher or by themselves when a group begins to work.
+"""Lessons: meetings of a class, opened by the teacher, or by themselves when a group starts to work.
 
-What is made belongs to a lesson by its key, not by its time: the clocks of school PCs are often wrong. A lesson that
-the teacher opens has a key made of class and title, so that it is one lesson on all PCs where it was opened.
+Work belongs to a lesson by key, not by time, because the clocks of school PCs are often wrong. The key of a lesson that
+the teacher opens is made from class and title, so it is the same lesson on all PCs where the teacher opens it.
 """
 
 import uuid
@@ -31,18 +31,18 @@ class Lessons(Repository):
     """The lessons of the file."""
 
     def of_classroom(self, classroom_id: str | None) -> list[LessonRow]:
-        """Newest first; of groups without a class with None."""
+        """Returns the lessons of a class, newest first; None for groups without a class."""
         return self._found("classroom_id IS ? ORDER BY opened_at DESC, id DESC", classroom_id)
 
     def get(self, lesson_id: str) -> LessonRow:
-        """Raises StoreError `lesson_not_found`."""
+        """Returns a lesson. Raises StoreError `lesson_not_found`."""
         found = self._found("id = ?", lesson_id)
         if not found:
             raise not_found("lessons", lesson_id)
         return found[0]
 
     def current(self, classroom_id: str | None) -> LessonRow | None:
-        """What work of the class would belong to now on this PC, None when a new lesson would begin."""
+        """Returns the lesson that new work of the class belongs to on this PC, None if it would start a lesson."""
         now = self._database.timestamp()
         with self._database.read_connection() as db:
             computer = find_computer(db)
@@ -50,12 +50,12 @@ class Lessons(Repository):
         return self.get(found.id) if found and found.is_current(now) else None
 
     def parts(self, lesson_id: str) -> list[str]:
-        """Keys of all lessons that were joined with it, and its own: the root first."""
+        """Returns the keys of a lesson and of all lessons that were joined with it, the root first."""
         with self._database.read_connection() as db:
             return tree_of(db, lesson_id)
 
     def open(self, classroom_id: str, title: str, activity: str | None = None) -> LessonRow:
-        """Opens the lesson of that title, again where it was closed; what was open on this PC is closed.
+        """Opens the lesson of that title, again if it was closed. Closes the lesson that was open on this PC.
 
         Raises:
             StoreError: `classroom_not_found`, `name_empty`, `name_too_long`.
@@ -81,9 +81,9 @@ class Lessons(Repository):
         return self.get(self._database.write(write))
 
     def resume(self, lesson_id: str) -> LessonRow:
-        """Opens a lesson that another PC opened, as its file says; does nothing where it is open on this PC.
+        """Opens a lesson that another PC opened, as in its lesson file; does nothing if it is open on this PC.
 
-        It is no later state of the lesson: title and activity stay those of the file.
+        This makes no newer state of the lesson: title and activity stay as in the file.
 
         Raises:
             StoreError: `lesson_not_found`.
@@ -105,7 +105,7 @@ class Lessons(Repository):
         return self.get(lesson_id)
 
     def close(self, lesson_id: str) -> LessonRow:
-        """Ends a lesson. Raises StoreError `lesson_not_found`."""
+        """Closes a lesson. Raises StoreError `lesson_not_found`."""
         classroom_id, moment = self.get(lesson_id).classroom_id, self._database.timestamp()
 
         def close(db: sqlite3.Connection) -> None:
@@ -119,13 +119,13 @@ class Lessons(Repository):
         return self.get(lesson_id)
 
     def change(self, lesson_id: str, changes: Mapping[str, str | None]) -> LessonRow:
-        """Changes some of `title`, `activity` and `part_of`, the lesson that it is to be a part of with all its parts.
+        """Changes some of `title`, `activity` and `part_of`, the lesson to join it to with all its parts.
 
         Raises:
             StoreError: `lesson_not_found`; `lesson_not_joinable` to itself, to a part of it, or to another class's.
         """
         requested, now = dict(changes), self._database.now()
-        if "title" in requested:  # "" as of a lesson that opened by itself
+        if "title" in requested:  # "" is the title of a lesson that opened by itself
             requested["title"] = clean_name(requested["title"]) if requested["title"] else ""
 
         def write(db: sqlite3.Connection) -> None:
@@ -147,14 +147,17 @@ class Lessons(Repository):
 
 
 def lesson_for(db: sqlite3.Connection, group_id: str, now: Timestamp) -> tuple[str, str]:
-    """Keys of the lesson that the group's work belongs to now, and of this PC; within the caller's transaction."""
+    """Returns the keys of the group's present lesson and of this PC, within the caller's transaction.
+
+    Starts a lesson if none is open.
+    """
     computer_id, _ = this_computer(db, now.text)
     group = db.execute("SELECT classroom_id FROM groups WHERE id = ?", [group_id]).fetchone()
     classroom_id = group["classroom_id"]
     found = open_lesson(db, classroom_id, computer_id)
     if found and found.is_current(now):
         lesson_id = found.id
-        # on another PC it may have been closed meanwhile
+        # another PC may have closed it meanwhile
         query = "UPDATE lessons SET used_at = ?, closed_at = NULL WHERE id = ?"
         db.execute(query, [now.text, lesson_id])
     else:
@@ -168,7 +171,7 @@ def lesson_for(db: sqlite3.Connection, group_id: str, now: Timestamp) -> tuple[s
 def _start_lesson(
     db: sqlite3.Connection, classroom_id: str | None, computer_id: str, now: str
 ) -> str:
-    """A lesson that opens by itself."""
+    """Adds a lesson that opens by itself."""
     row = {"id": new_id(), "classroom_id": classroom_id, "title": "", "by_itself": 1}
     row |= {"computer_id": computer_id, "opened_at": now, "used_at": now, "changed_at": now}
     insert(db, "lessons", row)
@@ -178,7 +181,7 @@ def _start_lesson(
 def _open_again(
     db: sqlite3.Connection, lesson_id: str, opened: Mapping[str, object], now: str
 ) -> bool:
-    """Opens a lesson that is there; False where it is not."""
+    """Opens an existing lesson; returns False if there is none."""
     query = "SELECT activity IS NOT :activity OR by_itself FROM lessons WHERE id = :id"
     row = db.execute(query, {"activity": opened["activity"], "id": lesson_id}).fetchone()
     if row is not None:
@@ -187,7 +190,7 @@ def _open_again(
 
 
 def _titled(db: sqlite3.Connection, classroom_id: str, title: str) -> str | None:
-    """The newest lesson of the class that has this title now."""
+    """Returns the newest lesson of the class whose present title this is."""
     rows = db.execute(
         "SELECT id, title FROM lessons WHERE classroom_id = ? ORDER BY opened_at DESC, id DESC",
         [classroom_id],
@@ -197,7 +200,10 @@ def _titled(db: sqlite3.Connection, classroom_id: str, title: str) -> str | None
 
 
 def _free_key(db: sqlite3.Connection, classroom_id: str, title: str) -> str:
-    """The same on every PC; another one where the lesson that it was made for is deleted, or has another title now."""
+    """Returns the key that every PC makes from class and title.
+
+    If the lesson with this key was deleted, or has another title now, returns the next one of the same sequence.
+    """
     key = uuid.uuid5(uuid.UUID(classroom_id), name_key(title))
     in_use = (
         "SELECT id FROM tombstones WHERE id = :key UNION SELECT id FROM lessons WHERE id = :key"
@@ -208,13 +214,16 @@ def _free_key(db: sqlite3.Connection, classroom_id: str, title: str) -> str:
 
 
 def _close(db: sqlite3.Connection, lesson_id: str, now: str) -> None:
-    """No new state, which would beat the title that the teacher gives meanwhile: lessons also close by themselves."""
+    """Closes a lesson without raising its revision, as lessons also close by themselves.
+
+    A greater revision would win over a title that the teacher gives meanwhile on another PC.
+    """
     query = "UPDATE lessons SET closed_at = ? WHERE id = ? AND closed_at IS NULL"
     db.execute(query, [now, lesson_id])
 
 
 def _joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> str:
-    """The root of the tree that the lesson can be joined to."""
+    """Returns the root of the tree that the lesson can be joined to."""
     rows = db.execute("SELECT id, classroom_id FROM lessons WHERE id IN (?, ?)", [lesson_id, to])
     lessons = {row["id"]: row["classroom_id"] for row in rows}
     if len(lessons) < 2:

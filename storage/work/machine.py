@@ -1,4 +1,4 @@
-"""A mark that identifies the machine, so that a copied data folder is noticed."""
+"""A hash that identifies the machine, so that the store detects a copied data folder."""
 
 import hashlib
 import sys
@@ -7,12 +7,15 @@ from functools import cache
 from pathlib import Path
 
 _LINUX_IDS = (Path("/etc/machine-id"), Path("/var/lib/dbus/machine-id"))
-_CHANCE_BIT = 1 << 40  # set where `getnode` found no network card and made a number up
+_CHANCE_BIT = 1 << 40  # set if `getnode` found no network card and returned a random number
 
 
 @cache
 def machine_id_hash() -> str | None:
-    """The same at each start on this machine, without telling which it is; None where nothing is known of it."""
+    """Returns the same hash at each start on this machine, from which its id cannot be derived.
+
+    Returns None if the machine has no id.
+    """
     found = _windows_id() or _linux_id() or _network_card()
     return hashlib.sha256(f"pinel {found}".encode()).hexdigest() if found else None
 
@@ -31,7 +34,7 @@ def _linux_id() -> str:
 def _windows_id() -> str:
     if sys.platform != "win32":
         return ""
-    import winreg  # noqa: PLC0415 - only there
+    import winreg  # noqa: PLC0415 - on Windows only
 
     try:
         with winreg.OpenKey(

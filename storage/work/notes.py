@@ -1,4 +1,4 @@
-"""What the teacher writes about a run, for the group to read next time."""
+"""Notes of the teacher about runs, which the group reads next time."""
 
 from collections.abc import Callable
 
@@ -18,23 +18,23 @@ class Notes(Repository):
     """The notes of the file."""
 
     def of_run(self, run_id: str) -> list[NoteRow]:
-        """The oldest first."""
+        """Returns the notes about a run, oldest first."""
         return self._found("notes.run_id = ? ORDER BY notes.id", run_id)
 
     def of_group(self, group_id: str, *, unseen: bool = False) -> list[NoteRow]:
-        """The newest first; with `unseen` those that the group has not read yet."""
+        """Returns the notes to a group, newest first; with `unseen` those that the group has not read yet."""
         more = " AND notes.seen_at IS NULL" if unseen else ""
         return self._found(f"runs.group_id = ?{more} ORDER BY notes.id DESC", group_id)
 
     def get(self, note_id: str) -> NoteRow:
-        """Raises StoreError `note_not_found`."""
+        """Returns a note. Raises StoreError `note_not_found`."""
         found = self._found("notes.id = ?", note_id)
         if not found:
             raise not_found("notes", note_id)
         return found[0]
 
     def write(self, run_id: str, text: str) -> NoteRow:
-        """Raises StoreError `run_not_found`, `note_empty` or `note_too_long`."""
+        """Adds a note. Raises StoreError `run_not_found`, `note_empty` or `note_too_long`."""
         now = self._database.now()
         row = {"id": new_id(), "run_id": run_id, "text": _clean(text)}
         row |= {"written_at": now, "changed_at": now}
@@ -46,12 +46,14 @@ class Notes(Repository):
         return self._after(row["id"], write)
 
     def rewrite(self, note_id: str, text: str) -> NoteRow:
-        """Another text, which the group has not read yet. Raises StoreError as `write`, and `note_not_found`."""
+        """Replaces the text, which then counts as unread. Raises StoreError as `write`, and `note_not_found`."""
         values, now = {"text": _clean(text), "seen_at": None}, self._database.now()
         return self._after(note_id, lambda db: update_row(db, "notes", note_id, values, now))
 
     def acknowledge(self, note_id: str) -> NoteRow:
-        """The group has read it. This is no later state, which would beat what the teacher writes meanwhile.
+        """Records that the group has read it, without raising the revision.
+
+        A greater revision would win over what the teacher writes meanwhile on another PC.
 
         Raises:
             StoreError: `note_not_found`.

@@ -1,4 +1,4 @@
-"""Activities that a teacher made. What is deleted is marked only: lessons, runs and programs name it by its key."""
+"""Activities that a teacher made. A deleted one is only marked, because lessons, runs and programs refer to its key."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,19 +18,19 @@ class OwnActivities(Repository):
     """The activities of the file that a teacher made."""
 
     def all(self) -> list[OwnActivityRow]:
-        """Those that are not deleted, the oldest first."""
+        """Returns the activities that are not deleted, oldest first."""
         with self._database.read_connection() as db:
             rows = rows_of(db, f"{_SELECT} WHERE deleted_at IS NULL ORDER BY id")
         return [_activity_row(row) for row in rows]
 
     def titles(self) -> dict[str, str]:
-        """Titles by key, also of those that are deleted."""
+        """Returns titles by key, also of deleted activities."""
         with self._database.read_connection() as db:
             rows = rows_of(db, "SELECT id, title FROM own_activities")
         return {str(row["id"]): str(row["title"]) for row in rows}
 
     def get(self, activity_id: str) -> OwnActivityRow:
-        """Also one that is deleted. Raises StoreError `own_activity_not_found`."""
+        """Returns an activity, also a deleted one. Raises StoreError `own_activity_not_found`."""
         with self._database.read_connection() as db:
             rows = rows_of(db, f"{_SELECT} WHERE id = ?", [activity_id])
         if not rows:
@@ -38,13 +38,13 @@ class OwnActivities(Repository):
         return _activity_row(rows[0])
 
     def new_key(self) -> str:
-        """The key of an activity to be made: its document names it."""
+        """Returns the key for a new activity, whose document must have it."""
         return new_id()
 
     def save(
         self, activity_id: str, title: str, document: Mapping[str, Any], goal: Mapping[str, Any]
     ) -> OwnActivityRow:
-        """Adds an activity, or gives the one of that key another content; one that was deleted is there again.
+        """Adds an activity, or replaces the content of the one with that key, which is then no longer deleted.
 
         Raises:
             StoreError: `name_empty`, `name_too_long`; `own_activities_too_many`.
@@ -67,7 +67,7 @@ class OwnActivities(Repository):
         return self.get(activity_id)
 
     def delete(self, activity_id: str) -> None:
-        """Takes it off all lists. Raises StoreError `own_activity_not_found`."""
+        """Deletes it from all lists. Raises StoreError `own_activity_not_found`."""
         self._set_deleted_at(activity_id, self._database.now())
 
     def undelete(self, activity_id: str) -> None:

@@ -1,4 +1,4 @@
-"""Programs of a group; their content are versions."""
+"""Programs of a group; their content is in versions."""
 
 from storage.file.repository import Repository
 from storage.row_types import ProgramRow
@@ -24,7 +24,11 @@ class Programs(Repository):
     """The programs of the file."""
 
     def of_group(self, group_id: str, *, in_bin: bool = False) -> list[ProgramRow]:
-        """Last changed first; with `in_bin` those in the bin. Raises StoreError `group_not_found`."""
+        """Returns the programs of a group, the one changed last first; with `in_bin` those in the bin.
+
+        Raises:
+            StoreError: `group_not_found`.
+        """
         which = "deleted_at IS NOT NULL" if in_bin else "deleted_at IS NULL"
         query = f"{_SELECT} WHERE group_id = ? AND {which} {_LAST_CHANGED_FIRST}"
         with self._database.read_connection() as db:
@@ -32,7 +36,7 @@ class Programs(Repository):
             return [ProgramRow(**dict(row)) for row in rows_of(db, query, [group_id])]
 
     def of_activity(self, group_id: str, activity: str) -> ProgramRow | None:
-        """The group's program that was changed last of those for an activity; none in the bin.
+        """Returns the group's program for an activity that was changed last; none in the bin.
 
         Raises:
             StoreError: `group_not_found`.
@@ -45,11 +49,11 @@ class Programs(Repository):
         return ProgramRow(**dict(rows[0])) if rows else None
 
     def get(self, program_id: str) -> ProgramRow:
-        """Raises StoreError `program_not_found`."""
+        """Returns a program. Raises StoreError `program_not_found`."""
         return ProgramRow(**dict(self._row("programs", f"{_SELECT} WHERE id = ?", program_id)))
 
     def create(self, group_id: str, name: str) -> ProgramRow:
-        """Raises StoreError `group_not_found`, `name_empty` or `name_too_long`."""
+        """Adds a program. Raises StoreError `group_not_found`, `name_empty` or `name_too_long`."""
         clean, now = clean_name(name), self._database.now()
         row = {"id": new_id(), "group_id": group_id, "name": clean}
         row |= dict.fromkeys(("created_at", "updated_at", "changed_at"), now)
@@ -63,15 +67,15 @@ class Programs(Repository):
         return self.get(row["id"])
 
     def rename(self, program_id: str, name: str) -> ProgramRow:
-        """Raises StoreError `program_not_found`, `name_empty` or `name_too_long`."""
+        """Renames a program. Raises StoreError `program_not_found`, `name_empty` or `name_too_long`."""
         return self._change(program_id, "name", clean_name(name))
 
     def move_to_bin(self, program_id: str) -> ProgramRow:
-        """With all its versions and runs. Raises StoreError `program_not_found`."""
+        """Moves a program to the bin with its versions and runs. Raises StoreError `program_not_found`."""
         return self._change(program_id, "deleted_at", self._database.now())
 
     def restore_from_bin(self, program_id: str) -> ProgramRow:
-        """Raises StoreError `program_not_found`."""
+        """Takes a program out of the bin. Raises StoreError `program_not_found`."""
         return self._change(program_id, "deleted_at", None)
 
     def _change(self, program_id: str, column: str, value: str | None) -> ProgramRow:

@@ -1,7 +1,7 @@
 """Signs that a class taught: recordings of hands that show them, at rest or in motion.
 
-A recording is one row that never changes, so that the union of those of two PCs is a merge. Of one sign the newest
-samples of each kind count; a name is one sign whatever its case.
+A recording is one row that never changes, so the union of the rows of two PCs is their merge. For each sign the newest
+samples of each kind count. Names that differ in case only are the same sign.
 """
 
 import unicodedata
@@ -23,19 +23,23 @@ class TaughtSigns(Repository):
     """The taught signs of the file."""
 
     def of_classroom(self, classroom_id: str) -> list[SignSamples]:
-        """The signs of a class by name, each with its newest samples. Raises StoreError `classroom_not_found`."""
+        """Returns the signs of a class by name, each with its newest samples.
+
+        Raises:
+            StoreError: `classroom_not_found`.
+        """
         with self._database.read_connection() as db:
             require(db, "classrooms", classroom_id)
             return _signs(_sample_rows(db, classroom_id))
 
     def name_to_teach(self, classroom_id: str, name: str, *, is_moving: bool = False) -> str:
-        """How the class spells the sign of that name, which may be new.
+        """Returns how the class spells the sign of that name, which may be new.
 
         Args:
-            is_moving: whether a movement is to be taught.
+            is_moving: a movement will be taught.
 
         Raises:
-            StoreError: `classroom_not_found`; `sign_name_wrong`; `sign_taught_enough` where it has samples enough;
+            StoreError: `classroom_not_found`; `sign_name_wrong`; `sign_taught_enough` if it has enough samples;
                 `signs_too_many`.
         """
         clean, taught = _clean(name), self.of_classroom(classroom_id)
@@ -69,7 +73,11 @@ class TaughtSigns(Repository):
         self._database.write(write)
 
     def keys(self, classroom_id: str, sign: str) -> list[str]:
-        """Keys of all recordings of a sign. Raises StoreError `classroom_not_found`, `taught_sign_not_found`."""
+        """Returns the keys of all recordings of a sign.
+
+        Raises:
+            StoreError: `classroom_not_found`, `taught_sign_not_found`.
+        """
         with self._database.read_connection() as db:
             require(db, "classrooms", classroom_id)
             rows = _sample_rows(db, classroom_id)
@@ -80,7 +88,7 @@ class TaughtSigns(Repository):
 
 
 def _sample_rows(db: sqlite3.Connection, classroom_id: str) -> list[sqlite3.Row]:
-    """The newest first, without what cannot be read."""
+    """Returns the recordings, newest first, without damaged ones."""
     query = """SELECT id, sign, samples, is_moving FROM taught_signs
         WHERE classroom_id = ? ORDER BY id DESC"""
     found = rows_of(db, query, [classroom_id])
@@ -88,7 +96,7 @@ def _sample_rows(db: sqlite3.Connection, classroom_id: str) -> list[sqlite3.Row]
 
 
 def _is_readable(row: sqlite3.Row) -> bool:
-    from storage.tables.rules import hands, sign  # noqa: PLC0415 - the rules of bundles are no part of the start
+    from storage.tables.rules import hands, sign  # noqa: PLC0415 - the start needs no validation rules
 
     return sign(row["sign"]) and hands(row["samples"])
 
@@ -107,8 +115,8 @@ def _signs(recordings: Iterable[sqlite3.Row]) -> list[SignSamples]:
 
 
 def _clean(name: str) -> str:
-    """A name that can be part of an address; one letter is the capital that programs compare with."""
-    from storage.tables.rules import sign  # noqa: PLC0415 - the rules of bundles are no part of the start
+    """Returns a name that can be part of a URL. A single letter becomes the capital that programs compare with."""
+    from storage.tables.rules import sign  # noqa: PLC0415 - the start needs no validation rules
 
     clean = unicodedata.normalize("NFC", clean_name(name))
     clean = clean.upper() if len(clean) == 1 else clean

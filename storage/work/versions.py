@@ -1,4 +1,4 @@
-"""Versions of programs: every state that was saved, never overwritten."""
+"""Versions of programs: every saved state, never overwritten."""
 
 from collections.abc import Sequence
 from dataclasses import astuple
@@ -19,7 +19,7 @@ from storage.work.groups import record_use
 from storage.work.lessons import lesson_for
 
 _LABEL = "coalesce((SELECT text FROM version_labels WHERE version_labels.id = versions.id), '')"
-# of `versions` beside `parents`; the workspaces, which are long, are compared only where something else changed
+# compares `versions` with `parents`; compares the long workspaces only if something else has changed
 SETUP_ONLY = """CASE WHEN versions.setup IS NOT parents.setup OR versions.world IS NOT parents.world
            THEN versions.workspace IS parents.workspace ELSE 0 END"""
 _SELECT = selected(VersionRow, "versions", label=_LABEL)
@@ -38,7 +38,7 @@ _Content = tuple[str, str | None, str, str | None, str | None]
 # by number, not by time: the clocks of school PCs are often wrong
 _NEWEST_FIRST = "ORDER BY number DESC, id DESC"
 _NEWEST = f"SELECT id FROM versions WHERE program_id = ? {_NEWEST_FIRST} LIMIT 1"
-# compared by SQLite: a newest version that is damaged may not be readable
+# SQLite compares, because a damaged newest version may not be readable
 _SAME = f"""SELECT id, number, {" AND ".join(f"{name} IS ?" for name in _CONTENT)} AS is_same
     FROM versions WHERE program_id = ? {_NEWEST_FIRST} LIMIT 1"""
 _EARLIER = f"""SELECT id FROM versions WHERE program_id = ?
@@ -54,12 +54,12 @@ class Versions(Repository):
     """The versions of the file."""
 
     def newest(self, program_id: str) -> VersionRow | None:
-        """None for a program that was never saved. Raises StoreError `version_damaged`."""
+        """Returns the newest version, None for a program that was never saved. Raises StoreError `version_damaged`."""
         rows = self._rows(_NEWEST, program_id)
         return self.get(str(rows[0]["id"])) if rows else None
 
     def newest_intact(self, program_id: str) -> VersionRow | None:
-        """The newest that is as it was written; None where there is none."""
+        """Returns the newest version that is intact, None if there is none."""
         try:
             return self.newest(program_id)
         except StoreError as error:
@@ -69,20 +69,17 @@ class Versions(Repository):
             return self.get(str(sound)) if sound else None
 
     def get(self, version_id: str) -> VersionRow:
-        """The version as it was written; one that is damaged is mended from a backup first.
+        """Returns a version; first repairs a damaged one from a backup.
 
         Raises:
-            StoreError: `version_not_found`; `version_damaged` with its time, and id and time of the last one before it
-                that is sound.
+            StoreError: `version_not_found`; `version_damaged` with its time, and with id and time of the last intact
+                version before it.
         """
         try:
             if row := self._intact_row("versions", f"{_SELECT} WHERE id = ?", version_id):
                 return _version_row(row)
-        except (
-            ValueError,
-            TypeError,
-            RecursionError,
-        ) as error:  # of an earlier release, without a sum
+        except (ValueError, TypeError, RecursionError) as error:
+            # a damaged row of an earlier release, which has no checksum
             raise self._damaged(version_id) from error
         raise self._damaged(version_id)
 
@@ -97,15 +94,15 @@ class Versions(Repository):
         setup: Json | None = None,
         parent_id: str | None = None,
     ) -> VersionRow:
-        """Keeps a state; on disk when this returns. The same content as the newest version is that version.
+        """Saves a state; on disk when this returns. If the newest version has the same content, returns that version.
 
         Args:
-            parent_id: the version that was edited; the newest where it is None.
+            parent_id: the version that was edited; None for the newest.
 
         Raises:
-            StoreError: `program_not_found`; `version_not_found` where the one edited is none of this program;
-                `work_unreadable` too deep, or with numbers too long, to be read on another PC; or why nothing could
-                be kept.
+            StoreError: `program_not_found`; `version_not_found` if the edited version is not of this program;
+                `work_unreadable` if the content is too deep, or has numbers too long, to be read on another PC;
+                or the reason why nothing could be saved.
         """
         content = (
             to_json(workspace),
@@ -145,14 +142,14 @@ class Versions(Repository):
         return self._is_intact("versions", version_id)
 
     def newest_on_other_pc(self, newest: VersionRow) -> VersionSummary | None:
-        """The newest version without successor that another PC made; None where there is none."""
+        """Returns the newest version without successor that another PC made; None if there is none."""
         rows = self._rows(_NEWEST_ON_OTHER_PC, newest.program_id, newest.id, newest.program_id)
         return _version_summary(rows[0]) if rows else None
 
     def history_of(
         self, program_id: str, *, before: str | None = None, limit: int = 200
     ) -> list[VersionSummary]:
-        """The program's versions, the newest first; `before` is the id of the last of the page before."""
+        """Returns the program's versions, newest first; `before` is the id of the last one of the previous page."""
         after = "(number, id) < (SELECT number, id FROM versions WHERE id = ?)"
         query = (
             f"{_SUMMARY} WHERE program_id = ? AND (? IS NULL OR {after}) {_NEWEST_FIRST} LIMIT ?"
@@ -162,7 +159,7 @@ class Versions(Repository):
         ]
 
     def label(self, version_id: str, text: str) -> VersionRow:
-        """Gives a version a name, or with "" takes it away. Raises StoreError `version_not_found`, `name_too_long`."""
+        """Names a version; "" deletes the name. Raises StoreError `version_not_found`, `name_too_long`."""
         clean, now = clean_name(text) if text.strip() else "", self._database.now()
 
         def write(db: sqlite3.Connection) -> None:
@@ -177,7 +174,7 @@ class Versions(Repository):
 
 
 def _local(text: str) -> str:
-    """A stored time as people of this PC read it; the time may be what is damaged."""
+    """Returns a stored time by the clock of this PC, "?" for a damaged time."""
     try:
         return local_time(text)
     except (ValueError, OverflowError):
@@ -215,9 +212,9 @@ def _insert(
 
 
 def _read_back(content: _Content) -> list[Any]:
-    """The values of texts that `dumped` wrote: of all that JSON can have wrong, only depth and long numbers are left.
+    """Returns the values of texts that `to_json` wrote. Such JSON can only be too deep or have numbers too long.
 
-    What no bundle could carry is refused: it would be left out of every export, with what belongs to it.
+    Content that no bundle can have is refused, because every export would leave it out with its children.
     """
     workspace, *texts = content
     if (is_deep(workspace) and not is_object(workspace)) or any(
@@ -242,7 +239,7 @@ def _version_summary(row: sqlite3.Row) -> VersionSummary:
 
 
 def _version_row(row: sqlite3.Row, values: Sequence[Any] | None = None) -> VersionRow:
-    """The record of a row; `values` are those of its content where they are known."""
+    """Returns the record of a row; `values` are those of its content if they are known."""
     content = dict(
         zip(_CONTENT, values or [from_json(row[name]) for name in _CONTENT], strict=True)
     )

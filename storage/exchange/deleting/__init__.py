@@ -1,1 +1,1 @@
-"""Deleting for good: here, where files are merged, and what waits for a decision."""
+"""Deletion for good: in this store, by a merge, and the deletions that wait for a decision."""

@@ -1,11 +1,13 @@
-"""Deleting for good: rows are deleted from every table and overwritten in the file. A tombstone for each key keeps
-merges from bringing them back.
+"""Deletion for good: rows are deleted from every table and overwritten in the file. A tombstone for each key prevents
+merges from bringing the rows back.
 
-`deletions` counts the decisions about a key: with an odd `turn` a person has kept the row in spite of its tombstone,
-with an even one it was deleted anew. Of two turns the greater holds, so that decisions join in any order. Only what a
-person deletes gets tombstones: a row below a deleted one goes with it, but a merge makes no tombstone of its own.
-A group goes with each class in which any PC has seen it (`former_classes`), if that was deleted by a PC that did not
-know that the group had left. So what is deleted does not depend on which state of a group comes first.
+`deletions.turn` counts the decisions about a key (a causal length). If `turn` is odd, a person retained the row in
+spite of its tombstone; if it is even, a person deleted the row again. Of two turns the greater wins, so decisions
+merge in any order. Only a deletion by a person makes tombstones. A merge deletes the children of a deleted row but
+makes no tombstone for them.
+
+A group is deleted with each class in which any PC has had it (`former_classes`), if the PC that deleted the class did
+not know that the group had left. So the result does not depend on which state of a group comes first.
 """
 
 from collections.abc import Collection, Iterable, Iterator
@@ -26,21 +28,21 @@ from storage.text import from_json
 _BY_NAME = {table.name: table for table in REPLICATED}
 RETAINED_KEYS = "(SELECT id FROM main.deletions WHERE turn % 2)"
 _TOMBSTONED_CLASSES = f"(SELECT id FROM main.tombstones WHERE id NOT IN {RETAINED_KEYS})"
-# with groups that were seen in a class which was deleted without knowing where they are now
+# also groups of former classes that were deleted by a PC which did not know that the group had left
 TOMBSTONED_KEYS = f"""(SELECT id FROM (
     SELECT id FROM main.tombstones UNION SELECT group_id FROM main.former_classes
     WHERE NOT has_left AND classroom_id IN {_TOMBSTONED_CLASSES}) WHERE id NOT IN {RETAINED_KEYS})"""
-_TOMBSTONED = "(SELECT id FROM temp.dead)"  # with the rows below them, see `dead_rows`
+_TOMBSTONED = "(SELECT id FROM temp.dead)"  # with the rows below them, see `tombstoned_rows`
 
 
 def _deleted(table: ReplicatedTable) -> str:
-    """Condition: the row's key or that of a row that it belongs to has a tombstone."""
+    """Condition: the row or one of its ancestors has a tombstone."""
     own = [f"id IN {_TOMBSTONED}"] if "id" in table.key else []
     return " OR ".join([*own, *(_parent_deleted(*parent) for parent in _followed(table))])
 
 
 def _followed(table: ReplicatedTable) -> tuple[tuple[str, str], ...]:
-    """Parents by which a row is found; not those of rows with tombstones of their own."""
+    """Returns the parents by which a row is found; none for tables whose rows get tombstones of their own."""
     return () if table.own_tombstone else table.parents
 
 
@@ -50,7 +52,7 @@ def _parent_deleted(column: str, name: str) -> str:
     return f"{column} IN {keys}"
 
 
-# rows that refer to a row are deleted before it
+# children are deleted before their parents
 _DELETIONS = {table.name: _deleted(table) for table in reversed(REPLICATED) if table.deletable}
 _TOMBSTONED_RUNS = f"(SELECT id FROM runs WHERE {_deleted(RUNS)})"
 _PENDING_NAMES = f"""SELECT name FROM (
@@ -62,7 +64,7 @@ _PENDING_NAMES = f"""SELECT name FROM (
     UNION SELECT 6, coalesce(program_name, world) FROM main.runs WHERE id IN {_TOMBSTONED}
         OR id IN (SELECT run_id FROM main.notes WHERE id IN {_TOMBSTONED}))
     WHERE name <> '' GROUP BY name ORDER BY min(place), name LIMIT 20"""
-# keys of the classes, groups and programs that deleted rows belong to: exports of one of these may hold the rows
+# keys of the classes, groups and programs of the deleted rows: exports of one of these may hold the rows
 _CONCERNED = f"""
     WITH dead_runs AS (
              SELECT group_id, program_id FROM runs WHERE id IN {_TOMBSTONED_RUNS}
@@ -86,14 +88,14 @@ class Exported:
 
 @dataclass(frozen=True, slots=True)
 class Deletion:
-    """What was deleted for good.
+    """The rows that were deleted for good.
 
     Attributes:
-        ids: keys that were deleted; backups are to lose the same.
-        counts: rows by table, without those that lost none.
-        exports: files that were written from this store and may still hold it.
-        overwritten: False while another program still reads the write-ahead log, which holds the text until then.
-        still_in: backups that could not be written anew, and may hold it.
+        ids: their keys, which must be deleted from the backups too.
+        counts: deleted rows by table, without zeros.
+        exports: files that were written from this store and may still hold the rows.
+        overwritten: False while another program still reads the write-ahead log, which holds the texts until then.
+        still_in: backups that could not be rewritten and may still hold the rows.
     """
 
     ids: tuple[str, ...] = ()
@@ -104,12 +106,13 @@ class Deletion:
 
 
 def purge(database: Database, kind: str, *keys: str) -> Deletion:
-    """Deletes a `classroom` with its groups, a `group` with its programs, a `program` with its runs, a `run` with
-    its notes, a `lesson`, a `note` or a `taught_sign`, one or several; not from backups, which `Exchange.remove` does,
-    nor from bundles.
+    """Deletes one or several rows of a kind with their children. `Exchange.purge` deletes them from backups too.
+
+    A `classroom` is deleted with its groups, a `group` with its programs, a `program` with its runs, a `run` with its
+    notes; other kinds are `lesson`, `note` and `taught_sign`. Bundles are not changed.
 
     Raises:
-        StoreError: KIND`_not_found`; `run_in_progress` where a run of it has not ended.
+        StoreError: KIND`_not_found`; `run_in_progress` if a run to delete has not ended.
     """
 
     def job(db: sqlite3.Connection) -> Deletion:
@@ -124,15 +127,15 @@ def purge(database: Database, kind: str, *keys: str) -> Deletion:
 def purge_keys(
     db: sqlite3.Connection, ids: Collection[str], *, spare_running: bool = False
 ) -> Deletion:
-    """Deletes rows by their keys with all that belongs to them, within the caller's transaction.
+    """Deletes rows by their keys with all rows that belong to them, within the caller's transaction.
 
-    A person has decided it: the keys get tombstones, as do the groups, lessons and programs that are deleted with
-    them; so do keys without a row. The same again changes nothing. What is deleted is overwritten in the file; a
-    write-ahead log still holds it until `Database.checkpoint`. Names of files, which people make of those of groups,
-    are deleted too.
+    This is a person's decision. So the keys get tombstones, also keys without a row, as do the groups, lessons and
+    programs that are deleted with them. Repeating the call changes nothing. Deleted rows are overwritten in the file; a
+    write-ahead log still holds them until `Database.checkpoint`. Names of merged files are deleted too, because people
+    name files after groups.
 
     Args:
-        spare_running: raises StoreError `run_in_progress` where a run that has not ended would be deleted.
+        spare_running: raises StoreError `run_in_progress` if a run that has not ended would be deleted.
     """
     before = tombstoned_keys(db)
     _note_who_left(db, ids)
@@ -146,7 +149,7 @@ def purge_keys(
 
 @contextmanager
 def tombstoned_rows(db: sqlite3.Connection) -> Iterator[None]:
-    """Within, `temp.dead` has the keys that are deleted, with the groups, lessons and programs below them."""
+    """Makes `temp.dead` within the context: the tombstoned keys and the groups, lessons and programs below them."""
     db.execute("CREATE TEMP TABLE dead (id TEXT PRIMARY KEY) WITHOUT ROWID")
     try:
         db.execute(f"INSERT INTO temp.dead SELECT id FROM {TOMBSTONED_KEYS}")
@@ -163,7 +166,7 @@ def tombstoned_rows(db: sqlite3.Connection) -> Iterator[None]:
 
 
 def delete_tombstoned(db: sqlite3.Connection, *, spare_running: bool) -> Deletion:
-    """Deletes the rows of `temp.dead` and all that belongs to them; `ids` are those of rows that were there."""
+    """Deletes the rows of `temp.dead` with all rows that belong to them; `ids` are the keys of rows that existed."""
     db.execute("PRAGMA secure_delete = ON")
     exports = _exports_of_tombstoned(db)
     running = _running(db)
@@ -180,7 +183,7 @@ def delete_tombstoned(db: sqlite3.Connection, *, spare_running: bool) -> Deletio
 
 
 def keys_to_delete(db: sqlite3.Connection) -> set[str]:
-    """Keys in `temp.dead` of rows that are here."""
+    """Returns the keys in `temp.dead` of rows that exist."""
     keys = " UNION ALL ".join(
         f"SELECT id FROM main.{table.name} WHERE id IN {_TOMBSTONED}"
         for table in REPLICATED
@@ -190,7 +193,7 @@ def keys_to_delete(db: sqlite3.Connection) -> set[str]:
 
 
 def counts_to_delete(db: sqlite3.Connection) -> dict[str, int]:
-    """Rows by table that `erase` would delete now."""
+    """Returns the numbers of rows by table that `delete_tombstoned` would delete now."""
     rows = {
         table: row_count(db, f"main.{table}", condition) for table, condition in _DELETIONS.items()
     }
@@ -198,30 +201,30 @@ def counts_to_delete(db: sqlite3.Connection) -> dict[str, int]:
 
 
 def names_to_delete(db: sqlite3.Connection) -> tuple[str, ...]:
-    """Names of what `erase` would delete now, classes first; not all where there are many."""
+    """Returns names of rows that `delete_tombstoned` would delete now, classes first, 20 at most."""
     return tuple(str(row["name"]) for row in db.execute(_PENDING_NAMES))
 
 
 def tombstoned_keys(db: sqlite3.Connection) -> set[str]:
-    """Keys of all that was deleted for good, and not kept since."""
+    """Returns the keys of all rows that were deleted for good and not retained since."""
     return {str(key) for (key,) in tuples(db, TOMBSTONED_KEYS[1:-1])}
 
 
 def _note_who_left(db: sqlite3.Connection, ids: Collection[str]) -> None:
-    """Groups that were in these classes and are elsewhere now do not go with them."""
+    """Records the groups that have left these classes, so that they are not deleted with the class."""
     left = """UPDATE former_classes SET has_left = 1 WHERE classroom_id = :key AND group_id IN (
         SELECT id FROM groups WHERE classroom_id IS NOT :key)"""
     db.executemany(left, [{"key": key} for key in ids])
 
 
 def _raise_turn(db: sqlite3.Connection, ids: Iterable[str]) -> None:
-    """Rows that were kept once are deleted in the next turn."""
+    """Raises the turn of retained rows, so that they count as deleted again."""
     query = "UPDATE deletions SET turn = turn + 1 WHERE turn % 2 AND id = ?"
     db.executemany(query, [(key,) for key in ids])
 
 
 def _note_below(db: sqlite3.Connection, before: set[str]) -> None:
-    """What a person deletes gets tombstones, each row that goes with it too, and how far its work was known here."""
+    """Makes tombstones for the rows that a person deletes with others, and records the version vector of each."""
     rows = {str(key) for (key,) in tuples(db, _TOMBSTONED[1:-1])} - before
     db.executemany("INSERT OR IGNORE INTO tombstones VALUES (?)", [(key,) for key in rows])
     _raise_turn(db, rows)
@@ -233,7 +236,7 @@ def _note_below(db: sqlite3.Connection, before: set[str]) -> None:
 
 
 def _exports_of_tombstoned(db: sqlite3.Connection) -> tuple[Exported, ...]:
-    """Those of all of the store, and those of a part that has to do with it; none where nothing is deleted."""
+    """Returns exports of the whole store and exports of a part that may hold the rows; none if no row is deleted."""
     if not counts_to_delete(db):
         return ()
     concerned = {str(key) for (key,) in tuples(db, _CONCERNED) if key}
@@ -246,7 +249,10 @@ def _exports_of_tombstoned(db: sqlite3.Connection) -> tuple[Exported, ...]:
 
 
 def _delete_file_names(db: sqlite3.Connection) -> None:
-    """Exports of deleted rows alone are named once, when the rows go. Of merged files the name alone is deleted."""
+    """Deletes the exports of deleted rows alone, and the file names of merged bundles.
+
+    A report names such an export once, at the deletion. Of merged bundles the other columns stay.
+    """
     tombstoned = {str(key) for (key,) in tuples(db, _TOMBSTONED[1:-1])}
     for row in db.execute("SELECT id, content FROM exports").fetchall():
         if (scope := _scope_of(row["content"])) and scope <= tombstoned:
@@ -255,7 +261,7 @@ def _delete_file_names(db: sqlite3.Connection) -> None:
 
 
 def _scope_of(content: str) -> set[str]:
-    """Keys of the class, group or program that an exported file is of; none for all of the store."""
+    """Returns the keys of the class, group or program of an exported file; none for the whole store."""
     return {key for key in from_json(content)["of"].values() if key}
 
 

@@ -1,7 +1,7 @@
-"""How far the PC that deletes a row knows the work in it: so that other PCs can tell what is newer there.
+"""Version vectors: how far the deleting PC has the work of a row, so that other PCs find the newer work.
 
-Of each group and program it is the newest key of its versions and runs by PC, as the keys of one PC grow, and the class
-that the group was in.
+The vector of a group or program has the newest key of its versions and runs for each PC, as the keys of one PC
+grow. The class of a group stands beside it.
 """
 
 from collections.abc import Collection, Iterator
@@ -20,7 +20,7 @@ _NEWEST = """
 
 
 def version_vectors(db: sqlite3.Connection, ids: Collection[str]) -> Iterator[tuple[str, str]]:
-    """Of the groups and programs among these keys: the key, and what `deletions.knew` is to hold."""
+    """Yields key and version vector, as `deletions.knew` stores it, of the groups and programs among the keys."""
     rows = "SELECT id, classroom_id FROM main.groups UNION ALL SELECT id, NULL FROM main.programs"
     found = {str(key): classroom for key, classroom in tuples(db, rows) if key in ids}
     if not found:

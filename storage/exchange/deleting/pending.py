@@ -1,5 +1,6 @@
-"""What a bundle would delete here, by name: what of it was moved or is newer than where it was deleted, and keeping it.
+"""What a bundle would delete in this store, by name, and retaining it.
 
+Finds the work that was moved, or that is newer than the deleting PC's.
 In the SQL `main` is the store as it was before the merge, and `bundle` the bundle.
 """
 
@@ -21,7 +22,7 @@ _PROGRAMS = """SELECT programs.id, programs.name, group_id, groups.name AS place
 _WORK = """SELECT 'edit' AS kind, versions.id, program_id, group_id, coalesce(computer_id, '') AS computer_id
     FROM main.versions JOIN main.programs ON programs.id = program_id
     UNION ALL SELECT 'run', id, program_id, group_id, coalesce(computer_id, '') FROM main.runs"""
-# what is kept with a group or program: the class that it is in, here or in the bundle, and all that is below it
+# rows retained with a group or program: its class, in the store or in the bundle, and all rows below it
 _RETAINED = """
     WITH chosen AS (SELECT value AS id FROM json_each(?)),
          a_program AS (SELECT id, group_id FROM main.programs
@@ -37,13 +38,13 @@ _RETAINED = """
 
 @dataclass(frozen=True, slots=True)
 class PendingWork:
-    """A group, or a program whose group stays, that a merge would delete.
+    """A group that a merge would delete, or a program whose group stays.
 
     Attributes:
         kind: `group` or `program`.
         place: name of the class of the group now, or of the group of the program; "" for none.
-        is_moved: the group is in another class than where it was deleted.
-        n_new_programs: programs that were unknown where it was deleted; likewise edits and runs.
+        is_moved: the group is in another class than on the deleting PC.
+        n_new_programs: programs that the deleting PC did not have; likewise edits and runs.
     """
 
     kind: str
@@ -59,14 +60,17 @@ class PendingWork:
 
     @property
     def is_newer(self) -> bool:
-        """Moved, or with work that was unknown where it was deleted: kept unless a person says otherwise."""
+        """True if it was moved, or has work that the deleting PC did not have; it is retained by default."""
         return bool(self.is_moved or self.n_new_programs or self.n_new_edits or self.n_new_runs)
 
 
 @dataclass(frozen=True, slots=True)
 class PendingDeletion:
-    """What a merge would delete, by number; `names` are those of classes, groups, lessons and programs, not all where
-    there are many. `work` has each group and program that can be kept."""
+    """What a merge would delete, as numbers of rows.
+
+    `names` has names of classes, groups, lessons, programs, signs and runs, 20 at most. `work` has each group and
+    program that can be retained.
+    """
 
     groups: int
     programs: int
@@ -76,12 +80,12 @@ class PendingDeletion:
 
     @property
     def newer(self) -> frozenset[str]:
-        """Keys of what was moved, or is newer here."""
+        """Keys of groups and programs that were moved, or are newer here."""
         return frozenset(one.id for one in self.work if one.is_newer)
 
 
 def pending_work(db: sqlite3.Connection, to_delete: Collection[str]) -> Iterator[PendingWork]:
-    """The groups and programs among the doomed keys, with the bundle attached."""
+    """Yields the groups and programs among the keys to delete; the bundle is attached."""
     version_vectors = _version_vectors(db)
     deleted = {str(key) for (key,) in tuples(db, _DELETED_THERE)}
     work = [row for row in tuples(db, _WORK) if row[2] in to_delete or row[3] in to_delete]
@@ -110,10 +114,10 @@ def pending_work(db: sqlite3.Connection, to_delete: Collection[str]) -> Iterator
 
 
 def retain(db: sqlite3.Connection, ids: Collection[str], to_delete: Collection[str]) -> set[str]:
-    """Notes that groups and programs stay, with what belongs to them: everywhere, until they are deleted anew.
+    """Records that groups and programs are retained with their rows, on every PC, until they are deleted again.
 
     Returns:
-        Their keys, those of their classes, and of what is below them.
+        Their keys, the keys of their classes, and of all rows below these.
     """
     retained = {str(key) for (key,) in tuples(db, _RETAINED, (to_json(sorted(ids)),))}
     turns = f"""
@@ -137,7 +141,7 @@ def _version_vectors(db: sqlite3.Connection) -> dict[str, dict[str, Any]]:
 def _counted(
     work: list[tuple[Any, ...]], known: dict[str, Any], new_programs: int
 ) -> tuple[int, int, int, int]:
-    """Runs, new programs, new edits and new runs. An earlier release did not note what it knew."""
+    """Returns numbers of runs, new programs, new edits and new runs. Earlier releases recorded no vector."""
     newest = known.get("newest")
     new = [
         kind

@@ -1,4 +1,4 @@
-"""Deletions that came with a file and about which nobody has decided: merging that file again asks again."""
+"""Deletions that came with a file and that nobody has decided yet: merging the file again asks again."""
 
 from dataclasses import asdict, dataclass, fields
 
@@ -13,12 +13,12 @@ _NAME = "undecided_deletions"
 
 @dataclass(frozen=True, slots=True)
 class UnresolvedDeletion:
-    """What was deleted for good on another PC and is still here.
+    """Rows that were deleted for good on another PC and are still in this store.
 
     Attributes:
         computer_id, computer: the PC that wrote the file.
-        path: the file that told of it last.
-        groups, programs, runs: how many rows of each would go.
+        path: the newest file with the deletion.
+        groups, programs, runs: how many rows of each would be deleted.
     """
 
     computer_id: str
@@ -33,12 +33,12 @@ class UnresolvedDeletion:
 def record_unresolved(
     db: sqlite3.Connection, info: BundleInfo, pending: PendingDeletion | None
 ) -> None:
-    """Notes what the newest merge of a PC's file left undecided, within the caller's transaction."""
+    """Records the deletions of the newest file of a PC that are unresolved, within the caller's transaction."""
     before = _stored(db)
     left = {one.computer_id: one for one in before}
     known = left.pop(info.computer_id, None)
     if known is not None and info.exported_at < known.exported_at:
-        return  # an older file does not know what the PC deleted since
+        return  # an older file lacks later deletions of the PC
     if pending is not None:
         left[info.computer_id] = UnresolvedDeletion(
             info.computer_id,
@@ -54,7 +54,7 @@ def record_unresolved(
 
 
 def unresolved_deletions(database: Database) -> list[UnresolvedDeletion]:
-    """One for each PC; the file that was merged last is the last."""
+    """Returns one entry for each PC, in the order of the merges."""
     with database.read_connection() as db:
         return _stored(db)
 
