@@ -74,7 +74,7 @@ def is_full(error: OSError) -> bool:
 
 
 def _why_not_writable(path: Path) -> str | None:
-    """Returns the code of the cause that keeps SQLite from writing, if SQLite reports only an I/O error."""
+    """Returns the code of the cause that prevents writing, if SQLite reports only an I/O error."""
     error = _error_of_writing(path)
     if error is not None and error.errno == errno.EROFS:  # Linux makes a disk with errors read-only
         return "database_read_only"

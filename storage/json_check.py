@@ -1,7 +1,7 @@
 """Checks whether a text is JSON that every part of the program can read, without a parser that could fail.
 
 Blockly nests each block in the one above it, with two levels of JSON for a block. A workspace may be thousands of
-levels deep. The web server allows that depth; Python's own parser elsewhere does not.
+levels deep. The web server allows that depth; Python's own parser, which other parts use, does not.
 """
 
 import json

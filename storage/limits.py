@@ -8,8 +8,8 @@ MAX_NUMBER = 10**9  # of a version within its program; MAX_NUMBERS_AHEAD is far 
 # versions of a program are numbered from 1 and never deleted one by one: a number further above their count is forged
 MAX_NUMBERS_AHEAD = 10_000
 MAX_REVISION = 10**6  # a person makes each change; at the limit the later time decides
-# decisions about one row, of which even ones delete. The limit is even, so that no forged file can retain for ever what
-# a school must delete
+# decisions about one row, of which even ones delete. The limit is even, so that no forged file can retain for ever a
+# row that a school must delete
 MAX_TURN = 10_000
 LAST_YEAR = 9998  # of a time; leaves a day for time zones at the end of the calendar
 # for comparison: a run of an hour with the maximum of commands in each tick executes 1.08e8 commands

@@ -101,11 +101,11 @@ class Maintenance:
         self._notify()
 
     def back_up_at_the_end(self) -> None:
-        """Backs up what was saved since the last backup; stops after some seconds, and then leaves no file.
+        """Makes a backup if the last one lacks work; stops after 3 s, and then leaves no file.
 
         For the end of the app, when nothing is written any more. The next start meets a failure again and reports it.
         """
-        from storage.file.backups import lacks_work, list_backups, make_backup  # noqa: PLC0415 - see above
+        from storage.file.backups import lacks_work, list_backups, make_backup  # noqa: PLC0415 - after the start
 
         if not self._store.can_write:
             return
@@ -132,7 +132,7 @@ class Maintenance:
             self._notify()
 
     def finish_removals(self) -> None:
-        """Deletes from backups what was deleted for good, if that was interrupted; a failure is tried again later."""
+        """Completes interrupted deletions for good in the backups; a failure is tried again later."""
         with contextlib.suppress(StoreError):
             self._store.exchange.finish_removals(self._ended.is_set)
 

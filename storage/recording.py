@@ -36,9 +36,10 @@ def _by_timer(delay_s: float, call: Callable[[], None]) -> Cancel:
 class RunRecorder:
     """Records every event of a run, in order, from one thread at a time.
 
-    A batch that cannot be written, as on a full disk, stays in memory. It is tried again with the next batch, after any
-    other successful write, and every 1.5 s until it is on disk, also after the run has ended. So a run never waits for
-    the disk, and loses nothing if space is freed in time.
+    A batch that cannot be written, as on a full disk, stays in memory. It is tried again with the next batch, after
+    any other successful write, and every 1.5 s. Attempts go on until the batch is
+    on disk, also after the run has ended. So
+    a run never waits for the disk, and loses nothing if space is freed in time.
 
     Args:
         on_change: called with the error when writing fails, and with None when it works again.
@@ -68,7 +69,7 @@ class RunRecorder:
         self._flushed_at = clock()
         self._run = _Recording("")
         self._unsaved: list[Batch] = []
-        # one thread brings events, others call `flush`
+        # one thread adds events, others call `flush`
         self._taking = threading.Lock()
         self._lock = threading.Lock()
         self._schedule = schedule
@@ -157,7 +158,7 @@ class RunRecorder:
 
 def warm_up() -> None:
     """Imports modules that the first run would otherwise wait for."""
-    from storage.runs import simplify_path, telemetry  # noqa: F401, PLC0415 - see above
+    from storage.runs import simplify_path, telemetry  # noqa: F401, PLC0415 - needs numpy
 
 
 class _Recording:
@@ -181,7 +182,7 @@ class _Recording:
         """Returns all pending events as a batch, None if there are none."""
         if not self._events and not self._samples:
             return None
-        from storage.runs.simplify_path import outline_of_trail  # noqa: PLC0415 - see above
+        from storage.runs.simplify_path import outline_of_trail  # noqa: PLC0415 - needs numpy
         from storage.runs.telemetry import pack, rows_of  # noqa: PLC0415
 
         batch = Batch(self.run_id, now, events=self._events)

@@ -144,7 +144,7 @@ def update_row(
     *,
     n_revisions: int = 1,
 ) -> None:
-    """Updates a row and raises its revision: only such a state wins over the row's earlier state in merges.
+    """Updates a row and raises its revision: only this makes a state that wins over the row's earlier state in merges.
 
     Args:
         n_revisions: the number to raise the revision by. With 0 only the time is newer, so changes by other PCs that

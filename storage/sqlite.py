@@ -4,7 +4,7 @@ A system's SQLite can have the WAL-reset fault (sqlite.org/wal.html, fixed in 3.
 two connections write or checkpoint at the same moment. sqlite-utils chooses in the same way.
 
 No other module imports SQLite. Two of its libraries in one process undo each other's locks on a file
-(sqlite.org/howtocorrupt.html, 2.2.1), and code that catches the errors of one does not catch those of the other.
+(sqlite.org/howtocorrupt.html, 2.2.1). Also, code that catches the errors of one does not catch errors of the other.
 """
 
 from typing import TYPE_CHECKING
