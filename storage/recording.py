@@ -37,9 +37,8 @@ class RunRecorder:
     """Records every event of a run, in order, from one thread at a time.
 
     A batch that cannot be written, as on a full disk, stays in memory. It is tried again with the next batch, after
-    any other successful write, and every 1.5 s. Attempts go on until the batch is
-    on disk, also after the run has ended. So
-    a run never waits for the disk, and loses nothing if space is freed in time.
+    any other successful write, and every 1.5 s. Attempts go on until the batch is on disk, also after the run has
+    ended. So a run never waits for the disk, and loses nothing if space is freed in time.
 
     Args:
         on_change: called with the error when writing fails, and with None when it works again.

@@ -1,6 +1,7 @@
 """Pending deletions: finds the work that a merge would delete, and retains it if a person decides so.
 
 Also finds whether the work was moved, or is newer than the version vector of the deleting PC.
+
 In the SQL `main` is the store as it was before the merge, and `bundle` the bundle.
 """
 
