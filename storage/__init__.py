@@ -1,7 +1,7 @@
 """The store: one SQLite file with everything that groups made and ran.
 
-A leaf: imports nothing of the application. `open_store` opens the file,
-`open_for_reading` only looks at it, `Recorder` records live runs into it.
+A leaf: it imports nothing of the application. `open_store` opens the file, `open_for_reading` opens it without changing
+it, `RunRecorder` records live runs.
 """
 
 from storage.errors import StoreError

@@ -1,6 +1,6 @@
 """Colours and pictures that a group can choose."""
 
-# told apart on a projector and by colour-blind pupils; each dark enough for white text
+# distinguishable on a projector and by colour-blind pupils; each dark enough for white text
 COLORS = (
     "#1f6f8b",
     "#b3541e",
@@ -15,7 +15,7 @@ COLORS = (
     "#9c3d97",
     "#4a6b1c",
 )
-# what pupils of any school know and tell apart at a glance; the page has a drawing of each
+# known to pupils of any school and distinguishable at a glance; the page has a drawing of each
 PICTURES = (
     "rocket",
     "cat",
@@ -42,5 +42,5 @@ PICTURES = (
     "apple",
     "moon",
 )
-# of a group whose colour is not known
+# for a group whose colour is unknown
 GREY = "#808080"

@@ -1,4 +1,4 @@
-"""Errors of the store: a code and what fills its words."""
+"""Errors of the store: a code, and the parameters of its message."""
 
 import contextlib
 import errno
@@ -19,7 +19,7 @@ _BY_PREFIX = {
     "SQLITE_CORRUPT": "database_damaged",
     "SQLITE_NOTADB": "database_damaged",
 }
-# what SQLite says of an error of a backup, of which pysqlite3 tells no name (sqlite.org/c3ref/errcode.html)
+# SQLite's messages by error name: pysqlite3 gives no name for an error of a backup (sqlite.org/c3ref/errcode.html)
 _NAMES = {
     "database or disk is full": "SQLITE_FULL",
     "attempt to write a readonly database": "SQLITE_READONLY",
@@ -35,7 +35,7 @@ _PROBE = 2**16
 
 
 class StoreError(Exception):
-    """Something a person can act on; the words for the code are the application's.
+    """An error that a person can act on; the application has the messages of the codes.
 
     Codes: `disk_full`, `database_read_only`, `database_locked`, `database_damaged`, `database_newer`,
     `database_older`, `database_foreign`, `database_is_bundle`, `database_unreadable`, `database_failed`;
@@ -53,7 +53,7 @@ class StoreError(Exception):
 
 
 def translated(error: sqlite3.Error, path: Path) -> StoreError:
-    """SQLite's error as ours."""
+    """Translates an error of SQLite."""
     name = error_name(error)
     for prefix, by_prefix in _BY_PREFIX.items():
         if name.startswith(prefix):
@@ -64,19 +64,19 @@ def translated(error: sqlite3.Error, path: Path) -> StoreError:
 
 
 def error_name(error: BaseException) -> str:
-    """SQLite's name of an error, such as `SQLITE_FULL`; empty for one that is not SQLite's."""
+    """Returns SQLite's name of an error, such as `SQLITE_FULL`; empty for errors that are not SQLite's."""
     return str(getattr(error, "sqlite_errorname", "")) or _NAMES.get(str(error), "")
 
 
 def is_full(error: OSError) -> bool:
-    """True where no more could be written: the disk, this user's quota or the greatest size of a file is used up."""
+    """Returns True if the disk, this user's quota or the maximum size of a file is used up."""
     return error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 def _why_not_writable(path: Path) -> str | None:
-    """The code for what keeps SQLite from writing, where it says only that input or output failed."""
+    """Returns the code of the cause that prevents writing, if SQLite reports only an I/O error."""
     error = _error_of_writing(path)
-    if error is not None and error.errno == errno.EROFS:  # the system does so to a disk with errors
+    if error is not None and error.errno == errno.EROFS:  # Linux makes a disk with errors read-only
         return "database_read_only"
     is_without_room = _is_nearly_full(path) or _is_file_limit_reached(path)
     return "disk_full" if is_without_room or (error and is_full(error)) else None
@@ -90,7 +90,7 @@ def _is_nearly_full(path: Path) -> bool:
 
 
 def _is_file_limit_reached(path: Path) -> bool:
-    """True where the system lets no file of this user grow (`ulimit -f`) to what the file, its WAL included, needs."""
+    """Returns True if the user's limit on file size (`ulimit -f`) is below the size that file and WAL need."""
     if sys.platform == "win32":
         return False
     import resource  # noqa: PLC0415 - not available on every system
@@ -108,8 +108,8 @@ def _size_with_wal(path: Path) -> int:
 
 
 def _error_of_writing(path: Path) -> OSError | None:
-    """What the system says when something is written beside the file."""
-    import tempfile  # noqa: PLC0415 - hardly ever needed
+    """Returns the system's error when something is written beside the file, None if that works."""
+    import tempfile  # noqa: PLC0415 - rarely needed
 
     try:
         with tempfile.TemporaryFile(dir=path.parent) as file:

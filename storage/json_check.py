@@ -1,7 +1,7 @@
-"""Whether a text is JSON that every part of the program can read, checked without a parser that could fail.
+"""Checks whether a text is JSON that every part of the program can read, without a parser that could fail.
 
-Blockly nests each block in the one above it, two levels of JSON a block: a workspace may be thousands deep, which
-the web server makes room for and Python's own parser elsewhere does not.
+Blockly nests each block in the one above it, with two levels of JSON for a block. A workspace may be thousands of
+levels deep. The web server allows that depth; Python's own parser, which other parts use, does not.
 """
 
 import json
@@ -10,10 +10,10 @@ import re
 from functools import lru_cache
 from typing import Any
 
-_PLAIN_DEPTH = 400  # what Python's parser always has room for
-_SHORT = 4_000  # signs
-_MAX_DEPTH = 9_000  # under the web server's limit
-_MAX_DIGITS = 4_300  # of a whole number, as Python's own parser
+_PLAIN_DEPTH = 400  # Python's parser always allows this depth
+_SHORT = 4_000  # characters
+_MAX_DEPTH = 9_000  # below the web server's limit
+_MAX_DIGITS = 4_300  # of an integer, the limit of Python's own parser
 _BRACKETS = re.compile(r'"(?:[^"\\]|\\.)*"|([\[{])|([\]}])')
 _TOKEN = re.compile(
     r'[ \t\n\r]*(?:(?P<string>"(?:[^"\\\x00-\x1f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*")'
@@ -23,18 +23,18 @@ _OPENING = {"{": "}", "[": "]"}
 
 
 def parsed(text: str) -> Any:
-    """The value of a JSON text of ordinary depth, with finite numbers and each key once; None for every other."""
+    """Returns the value of JSON of ordinary depth, with finite numbers and each key once; None for other texts."""
     # short texts recur; large ones are not cached, to free their memory
     return _cached_read(text) if len(text) <= _SHORT else _read(text)
 
 
 def is_deep(text: str) -> bool:
-    """Whether Python's own parser may have no room for it."""
+    """Returns whether the text may be too deep for Python's own parser."""
     return _is_deeper_than(text, _PLAIN_DEPTH)
 
 
 def is_object(text: str) -> bool:
-    """True for a JSON object, which may be as deep as a workspace."""
+    """Returns True for a JSON object, which may be as deep as a workspace."""
     if not is_deep(text):
         return isinstance(parsed(text), dict)
     return not _is_deeper_than(text, _MAX_DEPTH) and _is_deep_object(text)
@@ -79,7 +79,7 @@ def _is_deeper_than(text: str, limit: int) -> bool:
 
 
 def _is_deep_object(text: str) -> bool:
-    """The grammar of RFC 8259, with a stack of our own."""
+    """Checks the grammar of RFC 8259 with an explicit stack, as recursion would be too deep."""
     closings: list[str] = []
     awaited, place = "object", 0
     while awaited != "end":
@@ -95,7 +95,7 @@ def _is_deep_object(text: str) -> bool:
 
 
 def _after(token: re.Match[str], awaited: str, closings: list[str]) -> str | None:
-    """What must follow a token where another was awaited; None where it must not stand."""
+    """Returns the token that must follow; None if this token is not allowed here."""
     sign = token["sign"]
     if (
         sign in _OPENING

@@ -1,30 +1,30 @@
-"""Limits of what a store writes. A bundle that exceeds one is refused, as no store wrote it.
+"""Limits of the values that a store writes. A bundle that exceeds one is refused, as no store wrote it.
 
-Numbers that grow by one with each change stop at their limit, so that a store with the largest number never writes what
-another store would refuse.
+Numbers that grow by one with each change stop at their limit. So a store with the largest number never writes a value
+that another store would refuse.
 """
 
 MAX_NUMBER = 10**9  # of a version within its program; MAX_NUMBERS_AHEAD is far less
-# versions of a program are counted from 1 on, none is ever taken out: a number so far beyond their count was made up
+# versions of a program are numbered from 1 and never deleted one by one: a number further above their count is forged
 MAX_NUMBERS_AHEAD = 10_000
-MAX_REVISION = 10**6  # a person changes a row; at the limit the later time decides
-# decisions about one row, of which even ones delete: the last is a deletion, so that no made-up file keeps for ever
-# what a school must delete
+MAX_REVISION = 10**6  # a person makes each change; at the limit the later time decides
+# decisions about one row, of which even ones delete. The limit is even, so that no forged file can retain for ever a
+# row that a school must delete
 MAX_TURN = 10_000
-LAST_YEAR = 9998  # of a time: a day to spare at the end of the calendar for zones of time
-# a run of an hour at the most commands a tick has 1.08e8
+LAST_YEAR = 9998  # of a time; leaves a day for time zones at the end of the calendar
+# for comparison: a run of an hour with the maximum of commands in each tick executes 1.08e8 commands
 MAX_COUNT = 10**12
-# bytes of one text or blob: of a body of 4 MiB, with each number and letter written at its longest
+# bytes of one text or blob: a request body of 4 MiB, with each number and letter in its longest encoding
 MAX_VALUE = 16 * 2**20
 MAX_NAME = 60  # letters
 MAX_NOTE = 1000  # letters
 MAX_SIGN = 30  # letters of a taught sign's name
 MAX_TAUGHT_SAMPLES = 20  # of one sign of a class: hands at rest, and as many movements
-MAX_TAUGHT_SIGNS = 60  # of a class that count; it does not record more
-# of a hand, as the application's gestures/features.py computes them; a movement (gestures/movements.py) has as many
+MAX_TAUGHT_SIGNS = 60  # of a class; it records no more, and more from merges do not count
+# features of a hand, computed by the application's gestures/features.py; a movement (gestures/movements.py) has as many
 N_FEATURES = 1748
-MAX_OWN_ACTIVITIES = 200  # of a school that can be chosen
+MAX_OWN_ACTIVITIES = 200  # of a school, without deleted ones
 SAMPLES_PER_HOUR = 108_000
-# of all runs of a file that is opened without PIN: unpacking them takes a second, and nobody runs one program so long
+# of all runs in a file opened without PIN: unpacking them takes a second, and no program is run for so long
 MAX_SAMPLES_WITHOUT_PIN = 36 * SAMPLES_PER_HOUR
-MAX_SAMPLES = 200_000  # in a chunk of telemetry, and in all of a run: an hour has 108,000
+MAX_SAMPLES = 200_000  # in a chunk of telemetry, and in a whole run; an hour has 108,000

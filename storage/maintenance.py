@@ -13,8 +13,8 @@ from storage.sqlite import sqlite3
 from storage.store import Store
 from storage.text import utc_now
 
-NEARLY_FULL = 500 * 10**6
-_ENOUGH_FREE = 550 * 10**6
+NEARLY_FULL = 500 * 10**6  # bytes
+_ENOUGH_FREE = 550 * 10**6  # bytes; ends the notice
 _FIRST_S = 15.0  # after the start, and after a group's first edits
 _EVERY_S = 300.0
 _CLOSING_S = 3.0
@@ -25,11 +25,11 @@ class Maintenance:
     """Makes backups and watches the disk, on a thread of its own between `start` and `close`.
 
     Args:
-        on_change: called, never twice at a time, with another notice, or with None when all is well again.
-        free: bytes that are free where a folder lies.
+        on_change: called with another notice, or with None when there is none any more; never twice at a time.
+        free: returns the free bytes on the disk of a folder.
 
     Attributes:
-        notice: what a person should know now, None when all is well.
+        notice: the present notice to people, None for none.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class Maintenance:
         self._thread: threading.Thread | None = None
 
     def start(self) -> None:
-        """Checks the free space at once, everything else later; does nothing for a file that cannot be written."""
+        """Checks the free space at once, everything else later; does nothing if the file cannot be written."""
         if self._store.can_write:
             self.check_space()
             self._thread = threading.Thread(
@@ -63,16 +63,16 @@ class Maintenance:
             self._thread.start()
 
     def close(self) -> None:
-        """Ends soon, also in the middle of a backup, which then leaves nothing."""
+        """Ends soon, even during a backup, which then leaves no file."""
         self._ended.set()
         if self._thread is not None:
             self._thread.join()
 
     def check_space(self) -> None:
-        """Finds out whether the disk is nearly full."""
+        """Updates the notice that the disk is nearly full."""
         try:
             free = self._free(self._store.path.parent)
-        except OSError:  # writing will report it
+        except OSError:  # the next write reports it
             return
         if free < (_ENOUGH_FREE if self._space else NEARLY_FULL):
             folder = str(self._store.path.parent)
@@ -82,7 +82,7 @@ class Maintenance:
         self._notify()
 
     def back_up(self) -> None:
-        """Makes a backup if it is time for one."""
+        """Makes a backup if one is due."""
         from storage.file.backups import folder_of, is_due, make_backup  # noqa: PLC0415 - after the start
 
         path, now = self._store.path, self._clock()
@@ -92,7 +92,7 @@ class Maintenance:
             make_backup(path, now, free=self._free, stop=self._ended.is_set)
         except StoreError as error:
             self._backup = Notice(error.code, error.params)
-        except Exception as error:  # any failure is shown, and the next attempt is in an hour
+        except Exception as error:  # any failure is shown; the next attempt is in an hour
             self._backup = Notice(
                 "backup_failed", {"folder": str(folder_of(path)), "problem": str(error)}
             )
@@ -101,11 +101,11 @@ class Maintenance:
         self._notify()
 
     def back_up_at_the_end(self) -> None:
-        """Makes a backup of what was saved since the last one; gives up after some seconds, and leaves nothing then.
+        """Makes a backup if the last one lacks work; stops after 3 s, and then leaves no file.
 
-        For the end of the app, when nobody writes any more. A failure is met again, and told, at the next start.
+        For the end of the app, when nothing is written any more. The next start meets a failure again and reports it.
         """
-        from storage.file.backups import lacks_work, list_backups, make_backup  # noqa: PLC0415 - see above
+        from storage.file.backups import lacks_work, list_backups, make_backup  # noqa: PLC0415 - after the start
 
         if not self._store.can_write:
             return
@@ -120,19 +120,19 @@ class Maintenance:
                 self._share.update(deadline - time.monotonic())
 
     def copy_to_share(self) -> None:
-        """Has the newest backup copied to the school's shared folder, if that is wanted; does not wait for it."""
+        """Starts the copying of the newest backup to the school's shared folder, if it is enabled; does not wait."""
         with contextlib.suppress(StoreError):
             self._share.update()
 
     def check_integrity(self) -> None:
-        """Finds damage that the start does not look for; indexes that do not fit are made anew."""
+        """Finds damage that the start does not check for, and rebuilds indexes that do not match their tables."""
         if problem := self._store.check_and_reindex(self._ended.is_set):
             path = str(self._store.path)
             self._backup = Notice("backup_found_damage", {"path": path, "problem": problem})
             self._notify()
 
     def finish_removals(self) -> None:
-        """Deletes from backups what was deleted for good, where that was cut off; a failure is tried again later."""
+        """Completes interrupted deletions for good in the backups; a failure is tried again later."""
         with contextlib.suppress(StoreError):
             self._store.exchange.finish_removals(self._ended.is_set)
 
@@ -149,8 +149,8 @@ class Maintenance:
             pause_s, n_checks = _EVERY_S, n_checks + 1
 
     def _notify(self) -> None:
-        """Reports another notice; not another figure within the same notice, which is read when it is shown."""
-        with self._notify_lock:  # the copies are made on another thread
+        """Reports another notice. A new number within the same notice is read when the notice is shown."""
+        with self._notify_lock:  # `BackupShare` calls it on another thread
             before, self.notice = self.notice, self._space or self._backup or self._share.problem
             is_another = (before and before.code) != (self.notice and self.notice.code)
             if is_another and not self._ended.is_set():

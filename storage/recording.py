@@ -1,6 +1,6 @@
-"""Events of a live run into the store: in batches of about a second, beginning and end at once.
+"""Records the events of live runs into the store: in batches of about a second, the start and the end at once.
 
-numpy takes longer to load than the rest of the store: it is imported when first used, or by `warm_up`.
+numpy takes longer to load than the rest of the store, so it is imported when first used, or by `warm_up`.
 """
 
 import threading
@@ -34,20 +34,20 @@ def _by_timer(delay_s: float, call: Callable[[], None]) -> Cancel:
 
 
 class RunRecorder:
-    """Takes every event of a run, in order, from one thread at a time.
+    """Records every event of a run, in order, from one thread at a time.
 
-    What cannot be written (the disk is full) is kept in memory and tried again: with the next batch, after
-    anything else that could be written, and every second or two for as long as it is not on disk, also when the
-    run has ended. So a run never waits for the disk and loses nothing when room is made in time.
+    A batch that cannot be written, as on a full disk, stays in memory. It is tried again with the next batch, after
+    any other successful write, and every 1.5 s. Attempts go on until the batch is on disk, also after the run has
+    ended. So a run never waits for the disk, and loses nothing if space is freed in time.
 
     Args:
         on_change: called with the error when writing fails, and with None when it works again.
         recorded: types of event that are recorded, None for all.
-        urgent: types of event that are written at once, since nothing may follow them for long.
-        schedule: calls after a delay in s unless it is cancelled; used only while something is unsaved.
+        urgent: types of event that are written at once, because no event may follow for a long time.
+        schedule: calls a function after a delay in s, unless cancelled; used only while batches are unsaved.
 
     Attributes:
-        problem: why the last batch could not be written, None when all is well.
+        problem: why the last batch could not be written, None if it was.
     """
 
     def __init__(
@@ -68,9 +68,8 @@ class RunRecorder:
         self._flushed_at = clock()
         self._run = _Recording("")
         self._unsaved: list[Batch] = []
-        self._taking = (
-            threading.Lock()
-        )  # events come on one thread, readers who want them on others
+        # one thread adds events, others call `flush`
+        self._taking = threading.Lock()
         self._lock = threading.Lock()
         self._schedule = schedule
         self._cancel_retry: Cancel | None = None
@@ -78,7 +77,7 @@ class RunRecorder:
         store.listen(self._after_write)
 
     def __call__(self, event: Event) -> None:
-        """Records one event. Returns after `run_ended` only when the run is on disk, or cannot be."""
+        """Records one event. For `run_ended`, waits until the run is on disk or writing fails, 2 s at most."""
         if self._recorded is not None and event["type"] not in self._recorded:
             return
         with self._taking:
@@ -91,7 +90,7 @@ class RunRecorder:
                 _wait(written)
 
     def flush(self) -> "Future[list[Batch]]":
-        """Hands what is pending to the writer; from any thread."""
+        """Submits the pending events to the writer; from any thread."""
         with self._taking:
             self._flushed_at = self._clock()
             batch = self._run.drain(self._store.now())
@@ -101,13 +100,13 @@ class RunRecorder:
         return self._submit()
 
     def unsaved_end(self, run_id: str) -> Event | None:
-        """The end of a run that is over but not on disk; None for any other run."""
+        """Returns the end of a run that has ended but is not on disk; None for any other run."""
         with self._lock:
             ends = [batch.ended for batch in self._unsaved if batch.run_id == run_id]
         return next((ended for ended in ends if ended is not None), None)
 
     def close(self) -> None:
-        """Tries no more. Call `flush` before."""
+        """Stops all further attempts. Call `flush` before."""
         self._closed = True
         self._plan_retry()
 
@@ -140,7 +139,7 @@ class RunRecorder:
             self._submit()
 
     def _plan_retry(self) -> None:
-        """Has a timer while there is a problem and a file to write to; none otherwise."""
+        """Schedules an attempt while there is a problem and a file to write to; otherwise cancels it."""
         with self._lock:
             hopeful = self.problem is not None and self._store.can_write and not self._closed
             if hopeful and self._cancel_retry is None:
@@ -157,12 +156,12 @@ class RunRecorder:
 
 
 def warm_up() -> None:
-    """Loads what the first run would have to wait for."""
-    from storage.runs import simplify_path, telemetry  # noqa: F401, PLC0415 - see above
+    """Imports modules that the first run would otherwise wait for."""
+    from storage.runs import simplify_path, telemetry  # noqa: F401, PLC0415 - needs numpy
 
 
 class _Recording:
-    """What is pending of one run."""
+    """The pending events of one run."""
 
     def __init__(self, run_id: str) -> None:
         self.run_id = run_id
@@ -179,10 +178,10 @@ class _Recording:
         self._follow(float(event["x_m"]), float(event["y_m"]))
 
     def drain(self, now: str) -> Batch | None:
-        """All that is pending as a batch; None when there is nothing."""
+        """Returns all pending events as a batch, None if there are none."""
         if not self._events and not self._samples:
             return None
-        from storage.runs.simplify_path import outline_of_trail  # noqa: PLC0415 - see above
+        from storage.runs.simplify_path import outline_of_trail  # noqa: PLC0415 - needs numpy
         from storage.runs.telemetry import pack, rows_of  # noqa: PLC0415
 
         batch = Batch(self.run_id, now, events=self._events)
@@ -199,13 +198,13 @@ class _Recording:
         return batch
 
     def _follow(self, x_m: float, y_m: float) -> None:
-        """Keeps a point for each centimetre, so that an hour's run stays small in memory."""
+        """Adds a point for each centimetre, so that an hour's run stays small in memory."""
         if not self._trail or hypot(x_m - self._trail[-2], y_m - self._trail[-1]) >= _TRAIL_STEP_M:
             self._trail.extend((x_m, y_m))
 
 
 def _wait(written: "Future[list[Batch]]") -> None:
-    """Waits for the disk, but not for long: the page should read an ended run when it gets the event."""
+    """Waits for the disk, 2 s at most: the page should find the run ended when it receives the event."""
     try:
         written.result(_END_TIMEOUT_S)
     except (StoreError, FutureTimeout):

@@ -1,4 +1,4 @@
-"""Rows as the store hands them out. Times are ISO 8601 text in UTC, ids UUID text."""
+"""Types of the rows that the store returns. Times are ISO 8601 text in UTC, ids UUID text."""
 
 import math
 from dataclasses import dataclass, field
@@ -15,7 +15,7 @@ SIMULATOR = "sim"  # the link of simulated runs
 
 @dataclass(frozen=True, slots=True)
 class GroupRow:
-    """Pupils who work together; `n_programs` without those in the bin, which are `n_in_bin`."""
+    """Pupils who work together; `n_programs` is without programs in the bin, whose number is `n_in_bin`."""
 
     id: str
     name: str
@@ -30,7 +30,7 @@ class GroupRow:
 
 @dataclass(frozen=True, slots=True)
 class ClassroomRow:
-    """A class of the school; `computer` is the PC of its first lesson, None before that."""
+    """A class of the school; `computer` is the PC of its first lesson, None before."""
 
     id: str
     name: str
@@ -41,10 +41,10 @@ class ClassroomRow:
 
 @dataclass(frozen=True, slots=True)
 class LessonRow:
-    """A meeting of a class; `title` is "" where it was opened by itself.
+    """A meeting of a class; `title` is "" if the lesson opened by itself.
 
     Attributes:
-        computer: name of the PC where it was opened last.
+        computer: name of the PC that opened it last.
         part_of: the lesson that it was joined to.
     """
 
@@ -65,7 +65,7 @@ class LessonRow:
 
 @dataclass(frozen=True, slots=True)
 class NoteRow:
-    """What the teacher has written about a run."""
+    """A note of the teacher about a run."""
 
     id: str
     run_id: str
@@ -92,7 +92,8 @@ class OwnActivityRow:
 class SignSamples:
     """A sign that a class taught.
 
-    samples, movements: hands at rest, and movements; rows of `N_FEATURES` float16, little-endian, the newest first.
+    Attributes:
+        samples, movements: hands at rest, and movements; rows of `N_FEATURES` float16, little-endian, newest first.
     """
 
     sign: str
@@ -105,7 +106,7 @@ class SignSamples:
 
     @property
     def hands(self) -> list[bytes]:
-        """Each sample by itself."""
+        """The samples, one by one."""
         starts = range(0, len(self.samples), _SAMPLE_BYTES)
         return [self.samples[start : start + _SAMPLE_BYTES] for start in starts]
 
@@ -130,7 +131,7 @@ class ProgramRow:
 
 @dataclass(frozen=True, slots=True)
 class FaultRow:
-    """One thing wrong with a document, without its words."""
+    """One fault of a document, without its message."""
 
     code: str
     pointer: str
@@ -140,7 +141,7 @@ class FaultRow:
 
 @dataclass(frozen=True, slots=True)
 class VersionRow:
-    """One state of a program; `document` is None while it has faults, `world` where none was made for it.
+    """One state of a program; `document` is None while it has faults, `world` if the group made no world for it.
 
     Attributes:
         setup: name of the world, start, robot setting, speed, activity; None if an earlier release saved it.
@@ -162,12 +163,12 @@ class VersionRow:
 
 @dataclass(frozen=True, slots=True)
 class VersionSummary:
-    """A version in the line of a program's versions, without its content.
+    """A version in the history of a program, without its content.
 
     Attributes:
-        label: the name that its group gave it, "" without.
-        n_runs: how often it was run.
-        n_passed: how often the activity was passed with it.
+        label: the name that its group gave it, "" for none.
+        n_runs: number of its runs.
+        n_passed: number of its runs that passed the activity.
         setup: as in `VersionRow`.
         setup_only: True if it has the blocks of its parent: only its setup or the group's own world changed.
     """
@@ -188,10 +189,10 @@ class VersionSummary:
 
 @dataclass(frozen=True, slots=True)
 class RunStart:
-    """What is known when a run begins. Give `version_id`, or `document` for a run without a version.
+    """The data of a run at its start. Give `version_id`, or `document` for a run without a version.
 
     Attributes:
-        program_id: of a run whose document grows: the program that gets it as a version in the end (`Runs.grow`).
+        program_id: for a run whose document grows (`Runs.update_document`), the program whose version it becomes.
     """
 
     link: str
@@ -208,7 +209,7 @@ class RunStart:
 
 @dataclass(frozen=True, slots=True)
 class RunRow:
-    """One execution; figures are None until it has ended."""
+    """One execution; its metrics are None until it has ended."""
 
     id: str
     group_id: str | None
@@ -244,17 +245,17 @@ class RunRow:
 
     @property
     def estimated_closing_error_m(self) -> float | None:
-        """As in the event `run_ended`; None before the end, and of earlier releases."""
+        """As in the event `run_ended`; None before the end, and in runs of earlier releases."""
         return _estimated_closing_error_m(self.summary)
 
     @property
     def model(self) -> str | None:
-        """Name of the robot model that drove; None for a run of the first releases, which had one model."""
+        """Name of the robot model; None for a run of the first releases, which had one model."""
         return _model(self.parameters)
 
     @property
     def counted(self) -> bool | None:
-        """`passed`, but None while that does not count."""
+        """`passed`, but None while the pass does not count."""
         return None if self.unconfirmed else self.passed
 
 
@@ -264,7 +265,7 @@ def _model(parameters: Json) -> str | None:
 
 
 def _estimated_closing_error_m(summary: Json) -> float | None:
-    """From what a run told at its end; a bundle may bring anything in its place."""
+    """Returns the value from the run's summary, None if it is no number: in a bundle it may be anything."""
     value = summary.get("estimated_closing_error_m")
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
@@ -272,10 +273,10 @@ def _estimated_closing_error_m(summary: Json) -> float | None:
 
 
 class RunSummary(NamedTuple):
-    """A run as a list shows it; neither its world nor its program, and JSON is parsed when it is asked for.
+    """A run for lists, without its world and program. JSON is parsed on access.
 
-    The names are the columns of `runs`, but `unconfirmed`: None, or why a pass does not count: `waiting` until this PC
-    has repeated the run, else what it found (`storage/runs/confirmation.py`).
+    The fields are columns of `runs`, except `unconfirmed`: why a pass does not count, None if it does. It is `waiting`
+    until this PC has repeated the run, then the finding (`storage/runs/confirmation.py`).
     """
 
     id: str
@@ -313,7 +314,7 @@ class RunSummary(NamedTuple):
 
     @property
     def params(self) -> Json:
-        """What fills the words of the reason."""
+        """Parameters of the reason's message."""
         return readable_object(self.params_json) or {}
 
     @property
@@ -328,5 +329,5 @@ class RunSummary(NamedTuple):
 
     @property
     def passed(self) -> bool | None:
-        """Whether the activity was passed; None without one, and while the pass does not count."""
+        """Whether the run passed the activity; None without activity, and while the pass does not count."""
         return None if self.passed_bit is None else bool(self.passed_bit)

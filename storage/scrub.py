@@ -1,7 +1,6 @@
-"""Reading every version and every run once a day, slowly: what is not as it was written is mended, or told.
+"""The scrubber: verifies the checksums of all versions and runs once a day, and repairs or reports damaged ones.
 
-It takes a twentieth of one processor and of the disk: after each piece it rests for nineteen times as long as the
-piece took.
+It uses a twentieth of one processor and of the disk: after each piece of work it pauses for 19 times its duration.
 """
 
 import logging
@@ -17,23 +16,23 @@ from storage.file.row_repair import try_repair
 from storage.sql import rows_of
 
 _log = logging.getLogger(__name__)
-_FIRST_S = 60.0  # after the start, when the group is at work
+_FIRST_S = 60.0  # after the start, when the group works
 _EVERY_S = 86_400.0
 _PIECE_S = 0.02
-_REST = 19.0  # times as long as a piece took
-_AT_ONCE = 50  # keys that are looked up together
+_REST = 19.0  # ratio of the pause to the duration of a piece
+_AT_ONCE = 50  # keys that are queried together
 _Key = tuple[str, str]
 
 
 class Scrubber:
-    """Checks and mends on a thread of its own between `start` and `close`.
+    """Checks and repairs on a thread of its own between `start` and `close`.
 
     Args:
-        on_found: called on the thread with what a person should know.
-        pause: waits so many s; True when it is to end.
+        on_found: called on that thread with a notice to people.
+        pause: waits for so many seconds; returns True to end the thread.
 
     Attributes:
-        notice: what a person should know of damage that was found since the start, None when there was none.
+        notice: the notice of damage found since the start, None for none.
     """
 
     def __init__(
@@ -51,19 +50,19 @@ class Scrubber:
         self._thread: threading.Thread | None = None
 
     def start(self) -> None:
-        """Begins a minute later; does nothing for a file that cannot be written."""
+        """Starts the thread, whose first check is a minute later; does nothing if the file cannot be written."""
         if self._database.can_write:
             self._thread = threading.Thread(target=self._work, name="content-check", daemon=True)
             self._thread.start()
 
     def close(self) -> None:
-        """Ends at once, wherever it is."""
+        """Stops the thread at once, even during a check."""
         self._ended.set()
         if self._thread is not None:
             self._thread.join()
 
     def check_all(self) -> tuple[int, int]:
-        """Checks everything once; returns how many rows were mended, and how many are left damaged."""
+        """Checks everything once; returns how many rows were repaired, and how many stay damaged."""
         n_repaired = n_damaged = 0
         for table, key in self._found_damaged():
             if try_repair(self._database, table, key):
@@ -78,7 +77,7 @@ class Scrubber:
         while not self._pause(pause_s):
             try:
                 self.check_all()
-            except StoreError as error:  # the disk is full, the file is locked: tomorrow again
+            except StoreError as error:  # a full disk or a locked file: tries again tomorrow
                 _log.warning("the content was not checked to its end: %s", error)
             pause_s = _EVERY_S
 
@@ -100,7 +99,7 @@ class Scrubber:
             yield from self._missing(table)
 
     def _rows(self, table: str, after: int) -> list[tuple[int, str]]:
-        """Places and keys of the next rows, by place: a key may be what is damaged."""
+        """Returns row numbers and keys of the next rows, by row number, as a key may be damaged."""
         home = "versions" if table == "versions" else "runs"
         ended = "" if table == "versions" else "AND state <> 'running'"
         query = f"SELECT rowid, id FROM {home} WHERE rowid > ? {ended} ORDER BY rowid LIMIT ?"
@@ -108,7 +107,7 @@ class Scrubber:
             return [(place, key) for place, key in rows_of(db, query, [after, _AT_ONCE])]
 
     def _missing(self, table: str) -> list[_Key]:
-        """Keys whose row is gone, though nobody deleted it."""
+        """Returns the keys with a checksum whose row is missing though nobody deleted it."""
         query = f"""SELECT row_id FROM content_sums WHERE table_name = ?
             AND row_id NOT IN (SELECT {KEYS[table]} FROM {table})
             AND row_id NOT IN (SELECT id FROM tombstones)"""
@@ -130,7 +129,7 @@ class Scrubber:
                     self._ended.set()
                     return
                 start_s = time.monotonic()
-        if unseen:  # of an earlier release: what is there now is taken as right
+        if unseen:  # rows of an earlier release: their present content counts as right
             self._database.write(lambda db: add_missing_checksums(db, unseen))
 
     def _state_of(self, table: str, key: str) -> str:

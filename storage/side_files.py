@@ -1,6 +1,6 @@
-"""The small files beside the database: only regular ones are opened.
+"""Opens the small files beside the database, only if they are regular files.
 
-A pipe or a device of such a name would hold up who reads it for ever.
+A read of a pipe or a device with such a name could block for ever.
 """
 
 import os
@@ -20,6 +20,6 @@ def open_regular(path: Path, flags: int) -> int:
 
 
 def read_regular(path: Path) -> bytes:
-    """All of a regular file. Raises OSError for anything else."""
+    """Returns the content of a regular file. Raises OSError for anything else."""
     with os.fdopen(open_regular(path, os.O_RDONLY), "rb") as file:
         return file.read()

@@ -1,4 +1,4 @@
-"""Small statements that many modules need."""
+"""SQL helpers that many modules need."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -16,32 +16,32 @@ _STEPS_BETWEEN_STOPS = 10_000
 
 
 def address(path: Path, mode: str) -> str:
-    """How SQLite is to open a file: `ro`, `rw`, `rwc` to make it, or `immutable` for one that nobody writes."""
+    """Returns SQLite's URI of a file. Modes: `ro`, `rw`, `rwc` (creates it), `immutable` (nobody writes it)."""
     uri = path.absolute().as_uri()
     return f"{uri}?mode=ro&immutable=1" if mode == "immutable" else f"{uri}?mode={mode}"
 
 
 def opened(path: Path, mode: str) -> sqlite3.Connection:
-    """A plain connection in autocommit."""
+    """Returns a plain connection in autocommit mode."""
     return sqlite3.connect(address(path, mode), uri=True, isolation_level=None)
 
 
 def column_names(db: sqlite3.Connection, table: str, schema: str = "main") -> tuple[str, ...]:
-    """The table's columns in their order; none where there is no such table."""
+    """Returns the table's columns in their order; none if there is no such table."""
     return tuple(str(row[1]) for row in db.execute(f"PRAGMA {schema}.table_info({table})"))
 
 
 def tuples(
     db: sqlite3.Connection, query: str, parameters: tuple[object, ...] = ()
 ) -> sqlite3.Cursor:
-    """The rows as plain tuples, whatever the connection makes of rows."""
+    """Returns the rows as plain tuples, whatever the connection's row factory is."""
     cursor = db.cursor()
     cursor.row_factory = None
     return cursor.execute(query, parameters)
 
 
 def row_batches(cursor: sqlite3.Cursor) -> Iterator[list[tuple[Any, ...]]]:
-    """The rows, 16 at a time: one version may have megabytes."""
+    """Yields batches of 16 rows, because one version may have megabytes."""
     while rows := cursor.fetchmany(16):
         yield rows
 
@@ -49,7 +49,7 @@ def row_batches(cursor: sqlite3.Cursor) -> Iterator[list[tuple[Any, ...]]]:
 def rows_of(
     db: sqlite3.Connection, query: str, parameters: Sequence[Any] | Mapping[str, Any] = ()
 ) -> list[sqlite3.Row]:
-    """All rows; what is damaged in a text is shown as a sign that stands for it, so that a list can still be read."""
+    """Returns all rows. Replacement characters stand for damaged ones, so that a list can still be read."""
     try:
         return db.execute(query, parameters).fetchall()
     except sqlite3.OperationalError as error:
@@ -64,22 +64,22 @@ def rows_of(
 
 
 def is_text_damage(error: sqlite3.Error) -> bool:
-    """Whether a text that was read is none: a wrong bit makes octets that are not UTF-8."""
+    """Returns whether the error means a damaged text: a wrong bit makes octets that are not UTF-8."""
     return "UTF-8" in str(error)
 
 
 def read_all_texts(db: sqlite3.Connection) -> None:
-    """From now on a sign stands for what is damaged in a text. It takes longer, so only where something is damaged."""
+    """Makes the connection read damaged texts with replacement characters. Slower, so used after damage only."""
     db.text_factory = lambda octets: octets.decode("utf-8", "replace")
 
 
 def setup_value(column: str, name: str) -> str:
-    """SQL expression of a value in a JSON column; NULL where the JSON is damaged."""
+    """Returns the SQL expression of a value in a JSON column; NULL if the JSON is damaged."""
     return f"CASE WHEN json_valid({column}) THEN json_extract({column}, '$.{name}') END"
 
 
 def row_count(db: sqlite3.Connection, table: str, condition: str = "1") -> int:
-    """Rows of a table that meet a condition."""
+    """Returns the number of rows that meet a condition."""
     query = f"SELECT count(*) FROM {table} WHERE {condition}"
     return int(db.execute(query).fetchone()[0])
 
@@ -87,10 +87,10 @@ def row_count(db: sqlite3.Connection, table: str, condition: str = "1") -> int:
 def integrity_problem(
     db: sqlite3.Connection, check: str = "integrity_check", stop: Stop | None = None
 ) -> str | None:
-    """What SQLite's check finds wrong with the file first; None when all is well.
+    """Returns the first problem that SQLite's check finds in the file; None for none.
 
     Args:
-        stop: asked every few milliseconds; once it is true, the check ends with `sqlite3.OperationalError`.
+        stop: polled every few milliseconds; once it returns True, the check raises `sqlite3.OperationalError`.
     """
     with stoppable(db, stop):
         finding = str(db.execute(f"PRAGMA {check}(1)").fetchone()[0])
@@ -99,7 +99,7 @@ def integrity_problem(
 
 @contextmanager
 def stoppable(db: sqlite3.Connection, stop: Stop | None) -> Iterator[None]:
-    """What is asked within ends with `sqlite3.OperationalError` once `stop` is true."""
+    """Makes queries within the context raise `sqlite3.OperationalError` once `stop` returns True."""
     db.set_progress_handler(stop, _STEPS_BETWEEN_STOPS)
     try:
         yield
@@ -108,24 +108,24 @@ def stoppable(db: sqlite3.Connection, stop: Stop | None) -> Iterator[None]:
 
 
 def checkpoint(db: sqlite3.Connection) -> bool:
-    """Empties the write-ahead log, outside of a transaction; False where another program still reads from it."""
+    """Empties the write-ahead log, outside of a transaction; returns False if another program reads from it."""
     busy, _, _ = db.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
     return not busy
 
 
 def exists(db: sqlite3.Connection, table: str, key: str) -> bool:
-    """Whether the table has a row of that key."""
+    """Returns whether the table has a row of that key."""
     return db.execute(f"SELECT 1 FROM {table} WHERE id = ?", [key]).fetchone() is not None
 
 
 def require(db: sqlite3.Connection, table: str, key: str) -> None:
-    """Raises StoreError `KIND_not_found`, the kind being the table's name in the singular."""
+    """Raises StoreError `KIND_not_found` if there is no such row; the kind is the table's name in the singular."""
     if not exists(db, table, key):
         raise not_found(table, key)
 
 
 def not_found(table: str, key: str) -> StoreError:
-    """The error of a row that is not there."""
+    """Returns the error for a missing row."""
     return StoreError(f"{table.removesuffix('s')}_not_found", id=key)
 
 
@@ -144,12 +144,11 @@ def update_row(
     *,
     n_revisions: int = 1,
 ) -> None:
-    """Gives a row other values; the one way to make a state that wins over the row's state before wherever files
-    are merged.
+    """Updates a row and raises its revision: only this makes a state that wins over the row's earlier state in merges.
 
     Args:
-        n_revisions: by so many the state is a later one. With 0 only its time is later: it gives way to what another
-            PC changes meanwhile.
+        n_revisions: the number to raise the revision by. With 0 only the time is newer, so changes by other PCs that
+            raise the revision win.
     """
     row = db.execute(f"SELECT revision, changed_at FROM {table} WHERE id = ?", [key]).fetchone()
     if row is None:
@@ -163,13 +162,13 @@ def update_row(
 
 
 def _next_state(revision: int, changed_at: str, now: str, n_revisions: int) -> tuple[int, str]:
-    """Revision and time of the state after this one. The time decides where the revision stays, as at its bound."""
+    """Returns revision and time of the next state. If the revision stays, as at its bound, the time decides."""
     next_revision = min(revision + n_revisions, MAX_REVISION)
     return next_revision, now if next_revision > revision else max(now, just_after(changed_at))
 
 
 def selected(record: Any, table: str, **computed: str) -> str:
-    """`SELECT` of a record's fields: columns of the table, or the SQL expressions given by the field's name."""
+    """Returns `SELECT` of a record's fields: columns of the table, or the SQL expressions given by field name."""
     names = getattr(record, "_fields", None) or [field.name for field in fields(record)]
     listed = ", ".join(
         f"({computed[name]}) AS {name}" if name in computed else f"{table}.{name}" for name in names
@@ -179,7 +178,7 @@ def selected(record: Any, table: str, **computed: str) -> str:
 
 @contextmanager
 def snapshot(db: sqlite3.Connection) -> Iterator[None]:
-    """All that is read within is of one moment."""
+    """Makes all reads within the context see one state of the database."""
     if db.in_transaction:
         yield
         return

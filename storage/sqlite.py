@@ -1,10 +1,10 @@
-"""The one SQLite of the program: that of the wheel pysqlite3, and Python's own where there is no wheel.
+"""The only SQLite of the program: the wheel pysqlite3, or Python's own if there is no wheel.
 
-A system's SQLite can have the WAL-reset fault (sqlite.org/wal.html, mended in 3.51.3), by which a write can be lost
-when two connections write or checkpoint at the same moment. sqlite-utils chooses in the same way.
+A system's SQLite can have the WAL-reset fault (sqlite.org/wal.html, fixed in 3.51.3). With it, a write can be lost when
+two connections write or checkpoint at the same moment. sqlite-utils chooses in the same way.
 
-No other module imports SQLite: two of its libraries in one process undo each other's locks on a file
-(sqlite.org/howtocorrupt.html, 2.2.1), and the errors of one are not caught as those of the other.
+No other module imports SQLite. Two of its libraries in one process undo each other's locks on a file
+(sqlite.org/howtocorrupt.html, 2.2.1). Also, code that catches the errors of one does not catch errors of the other.
 """
 
 from typing import TYPE_CHECKING
@@ -23,5 +23,5 @@ _FIXED_IN = (3, 51, 3)
 
 
 def has_wal_fault(version: str = sqlite3.sqlite_version) -> bool:
-    """Whether that version of SQLite can lose a write when the WAL begins anew."""
+    """Returns whether that version of SQLite can lose a write when the WAL is reset."""
     return tuple(int(part) for part in version.split(".")) < _FIXED_IN

@@ -1,4 +1,4 @@
-"""The store: all repositories of one open file."""
+"""The store: opens the file and has all repositories."""
 
 import contextlib
 from collections.abc import Callable
@@ -45,7 +45,7 @@ class Store:
     """One open file. Thread-safe; close it, or use it as a context manager.
 
     Attributes:
-        notice: what a person should know about the file since it was opened, None when all is well.
+        notice: a notice to people about the file since it was opened, None for none.
     """
 
     def __init__(self, database: Database, *, writable: bool, notice: Notice | None = None) -> None:
@@ -74,7 +74,7 @@ class Store:
         self._memory_connection: sqlite3.Connection | None = None
 
     def now(self) -> str:
-        """The time as text."""
+        """Returns the time as text."""
         return self._database.now()
 
     @property
@@ -84,55 +84,56 @@ class Store:
 
     @property
     def unfinished(self) -> bool:
-        """True when runs that were cut off could not be closed at the start; `record` closes them."""
+        """True if interrupted runs could not be closed at the start; `record` closes them."""
         return bool(self._interrupted)
 
     def is_interrupted(self, run_id: str) -> bool:
-        """True for a run that was cut off, and that the file, as it cannot be written, still has as `running`."""
+        """Returns True for an interrupted run that is still `running` in the file, which cannot be written."""
         return run_id in self._interrupted or not self.can_write
 
     @property
     def exchange(self) -> "Exchange":
-        """Exporting, merging and deleting for good."""
-        from storage.exchange.exchange import Exchange  # noqa: PLC0415 - most starts need none of it
+        """Export, merge, and deletion for good."""
+        from storage.exchange.exchange import Exchange  # noqa: PLC0415 - few starts need it
 
         return Exchange(self._database, self.backup_share)
 
     def check_and_reindex(self, stop: Stop = lambda: False) -> str | None:
-        """Checks the whole file, which takes long, and makes indexes anew that do not fit; see `integrity`."""
+        """Checks the whole file, which takes long, and rebuilds indexes if needed; see `integrity`."""
         from storage.file.integrity import check_and_reindex  # noqa: PLC0415 - after the start
 
         return check_and_reindex(self._database, stop)
 
     def scrubber(self, on_found: Callable[[Notice], None]) -> "Scrubber":
-        """The daily check of versions and runs; see `ContentCheck`."""
+        """Returns the daily check of versions and runs."""
         from storage.scrub import Scrubber  # noqa: PLC0415 - after the start
 
         return Scrubber(self._database, on_found)
 
     def n_saves(self) -> int:
-        """Commits that the file has counted."""
+        """Returns the commit count of the file."""
         with self._database.read_connection() as db:
             return commit_count(db)
 
     def salvage(self, file: Path) -> SalvageResult:
-        """Brings in what is still readable of a damaged file, which is only read; takes as long as it takes.
+        """Merges the readable rows of a damaged file, without time limit; only reads that file.
 
         Raises:
-            StoreError, OSError, sqlite3.Error: nothing was brought in.
+            StoreError, OSError, sqlite3.Error: nothing was merged.
         """
-        from storage.salvage.salvage import salvage  # noqa: PLC0415 - hardly ever needed
+        from storage.salvage.salvage import salvage  # noqa: PLC0415 - rarely needed
 
         return salvage(self._database, file)
 
     def listen(self, on_written: Callable[[], None]) -> None:
-        """Calls it after each write that is on disk, on the writer's thread; it must not raise or wait."""
+        """Calls `on_written` after each write that is on disk, on the writer's thread; it must not raise or wait."""
         self._database.listen(on_written)
 
     def record(self, waiting: Callable[[], list[Batch]]) -> "Future[list[Batch]]":
-        """Writes what `waiting` gives when the writer is free, in one transaction; the future gives what is on disk.
+        """Writes the batches that `waiting` returns when the writer is free, in one transaction.
 
-        Batches of a run that was deleted count as written: they must not hold up the others.
+        The future gets the batches that are on disk. Batches of a deleted run count as written, so that they do not
+        hold up the others.
         """
         now, interrupted = self._database.now(), self._interrupted
 
@@ -150,7 +151,7 @@ class Store:
         return written
 
     def close_interrupted(self) -> None:
-        """Ends the runs that the program before left `running`; later, with `record`, where the disk is full."""
+        """Ends the runs that the previous process left `running`. If the disk is full, `record` ends them later."""
         try:
             self.runs.close_interrupted()
         except StoreError as error:  # the file can still be read
@@ -163,7 +164,7 @@ class Store:
             self._interrupted, self.notice = [], None
 
     def close(self) -> None:
-        """Finishes what is queued and closes the file."""
+        """Finishes queued jobs and closes the file."""
         self._database.close()
         if self._memory_connection is not None:
             self._memory_connection.close()
@@ -176,7 +177,7 @@ class Store:
 
     @classmethod
     def without_file(cls, path: Path, refusal: StoreError) -> "Store":
-        """A store in place of a file that cannot be opened: empty, and every write raises the refusal."""
+        """Returns a placeholder for a file that cannot be opened: empty; every write raises the refusal."""
         address = f"file:{new_id()}?mode=memory&cache=shared"
         memory_connection = connect(address)
         migrate(memory_connection)
@@ -196,14 +197,14 @@ def open_store(
     clock: Clock = utc_now,
     uptime: Callable[[], float] = uptime_s,
 ) -> Store:
-    """Opens the file, making it and its folder where there is none.
+    """Opens the file; creates it and its folder if there is none.
 
-    A damaged file is set aside and its last good backup takes its place, or a new one is begun; a file that can
-    only be read is opened for reading. `notice` says so in both cases.
+    A damaged file is set aside, and its last intact backup or a new file replaces it. A read-only file is opened for
+    reading. `notice` describes either case.
 
     Args:
-        close_interrupted: ends runs that are still `running`. Only for the one program that holds the lock of
-            the data folder: another may be running one.
+        close_interrupted: ends runs that are still `running`. Only for the one process that holds the lock of the data
+            folder, as another process may be running one.
         uptime: a monotonic clock in s.
 
     Raises:
@@ -229,7 +230,7 @@ def _salvage_into(file: Path, target: Path, now: str) -> SalvageResult:
 
 
 def open_for_reading(path: Path) -> Store:
-    """Opens the file as it is, touching nothing, also while another program has it open; every write is refused.
+    """Opens the file as it is, without changing anything, also while another program has it open; refuses writes.
 
     Raises:
         StoreError: the file cannot be read: `database_damaged`, `database_older`, `database_newer` and others.

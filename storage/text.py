@@ -1,4 +1,4 @@
-"""JSON, ids, times and names as the store writes them."""
+"""JSON, ids, times and names in the form that the store writes."""
 
 import contextlib
 import hashlib
@@ -16,15 +16,15 @@ from storage.errors import StoreError
 from storage.limits import LAST_YEAR, MAX_NAME
 
 _UNSEEN = ("Cf", "Cs")
-# within emoji and within words of several scripts
+# joiners, which are part of emoji and of words in several scripts
 _JOINERS = "\u200c\u200d"
-# letters and symbols by their category, empty to the eye: fillers of Hangul and Braille
+# letters and symbols by their category, but blank: fillers of Hangul and Braille
 _BLANKS = "\u115f\u1160\u3164\uffa0\u2800"
 _NUMBERS = re.compile(r"([0-9]+)")
 
 
 class _Ids:
-    """UUIDv7 of RFC 9562: a time in ms, then random bits. The time increases even where the clock is set back."""
+    """UUIDv7 of RFC 9562: a time in ms, then random bits. The time increases even when the clock is set back."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -45,30 +45,33 @@ class _Ids:
 
 _LATEST_CLOCK_MS = 4_102_444_800_000  # the year 2100: clocks of PCs end with 2099
 _ids = _Ids()
-# an id from here on was made up, or follows one that was. The clock is never believed beyond 2100: 30 years of
-# milliseconds are left for ids that follow the last ones of such a clock
+# ids from here on are implausible: forged, or made after a forged one. The clock is not believed beyond 2100, so ids
+# after the last one of such a clock have 30 years of milliseconds
 FIRST_IMPLAUSIBLE_ID = "04979793-8400"  # 2130
 _HEX = "[0-9a-f]"
 _ID_PATTERN = "-".join((8 * _HEX, 4 * _HEX, "[78]" + 3 * _HEX, 4 * _HEX, 12 * _HEX))
-# SQL: what a PC makes or somebody makes up; with a letter that no id has it is damaged
+# SQL condition: the id has the form of UUIDv7 or UUIDv8; otherwise it is damaged
 IS_ID = f"id GLOB '{_ID_PATTERN}'"
 _VERSION_AT = 14
 _FIRST_NOT_FOLLOWED = "03bb2cc3-d800"  # 2100
 
 
 def new_id() -> str:
-    """UUIDv7 text, greater than every one before, even when the clock is set back."""
+    """Returns UUIDv7 text, greater than every one before, even when the clock is set back."""
     return _ids.next()
 
 
 def id_of(content: str) -> str:
-    """UUIDv8 text of RFC 9562, greater than every one before as `new_id`: a time, then bits of the SHA-256 of what a
-    row holds that is never changed. Nobody makes another row of this id."""
+    """Returns UUIDv8 text of RFC 9562, greater than every one before as `new_id`.
+
+    The id has a time, then bits of the SHA-256 of the row's values that never change. So nobody can make another row
+    with this id.
+    """
     return _bound(new_id(), content)
 
 
 def may_be_of(key: str, content: str) -> bool:
-    """Whether an id is that of this content; True for one that tells nothing of it, as those of releases before 0.3."""
+    """Returns whether the id belongs to this content; True for an id without hash, as in releases before 0.3."""
     return key[_VERSION_AT] != "8" or key == _bound(key, content)
 
 
@@ -78,70 +81,75 @@ def _bound(key: str, content: str) -> str:
 
 
 def continue_after(newest: str) -> None:
-    """Makes all further ids greater than this one, which this PC made earlier: it may have started with an
-    earlier time than before. A text that is no id, or one of no clock, changes nothing."""
+    """Makes all further ids greater than this one, which this PC made before, maybe at a later time of its clock.
+
+    A text that is no id, or that no clock can have made, changes nothing.
+    """
     if newest < _FIRST_NOT_FOLLOWED:
         _ids.continue_after(newest)
 
 
 def utc_now() -> datetime:
-    """The PC's clock."""
+    """Returns the time by the PC's clock."""
     return datetime.now(UTC)
 
 
 def time_text(moment: datetime) -> str:
-    """ISO 8601 in UTC; to the microsecond, so that what follows at once still sorts after."""
+    """Returns ISO 8601 in UTC, to the microsecond, so that times in quick succession still sort."""
     return moment.astimezone(UTC).isoformat(timespec="microseconds").replace("+00:00", "Z")
 
 
 def local_time(moment: datetime | str) -> str:
-    """A moment to the minute by the clock of this PC, for people; messages write it as their language does.
+    """Returns a time to the minute by the clock of this PC, for people; messages localise it.
 
     Raises:
-        ValueError: a text that is no moment.
-        OverflowError: a moment at the end of the calendar.
+        ValueError: the text is no time.
+        OverflowError: a time at the end of the calendar.
     """
     found = datetime.fromisoformat(moment) if isinstance(moment, str) else moment
     return f"{found.astimezone():%Y-%m-%d %H:%M}"
 
 
 def just_after(moment: str) -> str:
-    """A microsecond later: of states of one revision the later one is kept, and a PC whose clock is behind must not
-    lose its own change. The last moment that other PCs take stays; "" after what is no moment."""
+    """Returns the time a microsecond later, "" for a text that is no time.
+
+    Of two states with one revision the later wins, so a PC whose clock is behind must not lose its own change. The
+    last time that other PCs accept is returned unchanged.
+    """
     try:
         now = datetime.fromisoformat(moment)
         steps = (now + timedelta(microseconds=1), now + timedelta(seconds=1))
     except (ValueError, OverflowError):
         return ""
-    # as texts, as merges compare them: "12:00:00Z" is after "12:00:00.000001Z"
+    # compared as texts, as merges do: "12:00:00Z" is after "12:00:00.000001Z"
     after = next(filter(moment.__lt__, map(time_text, steps)), moment)
     return after if after < f"{LAST_YEAR + 1}" else moment
 
 
 def to_json(value: object) -> str:
-    """JSON in ASCII: a lone surrogate in a pupil's text must not keep the row from being written."""
+    """Returns JSON in ASCII, since a lone surrogate in a pupil's text could not be written otherwise."""
     return json.dumps(value, separators=(",", ":"), allow_nan=False)
 
 
 def from_json(text: str | None) -> Any:
-    """The value of a JSON column, None for NULL."""
+    """Returns the value of a JSON column, None for NULL."""
     return None if text is None else json.loads(text)
 
 
 def readable_object(text: Any) -> dict[str, Any] | None:
-    """The JSON object of a column; None for NULL and for what is damaged."""
+    """Returns the JSON object of a column; None for NULL and damaged values."""
     value = readable(text)
     return value if isinstance(value, dict) else None
 
 
 def readable_points(text: Any) -> list[list[float]]:
-    """The points of a column; none for NULL and for what is damaged."""
+    """Returns the points of a column; none for NULL and damaged values."""
     value = readable(text)
     return value if isinstance(value, list) and all(map(_is_point, value)) else []
 
 
 def is_json(octets: bytes) -> bool:
-    """Whether these are a value in JSON."""
+    """Returns whether the octets are JSON."""
     try:
         json.loads(octets.decode())
     except (ValueError, RecursionError):
@@ -150,7 +158,7 @@ def is_json(octets: bytes) -> bool:
 
 
 def readable(text: Any) -> Any:
-    """The value of a JSON column; None for NULL and for what is damaged."""
+    """Returns the value of a JSON column; None for NULL and damaged values."""
     try:
         return from_json(text)
     except (ValueError, TypeError, RecursionError):
@@ -166,7 +174,7 @@ def _is_point(point: Any) -> bool:
 
 
 def clean_name(name: str) -> str:
-    """A name without what cannot be seen: control characters, marks of direction, superfluous spaces.
+    """Returns a name without invisible characters: control characters, direction marks, superfluous spaces.
 
     Raises:
         StoreError: `name_empty` or `name_too_long`.
@@ -180,19 +188,19 @@ def clean_name(name: str) -> str:
 
 
 def clean_text(text: str) -> str:
-    """A text of several lines without what cannot be written or seen at their ends; may be empty."""
+    """Returns a text of several lines, without characters that cannot be written, trimmed; may be empty."""
     writable = text.encode("utf-8", "ignore").decode()
     return "\n".join(line.rstrip() for line in writable.replace("\0", "").strip().splitlines())
 
 
 def name_key(name: str) -> str:
-    """What two groups must not share: the name without case, spaces and joiners."""
+    """Returns the key that two groups must not share: the name without case, spaces and joiners."""
     visible = "".join(char for char in name if char not in _JOINERS)
     return "".join(unicodedata.normalize("NFKC", visible).casefold().split())
 
 
 def natural_key(name: str) -> list[str | int]:
-    """Sort key of a name without accents, case and spaces: texts and numbers take turns, so that 2 comes before 10."""
+    """Returns a sort key without accents, case and spaces. Texts and numbers alternate, so 2 comes before 10."""
     letters = (char for char in unicodedata.normalize("NFKD", name_key(name)))
     parts = _NUMBERS.split("".join(char for char in letters if not unicodedata.combining(char)))
     return [int(part) if index % 2 else part for index, part in enumerate(parts)]

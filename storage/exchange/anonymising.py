@@ -1,8 +1,8 @@
 """Anonymises a bundle: deletes names and texts, and replaces keys.
 
 Unchanged: the commands of programs with their numbers; runs with path, samples, outcome and times; the order of rows.
-Deleted: names of groups, classes, lessons, programs and PCs (a number replaces each), notes, labels, comments, the
-editor's workspaces, and every text that a program says, asks or names, or that a person answers. All keys are new.
+Replaced by a number: names of groups, classes, lessons, programs and PCs. Deleted: notes, labels, comments, the
+editor's workspaces. Replaced by neutral words: texts and names in programs, and people's answers. All keys are new.
 Each column declares how it is anonymised (`storage/tables/`). Who has the original file can still find a run by its
 samples; docs/bundles.md warns teachers.
 """
@@ -112,7 +112,7 @@ class _Anonymising:
     def _plain(self, text: str | None) -> str | None:
         """Returns the same replacement for the same text, so that one variable stays one variable.
 
-        A single character is unchanged: it is a letter of LIBRAS or a mark.
+        A single character is unchanged: it is a letter of LIBRAS, or X or O.
         """
         if text is None or len(text) <= 1 or text in self._known:
             return text

@@ -55,7 +55,7 @@ class BackupShare:
         self._start_s: float | None = None  # start of the current round of work, None if idle
 
     def update(self, wait_s: float = 0.0) -> bool:
-        """Brings the folder up to date; returns True if that was done within `wait_s` seconds."""
+        """Updates the copies in the folder; returns True if that was done within `wait_s` seconds."""
         return self._ask(wait_s, lambda n_requested: self._n_done >= n_requested)
 
     def resume(self) -> None:
@@ -93,7 +93,7 @@ class BackupShare:
     def _next_task(self) -> _Task | None:
         """Returns the task, None if there is nothing to do. Raises StoreError."""
         from storage.exchange.deleting.deletion import tombstoned_keys  # noqa: PLC0415 - few PCs need it
-        from storage.file.share_copies import ShareCopies, read_manifest  # noqa: PLC0415 - see above
+        from storage.file.share_copies import ShareCopies, read_manifest  # noqa: PLC0415 - few PCs need it
 
         settings, path = Settings(self._database), self._database.path
         shared = settings.get(COPIES_BACKUPS) and settings.get(SHARED_FOLDER)

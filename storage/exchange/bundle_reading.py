@@ -1,7 +1,7 @@
 """Opens a bundle. Anybody may have made it, so the whole file is checked before any of it is used.
 
-The file is read once, into a private copy. A stick may be read-only or pulled out, a file on a share may change
-meanwhile, and a bundle of an earlier release is migrated on the copy.
+The file is read once, into a private copy. A stick may be read-only or pulled out, and a file on a share may change
+meanwhile. A bundle of an earlier release is migrated on the copy.
 """
 
 import logging
@@ -69,8 +69,8 @@ def open_bundle(path: Path, *, max_samples: int | None = None) -> Iterator[Bundl
     Raises:
         StoreError: `bundle_missing`, `bundle_unreadable`; `bundle_foreign` file of another program;
             `bundle_is_store` the file that an app works in; `bundle_damaged` truncated or changed; `bundle_newer`;
-            `bundle_hostile` holds what no PINEL writes; `bundle_too_large`, `bundle_too_long`; `disk_full` no space
-            for the copy.
+            `bundle_hostile` has content that no PINEL writes; `bundle_too_large`, `bundle_too_long`; `disk_full` no
+            space for the copy.
     """
     remove_leftovers()
     with temporary_folder() as folder:
@@ -78,7 +78,7 @@ def open_bundle(path: Path, *, max_samples: int | None = None) -> Iterator[Bundl
         try:
             _copied(path, copy)
             info = _examined(copy, path, max_samples)
-        except StoreError as error:  # the code tells people what to do; the log gets the problem
+        except StoreError as error:  # people get the code, the log gets the problem
             _log.info("%s: %s %s", path, error.code, error.params.get("problem", ""))
             raise
         except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
@@ -180,7 +180,7 @@ def _require_few_samples(db: sqlite3.Connection, path: Path, max_samples: int) -
 
 
 def _release(db: sqlite3.Connection, path: Path) -> int:
-    """Returns how many migrations the file has, after checking that those migrations make all of its objects.
+    """Returns how many migrations the file has, after checking that they make all of its objects.
 
     Compares definitions before it queries any table, since a query would run a view or a trigger of the file.
     """

@@ -53,7 +53,7 @@ Alteration = Callable[[sqlite3.Connection], None]
 
 @dataclass(frozen=True, slots=True)
 class BundleInfo:
-    """The contents of the table `bundle`, and what was left out.
+    """The content of the table `bundle`, and the rows that were left out.
 
     Attributes:
         content_hash: `content_hash.content_hash` of the content, as the release that wrote the file computes it.
@@ -96,7 +96,7 @@ def export_bundle(
     alter: Alteration | None = None,
     is_recorded: bool = True,
 ) -> BundleInfo:
-    """Writes what is on disk at this moment, without runs that have not ended; the file appears when it is complete.
+    """Writes the present rows, without runs that have not ended; the file appears when it is complete.
 
     Args:
         dest: the file. If it exists, the new one gets a number.
@@ -294,7 +294,7 @@ def _describe(db: sqlite3.Connection, info: BundleInfo) -> None:
 
 
 def forget_unconfirmed(db: sqlite3.Connection) -> None:
-    """Makes an unconfirmed pass count as not judged, for a file for statistics, which does not have the marks."""
+    """Makes an unconfirmed pass count as not judged, for a file for statistics, which lacks `unconfirmed_runs`."""
     db.execute("UPDATE runs SET passed = NULL WHERE id IN (SELECT run_id FROM unconfirmed_runs)")
     db.execute("DELETE FROM unconfirmed_runs")
 

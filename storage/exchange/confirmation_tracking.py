@@ -1,7 +1,7 @@
 """Tracks the runs of a bundle whose pass does not count until this PC has re-verified them.
 
-Anybody can make a bundle. So each pass that comes with one is marked in `unconfirmed_runs`, whoever wrote the bundle.
-The mark is removed when this PC has repeated the run with the same record and a pass
+Anybody can make a bundle. So each pass that comes with one gets an entry in `unconfirmed_runs`, whoever wrote the
+bundle. The entry is deleted when this PC has repeated the run with the same record and a pass
 (`pinel_desktop/school/confirming.py`). A run whose re-verification failed may be replaced by the bundle's record.
 
 In the SQL `main` is the store and `bundle` the bundle. A row of the store is `ours`, a row of the bundle `theirs`.
@@ -18,7 +18,7 @@ from storage.tables.runs import RUNS
 from storage.text import to_json
 
 _UNCONFIRMED = "main.unconfirmed_runs"
-# condition: the run counts as passed, or is still to be judged by its record; only such runs need a mark
+# condition: the run counts as passed, or is still to be judged by its record; only such runs need an entry
 _COUNTS = "activity IS NOT NULL AND (passed = 1 OR passed IS NULL AND check_report IS NULL)"
 _IS_CUT_OFF = "ours.state = 'running' OR ours.reason IS 'interrupted'"
 _IS_TO_BE_JUDGED = f"ours.passed IS NULL AND ours.check_report IS NULL AND NOT ({_IS_CUT_OFF})"
@@ -33,7 +33,7 @@ _REFUTED = f"""SELECT ours.id {rows_in_both(RUNS)} JOIN {_UNCONFIRMED} AS mark O
 def tracking_unconfirmed(
     db: sqlite3.Connection, now: str, *, replaces_refuted: bool = True
 ) -> Iterator[None]:
-    """Marks the runs that a merge within this context adds or changes and whose pass would count.
+    """Records in `unconfirmed_runs` the runs that a merge within this context adds or changes, if they count.
 
     Args:
         replaces_refuted: if re-verification refuted a run on this PC, replaces it by the bundle's run, which is then
@@ -56,7 +56,7 @@ def tracking_unconfirmed(
 
 
 def n_unconfirmed(db: sqlite3.Connection) -> int:
-    """Returns how many runs of the bundle have a mark in the store."""
+    """Returns how many runs of the bundle have an entry in `unconfirmed_runs`."""
     return row_count(db, _UNCONFIRMED, "run_id IN (SELECT id FROM bundle.runs)")
 
 

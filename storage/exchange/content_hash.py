@@ -1,7 +1,7 @@
 """The content hash of a store or bundle: equal for two files that hold the same replicated rows.
 
 It covers the tables of `REPLICATED`, not settings, merges and exports, which belong to one PC. Runs that have not
-ended do not count yet. A PC counts only if rows of the file were made on it, so a file into which bundles were only
+ended do not count yet. A PC counts only if rows of the file were made on it. So a file into which bundles were only
 merged has the same hash on every PC.
 """
 

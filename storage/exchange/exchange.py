@@ -101,8 +101,8 @@ class Exchange:
             delete: also deletes the rows that the bundle's tombstones name, from the store, the write-ahead log and
                 the backups. Without it the report only counts them.
             retained: with `delete`, keys of groups and programs that are retained.
-            retain_newer: with `delete`, also retains groups and programs that were moved to another class, or that
-                have work which the deleting PC did not have.
+            retain_newer: with `delete`, also retains groups and programs that were moved to another class. Likewise
+                groups and programs with work that the deleting PC did not have.
 
         Raises:
             StoreError: see `merging.merge`.

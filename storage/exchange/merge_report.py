@@ -10,7 +10,7 @@ from storage.exchange.deleting.pending import PendingDeletion, PendingWork
 
 @dataclass(frozen=True, slots=True)
 class MergeReport:
-    """What a merge changed, as numbers of rows by table, without zeros.
+    """The changes of a merge, as numbers of rows by table, without zeros.
 
     Attributes:
         added: rows that were not in the store.

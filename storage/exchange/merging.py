@@ -83,8 +83,8 @@ def merge(
         delete: also deletes the rows of the store that the bundle's tombstones name. `Exchange.merge` deletes
             them from the write-ahead log and the backups.
         retained: with `delete`, keys of groups and programs that are retained in spite of a tombstone.
-        retain_newer: with `delete`, also retains groups and programs that were moved to another class, or that
-            have work which the deleting PC did not have.
+        retain_newer: with `delete`, also retains groups and programs that were moved to another class. Likewise groups
+            and programs with work that the deleting PC did not have.
 
     Raises:
         StoreError: the bundle is refused (see `open_bundle`), it deletes a run that has not ended
@@ -231,7 +231,7 @@ class _BundleMerge:
         """Deletes the tombstoned rows in their newer state, and the rows that a person gave up.
 
         A retained group retains its class, so the tombstone of the class no longer deletes its other groups.
-        Those that the person did not retain are deleted by their own keys.
+        The groups that the person did not retain are deleted by their own keys.
         """
         self._apply_newer_parents()
         with tombstoned_rows(self._db):
@@ -264,11 +264,11 @@ class _BundleMerge:
         return staying
 
     def would_delete(self) -> PendingDeletion | None:
-        """Returns what a merge with `delete` would delete, None for nothing."""
+        """Returns the deletion that a merge with `delete` would make, None for none."""
         return self._dry_run()[0]
 
     def _dry_run(self) -> tuple[PendingDeletion | None, set[str]]:
-        """Returns what would be deleted, and its keys, from a dry run that is rolled back."""
+        """Returns the deletion that a merge would make, and its keys, from a dry run that is rolled back."""
         self._do("SAVEPOINT trial")
         try:
             trial = _BundleMerge(self._db, delete=True, protected_runs=self._protected_runs)

@@ -34,7 +34,7 @@ def write_parquet(bundle: Path, dest: Path) -> Path:
         StoreError: `parquet_missing` without pyarrow; `export_failed`.
     """
     try:
-        import pyarrow  # noqa: F401, PLC0415 - see above
+        import pyarrow  # noqa: F401, PLC0415 - optional
     except ImportError:
         raise StoreError("parquet_missing") from None
     part = dest.with_name(f".{dest.name}.part")

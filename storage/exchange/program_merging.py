@@ -1,7 +1,7 @@
 """Merges the one program that a group exported to take it along. This needs no PIN, so it only adds rows.
 
-Anybody may have changed the file. So no row of the store changes. The only rows added are the program, the rows
-that it belongs to (its group, class, lessons and PCs), its versions with their labels, and its runs. Notes are left
+Anybody may have changed the file. So no row of the store changes. The merge only adds the program, its versions with
+their labels, its runs, and the rows that it belongs to: its group, class, lessons and PCs. Notes are left
 out, because they are the teacher's. A pass of these runs does not count until this PC has repeated the run
 (`confirmation_tracking.py`).
 """

@@ -78,7 +78,7 @@ class Scope:
                 require(db, f"{kind}s", key)
 
     def _chosen(self) -> dict[str, str]:
-        """Returns the conditions by table that differ from those of `_belonging`."""
+        """Returns the conditions by table that differ from `_belonging`."""
         rows = {
             TOMBSTONES.name: "0",
             DELETIONS.name: "0",

@@ -46,7 +46,7 @@ def read_counter(database: Path) -> CommitRecord | None:
 class CommitCounter:
     """The commit counter of an open database, written after each commit; close it.
 
-    If the folder cannot be written, nothing is counted.
+    If the folder cannot be written, the file is missing; the database still counts its commits.
     """
 
     def __init__(self, database: Path) -> None:

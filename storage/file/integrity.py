@@ -1,7 +1,7 @@
 """The integrity check that takes too long for the start: indexes that do not match their tables, and rows whose parent
 is missing.
 
-A wrong bit in an index loses no row. But such a row is not found by its key, and no edit of it can be written. A wrong
+A wrong bit in an index loses no row. But the row is not found by its key, and cannot be edited. A wrong
 bit in the key of a group leaves its programs without a group, so no list shows them.
 """
 

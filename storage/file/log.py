@@ -1,6 +1,6 @@
 """The write-ahead log (WAL) on disk: finds frames that belong to it but that SQLite would ignore.
 
-SQLite reads a log up to the first frame whose checksum does not match, and takes all later frames for remains from
+SQLite reads a log up to the first frame whose checksum does not match. It takes all later frames for remains from
 before the last reset of the log. If later frames have the current salts, they are commits that a wrong bit has cut
 off (sqlite.org/fileformat2.html#walformat).
 """
@@ -63,7 +63,7 @@ def intact_frames(database: Path) -> Iterator[tuple[int, bytes]]:
 
 
 def _salts(octets: bytes, starts: range) -> bytes:
-    """Returns the current salts: from an intact header, else those of most frames."""
+    """Returns the current salts: from an intact header, else the salts of most frames."""
     stored = struct.unpack_from(">2I", octets, 24) if starts else ()
     if any(wal_checksum((0, 0), octets[:24], order) == stored for order in "<>"):
         return octets[16:24]

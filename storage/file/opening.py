@@ -310,7 +310,7 @@ def _reporting_full_disk(path: Path) -> Iterator[None]:
 
 
 def _continue_ids(connection: sqlite3.Connection) -> None:
-    """Makes new ids greater than those made here: lists sort by id, and an empty battery sets the clock to 2010."""
+    """Makes new ids greater than all made here: lists sort by id, and an empty battery sets the clock to 2010."""
     key = connection.execute("SELECT value FROM settings WHERE key = 'computer_id'").fetchone()
     computer = from_json(key[0]) if key else None
     for query in _MADE_HERE:

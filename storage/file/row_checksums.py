@@ -5,8 +5,8 @@ A run has three, of its row, its events and its samples, so that judging a run l
 columns of versions and runs, which covers them.
 
 No code has to update checksums by itself. Triggers of the writer's connection record each row that a transaction
-changes. Before the commit `ChangedRows.update_checksums` stores the checksums of these rows, or deletes those of
-deleted rows. A run that has not ended has none.
+changes. Before the commit `ChangedRows.update_checksums` stores the checksums of these rows, or deletes
+them with the row. A run that has not ended has none.
 """
 
 import hashlib
@@ -124,7 +124,7 @@ def is_intact(db: sqlite3.Connection, table: str, key: str, schema: str = "main"
 def copy_rows(
     db: sqlite3.Connection, table: str, key: str, schema: str, target: str = "main"
 ) -> None:
-    """Replaces the rows of a key in the schema `target`, which has such a row or run, by the rows of `schema`."""
+    """Replaces the rows of a key in the schema `target`, which has that row or run, by the rows of `schema`."""
     names = ", ".join(column_names(db, table, schema))
     which = f"FROM {schema}.{table} WHERE {KEYS[table]} = ?"
     if table in ("versions", "runs"):
@@ -138,7 +138,7 @@ def copy_rows(
 def _stale_checksums(
     db: sqlite3.Connection, changed: set[tuple[str, str]]
 ) -> Iterator[tuple[str, str]]:
-    """Yields the checksums that change with the rows. Those of a run's events and samples are due when it ends."""
+    """Yields the checksums that change with the rows. Checksums of events and samples are due when the run ends."""
     for table, key in changed:
         yield table, key
         if table == "runs":

@@ -167,7 +167,7 @@ class Writer:
     ) -> T:
         """Runs the job. If a damaged text stops it, runs it again with a tolerant decoder.
 
-        Otherwise one damaged name would keep people from writing anything else.
+        Otherwise one damaged name would prevent all writing.
         """
         try:
             return self._in_transaction(job, has_attached=has_attached)

@@ -1,6 +1,6 @@
 """Unconfirmed runs: their pass does not count until this PC has repeated them.
 
-`storage/exchange/confirmation_tracking.py` marks them.
+`storage/exchange/confirmation_tracking.py` records them.
 """
 
 from collections import Counter
@@ -10,10 +10,10 @@ from storage.run_validity import WAITING, ConfirmationFinding
 
 
 class Unconfirmed(Repository):
-    """The marks of unconfirmed runs."""
+    """The entries of the table `unconfirmed_runs`."""
 
     def waiting(self) -> list[str]:
-        """Returns the runs to repeat, those with the shortest record first, so that long ones do not delay all others.
+        """Returns the runs to repeat, the shortest record first, so that long runs do not delay all others.
 
         Leaves out deleted runs, and runs of an own activity that this store does not have yet.
         """
@@ -39,11 +39,11 @@ class Unconfirmed(Repository):
         self._database.write(lambda db: db.execute(query, [run_id]).rowcount)
 
     def confirm(self, run_id: str) -> None:
-        """Deletes the mark, so that the run counts from now on."""
+        """Deletes the entry, so that the run counts from now on."""
         query = "DELETE FROM unconfirmed_runs WHERE run_id = ?"
         self._database.write(lambda db: db.execute(query, [run_id]).rowcount)
 
     def note(self, run_id: str, finding: ConfirmationFinding) -> None:
-        """Records why the run stays marked."""
+        """Records why the run stays unconfirmed."""
         query = "UPDATE unconfirmed_runs SET finding = ? WHERE run_id = ?"
         self._database.write(lambda db: db.execute(query, [finding, run_id]).rowcount)

@@ -75,7 +75,7 @@ class History(Repository):
 
 
 def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
-    # the plus keeps SQLite from using the index of that column, whose result it would have to sort
+    # the plus prevents SQLite from using the index of that column, whose result it would have to sort
     if which.classroom_id is not None:
         classroom = None if which.classroom_id == NO_CLASSROOM else which.classroom_id
         yield "+group_id IN (SELECT id FROM groups WHERE classroom_id IS ?)", classroom

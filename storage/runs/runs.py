@@ -273,7 +273,7 @@ def _running(db: sqlite3.Connection) -> list[str]:
 
 def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
     """Returns the end of an interrupted run, computed from its recorded events and samples."""
-    from storage.runs.simplify_path import outline  # noqa: PLC0415 - see above
+    from storage.runs.simplify_path import outline  # noqa: PLC0415 - needs numpy
     from storage.runs.telemetry import RATE_HZ  # noqa: PLC0415
 
     rows = _telemetry(db, run_id)
@@ -297,7 +297,7 @@ def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
 
 
 def _telemetry(db: sqlite3.Connection, run_id: str) -> "Telemetry":
-    from storage.runs.telemetry import joined  # noqa: PLC0415 - see above
+    from storage.runs.telemetry import joined  # noqa: PLC0415 - needs numpy
 
     rows = db.execute(
         "SELECT data, n_rows FROM telemetry WHERE run_id = ? ORDER BY chunk", [run_id]

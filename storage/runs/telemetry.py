@@ -1,7 +1,7 @@
 """The telemetry codec: packs samples as small as the precision that people use allows.
 
 A chunk has about a second. Each column is quantised to a whole number of steps and stored as differences from row to
-row, which are small as the robot moves smoothly. The bytes of all columns are shuffled, as the high bytes are nearly
+row. These are small, as the robot moves smoothly. The bytes of all columns are shuffled, as the high bytes are nearly
 all zero, and packed by zlib. The result is a small part of the size of float32 columns.
 """
 

@@ -1,7 +1,7 @@
 """Rows of a damaged file whose checksum does not match (`storage/file/row_checksums.py`).
 
 A bit that flipped inside a value still fits every rule of its table. A damaged version counts as unread. The
-remaining rows of a damaged run are imported, marked as damaged, unless the store has an intact copy.
+remaining rows of a damaged run are imported and recorded as damaged, unless the store has an intact copy.
 """
 
 from collections.abc import Iterator

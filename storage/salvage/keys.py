@@ -1,6 +1,6 @@
 """Repairs keys of rows in which one bit flipped.
 
-The right key is known from the row's checksum, for a version or run, or from its child rows, for a class, group or
+The right key follows from the row's checksum, for a version or run, or from its child rows, for a class, group or
 program. Keys are random enough that two of them hardly ever differ by one bit.
 """
 

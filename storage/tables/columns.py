@@ -119,8 +119,8 @@ class ReplicatedTable(Table):
         anonymous: False if anonymous bundles have no rows.
         parquet: the Parquet export has the table.
         metrics: further columns of the Parquet file.
-        precedence: SQL expressions that decide, before revision and values, which of two states of a row is newer,
-            with `{side}` in place of the table's name.
+        precedence: SQL expressions that decide which of two states of a row is newer, before revision and values do.
+            They have `{side}` in place of the table's name.
         bound: columns that never change, and whose hash is in the key (`storage/text.py: id_of`).
         counts_empty: False if the content hash leaves the table out while it has no rows. Files without such rows
             then have the same hash as in an earlier release.

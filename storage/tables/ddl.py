@@ -6,9 +6,9 @@ derive from it.
 
 Rows that change in place have `revision`, which counts changes, and `changed_at`. Of two states of a row every merge
 retains the greater one by revision, then time, then values, in any order of merges. For groups, lessons and notes the
-revision counts the teacher's changes only. So changes by pupils, or by the app itself, never win over what the teacher
-changed on another PC meanwhile. Rows of other tables are only added. A row with a key in `tombstones` comes back only
-if `deletions` has the key as retained.
+revision counts the teacher's changes only. So changes by pupils, or by the app itself, never win over changes that
+the teacher made on another PC meanwhile. Rows of other tables are only added. A row with a key in `tombstones` comes
+back only if `deletions` has the key as retained.
 """
 
 from storage.tables.views import VIEWS

@@ -31,7 +31,7 @@ def migrate(
         n_steps: how many of the migrations the file must have; None for all.
         at_once: applies all in one transaction, for a new file, because each transaction waits for the disk.
     """
-    from sqlite_utils import Database  # noqa: PLC0415 - see above
+    from sqlite_utils import Database  # noqa: PLC0415 - for a migration only
     from sqlite_utils.migrations import Migrations  # noqa: PLC0415
 
     migrations = Migrations(MIGRATION_SET)
@@ -51,7 +51,7 @@ def _step(name: str) -> "Callable[[Database], None]":
 
 
 def _view_about() -> str:
-    from storage.tables.replicated import TABLES  # noqa: PLC0415 - see above
+    from storage.tables.replicated import TABLES  # noqa: PLC0415 - for a migration only
     from storage.tables.views import VIEWS  # noqa: PLC0415
 
     meanings = {table.name: table.description for table in TABLES.values()}

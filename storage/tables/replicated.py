@@ -101,7 +101,7 @@ COMPUTERS = ReplicatedTable(
     deletable=False,
 )
 
-# parents stand before their children; the content hash follows this order
+# parents are before their children; the content hash follows this order
 REPLICATED = (
     TOMBSTONES,
     DELETIONS,

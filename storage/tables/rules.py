@@ -43,7 +43,7 @@ _GOAL_PARTS = {"lines": list, "zones": list, "boxes": dict}
 
 
 def optional(rule: Rule) -> Rule:
-    """Accepts NULL, and what the rule accepts."""
+    """Accepts NULL and all values of the rule."""
     return lambda value: value is None or rule(value)
 
 
@@ -185,7 +185,7 @@ def _is_goal(value: dict[str, Any]) -> bool:
 
 
 def _is_version_vector(value: dict[str, Any]) -> bool:
-    """Accepts what `storage/exchange/deleting/knowledge.py` writes: a class or none, and the newest key by PC."""
+    """Accepts a version vector (`storage/exchange/deleting/knowledge.py`): a class or none, the newest key by PC."""
     newest = value.get("newest", {})
     classroom = value.get("classroom")
     return (

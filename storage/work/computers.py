@@ -1,7 +1,7 @@
 """This PC's key and name, which distinguish its work from the work of other PCs.
 
 A hash of the machine's id is stored with the key. If it is the hash of another machine, the data folder was copied to
-this one. This PC then gets a key of its own, and earlier work keeps the old key.
+this one. This PC then gets a key of its own, and earlier work stays under the old key.
 """
 
 import platform

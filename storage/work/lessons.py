@@ -1,7 +1,7 @@
 """Lessons: meetings of a class, opened by the teacher, or by themselves when a group starts to work.
 
-Work belongs to a lesson by key, not by time, because the clocks of school PCs are often wrong. The key of a lesson that
-the teacher opens is made from class and title, so it is the same lesson on all PCs where the teacher opens it.
+Work belongs to a lesson by key, not by time, because the clocks of school PCs are often wrong. If the teacher opens a
+lesson, its key is made from class and title, so all PCs give it the same key.
 """
 
 import uuid

@@ -53,7 +53,7 @@ class Notes(Repository):
     def acknowledge(self, note_id: str) -> NoteRow:
         """Records that the group has read it, without raising the revision.
 
-        A greater revision would win over what the teacher writes meanwhile on another PC.
+        A greater revision would win over a text that the teacher writes meanwhile on another PC.
 
         Raises:
             StoreError: `note_not_found`.

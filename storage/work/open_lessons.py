@@ -1,6 +1,6 @@
 """The lesson that is open on this PC, for each class.
 
-All PCs that opened a lesson share its row, which after a merge describes what another PC did last. So the lesson that
+All PCs that opened a lesson share its row, which after a merge describes the last use on another PC. So the lesson that
 is open on this PC is stored in the settings, which no merge changes.
 """
 

@@ -24,7 +24,7 @@ class Programs(Repository):
     """The programs of the file."""
 
     def of_group(self, group_id: str, *, in_bin: bool = False) -> list[ProgramRow]:
-        """Returns the programs of a group, the one changed last first; with `in_bin` those in the bin.
+        """Returns the programs of a group, the one changed last first; with `in_bin` the ones in the bin.
 
         Raises:
             StoreError: `group_not_found`.

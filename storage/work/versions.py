@@ -239,7 +239,7 @@ def _version_summary(row: sqlite3.Row) -> VersionSummary:
 
 
 def _version_row(row: sqlite3.Row, values: Sequence[Any] | None = None) -> VersionRow:
-    """Returns the record of a row; `values` are those of its content if they are known."""
+    """Returns the record of a row; `values` are its parsed content, if at hand."""
     content = dict(
         zip(_CONTENT, values or [from_json(row[name]) for name in _CONTENT], strict=True)
     )

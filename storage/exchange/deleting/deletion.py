@@ -6,8 +6,9 @@ spite of its tombstone; if it is even, a person deleted the row again. Of two tu
 merge in any order. Only a deletion by a person makes tombstones. A merge deletes the children of a deleted row but
 makes no tombstone for them.
 
-A group is deleted with each class in which any PC has had it (`former_classes`), if the PC that deleted the class did
-not know that the group had left. So the result does not depend on which state of a group comes first.
+`former_classes` has the classes in which any PC has had a group. The group is deleted with such a class, unless the
+PC that deleted the class knew that the group had left. So the result does not depend on which state of a group
+comes first.
 """
 
 from collections.abc import Collection, Iterable, Iterator

@@ -1,7 +1,7 @@
 """Version vectors: how far the deleting PC has the work of a row, so that other PCs find the newer work.
 
-The vector of a group or program has the newest key of its versions and runs for each PC, as the keys of one PC
-grow. The class of a group stands beside it.
+For each PC, the vector of a group or program has the newest key of its versions and runs. The keys of one PC grow.
+The vector of a group also has its class.
 """
 
 from collections.abc import Collection, Iterator

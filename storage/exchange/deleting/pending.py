@@ -1,6 +1,7 @@
-"""What a bundle would delete in this store, by name, and retaining it.
+"""Pending deletions: finds the work that a merge would delete, and retains it if a person decides so.
 
-Finds the work that was moved, or that is newer than the deleting PC's.
+Also finds whether the work was moved, or is newer than the version vector of the deleting PC.
+
 In the SQL `main` is the store as it was before the merge, and `bundle` the bundle.
 """
 
@@ -66,7 +67,7 @@ class PendingWork:
 
 @dataclass(frozen=True, slots=True)
 class PendingDeletion:
-    """What a merge would delete, as numbers of rows.
+    """The rows that a merge would delete, as numbers.
 
     `names` has names of classes, groups, lessons, programs, signs and runs, 20 at most. `work` has each group and
     program that can be retained.
