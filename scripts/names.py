@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
+from contextlib import closing
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -19,6 +20,9 @@ from pinel_desktop.activities.model import Activity
 from pinel_desktop.messages import LANGUAGES, catalogue
 from pinel_desktop.web.description import description
 from scripts.reference import schemas
+from storage.sql import column_names
+from storage.sqlite import sqlite3
+from storage.tables.migrations import migrate
 
 ROOT = Path(__file__).resolve().parents[1]
 # docs/glossary.md has the terms to write instead
@@ -111,11 +115,20 @@ def recorded_names() -> frozenset[str]:
         Activity.model_json_schema(),
     )
     found = {name for document in documents for name in _keys(document)}
-    found |= set(re.findall(r"\w+", (ROOT / "storage" / "tables" / "ddl.py").read_text("utf-8")))
+    found |= set(_columns())
     for language in LANGUAGES:
         for message in catalogue(language).values():
             found |= set(re.findall(r"\{(\w+)\}", " ".join(message.values())))
     return frozenset(found)
+
+
+def _columns() -> Iterator[str]:
+    """Names of all tables and columns of a store."""
+    with closing(sqlite3.connect(":memory:", isolation_level=None)) as db:
+        migrate(db)
+        for (table,) in db.execute("SELECT name FROM sqlite_schema").fetchall():
+            yield table
+            yield from column_names(db, table)
 
 
 def _keys(document: Any) -> Iterator[str]:

@@ -34,18 +34,18 @@ class Bounds:
 
     def checked(self, value: Value) -> float:
         """Returns the value if it is a number within the bounds. Raises RunFailureError."""
-        takes = self.spec
+        spec = self.spec
         if not isinstance(value, float):
             raise RunFailureError("wrong_type_number", name=self.name)
-        if takes.whole and not value.is_integer():
+        if spec.whole and not value.is_integer():
             raise RunFailureError("wrong_type_whole_number", name=self.name)
         if (
-            (takes.ge is not None and value < takes.ge)
-            or (takes.gt is not None and value <= takes.gt)
-            or (takes.le is not None and value > takes.le)
+            (spec.ge is not None and value < spec.ge)
+            or (spec.gt is not None and value <= spec.gt)
+            or (spec.le is not None and value > spec.le)
         ):
-            low = takes.ge if takes.gt is None else takes.gt
-            raise RunFailureError(range_code(self.name, takes), value=value, min=low, max=takes.le)
+            low = spec.ge if spec.gt is None else spec.gt
+            raise RunFailureError(range_code(self.name, spec), value=value, min=low, max=spec.le)
         return value
 
     def text(self, value: Value) -> str:
