@@ -77,7 +77,9 @@ def test_what_the_run_lacks_is_shown_at_its_block_until_the_program_changes(
     hurry(studio)
     studio.run()
     studio.wait_for_phase("finished")
-    expect(studio["status-line"]).to_contain_text("Ainda não: 180° à esquerda", timeout=RUN_MS)
+    expect(studio["status-line"]).to_contain_text(
+        "Ainda não: O robô girou 180° à esquerda", timeout=RUN_MS
+    )
     turn = studio.page.locator(".blocklyWorkspace .pinelAdvice")
     expect(turn).to_have_count(1)
     expect(turn).to_contain_text("girar")

@@ -79,7 +79,7 @@ def test_the_work_of_one_pc_comes_to_another(studio: Studio, far_pc: Browser, st
         "exchange__result exchange__result--problem"
     )
     studio["merge-files"].click()
-    expect(results.filter(has_text="nada novo")).to_have_count(1)
+    expect(results.filter(has_text="nada de novo")).to_have_count(1)
     expect(studio.page.get_by_role("table")).to_be_visible()
     assert violations(studio, "merge-results") == []
     studio["home"].click()

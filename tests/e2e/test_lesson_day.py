@@ -159,7 +159,7 @@ def with_group(pc: Studio, name: str, work: Callable[[Studio], None]) -> None:
 def passes_at_once(pc: Studio) -> None:
     pc.build_square("1")
     finish(pc)
-    expect(pc["status-line"]).to_contain_text("A atividade está resolvida")
+    expect(pc["status-line"]).to_contain_text("A missão está cumprida")
 
 
 def repairs(pc: Studio) -> None:
@@ -169,7 +169,7 @@ def repairs(pc: Studio) -> None:
     pc.blocks.type_into(pc.blocks.by_text("andar para frente"), "1")
     pc.eventually(lambda: pc.commands()[0]["commands"][0]["distance"], 1)
     finish(pc)
-    expect(pc["status-line"]).to_contain_text("A atividade está resolvida")
+    expect(pc["status-line"]).to_contain_text("A missão está cumprida")
 
 
 def meets_the_wall(pc: Studio) -> None:
