@@ -84,7 +84,7 @@ def test_what_the_run_lacks_is_shown_at_its_block_until_the_program_changes(
     expect(turn).to_have_count(1)
     expect(turn).to_contain_text("girar")
     bubble = studio.page.locator(".pinelNoticeBubble")
-    expect(bubble).to_contain_text("O robô girou 180° à esquerda e voltou para trás.")
+    expect(bubble).to_contain_text("O robô girou 180° à esquerda")
     expect(studio.blocks.faulty()).to_have_count(0)
     studio.page.mouse.move(600, 500)
     studio.page.mouse.wheel(0, -3000)

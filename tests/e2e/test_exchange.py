@@ -184,7 +184,7 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
     assert studio.api("/groups") == {"groups": []}
     studio["merge-files"].click()
     expect(studio["merge-results"]).to_contain_text(
-        "nada novo. Não volta, porque foi apagado para sempre: 1 grupo, 1 programa"
+        "nada de novo. Não volta, porque foi apagado para sempre: 1 grupo, 1 programa"
     )
     assert studio.api("/groups") == {"groups": []}
 
