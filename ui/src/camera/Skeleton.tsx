@@ -1,4 +1,4 @@
-import type { SeenSign } from "../api/model";
+import type { DetectedHand } from "../api/model";
 import { BONES } from "./hand_shape";
 import { sight } from "./sight";
 
@@ -18,7 +18,7 @@ export function Skeleton() {
   );
 }
 
-function Bones({ hand, width }: { hand: SeenSign; width: number }) {
+function Bones({ hand, width }: { hand: DetectedHand; width: number }) {
   const places = hand.points.map(
     ([x = 0, y = 0]) => `${(x * width).toFixed(1)} ${(y * HEIGHT).toFixed(1)}`,
   );

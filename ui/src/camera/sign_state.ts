@@ -1,9 +1,9 @@
-import type { CameraSightEvent, SeenSign } from "../api/model";
+import type { CameraSightEvent, DetectedHand } from "../api/model";
 
 /** Summary of the detected hands, for display. */
 export type SignState =
   | { readonly kind: "blind" | "no hand" | "no letter" | "two signs" }
-  | ({ readonly kind: "unsure" | "sure" } & Pick<SeenSign, "best" | "second" | "confidence">);
+  | ({ readonly kind: "unsure" | "sure" } & Pick<DetectedHand, "best" | "second" | "confidence">);
 
 /**
  * Summarises a frame by the rules of a capture: a movement that has just ended counts; two hands

@@ -1,4 +1,4 @@
-import type { Activity, CheckLine, ChecksStandEvent, JudgedEvent } from "../api/model";
+import type { Activity, CheckProgress, CheckStatusChangedEvent, JudgedEvent } from "../api/model";
 import type { Texts } from "../i18n";
 import type { Sentence } from "./sentence";
 
@@ -25,8 +25,8 @@ export function withVerdict(
 export function checksOf(
   { checks }: Pick<Activity, "checks">,
   run: string | null,
-  checkStatus: ChecksStandEvent | null,
-): readonly CheckLine[] {
+  checkStatus: CheckStatusChangedEvent | null,
+): readonly CheckProgress[] {
   if (run !== null && checkStatus?.run === run) return checkStatus.checks;
   return checks.map((criterion) => ({ criterion, measured: "", state: "open" }));
 }

@@ -4,14 +4,14 @@ import { ApiError, ServerUnreachable } from "../api/errors";
 import type {
   CameraChangedEvent,
   CameraSightEvent,
-  ChecksStandEvent,
+  CheckStatusChangedEvent,
   Group,
   JudgedEvent,
   Notice,
   Program,
   ProgramChangedEvent,
   Robot,
-  RobotStateToldEvent,
+  RobotStateChangedEvent,
   RunEvent,
   SignRecordingEvent,
   SignsChangedEvent,
@@ -37,7 +37,7 @@ export const notice = signal<Notice | null>(null);
 /** Verdict on the last run by the activity of its lesson. */
 export const judged = signal<JudgedEvent | null>(null);
 /** Status of the activity's checks in the live run. */
-export const checkStatus = signal<ChecksStandEvent | null>(null);
+export const checkStatus = signal<CheckStatusChangedEvent | null>(null);
 /** The last program saved, discarded or restored, in any window. */
 export const changed = signal<ProgramChangedEvent | null>(null);
 export const problem = signal<Problem | null>(null);
@@ -152,7 +152,7 @@ interface CameraEventHandler {
 }
 
 /** Receiver of the states of the real robots that this page watches. */
-type RobotEventHandler = (event: RobotStateToldEvent) => void;
+type RobotEventHandler = (event: RobotStateChangedEvent) => void;
 
 function onStream(
   event: StreamEvent,

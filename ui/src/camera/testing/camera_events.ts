@@ -1,7 +1,7 @@
-import type { CameraChangedEvent, CameraSightEvent, SeenSign } from "../../api/model";
+import type { CameraChangedEvent, CameraSightEvent, DetectedHand } from "../../api/model";
 
 /** A detected hand. */
-export const hand = (more: Partial<SeenSign> = {}): SeenSign => ({
+export const hand = (more: Partial<DetectedHand> = {}): DetectedHand => ({
   points: Array.from({ length: 21 }, (_, n) => [0.4 + n / 100, 0.5]),
   handedness: "right",
   best: "B",
@@ -12,7 +12,7 @@ export const hand = (more: Partial<SeenSign> = {}): SeenSign => ({
 });
 
 /** The result of a frame with these hands. */
-export const sightOf = (...hands: SeenSign[]): CameraSightEvent => ({
+export const sightOf = (...hands: DetectedHand[]): CameraSightEvent => ({
   type: "camera_sight",
   hands,
   label: hands.find(({ sure }) => sure)?.best ?? "",

@@ -1,10 +1,10 @@
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import type { RobotStateToldEvent } from "../../api/model";
+import type { RobotStateChangedEvent } from "../../api/model";
 import { robotsApi } from "../../api/robots";
 import { usePolling } from "../../kit/usePolling";
 
-export type RobotState = RobotStateToldEvent;
+export type RobotState = RobotStateChangedEvent;
 
 /** The last state that the server sent for each watched robot, by link. */
 export const robotStates = signal<Readonly<Record<string, RobotState>>>({});

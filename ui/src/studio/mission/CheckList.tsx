@@ -1,15 +1,15 @@
 import { Circle, CircleAlert, CircleCheck, type LucideIcon } from "lucide-preact";
-import type { CheckLine } from "../../api/model";
+import type { CheckProgress } from "../../api/model";
 import { texts } from "../../i18n";
 
-const ICONS: Readonly<Record<CheckLine["state"], LucideIcon>> = {
+const ICONS: Readonly<Record<CheckProgress["state"], LucideIcon>> = {
   open: Circle,
   met: CircleCheck,
   broken: CircleAlert,
 };
 
 /** The checks, one a line: met so far, not yet met, or impossible to meet in this run. */
-export function CheckList({ checks }: { checks: readonly CheckLine[] }) {
+export function CheckList({ checks }: { checks: readonly CheckProgress[] }) {
   const { activity } = texts.value;
   return (
     <ul class="checks" aria-label={activity.criteria} data-testid="checks">

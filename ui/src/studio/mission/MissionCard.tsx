@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { ChevronDown, ChevronUp, CircleCheck, Lightbulb, LocateFixed, Target } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import type { Activity, CheckLine } from "../../api/model";
+import type { Activity, CheckProgress } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { checksOf, verdictOf } from "../../run/judgement";
@@ -67,7 +67,7 @@ interface MissionHeadProps {
   mission: Activity;
   done: boolean;
   /** The checks, if the card is folded and shows how many are met; else null. */
-  checks: readonly CheckLine[] | null;
+  checks: readonly CheckProgress[] | null;
 }
 
 function MissionHead({ mission, done, checks }: MissionHeadProps) {

@@ -1,5 +1,5 @@
 import { computed, effect, signal } from "@preact/signals";
-import type { CameraSightEvent, SeenSign } from "../../api/model";
+import type { CameraSightEvent, DetectedHand } from "../../api/model";
 import { type CameraNow, camera, sight } from "../../camera/sight";
 import { signStateOf } from "../../camera/sign_state";
 
@@ -61,7 +61,7 @@ function lightOf({ mode, problem }: CameraNow): PointStatus {
 }
 
 /** Rates the distance by the larger side of the hand. A hand with joints outside the picture is near too. */
-function distanceOf({ points }: SeenSign, aspect: number): PointStatus {
+function distanceOf({ points }: DetectedHand, aspect: number): PointStatus {
   const xs = points.map(([x = 0]) => x);
   const ys = points.map(([, y = 0]) => y);
   const [left, right] = [Math.min(...xs), Math.max(...xs)];
