@@ -25,7 +25,7 @@ def get_session() -> Response:
 
 @api.put("/teacher/pin", responses=responses(TeacherSession, *TEACHER, *WRITES))
 def choose_pin(body: Pin) -> Response:
-    """Sets the PIN and signs the teacher in. Anybody may set the first PIN, only the teacher a new one."""
+    """Sets the PIN and signs the teacher in. The first PIN is for anybody, a new one for the teacher."""
     sessions = services().teacher
     if sessions.has_pin:
         require_teacher()
