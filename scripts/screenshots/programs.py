@@ -11,24 +11,29 @@ def chain(*blocks: Block) -> Block:
     return {**first, "next": {"block": chain(*others)}} if others else first
 
 
+def number(value: float) -> Block:
+    """Returns an input with its shadow block."""
+    return {"shadow": {"type": "number", "fields": {"NUM": value}}}
+
+
 def forward(distance: float) -> Block:
-    return {"type": "move_forward", "fields": {"DISTANCE": distance}}
+    return {"type": "move_forward", "inputs": {"DISTANCE": number(distance)}}
 
 
 def turn(angle: float, direction: str = "LEFT") -> Block:
-    return {"type": "turn", "fields": {"DIRECTION": direction, "ANGLE": angle}}
-
-
-def repeat(times: int, *blocks: Block) -> Block:
     return {
-        "type": "repeat",
-        "fields": {"TIMES": times},
-        "inputs": {"DO": {"block": chain(*blocks)}},
+        "type": "turn",
+        "fields": {"DIRECTION": direction},
+        "inputs": {"ANGLE": number(angle)},
     }
 
 
+def repeat(times: int, *blocks: Block) -> Block:
+    return {"type": "repeat", "inputs": {"TIMES": number(times), "DO": {"block": chain(*blocks)}}}
+
+
 def sign(timeout: int) -> Block:
-    return {"type": "classify_gestures", "fields": {"TIMEOUT": timeout}}
+    return {"type": "classify_gestures", "inputs": {"TIMEOUT": number(timeout)}}
 
 
 def when_sign(letter: str, *blocks: Block) -> Block:
@@ -37,7 +42,7 @@ def when_sign(letter: str, *blocks: Block) -> Block:
         "fields": {"OPERATOR": "=="},
         "inputs": {
             "A": {"block": {"type": "gesture_result"}},
-            "B": {"block": {"type": "text_letter", "fields": {"TEXT": letter}}},
+            "B": {"shadow": {"type": "text_letter", "fields": {"TEXT": letter}}},
         },
     }
     inputs = {"CONDITION": {"block": compare}, "THEN": {"block": chain(*blocks)}}
@@ -45,7 +50,7 @@ def when_sign(letter: str, *blocks: Block) -> Block:
 
 
 def wait(seconds: float) -> Block:
-    return {"type": "wait", "fields": {"SECONDS": seconds}}
+    return {"type": "wait", "inputs": {"SECONDS": number(seconds)}}
 
 
 def workspace(*blocks: Block) -> dict[str, Any]:
