@@ -140,13 +140,13 @@ class Streams:
         return capture
 
     def _follow(self, capture: _Capture) -> None:
-        capture.outcome = self._run.wait(lambda: self._is_given_up(capture))
+        capture.outcome = self._run.wait(lambda: self._end_if_due(capture))
         capture.result_s = time.monotonic()
         self._camera.caption(self._caption(self._run.result or ""))
         capture.over.set()
 
-    def _is_given_up(self, capture: _Capture) -> bool:
-        """Ends a capture whose time is over or that nobody watches; True if it has not started in time."""
+    def _end_if_due(self, capture: _Capture) -> bool:
+        """Ends a capture that is over or that no page watches. Returns whether it failed to start in time."""
         now_s, started_s = time.monotonic(), self._run.capture_started_s
         if started_s is None:
             return now_s - capture.started_s > _START_S

@@ -8,11 +8,11 @@ import { type OpenProgram, openNewest } from "../program/open_program";
 /** Reports that another window has saved a version of the open program. */
 export function OtherWindow({ open }: { open: OpenProgram }) {
   const closed = useSignal(false);
-  const { other, isOvertaken } = open.windows;
+  const { other, isStale } = open.windows;
   const { value: version } = other;
   if (closed.value || version === null || open.deleted.value) return null;
   const labels = texts.value.archive;
-  const toNewest = isOvertaken.value;
+  const toNewest = isStale.value;
   return (
     <UndoBanner
       text={labels.otherWindow}

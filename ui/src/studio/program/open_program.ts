@@ -171,7 +171,7 @@ export const reloads = signal(0);
 /** Saves the current content, then shows the newest version. */
 export async function openNewest(open: OpenProgram): Promise<void> {
   await open.autosave.flush();
-  if (open.windows.isOvertaken.peek()) reloads.value += 1;
+  if (open.windows.isStale.peek()) reloads.value += 1;
 }
 
 /** The open program while its studio is on the screen, otherwise null. */

@@ -25,13 +25,13 @@ test("what another window made last is known as soon as it is heard of", () => {
   const windows = new Windows("v1");
   windows.receive("v2");
   windows.receive("v3");
-  expect([windows.other.value, windows.isOvertaken.value]).toEqual(["v3", true]);
+  expect([windows.other.value, windows.isStale.value]).toEqual(["v3", true]);
 });
 
 test("an answer tells of the other window where nothing was heard", async () => {
   const windows = new Windows("v1");
   await track(windows, "v3", "v2");
-  expect([windows.other.value, windows.isOvertaken.value]).toEqual(["v2", false]);
+  expect([windows.other.value, windows.isStale.value]).toEqual(["v2", false]);
 });
 
 test("a version of one's own that is heard of before its answer is here is one's own", async () => {
@@ -42,7 +42,7 @@ test("a version of one's own that is heard of before its answer is here is one's
     expect(windows.isSending).toBe(true);
     return saved("v2", "v1");
   });
-  expect([windows.other.value, windows.isOvertaken.value]).toEqual(["v3", true]);
+  expect([windows.other.value, windows.isStale.value]).toEqual(["v3", true]);
 });
 
 test("what is older than the opened version is in it already", () => {

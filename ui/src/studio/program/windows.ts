@@ -12,11 +12,11 @@ export class Windows {
 
   /** `opened`: the newest version when the program was opened here. */
   constructor(private readonly opened: string | null) {
-    if (opened) this.isOwn(opened);
+    if (opened) this.addOwn(opened);
   }
 
   /** Whether a version of another window is the newest. */
-  readonly isOvertaken = computed(() => this.other.value === this.newest.value);
+  readonly isStale = computed(() => this.other.value === this.newest.value);
 
   /** Whether a save is pending, so that the newest version is unknown. */
   get isSending(): boolean {
@@ -26,7 +26,7 @@ export class Windows {
   /** Handles the event of a saved version. The event of an own version may precede the response to its save. */
   receive(version: string): void {
     if (this.isSending) this.pendingVersions.push(version);
-    else this.judge(version);
+    else this.noteForeign(version);
   }
 
   async trackSave(save: () => Promise<SavedVersion>): Promise<SavedVersion> {
@@ -34,22 +34,22 @@ export class Windows {
     try {
       const saved = await save();
       const isNew = !this.own.has(saved.id);
-      this.isOwn(saved.id);
-      if (isNew && saved.before) this.judge(saved.before);
+      this.addOwn(saved.id);
+      if (isNew && saved.before) this.noteForeign(saved.before);
       return saved;
     } finally {
       this.sending -= 1;
       if (!this.isSending)
-        for (const version of this.pendingVersions.splice(0)) this.judge(version);
+        for (const version of this.pendingVersions.splice(0)) this.noteForeign(version);
     }
   }
 
-  private isOwn(version: string): void {
+  private addOwn(version: string): void {
     this.own.add(version);
     this.reach(version);
   }
 
-  private judge(version: string): void {
+  private noteForeign(version: string): void {
     if (this.own.has(version) || version <= (this.opened ?? "")) return;
     this.reach(version);
     const known = this.other.peek();
