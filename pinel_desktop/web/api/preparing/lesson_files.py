@@ -76,7 +76,7 @@ def write_lesson_file(path: IdPath, body: TargetFolder) -> Response:
     responses=responses(OpenedLesson, "teacher_only", "body_too_large", *_READS, *WRITES),
 )
 def open_lesson_file(query: LessonFileName, raw: UploadedFile) -> Response:
-    """Opens the lesson of an uploaded file (the body) on this PC. If a PIN is set, for the teacher only."""
+    """Opens the lesson of an uploaded file (the body) on this PC. Without a PIN for anybody, else for the teacher."""
     require_teacher_if_there_is_one()
     with uploaded(raw, query.name) as path:
         return _opened(path)
