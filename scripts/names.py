@@ -45,7 +45,7 @@ BANNED_PHRASES = (
 )  # fmt: skip
 # of other libraries, or the name of a command, check or block of the program's language, in any spelling
 EXEMPT = frozenset({"peek", "say", "says", "KEEP_LAST", "look_at"})
-TEXTS = "i18n/"  # its keys are the catalogue's
+TEXTS = re.compile(r"i18n/[a-z]{2}(-[A-Z]{2})?/")  # keys of the texts of a language
 
 Declaration = tuple[str, int, str]
 
@@ -101,7 +101,7 @@ def page_declarations() -> Iterator[Declaration]:
         ("sh", "-c", script), cwd=ROOT, check=True, capture_output=True, text=True
     )
     for file, line, name in json.loads(printed.stdout):
-        if not file.startswith(TEXTS) and file != "api/types.ts":
+        if not TEXTS.match(file) and file != "api/types.ts":
             yield f"ui/src/{file}", line, name
 
 

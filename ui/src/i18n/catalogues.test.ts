@@ -5,7 +5,7 @@ import { textsOf } from ".";
 import { decimal, duration, headingDegrees, moment, when } from "./format";
 import { LANGUAGES } from "./languages";
 import { editor as OWN_MESSAGES } from "./pt-BR/editor";
-import { reasonWords } from "./reasons";
+import { reasonText } from "./reasons";
 import type { Texts } from "./texts";
 
 type Leaf = string | ((...args: never[]) => string);
@@ -51,7 +51,7 @@ function toPupils(language: Language): object {
 const SHORT: Record<string, Language> = { pt: "pt-BR", en: "en", es: "es" };
 
 /** The words of the column "Not" of docs/terms.md, each with its language; the head of that page says what they mean. */
-function notWords(): [Language, string][] {
+function refusedTerms(): [Language, string][] {
   let isRead = false;
   return readFileSync("../docs/terms.md", "utf8")
     .split("\n")
@@ -59,37 +59,37 @@ function notWords(): [Language, string][] {
       const cell = line.startsWith("|")
         ? (line.slice(1, -1).split("|").at(-1)?.trim() ?? "")
         : null;
-      const isWords = isRead && cell !== null && /^[^-]/.test(cell);
+      const hasTerms = isRead && cell !== null && /^[^-]/.test(cell);
       isRead = cell === "Not" || (isRead && cell !== null);
-      return isWords ? cell.split("; ").flatMap(wordsOf) : [];
+      return hasTerms ? cell.split("; ").flatMap(termsOf) : [];
     });
 }
 
-function wordsOf(part: string): [Language, string][] {
-  const [short = "", words = ""] = part.split(": ");
+function termsOf(part: string): [Language, string][] {
+  const [short = "", terms = ""] = part.split(": ");
   const language = SHORT[short];
-  if (!language || !words) throw new Error(`no words of a language: ${part}`);
-  return words.split(", ").map((word) => [language, word]);
+  if (!language || !terms) throw new Error(`no words of a language: ${part}`);
+  return terms.split(", ").map((term) => [language, term]);
 }
 
-function refusal(word: string): RegExp {
-  const whole = word.match(/^\[(.+)\]$/)?.[1];
-  const stem = (whole ?? word).replace(/[.+?()]/g, "\\$&").replaceAll("*", "[\\p{L}\\p{N}_]*");
+function refusal(term: string): RegExp {
+  const whole = term.match(/^\[(.+)\]$/)?.[1];
+  const stem = (whole ?? term).replace(/[.+?()]/g, "\\$&").replaceAll("*", "[\\p{L}\\p{N}_]*");
   const pattern = whole ? `^${stem}$` : `(?<![\\p{L}\\p{N}_])${stem}(?![\\p{L}\\p{N}_])`;
-  return new RegExp(pattern, word === word.toUpperCase() ? "u" : "iu");
+  return new RegExp(pattern, term === term.toUpperCase() ? "u" : "iu");
 }
 
 /** The words of docs/terms.md's column "Not" that a text has in its language; names of code in it are no words. */
-function wrongWords(text: string, language: Language): string[] {
-  const said = text.replace(/\{\w+\}|--[\w-]+|\bpinel [a-z]+|[\p{L}\d]+[._]\w[\w.]*/gu, " ");
-  return REFUSED[language].flatMap(([word, one]) => (one.test(said) ? [word] : []));
+function refusedIn(text: string, language: Language): string[] {
+  const sample = text.replace(/\{\w+\}|--[\w-]+|\bpinel [a-z]+|[\p{L}\d]+[._]\w[\w.]*/gu, " ");
+  return REFUSED[language].flatMap(([term, one]) => (one.test(sample) ? [term] : []));
 }
 
-const NOT_WORDS = notWords();
+const REFUSED_TERMS = refusedTerms();
 const REFUSED = Object.fromEntries(
   LANGUAGES.map((language) => [
     language,
-    NOT_WORDS.flatMap(([of, word]) => (of === language ? [[word, refusal(word)]] : [])),
+    REFUSED_TERMS.flatMap(([of, term]) => (of === language ? [[term, refusal(term)]] : [])),
   ]),
 ) as Record<Language, [string, RegExp][]>;
 
@@ -105,18 +105,18 @@ test("the languages are those of the server's messages", () => {
   expect([...LANGUAGES].sort()).toEqual(folders.sort());
 });
 
-test.each(NOT_WORDS)("in %s a text with “%s” is found", (language, word) => {
-  const bare = word.replace(/[[\]*]/g, "");
-  const said = word.startsWith("[") ? bare : `– ${bare}, –`;
-  expect(wrongWords(said, language)).toContain(word);
-  expect(wrongWords(`x${bare}`, language)).not.toContain(word);
+test.each(REFUSED_TERMS)("in %s a text with “%s” is found", (language, term) => {
+  const bare = term.replace(/[[\]*]/g, "");
+  const sample = term.startsWith("[") ? bare : `– ${bare}, –`;
+  expect(refusedIn(sample, language)).toContain(term);
+  expect(refusedIn(`x${bare}`, language)).not.toContain(term);
 });
 
 test("names of code are no words", () => {
-  const said = "Use robot.gesture_result, --gestures or “pinel gestures train”: {gesture}.";
-  expect(wrongWords(said, "en")).toEqual([]);
-  expect(wrongWords("A gesture.", "en")).toEqual(["gesture*"]);
-  expect(wrongWords("Um sinal de Libras.", "pt-BR")).toEqual([]);
+  const sample = "Use robot.gesture_result, --gestures or “pinel gestures train”: {gesture}.";
+  expect(refusedIn(sample, "en")).toEqual([]);
+  expect(refusedIn("A gesture.", "en")).toEqual(["gesture*"]);
+  expect(refusedIn("Um sinal de Libras.", "pt-BR")).toEqual([]);
 });
 
 describe.each(LANGUAGES)("the catalogue %s", (language) => {
@@ -143,13 +143,13 @@ describe.each(LANGUAGES)("the catalogue %s", (language) => {
     }
   });
 
-  test("calls a thing by its one word", () => {
+  test("calls a thing by its one term", () => {
     const { blocks } = own(language);
     for (const [path, text] of [
       ...texts,
       ...leaves({ blocks, editor: editorMessages(language) }),
     ]) {
-      expect(wrongWords(text, language), `${path}: ${text}`).toEqual([]);
+      expect(refusedIn(text, language), `${path}: ${text}`).toEqual([]);
     }
   });
 
@@ -161,12 +161,12 @@ describe.each(LANGUAGES)("the catalogue %s", (language) => {
   });
 
   test("has the server's words for the end of a run", () => {
-    const words = reasonWords("blocked", { done: 0.5, amount: 1, unit: "m" }, language);
+    const words = reasonText("blocked", { done: 0.5, amount: 1, unit: "m" }, language);
     expect(words?.message).toContain((0.5).toLocaleString(language));
     expect(words?.message).not.toContain("{");
-    expect(reasonWords("no_such_code", {}, language)).toBeNull();
+    expect(reasonText("no_such_code", {}, language)).toBeNull();
     const turn = { done: -77.25, amount: -180, unit: "°" };
-    const turned = reasonWords("blocked", turn, language)?.message;
+    const turned = reasonText("blocked", turn, language)?.message;
     expect(turned).toContain(`${(77.25).toLocaleString(language)} ° `);
     expect(turned).not.toMatch(/[-\u2212]\d/);
   });
@@ -215,6 +215,6 @@ describe("figures", () => {
 
 test.each([...LANGUAGES])("a run that a power cut ended has words for it in %s", (language) => {
   for (const code of ["interrupted", "engine_lost"]) {
-    expect(reasonWords(code, {}, language)?.remedy).toBeTruthy();
+    expect(reasonText(code, {}, language)?.remedy).toBeTruthy();
   }
 });

@@ -19,7 +19,7 @@ export function decimal(value: number, digits: number, language: Language): stri
 }
 
 /** A number as people of the language write it, without trailing zeros and without the digits that no pupil measures. */
-export function numberWords(value: number, language: Language): string {
+export function formatNumber(value: number, language: Language): string {
   const digits = { ...sensibleDigits(value), useGrouping: false };
   return value.toLocaleString(language, digits).replace("-", "\u2212");
 }

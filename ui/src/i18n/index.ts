@@ -1,12 +1,12 @@
 import { computed, signal } from "@preact/signals";
 import type { Language } from "../api/model";
 import { FIRST, isLanguage, languageRow } from "./languages";
-import type { LaterTexts, StartTexts, Texts } from "./texts";
+import type { LazyTexts, StartTexts, Texts } from "./texts";
 
-type Part = "start" | "later";
+type Part = "start" | "lazy";
 
 const START = new Map<Language, StartTexts>();
-const LATER = new Map<Language, LaterTexts>();
+const LAZY = new Map<Language, LazyTexts>();
 /** The texts that the page needs of whatever language it speaks. */
 const needed = new Set<Part>(["start"]);
 
@@ -18,9 +18,9 @@ export const language = signal<Language>(isLanguage(written) ? written : FIRST);
 let chosen = language.peek();
 const arrived = signal(0);
 
-/** The texts of a language that has been fetched; those of later parts are missing before one is shown. */
+/** The texts of a language that has been fetched; those of lazy parts are missing before one is shown. */
 export function textsOf(language: Language): Texts {
-  return { ...START.get(language), ...LATER.get(language) } as Texts;
+  return { ...START.get(language), ...LAZY.get(language) } as Texts;
 }
 
 /** The texts of the page in the language chosen. Reading `.value` in a component subscribes it. */
@@ -33,14 +33,14 @@ export const texts = computed<Texts>(() => {
 export async function fetchTexts(wanted: Language): Promise<void> {
   const row = languageRow(wanted);
   if (!START.has(wanted)) START.set(wanted, await row.start());
-  if (needed.has("later") && !LATER.has(wanted)) LATER.set(wanted, await row.later());
+  if (needed.has("lazy") && !LAZY.has(wanted)) LAZY.set(wanted, await row.lazy());
   arrived.value++;
 }
 
-/** Fetches the texts of the parts that are fetched later; from now on, those of every language chosen. */
-export async function fetchLaterTexts(): Promise<void> {
-  needed.add("later");
-  while (!LATER.has(language.peek())) await fetchTexts(language.peek());
+/** Fetches the texts of the lazy parts; from now on, those of every language chosen. */
+export async function fetchLazyTexts(): Promise<void> {
+  needed.add("lazy");
+  while (!LAZY.has(language.peek())) await fetchTexts(language.peek());
 }
 
 /** Makes the page speak a language as soon as its texts are there; of two choices the last one counts. */

@@ -1,11 +1,11 @@
 import type { Language } from "../api/model";
-import type { LaterTexts, StartTexts } from "./texts";
+import type { LazyTexts, StartTexts } from "./texts";
 
 /** A language: what it calls itself, and its texts, each fetched when it is needed. */
 export interface LanguageRow {
   readonly name: string;
   readonly start: () => Promise<StartTexts>;
-  readonly later: () => Promise<LaterTexts>;
+  readonly lazy: () => Promise<LazyTexts>;
 }
 
 /** The language that the others are translated from, and the one to fall back on. */

@@ -8,14 +8,14 @@ test.each([
   ["lesson.md", en],
 ])("%s says what the page says of the lesson", (name, plan) => {
   const page = readFileSync(`../docs/${name}`, "utf8").replace(/\s+/g, " ");
-  const { title, about, steps, robots, roles, deaf, projector } = plan;
+  const { title, about, steps, robots, roles, deaf: inclusion, projector } = plan;
   const said = [
     title,
     about,
     ...Object.values(steps).flatMap((step) => Object.values(step)),
     robots,
     roles,
-    ...[deaf, projector].flatMap((part) => [part.title, ...part.points]),
+    ...[inclusion, projector].flatMap((part) => [part.title, ...part.points]),
   ];
   expect(said.filter((text) => !page.includes(text))).toEqual([]);
 });

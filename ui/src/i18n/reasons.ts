@@ -1,12 +1,12 @@
 import { type Language, textsOf } from ".";
-import { numberWords } from "./format";
+import { formatNumber } from "./format";
 import type { Message } from "./message";
 
 /**
  * Why a run ended, in the server's words; null for a code that has none. What can be known only while running may have
  * the reason of a fault of the document, such as a distance that comes out below 0.
  */
-export function reasonWords(
+export function reasonText(
   code: string | null,
   params: Record<string, unknown>,
   language: Language,
@@ -15,11 +15,11 @@ export function reasonWords(
 }
 
 /** The name of a kind of real robot, and what it is as the remedy; null for that of a newer release. */
-export const linkWords = (link: string, language: Language): Message | null =>
-  reasonWords(`robot_link_${link}`, {}, language);
+export const linkText = (link: string, language: Language): Message | null =>
+  reasonText(`robot_link_${link}`, {}, language);
 
 /** What is wrong with the camera or with the recording of a sign; null for a code that has no words there. */
-export function cameraWords(
+export function cameraProblemText(
   code: string,
   params: Record<string, unknown>,
   language: Language,
@@ -51,7 +51,7 @@ function filled(
 }
 
 function show(value: unknown, language: Language): string {
-  if (typeof value === "number") return numberWords(value, language);
+  if (typeof value === "number") return formatNumber(value, language);
   if (Array.isArray(value)) return value.map((item) => show(item, language)).join(", ");
   return typeof value === "string" ? value : JSON.stringify(value);
 }

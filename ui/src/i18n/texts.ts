@@ -1,4 +1,4 @@
-import type { later } from "./pt-BR/later";
+import type { lazy } from "./pt-BR/lazy";
 import type { start } from "./pt-BR/start";
 
 /**
@@ -7,7 +7,7 @@ import type { start } from "./pt-BR/start";
  */
 export type StartTexts = typeof start;
 
-/** The texts of the teacher's part, fetched with the first part of the page that is fetched later. */
-export type LaterTexts = typeof later;
+/** The texts of the teacher's part, fetched with the first part of the page that is loaded lazily. */
+export type LazyTexts = typeof lazy;
 
-export type Texts = StartTexts & LaterTexts;
+export type Texts = StartTexts & LazyTexts;

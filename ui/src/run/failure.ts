@@ -1,5 +1,5 @@
 import type { Language } from "../i18n";
-import { reasonWords } from "../i18n/reasons";
+import { reasonText } from "../i18n/reasons";
 import type { Ending, RunView } from "./reducer";
 
 /** The block at which a run failed and the text of the reason, in the form that an editor shows. */
@@ -16,6 +16,6 @@ export function failureIn({ phase, ending }: RunView, language: Language): Failu
 
 export function failureOf(ending: Ending | null, language: Language): Failure[] {
   if (!ending?.block) return [];
-  const explanation = reasonWords(ending.reason, ending.params, language);
+  const explanation = reasonText(ending.reason, ending.params, language);
   return explanation ? [{ block: ending.block, ...explanation }] : [];
 }

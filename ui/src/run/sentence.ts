@@ -1,6 +1,6 @@
 import type { Language, Texts } from "../i18n";
-import { degrees, metres, numberWords, seconds } from "../i18n/format";
-import { reasonWords } from "../i18n/reasons";
+import { degrees, formatNumber, metres, seconds } from "../i18n/format";
+import { reasonText } from "../i18n/reasons";
 import { captureText } from "./captured";
 import { drivingText } from "./driving";
 import { idleParts, type StoredProgram } from "./idle_parts";
@@ -180,13 +180,13 @@ function round(view: RunView, { texts, language, parameterOf }: SentenceContext)
   if (!loop?.round) return "";
   const times = loop.action === "repeat" ? parameterOf(loop.pointer, "times") : null;
   if (typeof times !== "number") return texts.status.roundOnly(loop.round);
-  return texts.status.round(loop.round, numberWords(times, language));
+  return texts.status.round(loop.round, formatNumber(times, language));
 }
 
 function ending(view: RunView, context: SentenceContext): Sentence {
   const { texts, language, past } = context;
   const { reason = null, params = {} } = view.ending ?? {};
-  const explanation = reasonWords(reason, params, language);
+  const explanation = reasonText(reason, params, language);
   if (view.phase === "failed" || view.phase === "stopped") {
     const more = past && RUN_AGAIN.has(reason ?? "") ? "" : explanation?.remedy;
     const tone = view.phase === "failed" ? "fault" : "notice";

@@ -1,5 +1,5 @@
 import type { Language, Texts } from "../i18n";
-import { numberWords } from "../i18n/format";
+import { formatNumber } from "../i18n/format";
 
 const NUMBER = /^-?\d+(\.\d+)?(e[-+]?\d+)?$/;
 const NUMBER_INSIDE = /(^|[^\p{L}\d.,])(-?\d+\.\d+(?:e[-+]?\d+)?)(?![\p{L}\d]|[.,]\d)/gu;
@@ -13,11 +13,11 @@ const THOUSANDS = /^-?[1-9]\d{0,2}\.\d{3}$/;
 export function localizeNumbers(text: string, language: Language): string {
   const parts = text.split(", ");
   if (parts.every((part) => isWrittenByProgram(part))) {
-    return parts.map((part) => numberWords(Number(part), language)).join(separatorIn(language));
+    return parts.map((part) => formatNumber(Number(part), language)).join(separatorIn(language));
   }
   return text.replace(NUMBER_INSIDE, (whole, before: string, number: string) =>
     isWrittenByProgram(number) && !THOUSANDS.test(number)
-      ? before + numberWords(Number(number), language)
+      ? before + formatNumber(Number(number), language)
       : whole,
   );
 }
@@ -30,7 +30,7 @@ const separatorIn = (language: Language) => (language === "en" ? ", " : "; ");
 
 /** Formats a program's value for the watch panel: texts in quotes, numbers in the language's format. */
 export function valueText(value: unknown, texts: Texts, language: Language): string {
-  if (typeof value === "number") return numberWords(value, language);
+  if (typeof value === "number") return formatNumber(value, language);
   if (typeof value === "boolean") return value ? texts.show.yes : texts.show.no;
   if (typeof value === "string") return value === "" ? texts.show.emptyText : `“${value}”`;
   if (Array.isArray(value)) {

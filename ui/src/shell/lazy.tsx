@@ -2,7 +2,7 @@ import { useSignalEffect } from "@preact/signals";
 import { RotateCw } from "lucide-preact";
 import type { ComponentType } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { fetchLaterTexts, texts } from "../i18n";
+import { fetchLazyTexts, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { problemOf } from "../kit/requests/problem";
 import { ToStart } from "../kit/ToStart";
@@ -20,7 +20,7 @@ export function setLazyStyles(fetch: () => Promise<unknown>): void {
 
 /** Imports a lazy part, together with the texts and styles of all lazy parts. */
 export async function fetchPart<Part>(load: () => Promise<Part>): Promise<Part> {
-  const [part] = await Promise.all([load(), fetchStyles(), fetchLaterTexts()]);
+  const [part] = await Promise.all([load(), fetchStyles(), fetchLazyTexts()]);
   return part;
 }
 

@@ -3,5 +3,5 @@ import type { LanguageRow } from "../languages";
 export const row: LanguageRow = {
   name: "Español",
   start: async () => (await import("./start")).start,
-  later: async () => (await import("./later")).later,
+  lazy: async () => (await import("./lazy")).lazy,
 };

@@ -1,5 +1,5 @@
 export const row = {
   name: "Português",
   start: async () => (await import("./start")).start,
-  later: async () => (await import("./later")).later,
+  lazy: async () => (await import("./lazy")).lazy,
 };

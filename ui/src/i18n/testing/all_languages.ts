@@ -1,6 +1,6 @@
 /** Run before each file of tests: the texts of every language are there, and need no waiting for. */
-import { fetchLaterTexts, fetchTexts } from "..";
+import { fetchLazyTexts, fetchTexts } from "..";
 import { LANGUAGES } from "../languages";
 
-await fetchLaterTexts();
+await fetchLazyTexts();
 await Promise.all(LANGUAGES.map(fetchTexts));

@@ -1,7 +1,7 @@
 import { BellRing, CircleQuestionMark, MessageCircle, Reply } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { language, texts } from "../../i18n";
-import { numberWords, seconds } from "../../i18n/format";
+import { formatNumber, seconds } from "../../i18n/format";
 import type { Line } from "../output";
 import { localizeNumbers } from "../values";
 
@@ -66,6 +66,6 @@ function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
 
 function lineText(kind: Line["kind"], text: Line["text"]): string {
   if (kind === "beeped") return texts.value.show.beeps(Number(text));
-  if (typeof text === "number") return numberWords(text, language.value);
+  if (typeof text === "number") return formatNumber(text, language.value);
   return kind === "answered" ? text : localizeNumbers(text, language.value);
 }

@@ -1,6 +1,6 @@
 import { Bot } from "lucide-preact";
 import { language } from "../../i18n";
-import { linkWords } from "../../i18n/reasons";
+import { linkText } from "../../i18n/reasons";
 import { SIMULATOR } from "./real_robot";
 
 interface RobotNameProps {
@@ -19,5 +19,4 @@ export function RobotName({ link }: RobotNameProps) {
 }
 
 /** The name of a kind of real robot; for a kind of a newer release, the name of its link. */
-export const robotLabel = (link: string): string =>
-  linkWords(link, language.value)?.message ?? link;
+export const robotLabel = (link: string): string => linkText(link, language.value)?.message ?? link;

@@ -3,7 +3,7 @@ import { useState } from "preact/hooks";
 import type { RealRobot } from "../../api/model";
 import { robotsApi } from "../../api/robots";
 import { language, texts } from "../../i18n";
-import { linkWords } from "../../i18n/reasons";
+import { linkText } from "../../i18n/reasons";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
 import { useAction } from "../../kit/requests/action";
@@ -34,7 +34,7 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
     setSaved(await change(() => robotsApi.save(robot.link, descriptionOf(robot.fields, draft))));
   return (
     <Form class="panel card" onSubmit={save}>
-      <p>{linkWords(robot.link, language.value)?.remedy}</p>
+      <p>{linkText(robot.link, language.value)?.remedy}</p>
       <p class="robot-form__state" data-set-up={robot.is_set_up}>
         {robot.is_set_up ? labels.isSetUp : labels.notSetUp}
       </p>

@@ -9,7 +9,7 @@ import { plan } from "./plan";
 import { review } from "./review";
 import { making, robotSetup, teacher } from "./teacher";
 
-export const later = {
+export const lazy = {
   camera,
   /** What is wrong with the camera, and with the recording of a sign. */
   cameraProblems: { ...cameraMessages, ...gestureMessages } as Catalogue,

@@ -1,7 +1,7 @@
 import cameraMessages from "../../../../pinel_desktop/messages/catalogue/en/camera.json";
 import gestureMessages from "../../../../pinel_desktop/messages/catalogue/en/gestures.json";
 import figures from "../../../../pinel_desktop/messages/catalogue/en/review.json";
-import type { LaterTexts } from "../texts";
+import type { LazyTexts } from "../texts";
 import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
 import { help } from "./help";
@@ -9,7 +9,7 @@ import { plan } from "./plan";
 import { review } from "./review";
 import { making, robotSetup, teacher } from "./teacher";
 
-export const later: LaterTexts = {
+export const lazy: LazyTexts = {
   camera,
   cameraProblems: { ...cameraMessages, ...gestureMessages },
   exchange,
