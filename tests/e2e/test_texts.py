@@ -55,7 +55,7 @@ _KEYS = re.compile(r"⟦[^⟧]*⟧")
 
 def _show_keys(route: Route) -> None:
     url = route.request.url
-    name = "later" if "/later-" in url else "start"
+    name = "lazy" if "/lazy-" in url else "start"
     if url.endswith("?real"):
         route.continue_()
     else:
@@ -97,7 +97,7 @@ def app(school: tuple[AppProcess, Past]) -> AppProcess:
 @pytest.fixture
 def keys(open_studio: OpenStudio) -> Studio:
     studio = open_studio()
-    studio.page.route(re.compile(r"/assets/(?:start|later)-[^/]*\.js(?:\?real)?$"), _show_keys)
+    studio.page.route(re.compile(r"/assets/(?:start|lazy)-[^/]*\.js(?:\?real)?$"), _show_keys)
     studio.page.reload()
     expect(studio["group-name"]).to_be_visible()
     return studio
