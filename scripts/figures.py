@@ -30,7 +30,6 @@ GENERATED = tuple(
         "teacher/making/check_fields",
     )
 )
-TEXT_FILES = re.compile(r"ui/src/i18n/[\w-]+/")
 PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/: imported only by tests
 SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
 RAW_CONTROL = re.compile(r"<(?:button|select)\b")
@@ -61,10 +60,9 @@ def n_lines(names: Iterable[str]) -> int:
 
 
 def product() -> list[str]:
-    """Returns the hand-written files of the product, without files of texts for people."""
-    left_out = (TEXT_FILES, PAGE_TEST)
+    """Returns the hand-written files of the product."""
     files = [name for name in tree(CODE) if name not in GENERATED]
-    return [name for name in files if not any(kind.match(name) for kind in left_out)]
+    return [name for name in files if not PAGE_TEST.match(name)]
 
 
 def full_folders() -> dict[str, int]:

@@ -2,6 +2,7 @@ import { cpSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
+import { languages, tagOfStart } from "./languages.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -60,7 +61,7 @@ function pagePerLanguage(): Plugin {
       if (html?.type !== "asset") throw new Error("there is no index.html");
       for (const chunk of Object.values(bundle)) {
         if (chunk.type !== "chunk") continue;
-        const [, tag] = /i18n\/([\w-]+)\/start\.ts$/.exec(chunk.facadeModuleId ?? "") ?? [];
+        const tag = tagOfStart(chunk.facadeModuleId);
         if (!tag) continue;
         const parts = chunk.imports.filter((name) => !String(html.source).includes(name));
         const texts = [
@@ -78,7 +79,7 @@ function pagePerLanguage(): Plugin {
 
 export default defineConfig({
   base: "/",
-  plugins: [blocklyMedia(), fontsEarly(), pagePerLanguage()],
+  plugins: [languages(), blocklyMedia(), fontsEarly(), pagePerLanguage()],
   build: {
     outDir: here("../pinel_desktop/web/static"),
     emptyOutDir: true,

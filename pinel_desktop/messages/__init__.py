@@ -2,16 +2,22 @@
 
 `catalogue/LANGUAGE/AREA.json` maps codes to messages in one language, a code on each line:
 
-    "distance_out_of_range": {"message": "...{value}...", "remedy": "..."},
+    "distance_out_of_range": {"message": "...{{value}}...", "remedy": "..."},
 
-The folders of `catalogue` define which languages exist. The page reads the same files. Placeholders such as `{value}`
-are replaced one by one, never by a format string, because their values come from pupils' programs.
+The form is i18next JSON v4, which translators' tools read. Of a plural each form is written, chosen by `count`:
+
+    "merged": {"message_one": "{{count}} run came.", "message_other": "{{count}} runs came.", "remedy": ""},
+
+`language.json` has the language's name and its plural rule; `page/` has the texts of the page, which reads the messages
+too. The folders of `catalogue` define which languages exist. Placeholders are replaced one by one, never by a format
+string, because their values come from pupils' programs.
 """
 
+import gettext
 import json
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
@@ -24,7 +30,7 @@ LANGUAGES = (
     SOURCE_LANGUAGE,
     *sorted({folder.name for folder in _CATALOGUE.iterdir()} - {SOURCE_LANGUAGE}),
 )
-_PLACEHOLDER = re.compile(r"\{(\w+)\}")
+_PLACEHOLDER = re.compile(r"\{\{(\w+)\}\}")
 # written by `storage.text.local_time`
 _TIME_PARAMS = frozenset({"made_at", "time"})
 _TIMESTAMP = re.compile(
@@ -64,8 +70,20 @@ def catalogue(language: str) -> dict[str, dict[str, str]]:
     """All codes of all areas in one language: code -> {"message", "remedy"}."""
     merged: dict[str, dict[str, str]] = {}
     for file in sorted((_CATALOGUE / language).iterdir(), key=lambda entry: entry.name):
-        merged.update(json.loads(file.read_text("utf-8")))
+        if file.is_file() and file.name != "language.json":
+            merged.update(json.loads(file.read_text("utf-8")))
     return merged
+
+
+@cache
+def plural_rules(language: str) -> dict[str, Callable[[int], int]]:
+    """The plural forms of a language with their conditions, besides the general form "other".
+
+    The conditions are C expressions of `n`, as in gettext's files; a test compares them with the browser's rules.
+    """
+    file = _CATALOGUE / language / "language.json"
+    conditions: dict[str, str] = json.loads(file.read_text("utf-8"))["plural"]
+    return {form: gettext.c2py(condition) for form, condition in conditions.items()}  # type: ignore[attr-defined]
 
 
 def language_of_system() -> str:
@@ -98,9 +116,23 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Localize
         return _show(params[name], language, name in _PATH_PARAMS)
 
     return LocalizedMessage(
-        message=_PLACEHOLDER.sub(fill, texts["message"]),
-        remedy=_PLACEHOLDER.sub(fill, texts.get("remedy", "")),
+        message=_PLACEHOLDER.sub(fill, _form(texts, "message", params, language)),
+        remedy=_PLACEHOLDER.sub(fill, _form(texts, "remedy", params, language)),
     )
+
+
+def _form(texts: Mapping[str, str], part: str, params: Mapping[str, object], language: str) -> str:
+    """The text of a part of a message; of a plural, the form for `count`."""
+    if (whole := texts.get(part)) is not None:
+        return whole
+    count = params.get("count")
+    if isinstance(count, int):
+        if count == 0 and (zero := texts.get(f"{part}_zero")) is not None:
+            return zero
+        for form, holds in plural_rules(language).items():
+            if holds(count):
+                return texts.get(f"{part}_{form}", texts.get(f"{part}_other", ""))
+    return texts.get(f"{part}_other", "")
 
 
 def _without_sides(params: Mapping[str, object]) -> Mapping[str, object]:

@@ -13,19 +13,21 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
-# exports a language's texts, each replaced by its key in brackets, with its parameters
+# exports a language's texts, each replaced by its key in brackets, with the places of its values
 _SHOWING_KEYS = """
-import {{ {name} as real }} from "{url}?real";
+import * as real from "{url}?real";
 const shown = (value, path) => {{
-  if (typeof value === "function") return () => `⟦${{path}}⟧`;
+  if (Array.isArray(value)) return value.map((one, index) => shown(one, `${{path}}.${{index}}`));
   if (typeof value === "object") {{
     const rows = Object.entries(value).map(([key, one]) => [key, shown(one, `${{path}}.${{key}}`)]);
     return Object.fromEntries(rows);
   }}
   if (!/\\p{{L}}/u.test(value)) return value;
-  return [`⟦${{path}}⟧`, ...(value.match(/%\\d/g) ?? [])].join(" ");
+  const isFunction = value.includes("{{{{");
+  return [`⟦${{path}}${{isFunction ? " {{{{no}}}}" : ""}}⟧`, ...(value.match(/%\\d/g) ?? [])].join(" ");
 }};
-export const {name} = shown(real, "{name}");
+export const texts = shown(real.texts, "texts");
+export const messages = shown(real.messages, "messages");
 """
 _ATTRIBUTES = (
     "aria-label",
@@ -55,11 +57,10 @@ _KEYS = re.compile(r"⟦[^⟧]*⟧")
 
 def _show_keys(route: Route) -> None:
     url = route.request.url
-    name = "lazy" if "/lazy-" in url else "start"
     if url.endswith("?real"):
         route.continue_()
     else:
-        body = _SHOWING_KEYS.format(name=name, url=url)
+        body = _SHOWING_KEYS.format(url=url)
         route.fulfill(body=body, content_type="text/javascript")
 
 

@@ -1,7 +1,7 @@
 // The editor of the page and nothing else: no server of ours, no run, no floor, no history.
 import { createEditor } from "../../../ui/src/editor";
 import { fetchTexts } from "../../../ui/src/i18n";
-import "../../../ui/src/i18n/pt-BR/start"; // in the same file as the code
+import "virtual:texts/pt-BR/start"; // in the same file as the code
 
 await fetchTexts("pt-BR");
 

@@ -1,7 +1,7 @@
 // The editor without the page around it, for tests with very large programs.
 import { createEditor } from "../../../ui/src/editor";
 import { fetchTexts } from "../../../ui/src/i18n";
-import "../../../ui/src/i18n/pt-BR/start"; // bundled into the same file as the code
+import "virtual:texts/pt-BR/start"; // bundled into the same file as the code
 
 await fetchTexts("pt-BR");
 

@@ -119,7 +119,7 @@ function ActivityCard({ choice, state, group }: ActivityCardProps) {
       <span class="activities__facts aside">
         {choice.minutes !== null && (
           <span>
-            <Clock class="icon" aria-hidden="true" /> {activity.minutes(choice.minutes)}
+            <Clock class="icon" aria-hidden="true" /> {activity.minutes({ n: choice.minutes })}
           </span>
         )}
         {Icon && state !== "new" && (

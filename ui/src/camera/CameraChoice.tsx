@@ -14,7 +14,7 @@ export function CameraChoice() {
   const status = useLoaded("camera", refresh);
   const source = valueIn(status)?.source;
   if (source === undefined) return null;
-  const webcams = WEBCAMS.map((one) => [one, labels.number(Number(one) + 1)] as const);
+  const webcams = WEBCAMS.map((one) => [one, labels.number({ n: Number(one) + 1 })] as const);
   return (
     <Select
       class="camera-choice"

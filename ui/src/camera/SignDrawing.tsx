@@ -1,4 +1,5 @@
 import { texts } from "../i18n";
+import { namedSign } from "../i18n/phrases";
 import { type HandSide, handShape, type Landmark, type Piece } from "./hand_shape";
 import { signs } from "./signs";
 import drawn from "./signs.json";
@@ -22,7 +23,8 @@ interface SignDrawingProps {
 export function SignDrawing({ sign, hand = "right", class: more = "" }: SignDrawingProps) {
   const labels = texts.value.camera;
   const landmarks = landmarksOf(sign);
-  const name = landmarks ? labels.sign(sign) : labels.noDrawing(sign);
+  const named = { sign: namedSign(sign, texts.value) };
+  const name = landmarks ? labels.sign(named) : labels.noDrawing(named);
   return (
     <svg class={`sign-drawing ${more}`} viewBox="0 0 100 100" role="img" aria-label={name}>
       {landmarks ? (

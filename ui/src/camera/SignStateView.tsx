@@ -1,6 +1,7 @@
 import { CircleQuestionMark, Hand, type LucideIcon } from "lucide-preact";
 import { language, texts } from "../i18n";
 import { percent } from "../i18n/format";
+import { namedSign } from "../i18n/phrases";
 import type { SignState } from "./sign_state";
 
 /** Radius of the ring around the letter; its circumference is 100. */
@@ -71,7 +72,9 @@ function StateText({ state, next }: { state: SignState; next: string | null }) {
         <p class="reading__words">
           <span>{camera.unsure}</span>
           <strong class="reading__doubt">
-            {state.second ? camera.either(state.best, state.second) : `${state.best}?`}
+            {state.second
+              ? camera.either({ one: state.best, other: state.second })
+              : `${state.best}?`}
           </strong>
         </p>
       );
@@ -96,14 +99,14 @@ function Sure({ best, second, confidence, next }: SureProps) {
   const share = percent(confidence, language.value);
   return (
     <div class="reading__words">
-      <p class="visually-hidden">{camera.sure(best, share)}</p>
+      <p class="visually-hidden">{camera.sure({ sign: namedSign(best, texts.value), share })}</p>
       <div class="row middle gap-2" aria-hidden="true">
         <span class="reading__bar">
           <span style={{ width: `${100 * confidence}%` }} />
         </span>
         <span class="reading__share">{share}</span>
       </div>
-      <p class="reading__second">{next ?? (second && camera.orElse(second))}</p>
+      <p class="reading__second">{next ?? (second && camera.orElse({ letter: second }))}</p>
     </div>
   );
 }

@@ -65,7 +65,7 @@ export function duration(total: number, language: Language): string {
 export function when(iso: string, now: Date, language: Language, texts: Texts): string {
   const minutes = Math.floor((now.getTime() - new Date(iso).getTime()) / 60_000);
   if (minutes >= 0 && minutes < 1) return texts.units.now;
-  if (minutes >= 0 && minutes < 60) return texts.units.minutesAgo(minutes);
+  if (minutes >= 0 && minutes < 60) return texts.units.minutesAgo({ n: minutes });
   return moment(iso, now, language, texts);
 }
 
@@ -74,8 +74,8 @@ export function moment(iso: string, now: Date, language: Language, texts: Texts)
   const then = new Date(iso);
   const time = whole(then.toLocaleTimeString(language, { timeStyle: "short" }));
   const days = dayNumber(now) - dayNumber(then);
-  if (days === 0) return texts.units.today(time);
-  if (days === 1) return texts.units.yesterday(time);
+  if (days === 0) return texts.units.today({ time });
+  if (days === 1) return texts.units.yesterday({ time });
   const sameYear = then.getFullYear() === now.getFullYear();
   const day = then.toLocaleDateString(language, {
     day: "numeric",

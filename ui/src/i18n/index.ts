@@ -1,14 +1,15 @@
 import { computed, signal } from "@preact/signals";
 import type { Language } from "../api/model";
+import { compile, type Part } from "./compile";
 import { FIRST, isLanguage, languageRow } from "./languages";
-import type { LazyTexts, StartTexts, Texts } from "./texts";
+import type { Texts } from "./texts";
 
-type Part = "start" | "lazy";
+type PartName = "start" | "lazy";
 
-const START = new Map<Language, StartTexts>();
-const LAZY = new Map<Language, LazyTexts>();
+const START = new Map<Language, object>();
+const LAZY = new Map<Language, object>();
 /** The texts that the page needs of whatever language it speaks. */
-const needed = new Set<Part>(["start"]);
+const needed = new Set<PartName>(["start"]);
 
 /** The server writes its language into the page, so that its texts arrive with the code. */
 const written = document.documentElement.lang;
@@ -32,10 +33,15 @@ export const texts = computed<Texts>(() => {
 /** Fetches what the page needs of a language. Rejects where the server is gone. */
 export async function fetchTexts(wanted: Language): Promise<void> {
   const row = languageRow(wanted);
-  if (!START.has(wanted)) START.set(wanted, await row.start());
-  if (needed.has("lazy") && !LAZY.has(wanted)) LAZY.set(wanted, await row.lazy());
+  if (!START.has(wanted)) START.set(wanted, compiled(await row.start(), wanted));
+  if (needed.has("lazy") && !LAZY.has(wanted)) LAZY.set(wanted, compiled(await row.lazy(), wanted));
   arrived.value++;
 }
+
+const compiled = ({ texts, messages }: Part, language: Language): object => ({
+  ...(compile(texts, language) as object),
+  ...messages,
+});
 
 /** Fetches the texts of the lazy parts; from now on, those of every language chosen. */
 export async function fetchLazyTexts(): Promise<void> {

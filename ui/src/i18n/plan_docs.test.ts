@@ -1,11 +1,10 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { plan as en } from "./en/plan";
-import { plan as ptBR } from "./pt-BR/plan";
+import { textsOf } from ".";
 
 test.each([
-  ["lesson.pt-BR.md", ptBR],
-  ["lesson.md", en],
+  ["lesson.pt-BR.md", textsOf("pt-BR").plan],
+  ["lesson.md", textsOf("en").plan],
 ])("%s says what the page says of the lesson", (name, plan) => {
   const page = readFileSync(`../docs/${name}`, "utf8").replace(/\s+/g, " ");
   const { title, about, steps, robots, roles, deaf: inclusion, projector } = plan;

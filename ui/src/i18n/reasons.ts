@@ -1,6 +1,7 @@
 import { type Language, textsOf } from ".";
+import { pluralForm } from "./compile";
 import { formatNumber } from "./format";
-import type { Message } from "./message";
+import type { Message, MessageEntry } from "./message";
 
 /**
  * Why a run ended, in the server's words; null for a code that has none. What can be known only while running may have
@@ -27,27 +28,33 @@ export function cameraProblemText(
   return filled(textsOf(language).cameraProblems?.[code], params, language);
 }
 
+/** What a number of the review counts; null for that of a newer release. */
+export const figureText = (name: string, language: Language): Message | null =>
+  filled(textsOf(language).figures?.[`figure_${name}`], {}, language);
+
 /** What was measured is said in centimetres; what a program says, as it is written there. */
 const MEASURED = new Set(["done", "away"]);
 /** Their sign says to which side the robot turned. */
 const SIDED = new Set(["done", "amount"]);
 
 function filled(
-  words: Message | undefined,
+  words: MessageEntry | undefined,
   params: Record<string, unknown>,
   language: Language,
 ): Message | null {
   if (!words) return null;
   const side = "unit" in params && Number(params.amount) < 0 ? -1 : 1; // "77 of 90", not "−77 of −90"
   const fill = (text: string) =>
-    text.replace(/\{(\w+)\}/g, (whole, name: string) => {
+    text.replace(/\{\{(\w+)\}\}/g, (whole, name: string) => {
       if (!(name in params)) return whole;
       const { [name]: value } = params;
       if (typeof value !== "number") return show(value, language);
       const size = SIDED.has(name) ? side * value : value;
       return show(MEASURED.has(name) ? Math.round(size * 100) / 100 : size, language);
     });
-  return { message: fill(words.message), remedy: fill(words.remedy) };
+  const form = (part: "message" | "remedy") =>
+    words[part] ?? pluralForm({ ...words }, part, Number(params.count), language);
+  return { message: fill(form("message")), remedy: fill(form("remedy")) };
 }
 
 function show(value: unknown, language: Language): string {

@@ -1,13 +1,14 @@
-import type { lazy } from "./pt-BR/lazy";
-import type { start } from "./pt-BR/start";
+import type { PageTexts } from "./catalogue_types";
+import type { BlocklyMessages, Catalogue } from "./message";
 
-/**
- * The texts that every pupil needs. Portuguese is written first: its shape is what every language must have, and a key
- * that is missing in another language does not compile.
- */
-export type StartTexts = typeof start;
-
-/** The texts of the teacher's part, fetched with the first part of the page that is loaded lazily. */
-export type LazyTexts = typeof lazy;
-
-export type Texts = StartTexts & LazyTexts;
+/** The texts of the page in one language. Those of the lazy parts are missing before one of them is shown. */
+export interface Texts extends PageTexts {
+  /** Blockly's own messages, in our words where we have some. */
+  readonly blockly: BlocklyMessages;
+  /** Why a run ended. */
+  readonly reasons: Catalogue;
+  /** What is wrong with the camera, and with the recording of a sign. */
+  readonly cameraProblems: Catalogue;
+  /** What each number of the review counts. */
+  readonly figures: Catalogue;
+}

@@ -6,7 +6,9 @@ import { textsOf } from ".";
 /** Words of the sources in which a key may stand: all but the texts themselves and the tests. */
 const said = new Set(
   readdirSync("src", { recursive: true, encoding: "utf8" })
-    .filter((path) => /\.tsx?$/.test(path) && !/\.test\.|^i18n.(?!format)|^api.types/.test(path))
+    .filter(
+      (path) => /\.tsx?$/.test(path) && !/\.test\.|^i18n.(?!format|phrases)|^api.types/.test(path),
+    )
     .flatMap((path) => readFileSync(join("src", path), "utf8").match(/\w+/g) ?? []),
 );
 

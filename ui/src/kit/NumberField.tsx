@@ -56,7 +56,7 @@ export function NumberField(props: NumberFieldProps) {
       />
       {isFault && (
         <p class="number__fault" id={`${id}-fault`} role="alert">
-          {texts.value.world.between(format(min), format(max))}
+          {texts.value.world.between({ least: format(min), most: format(max) })}
         </p>
       )}
     </div>

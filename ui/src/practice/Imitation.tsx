@@ -8,6 +8,7 @@ import { sight } from "../camera/sight";
 import { signStateOf } from "../camera/sign_state";
 import { listenForSigns, signNames } from "../camera/signs";
 import { texts } from "../i18n";
+import { namedSign } from "../i18n/phrases";
 import { RadioGroup } from "../kit/RadioGroup";
 
 /** Exercise: shows the drawing of a letter, and whether the camera detects this letter now. */
@@ -68,7 +69,7 @@ function Matched({ letter }: { letter: string | null }) {
       {letter && (
         <>
           <CircleCheck class="icon" aria-hidden="true" />
-          {texts.value.practice.matched(letter)}
+          {texts.value.practice.matched({ sign: namedSign(letter, texts.value) })}
         </>
       )}
     </p>

@@ -71,11 +71,11 @@ function Taught({ signs, onForget }: TaughtProps) {
       {signs.map(({ name, n_samples, n_movements }) => (
         <li key={name} data-testid="taught-sign" data-sign={name}>
           <strong>{name}</strong>
-          {n_samples > 0 && <span>{labels.samples(n_samples)}</span>}
-          {n_movements > 0 && <span>{labels.movements(n_movements)}</span>}
+          {n_samples > 0 && <span>{labels.samples({ n: n_samples })}</span>}
+          {n_movements > 0 && <span>{labels.movements({ count: n_movements })}</span>}
           <Button
             icon={Trash2}
-            label={labels.forget(name)}
+            label={labels.forget({ sign: name })}
             testId="forget-sign"
             onPress={() => onForget(name)}
           />
@@ -91,7 +91,7 @@ function recordingText(status: NonNullable<typeof recording.value>): string {
     const { message, remedy } = problemText({ ...status, code: status.code });
     return `${message} ${remedy}`;
   }
-  if (status.is_kept) return labels.learnt(status.sign);
+  if (status.is_kept) return labels.learnt({ sign: status.sign });
   const counted = status.is_moving ? labels.countedMoving : labels.counted;
-  return counted(status.sign, status.n_samples, status.n_wanted);
+  return counted({ sign: status.sign, n: status.n_samples, of: status.n_wanted });
 }

@@ -68,7 +68,7 @@ function Slider({ playback, tracks }: PlaybackControlsProps) {
       tracks={tracks}
       tick={playback.tick.value}
       end={playback.end}
-      time={replay.at(time(playback.tick.value), time(playback.end))}
+      time={replay.at({ now: time(playback.tick.value), end: time(playback.end) })}
       testId="replay-slider"
       onTick={(tick) => playback.seek(tick)}
     />

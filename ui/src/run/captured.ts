@@ -7,8 +7,8 @@ export function captureText(given: Captured, { status }: Texts, language: Langua
   const { captured } = status;
   const { label, by, confidence } = given;
   if (by === null) return captured.noneSeen;
-  if (by === "person") return label ? captured.person(label) : captured.personNone;
+  if (by === "person") return label ? captured.person({ sign: label }) : captured.personNone;
   if (label === "") return captured.noneSeen;
-  if (by === "list") return captured.list(label);
-  return captured[by](label, percent(confidence ?? 0, language));
+  if (by === "list") return captured.list({ sign: label });
+  return captured[by]({ sign: label, sure: percent(confidence ?? 0, language) });
 }

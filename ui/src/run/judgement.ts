@@ -17,7 +17,7 @@ export function withVerdict(
   // a run that PINEL lost: `missing` repeats the sentence of the end, which already has advice
   if (judged.missing?.startsWith(ended.text)) return ended;
   const tone = ended.tone === "done" ? "notice" : ended.tone;
-  if (judged.missing) return { ...ended, tone, more: activity.missing(judged.missing) };
+  if (judged.missing) return { ...ended, tone, more: activity.missing({ what: judged.missing }) };
   return { ...ended, tone, more: activity.toTheEnd };
 }
 

@@ -87,40 +87,42 @@ const COMMANDS: Readonly<
 > = {
   stop: (_command, _view, { texts }) => texts.status.stopping,
   set_gesture_result: (_command, { gesture }, { texts }) =>
-    gesture ? texts.status.gesture(gesture) : texts.status.noGesture,
+    gesture ? texts.status.gesture({ sign: gesture }) : texts.status.noGesture,
   go_to: ({ pointer }, _view, { texts, language, parameterOf }) => {
     const [x, y] = [parameterOf(pointer, "x"), parameterOf(pointer, "y")];
     if (typeof x !== "number" || typeof y !== "number") return texts.status.goToSomewhere;
-    return texts.status.goTo(metres(x, language), metres(y, language));
+    return texts.status.goTo({ x: metres(x, language), y: metres(y, language) });
   },
   go_to_place: ({ pointer }, _view, { texts, parameterOf }) => {
     const place = parameterOf(pointer, "place");
-    return typeof place === "string" ? texts.status.goToPlace(place) : texts.status.goToSomePlace;
+    return typeof place === "string"
+      ? texts.status.goToPlace({ name: place })
+      : texts.status.goToSomePlace;
   },
   wait_until: ({ pointer }, _view, { texts, language, parameterOf }) => {
     const timeout = parameterOf(pointer, "timeout");
     if (typeof timeout !== "number") return texts.status.waitUntil;
-    return texts.status.waitUntilAtMost(seconds(timeout, language));
+    return texts.status.waitUntilAtMost({ timeout: seconds(timeout, language) });
   },
 };
 
 function moving(motion: Motion, { texts, language }: SentenceContext): string {
   const { status } = texts;
-  const show = (format: (value: number, language: Language) => string) =>
-    [format(Math.abs(motion.done), language), format(Math.abs(motion.amount), language)] as const;
+  const show = (format: (value: number, language: Language) => string) => ({
+    done: format(Math.abs(motion.done), language),
+    amount: format(Math.abs(motion.amount), language),
+  });
   switch (motion.kind) {
     case "move_forward":
-      return status.forward(...show(metres));
+      return status.forward(show(metres));
     case "move_backward":
-      return status.backward(...show(metres));
+      return status.backward(show(metres));
     case "turn":
-      return motion.amount < 0 ? status.right(...show(degrees)) : status.left(...show(degrees));
+      return motion.amount < 0 ? status.right(show(degrees)) : status.left(show(degrees));
     case "arc":
-      return motion.amount < 0
-        ? status.arcRight(...show(degrees))
-        : status.arcLeft(...show(degrees));
+      return motion.amount < 0 ? status.arcRight(show(degrees)) : status.arcLeft(show(degrees));
     case "wait":
-      return status.wait(...show(seconds));
+      return status.wait(show(seconds));
     default:
       return status.running;
   }
@@ -148,7 +150,7 @@ function around(view: RunView, context: SentenceContext): string {
   if (answer) return answer;
   const isRecent = message && view.tick - message.tick < RECENT_TICKS;
   const sounds = [
-    isRecent ? status.says(localizeNumbers(String(message.text), context.language)) : "",
+    isRecent ? status.says({ text: localizeNumbers(String(message.text), context.language) }) : "",
     beeped(view, context),
   ];
   if (sounds.some(Boolean)) return sounds.filter(Boolean).join(" · ");
@@ -157,7 +159,7 @@ function around(view: RunView, context: SentenceContext): string {
   return [
     isWaiting ? driving(view, context) : null,
     round(view, context),
-    call ? status.inFunction(call.function) : null,
+    call ? status.inFunction({ name: call.function }) : null,
   ]
     .filter(Boolean)
     .join(" · ");
@@ -166,7 +168,7 @@ function around(view: RunView, context: SentenceContext): string {
 /** Text of the consecutive beeps; "" if the newest is older than `RECENT_TICKS`. */
 function beeped({ output: { beeps }, tick }: RunView, { texts }: SentenceContext): string {
   const isRecent = beeps.count > 0 && tick - beeps.tick < RECENT_TICKS;
-  return isRecent ? texts.show.beeps(beeps.inRow) : "";
+  return isRecent ? texts.show.beeps({ count: beeps.inRow }) : "";
 }
 
 /** Text of the answer to a capture; "" if it is older than `RECENT_TICKS`. */
@@ -179,8 +181,8 @@ function round(view: RunView, { texts, language, parameterOf }: SentenceContext)
   const loop = view.stack.findLast((entry) => LOOPS.has(entry.action));
   if (!loop?.round) return "";
   const times = loop.action === "repeat" ? parameterOf(loop.pointer, "times") : null;
-  if (typeof times !== "number") return texts.status.roundOnly(loop.round);
-  return texts.status.round(loop.round, formatNumber(times, language));
+  if (typeof times !== "number") return texts.status.roundOnly({ round: loop.round });
+  return texts.status.round({ round: loop.round, times: formatNumber(times, language) });
 }
 
 function ending(view: RunView, context: SentenceContext): Sentence {
@@ -204,8 +206,8 @@ function finishedSentence(view: RunView, context: SentenceContext): Sentence {
   const { emptyLoops, looseBlocks, hasMotion } = idleParts(context.program ?? NO_PROGRAM);
   const isStill = !view.moved && (hasMotion || !showedSomething(view));
   const remarks = [
-    emptyLoops > 0 && status.emptyLoop(emptyLoops),
-    looseBlocks > 0 && status.looseBlocks(looseBlocks),
+    emptyLoops > 0 && status.emptyLoop({ count: emptyLoops }),
+    looseBlocks > 0 && status.looseBlocks({ count: looseBlocks }),
   ].filter((remark) => remark !== false);
   const text = isStill ? status.finishedStill : finished(view, context.texts, context.language);
   const estimate = isStill ? "" : estimated(view, context);
@@ -223,7 +225,7 @@ function finished(view: RunView, { status }: Texts, language: Language): string 
   const { pathLengthM, closingErrorM } = view.ending ?? {};
   if (!pathLengthM || closingErrorM == null || pathLengthM < CLOSED_M) return status.finished;
   if (closingErrorM < CLOSED_M) return status.finishedClosed;
-  return status.finishedAway(metres(closingErrorM, language));
+  return status.finishedAway({ distance: metres(closingErrorM, language) });
 }
 
 /**
@@ -235,10 +237,10 @@ function estimated(view: RunView, { texts: { status }, language }: SentenceConte
   if (!pathLengthM || m == null || pathLengthM < CLOSED_M) return "";
   const [isClosed, distance] = [m < CLOSED_M, metres(m, language)];
   if (closingErrorM === null) {
-    return isClosed ? status.measuredClosed : status.measuredAway(distance);
+    return isClosed ? status.measuredClosed : status.measuredAway({ distance });
   }
   if (Math.abs(closingErrorM - m) < CLOSED_M) return "";
-  return isClosed ? status.believesClosed : status.believesAway(distance);
+  return isClosed ? status.believesClosed : status.believesAway({ distance });
 }
 
 /** Returns a parameter of a command of the document. */

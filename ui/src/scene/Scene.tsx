@@ -119,13 +119,13 @@ interface CanvasProps {
 function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
   const { truth, phase, output } = view.value;
   const { scene } = texts.value;
-  const label = scene.label(
-    metres(truth.x, language.value),
-    metres(truth.y, language.value),
-    degrees(headingDegrees(truth.yaw), language.value),
-  );
+  const label = scene.label({
+    x: metres(truth.x, language.value),
+    y: metres(truth.y, language.value),
+    heading: degrees(headingDegrees(truth.yaw), language.value),
+  });
   const markLabels = output.marks.map((mark) => markText(mark, world, texts.value, language.value));
-  const marks = markLabels.length > 0 ? scene.marks(markLabels.join("; ")) : "";
+  const marks = markLabels.length > 0 ? scene.marks({ all: markLabels.join("; ") }) : "";
   const keys = tools.tool.value ? scene.measureKeys : hold ? scene.startKeys : "";
   return (
     <>
@@ -173,7 +173,9 @@ function showBeepSign(
   playing: SceneProps["playing"],
 ): () => void {
   const isStill = () => playing?.value === false;
-  return showBeeps(view, isStill, (n) => scene.setBeep(n > 0 ? texts.peek().show.beeps(n) : ""));
+  return showBeeps(view, isStill, (n) =>
+    scene.setBeep(n > 0 ? texts.peek().show.beeps({ count: n }) : ""),
+  );
 }
 
 function showMeasure(scene: SceneRenderer, tools: SceneTools): () => void {

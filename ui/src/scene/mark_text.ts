@@ -12,8 +12,12 @@ export function markText(
   language: Language,
 ): string {
   const place = placeAt(world, toWorld(startOf(world), mark.x, mark.y));
-  if (place) return scene.markIn(mark.symbol, place);
-  return scene.markAt(mark.symbol, metres(mark.x, language), metres(mark.y, language));
+  if (place) return scene.markIn({ symbol: mark.symbol, place });
+  return scene.markAt({
+    symbol: mark.symbol,
+    x: metres(mark.x, language),
+    y: metres(mark.y, language),
+  });
 }
 
 /** Name of the place of the world at a point, the last one if several overlap; "" outside all places. */

@@ -15,7 +15,7 @@ export function GroupCard({ group }: { group: Group }) {
       style={{ "--group": group.color }}
       testId="group-card"
       data-picture={group.picture}
-      tip={start.open(group.name)}
+      tip={start.open({ name: group.name })}
       onPress={() => enterGroup(group)}
     >
       <span class="group-card__picture">

@@ -10,7 +10,7 @@ export function OpenLastIntact({ at, onPress }: { at: string; onPress(): void })
   });
   return (
     <Button icon={History} kind="main" testId="open-sound-version" onPress={onPress}>
-      {texts.value.studio.openSound(time)}
+      {texts.value.studio.openSound({ time })}
     </Button>
   );
 }

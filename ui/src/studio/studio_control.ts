@@ -193,7 +193,7 @@ export class StudioControl {
     const n = commandCount(document);
     if (n > MAX_SHOWN_COMMANDS) {
       const { tooLong, tooLongRemedy } = texts.value.python;
-      throw new Refused(tooLong(n, MAX_SHOWN_COMMANDS), tooLongRemedy);
+      throw new Refused(tooLong({ n, most: MAX_SHOWN_COMMANDS }), tooLongRemedy);
     }
     const { name } = document as { name?: string };
     if (name) await renameProgram(name);
@@ -341,7 +341,7 @@ export class StudioControl {
     const { value: deleted } = this.open.deleted;
     if (deleted) return { text: texts.value.trouble.deleted[deleted], more: "", tone: "notice" };
     const faults = this.open.faults.value.length;
-    if (faults > 0) return { text: status.faults(faults), more: "", tone: "notice" };
+    if (faults > 0) return { text: status.faults({ count: faults }), more: "", tone: "notice" };
     if (this.worlds.isFaulty.value) {
       return { text: texts.value.world.faulty, more: "", tone: "notice" };
     }
@@ -387,7 +387,7 @@ function pastSentence(context: SentenceContext): Sentence | null {
   const sentence = sentenceOf(shown.value, { ...context, past: true });
   if (!sentence || !history) return sentence;
   const time = (ticks: number) => duration(ticks / 30, context.language);
-  const at = context.texts.replay.at(time(tick), time(history.lastTick));
+  const at = context.texts.replay.at({ now: time(tick), end: time(history.lastTick) });
   return { ...sentence, more: [at, sentence.more].filter(Boolean).join(" · ") };
 }
 

@@ -31,7 +31,9 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
     <section class="differences__list column shrinks-down">
       <div class="differences__head row middle rigid gap-2">
         <LinkButton icon={ArrowLeft} label={labels.backToHistory} href={history} />
-        <h2 data-testid="difference-count">{labels.differences(list.length + changes.length)}</h2>
+        <h2 data-testid="difference-count">
+          {labels.differences({ count: list.length + changes.length })}
+        </h2>
         <Button
           icon={ChevronUp}
           label={labels.previous}
@@ -80,7 +82,7 @@ function SetupDifferences({ changes }: { changes: readonly SetupChange[] }) {
       {changes.map((one) => (
         <div key={one.what}>
           <dt>{one.what}</dt>
-          <dd>{archive.became(one.before, one.after)}</dd>
+          <dd>{archive.became({ before: one.before, after: one.after })}</dd>
         </div>
       ))}
     </dl>

@@ -24,7 +24,7 @@ export function Differences({ compared, programId }: DifferencesProps) {
       <section class="blocks">
         <SideChoice side="before" compared={compared} programId={programId} />
         <ReadBlocks
-          label={`${labels.before}: ${labels.version(compared.before.number)}`}
+          label={`${labels.before}: ${labels.version({ n: compared.before.number })}`}
           onReader={(made) => {
             sides.before.value = made;
           }}
@@ -33,7 +33,7 @@ export function Differences({ compared, programId }: DifferencesProps) {
       <section class="blocks">
         <SideChoice side="after" compared={compared} programId={programId} />
         <ReadBlocks
-          label={`${labels.after}: ${labels.version(compared.after.number)}`}
+          label={`${labels.after}: ${labels.version({ n: compared.after.number })}`}
           onReader={(made) => {
             sides.after.value = made;
           }}

@@ -36,7 +36,7 @@ export function SideChoice({ side, compared, programId }: SideChoiceProps) {
     <div class="differences__choice row middle rigid gap-3">
       <strong>{name}</strong>
       <Select
-        label={labels.choose(name)}
+        label={labels.choose({ side: name })}
         testId="difference-side"
         data-side={side}
         value={shown.id}

@@ -68,7 +68,7 @@ function ForkOf({ fork, history }: { fork: Fork; history: VersionHistory }) {
       <p class="line-list__fork-words row gap-2">
         <GitFork class="icon" aria-hidden="true" />
         <span>
-          <strong>{labels.forkTitle(fork.branches.length)}</strong> {labels.forkKept}
+          <strong>{labels.forkTitle({ n: fork.branches.length })}</strong> {labels.forkKept}
         </span>
       </p>
       <CompareBranches fork={fork} />
@@ -131,7 +131,7 @@ function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
         />
         <Button
           icon={UnfoldIcon}
-          label={open ? labels.foldAgain : labels.showEach(versions.length)}
+          label={open ? labels.foldAgain : labels.showEach({ n: versions.length })}
           kind="plain"
           testId="version-unfold"
           open={open}
@@ -192,7 +192,9 @@ function VersionButton({
     >
       <span class="line-list__words shrinks">
         <strong>{label}</strong>
-        <span>{[texts.value.archive.version(version.number), times, ...facts].join(" · ")}</span>
+        <span>
+          {[texts.value.archive.version({ n: version.number }), times, ...facts].join(" · ")}
+        </span>
       </span>
     </Button>
   );

@@ -148,11 +148,11 @@ function ChosenVersion({ history }: { history: VersionHistory }) {
   const facts = [
     createdText(version, language.value, texts.value),
     ...factsOf(version, texts.value),
-    ...(madeOf === null ? [] : [labels.madeOf(madeOf)]),
+    ...(madeOf === null ? [] : [labels.madeOf({ n: madeOf })]),
   ];
   const name = history.isNewest
-    ? `${labels.version(version.number)}, ${labels.newest}`
-    : labels.version(version.number);
+    ? `${labels.version({ n: version.number })}, ${labels.newest}`
+    : labels.version({ n: version.number });
   return (
     <div
       class="versions__chosen row middle shrinks gap-3"

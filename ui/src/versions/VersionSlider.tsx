@@ -30,7 +30,7 @@ export function VersionSlider({ history }: { history: VersionHistory }) {
     <div class="transport versions__transport row middle gap-3">
       <div class="transport__steps row gap-1">
         {stepper(-1, labels.older, "version-older", ChevronLeft)}
-        <span class="versions__place">{labels.of(place + 1, line.length)}</span>
+        <span class="versions__place">{labels.of({ n: place + 1, all: line.length })}</span>
         {stepper(1, labels.newer, "version-newer", ChevronRight)}
       </div>
       <div class="slider versions__slider">

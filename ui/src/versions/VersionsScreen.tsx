@@ -69,7 +69,9 @@ function Versions({ history }: { history: VersionHistory }) {
   }, [id]);
   return (
     <main class="screen versions">
-      <h1 class="visually-hidden">{texts.value.archive.historyOf(program.value?.name ?? "")}</h1>
+      <h1 class="visually-hidden">
+        {texts.value.archive.historyOf({ program: program.value?.name ?? "" })}
+      </h1>
       <VersionPane history={history} />
       <VersionList history={history} />
       <VersionSlider history={history} />

@@ -14,11 +14,11 @@ export function differenceText(
   const is = after.textOf(one.block) || archive.blockAlone;
   if (one.kinds.includes("removed")) return was;
   if (!one.kinds.includes("changed")) return is;
-  if (was !== is) return archive.became(was, is);
+  if (was !== is) return archive.became({ before: was, after: is });
   const comment = hiddenChange(one.what);
   if (!comment) return is;
   const [first, then] = [comment.before, comment.after].map(
     (stored) => commentText(stored) || archive.nothing,
   );
-  return `${is} (${archive.comment}: ${archive.became(first ?? "", then ?? "")})`;
+  return `${is} (${archive.comment}: ${archive.became({ before: first ?? "", after: then ?? "" })})`;
 }

@@ -36,15 +36,18 @@ export function setupFacts(
 ): string[] {
   const { archive } = texts;
   const changes = setupChanges(before.setup, after.setup, texts, language);
-  const facts = changes.map((one) => archive.setupFact(one.what, one.after));
+  const facts = changes.map((one) => archive.setupFact({ what: one.what, now: one.after }));
   const [had, has] = [before.setup?.n_hints ?? 0, after.setup?.n_hints ?? 0];
-  if (has > had) facts.push(archive.hintsOpened(had + 1, has));
+  if (has === had + 1) facts.push(archive.hintOpened({ to: has }));
+  else if (has > had) facts.push(archive.hintsOpened({ from: had + 1, to: has }));
   return facts.length === 0 && after.setup_only ? [unnamed(after, texts)] : facts;
 }
 
 /** Of a version with other setup and equal blocks, where no named part differs. */
 function unnamed({ setup }: VersionMark, { archive, run, world }: Texts): string {
-  return setup?.world === OWN_WORLD ? archive.setupFact(run.world, world.own) : archive.setup;
+  return setup?.world === OWN_WORLD
+    ? archive.setupFact({ what: run.world, now: world.own })
+    : archive.setup;
 }
 
 /** Each part of a setup with its name. */
@@ -55,7 +58,7 @@ function partsOf(setup: Setup, texts: Texts, language: Language): [string, strin
     [archive.start, startText(setup, texts, language)],
     [debug.model, robotOf(setup.model)?.title ?? setup.model],
     [archive.robot, debug[lifelikeOf(setup)]],
-    [debug.speed, debug.times(decimal(setup.speed, setup.speed < 1 ? 2 : 0, language))],
+    [debug.speed, debug.times({ factor: decimal(setup.speed, setup.speed < 1 ? 2 : 0, language) })],
   ];
 }
 
@@ -70,5 +73,5 @@ export function worldLabel(name: string, texts: Texts, language: Language): stri
 function startText({ start }: Setup, { archive }: Texts, language: Language): string {
   if (!start) return archive.worldStart;
   const [x, y] = [decimal(start.x_m, 2, language), decimal(start.y_m, 2, language)];
-  return archive.ownStart(x, y, decimal(start.heading_deg, 0, language));
+  return archive.ownStart({ x, y, heading: decimal(start.heading_deg, 0, language) });
 }

@@ -8,7 +8,7 @@ export function factsOf(version: VersionMark, texts: Texts): string[] {
   const { archive, work } = texts;
   const facts: string[] = [];
   if (version.n_passed > 0) facts.push(archive.passed);
-  if (version.n_runs > 0) facts.push(work.runCount(version.n_runs));
+  if (version.n_runs > 0) facts.push(work.runCount({ count: version.n_runs }));
   else if (!version.can_run) facts.push(archive.incomplete);
   return facts;
 }
@@ -25,7 +25,7 @@ export function stepText(step: Step, setup: readonly string[], texts: Texts) {
   const n = changesIn(step);
   if (!known && n === 0 && setup.length > 0) return { label: setup.join(" · "), facts: [] };
   const facts = [...(face.label ? factsOf(face, texts) : []), ...setup];
-  return { label: known || texts.archive.changes(n), facts };
+  return { label: known || texts.archive.changes({ count: n }), facts };
 }
 
 /** Number of versions of a step that changed blocks. */
@@ -49,8 +49,8 @@ export function sectionText(section: Section, now: Date, language: Language, tex
   const then = new Date(section.from);
   const days = midnight(now) - midnight(then);
   const span = spanOf(section.from, section.to, language);
-  if (days === 0) return texts.units.today(span);
-  if (days === 1) return texts.units.yesterday(span);
+  if (days === 0) return texts.units.today({ time: span });
+  if (days === 1) return texts.units.yesterday({ time: span });
   const sameYear = then.getFullYear() === now.getFullYear();
   const day = then.toLocaleDateString(language, {
     day: "numeric",
@@ -85,5 +85,5 @@ export function createdText({ created_at }: VersionMark, language: Language, tex
 export function versionLine(version: VersionMark, language: Language, texts: Texts): string {
   const about = version.label || factsOf(version, texts)[0];
   const made = createdText(version, language, texts);
-  return [texts.archive.version(version.number), about, made].filter(Boolean).join(" · ");
+  return [texts.archive.version({ n: version.number }), about, made].filter(Boolean).join(" · ");
 }

@@ -3,6 +3,7 @@ import { ChevronDown, ChevronUp, RotateCcw, Trash2 } from "lucide-preact";
 import type { Program } from "../api/model";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
+import { changedText } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import type { ProgramCollection } from "./program_collection";
 
@@ -23,7 +24,7 @@ export function Bin({ collection }: { collection: ProgramCollection }) {
           open.value = !open.value;
         }}
       >
-        {archive.bin(bin.length)}
+        {archive.bin({ n: bin.length })}
       </Button>
       {open.value && (
         <>
@@ -47,7 +48,7 @@ function Thrown({ program, collection }: { program: Program; collection: Program
       <span class="grid grows shrinks">
         <strong class="work-card__name">{program.name}</strong>
         <span class="bin__line">
-          {work.changed(changed)} · {work.runCount(program.n_runs)}
+          {changedText(changed, texts.value)} · {work.runCount({ count: program.n_runs })}
         </span>
       </span>
       <Button

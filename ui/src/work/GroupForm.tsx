@@ -109,7 +109,7 @@ function ColorChoice({ chosen, onChoose }: { chosen: string; onChoose(color: str
             type="radio"
             class="visually-hidden"
             name="group-color"
-            aria-label={classes.colorNumber(index + 1)}
+            aria-label={classes.colorNumber({ n: index + 1 })}
             checked={one === chosen}
             onChange={() => onChoose(one)}
           />

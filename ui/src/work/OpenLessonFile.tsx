@@ -35,6 +35,6 @@ export function OpenLessonFile({ onOpened }: OpenLessonFileProps) {
 /** Text about the opened lesson file. */
 export function openedText({ lesson, classroom, nothing_new }: OpenedLesson): string {
   const { classes } = texts.value;
-  const opened = classes.lessonFileOpened(lesson.title, classroom.name);
+  const opened = classes.lessonFileOpened({ title: lesson.title, classroom: classroom.name });
   return nothing_new ? `${opened} ${classes.lessonFileKnown}` : opened;
 }

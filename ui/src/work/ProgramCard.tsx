@@ -2,6 +2,7 @@ import { History, Trash2 } from "lucide-preact";
 import type { Program } from "../api/model";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
+import { changedText } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { PathPicture } from "../scene/small/PathPicture";
@@ -35,8 +36,10 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
           <span class="work-card__name" dir="auto">
             {program.name}
           </span>
-          <span class="work-card__line work-card__line--facts">{work.changed(changed)}</span>
-          <span class="work-card__line">{work.runCount(program.n_runs)}</span>
+          <span class="work-card__line work-card__line--facts">
+            {changedText(changed, texts.value)}
+          </span>
+          <span class="work-card__line">{work.runCount({ count: program.n_runs })}</span>
         </span>
       </a>
       <div class="program-card__acts row rigid">

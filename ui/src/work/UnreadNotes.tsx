@@ -30,7 +30,7 @@ export function UnreadNotes({ groupId }: { groupId: string }) {
 
 function Letter({ note, onAcknowledge }: { note: Note; onAcknowledge(): Promise<void> }) {
   const { archive: labels, work } = texts.value;
-  const about = labels.noteAbout(note.program_name ?? work.noName);
+  const about = labels.noteAbout({ program: note.program_name ?? work.noName });
   const written = when(note.written_at, new Date(), language.value, texts.value);
   return (
     <article class="letter card" data-testid="note-card">

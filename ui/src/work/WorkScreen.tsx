@@ -50,7 +50,9 @@ export function WorkScreen({ group: groupId }: ParametersOf<"work">) {
     <Loaded of={work} as="screen">
       {(made) => (
         <main class="screen work">
-          <h1 class="visually-hidden">{texts.value.work.title(group.value?.name ?? "")}</h1>
+          <h1 class="visually-hidden">
+            {texts.value.work.title({ group: group.value?.name ?? "" })}
+          </h1>
           {group.value && <GroupHead key={groupId} group={group.value} />}
           <UnreadNotes groupId={groupId} />
           <Programs work={made} />
@@ -139,7 +141,7 @@ function DiscardUndo({ collection }: { collection: ProgramCollection }) {
   return (
     <div class="work__thrown">
       <UndoBanner
-        text={archive.thrown(thrown.name)}
+        text={archive.thrown({ program: thrown.name })}
         action={archive.undo}
         testId="throw-back"
         onBack={() => collection.restore(thrown)}

@@ -67,6 +67,6 @@ export function startProgram(groupId: string, others: readonly Program[]): Promi
 function createProgram(groupId: string, others: readonly Program[]): Promise<Program> {
   const usedNames = new Set(others.map((program) => program.name));
   let number = others.length + 1;
-  while (usedNames.has(texts.value.start.firstProgram(number))) number += 1;
-  return api.createProgram(groupId, texts.value.start.firstProgram(number));
+  while (usedNames.has(texts.value.start.firstProgram({ n: number }))) number += 1;
+  return api.createProgram(groupId, texts.value.start.firstProgram({ n: number }));
 }

@@ -219,7 +219,7 @@ function Faults({ store }: { store: EditorStore }) {
     <div class="world-faults" role="status" data-testid="world-faults">
       <h3>
         <TriangleAlert class="icon" aria-hidden="true" />
-        {texts.value.studio.faultsTitle(faults.length)}
+        {texts.value.studio.faultsTitle({ count: faults.length })}
       </h3>
       <p>{texts.value.world.keptBefore}</p>
       <ul>

@@ -192,7 +192,7 @@ function ThemeButton() {
   return (
     <Button
       icon={THEME_ICONS[theme.value]}
-      label={header.changeTheme(header.theme[theme.value])}
+      label={header.changeTheme({ now: header.theme[theme.value] })}
       testId="theme"
       data-theme={theme.value}
       onPress={() => setTheme(nextTheme(theme.value))}

@@ -18,7 +18,9 @@ export function LessonChip() {
   usePolling(loadOpenLesson, { everyMs: EVERY_MS });
   const now = lesson.value;
   if (!now) return null;
-  const whole = [texts.value.classes.lesson(now.title), now.activity].filter(Boolean).join(" · ");
+  const whole = [texts.value.classes.lesson({ title: now.title }), now.activity]
+    .filter(Boolean)
+    .join(" · ");
   return (
     <div class="lesson-chip row middle gap-2" title={whole} data-testid="lesson-chip">
       {now.goal ? (

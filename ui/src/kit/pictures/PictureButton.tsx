@@ -37,8 +37,8 @@ export function PictureButton(props: PictureButtonProps) {
         kind="bare"
         class="picture-button__button"
         open={open}
-        label={classes.choosePicture(now)}
-        tip={classes.choosePicture(now)}
+        label={classes.choosePicture({ now })}
+        tip={classes.choosePicture({ now })}
         testId="choose-picture"
         onPress={() => setOpen(!open)}
       >

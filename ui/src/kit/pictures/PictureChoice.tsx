@@ -19,7 +19,9 @@ export function PictureChoice({ chosen, used, onChoose }: PictureChoiceProps) {
       <legend class="visually-hidden">{classes.picture}</legend>
       {PICTURE_NAMES.map((one) => {
         const isUsed = used.includes(one);
-        const label = isUsed ? classes.taken(classes.pictures[one]) : classes.pictures[one];
+        const label = isUsed
+          ? classes.taken({ picture: classes.pictures[one] })
+          : classes.pictures[one];
         return (
           <label
             key={one}

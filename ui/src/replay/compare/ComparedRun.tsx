@@ -2,6 +2,7 @@ import { Lightbulb } from "lucide-preact";
 import type { Group } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { duration } from "../../i18n/format";
+import { hintsRead } from "../../i18n/phrases";
 import { GroupPicture } from "../../kit/pictures/GroupPicture";
 import { Readout } from "../../run/panels/Readout";
 import { RobotName } from "../../run/real/RobotName";
@@ -56,10 +57,10 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
           side={side}
           number={number}
           blocks={blocks}
-          label={compare.blocksOf(`${number}: ${title}`)}
+          label={compare.blocksOf({ name: `${number}: ${title}` })}
         />
       </div>
-      <div class="floor__foot card" title={compare.pathOf(title)}>
+      <div class="floor__foot card" title={compare.pathOf({ name: title })}>
         <Readout view={side.view} />
       </div>
     </section>
@@ -70,7 +71,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
 function HintsOpened({ side }: Pick<RunHeadProps, "side">) {
   const setup = side.recordedRun.run.version?.setup;
   if (!setup?.activity) return null;
-  const label = texts.value.review.detail.hintsRead(setup.n_hints);
+  const label = hintsRead(setup.n_hints, texts.value);
   return (
     <span class="compare__hints row middle" title={label} data-testid="compare-hints">
       <Lightbulb class="icon" aria-hidden="true" />

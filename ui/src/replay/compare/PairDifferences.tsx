@@ -23,7 +23,7 @@ export function PairDifferences({ blocks, isOneProgram }: PairDifferencesProps) 
   if (blocks.drawn.value === 0) return null;
   if (count === 0) return <p class="compare__same">{archive.nothingDiffers}</p>;
   return (
-    <section class="compare__differences" aria-label={archive.differences(count)}>
+    <section class="compare__differences" aria-label={archive.differences({ count })}>
       <Difference blocks={blocks} />
       <Button
         icon={ChevronUp}
@@ -63,7 +63,7 @@ function Difference({ blocks }: { blocks: PairBlocks }) {
         <strong>{kinds.map((kind) => archive.kinds[kind]).join(", ")}</strong> {text}
       </span>
       <span class="compare__place">
-        {review.compare.place(place + 1, blocks.list.value.length)}
+        {review.compare.place({ n: place + 1, all: blocks.list.value.length })}
       </span>
     </p>
   );

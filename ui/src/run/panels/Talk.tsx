@@ -65,7 +65,7 @@ function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
 }
 
 function lineText(kind: Line["kind"], text: Line["text"]): string {
-  if (kind === "beeped") return texts.value.show.beeps(Number(text));
+  if (kind === "beeped") return texts.value.show.beeps({ count: Number(text) });
   if (typeof text === "number") return formatNumber(text, language.value);
   return kind === "answered" ? text : localizeNumbers(text, language.value);
 }

@@ -29,17 +29,17 @@ export function stateText(state: RobotState | undefined): StateText {
   const tip = (!isMissing && state?.remedy) || labels.tips[state?.state ?? "searching"];
   switch (state?.state) {
     case "waiting": {
-      const text = labels.waiting(state.address);
+      const text = labels.waiting({ address: state.address });
       return { short: text, spoken: text, tip };
     }
     case "silent":
       return {
-        short: labels.silent(whole(state.age_s ?? 0, inLanguage)),
+        short: labels.silent({ seconds: whole(state.age_s ?? 0, inLanguage) }),
         spoken: labels.lost,
         tip,
       };
     case "connected": {
-      const text = state.holder ? labels.held(state.holder) : labels.connected;
+      const text = state.holder ? labels.held({ name: state.holder }) : labels.connected;
       const battery = state.battery === null ? [] : [batteryText(state.battery, inLanguage)];
       return {
         short: [text, ...battery].join(" · "),
@@ -55,6 +55,6 @@ export function stateText(state: RobotState | undefined): StateText {
 }
 
 const batteryText = (level: number, inLanguage: Language) =>
-  texts.value.robot.state.battery(whole(level * 100, inLanguage));
+  texts.value.robot.state.battery({ percent: whole(level * 100, inLanguage) });
 
 const whole = (value: number, inLanguage: Language) => decimal(value, 0, inLanguage);

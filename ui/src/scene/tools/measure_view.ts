@@ -18,7 +18,7 @@ export function measureText(
   if (result.kind === "distance") return metres(result.metres, language);
   const degrees = `${decimal(Math.abs(result.degrees), 0, language)}°`;
   if (Math.abs(result.degrees) < 0.5) return degrees;
-  return result.degrees > 0 ? scene.toLeft(degrees) : scene.toRight(degrees);
+  return result.degrees > 0 ? scene.toLeft({ degrees }) : scene.toRight({ degrees });
 }
 
 /** Draws ruler or protractor with its text over everything else; in pixels. */

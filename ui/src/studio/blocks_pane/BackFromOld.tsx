@@ -20,8 +20,8 @@ export function BackFromOld({ control }: { control: StudioControl }) {
   };
   return (
     <UndoBanner
-      text={labels.wentOn(from.number, instead.number)}
-      action={labels.backTo(instead.number)}
+      text={labels.wentOn({ old: from.number, left: instead.number })}
+      action={labels.backTo({ left: instead.number })}
       testId="version-return"
       onBack={back}
       onClose={forget}

@@ -16,7 +16,7 @@ export function FaultList({ faults, onGo }: FaultListProps) {
     <div class="faults" data-testid="fault-list" role="status">
       <h2 class="faults__title row middle gap-2">
         <TriangleAlert class="icon" aria-hidden="true" />
-        {studio.faultsTitle(faults.length)}
+        {studio.faultsTitle({ count: faults.length })}
       </h2>
       <ul class="faults__list">
         {faults.map((fault) => (

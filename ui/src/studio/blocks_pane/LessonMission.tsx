@@ -15,7 +15,7 @@ export function LessonMission({ open }: { open: OpenProgram }) {
   const { activity } = texts.value;
   return (
     <UndoBanner
-      text={activity.ofLesson(now.activity || now.title)}
+      text={activity.ofLesson({ title: now.activity || now.title })}
       action={activity.openOfLesson}
       Icon={Target}
       testId="lesson-mission"

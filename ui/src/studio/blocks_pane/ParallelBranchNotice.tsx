@@ -26,7 +26,7 @@ export function ParallelBranchNotice({ program }: { program: ProgramWithVersion 
   };
   return (
     <UndoBanner
-      text={labels.elsewhere(elsewhere.computer || labels.unknownComputer)}
+      text={labels.elsewhere({ computer: elsewhere.computer || labels.unknownComputer })}
       action={labels.compareBranches}
       Icon={Columns2}
       testId="elsewhere"

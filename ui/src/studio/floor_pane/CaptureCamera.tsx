@@ -6,6 +6,7 @@ import { hasDrawing, SignDrawing } from "../../camera/SignDrawing";
 import { hasPicture, sight } from "../../camera/sight";
 import { type SignState, signStateOf } from "../../camera/sign_state";
 import { texts } from "../../i18n";
+import { namedSign } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
 
 interface CaptureCameraProps {
@@ -43,7 +44,7 @@ interface ExpectedProps {
 
 /** Buttons of the expected signs, which answer too; the last button mirrors the drawings to the other hand. */
 function Expected({ signs, signState, onAnswer }: ExpectedProps) {
-  const { camera, capture } = texts.value;
+  const { camera } = texts.value;
   const detected = signState.kind === "sure" ? signState.best : null;
   const hand = drawnHand.value;
   return (
@@ -56,7 +57,7 @@ function Expected({ signs, signState, onAnswer }: ExpectedProps) {
               <Button
                 kind="bare"
                 class="expected__sign column middle center"
-                tip={capture.answer(sign)}
+                tip={namedSign(sign, texts.value)}
                 testId="expected-sign"
                 data-sign={sign}
                 data-seen={String(sign === detected)}

@@ -54,8 +54,8 @@ function Head({ capture: { leftS, timeoutS } }: { capture: Capture }) {
         <Hand class="icon capture__hand" aria-hidden="true" />
         <h2 class="capture__title">{hasPicture.value ? labels.show : labels.title}</h2>
         <CameraChoice />
-        <span class="capture__left" role="timer" aria-label={labels.leftHelp(shown)}>
-          {labels.left(shown)}
+        <span class="capture__left" role="timer" aria-label={labels.leftHelp({ seconds: shown })}>
+          {labels.left({ seconds: shown })}
         </span>
       </div>
       <div class="capture__bar" aria-hidden="true">

@@ -54,7 +54,7 @@ function Strip() {
         tracks={[stretches]}
         tick={tick}
         end={end}
-        time={texts.value.replay.at(time(tick), time(end))}
+        time={texts.value.replay.at({ now: time(tick), end: time(end) })}
         testId="past-run-slider"
         onTick={inspectTick}
         onKey={step}

@@ -60,7 +60,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           {labels.send}
         </Button>
       </div>
-      <p class="question__hint aside">{labels.keptIn(question.variable)}</p>
+      <p class="question__hint aside">{labels.keptIn({ variable: question.variable })}</p>
     </Form>
   );
 }

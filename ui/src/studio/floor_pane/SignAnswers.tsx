@@ -1,6 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { LETTERS, signNames } from "../../camera/signs";
 import { texts } from "../../i18n";
+import { namedSign } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
 import { rove } from "../../kit/roving";
 import { Tabs } from "../../kit/Tabs";
@@ -24,7 +25,7 @@ export function SignAnswers({ expected, onAnswer }: SignAnswersProps) {
   const shown = useSignal<"letters" | "signs">(first ? "signs" : "letters");
   const kinds = [
     ["letters", labels.letters],
-    ["signs", labels.signs(others.length)],
+    ["signs", labels.signs({ n: others.length })],
   ] as const;
   const hasSigns = others.length > 0;
   return (
@@ -91,7 +92,11 @@ function Signs({ names, onAnswer }: SignsProps) {
           <None onAnswer={onAnswer} />
         </div>
       )}
-      <fieldset class="capture__signs" aria-label={labels.signs(found.length)} onKeyDown={rove}>
+      <fieldset
+        class="capture__signs"
+        aria-label={labels.signs({ n: found.length })}
+        onKeyDown={rove}
+      >
         {found.map((name, at) => (
           <Answer key={name} result={name} tabIndex={at === 0 ? 0 : -1} onAnswer={onAnswer} />
         ))}
@@ -117,7 +122,7 @@ function Answer({ result, tabIndex, onAnswer }: AnswerProps) {
   return (
     <Button
       class="capture__letter"
-      label={texts.value.capture.answer(result)}
+      label={namedSign(result, texts.value)}
       testId="capture-letter"
       data-letter={result}
       {...(tabIndex === undefined ? {} : { tabIndex, "data-rove": "" })}

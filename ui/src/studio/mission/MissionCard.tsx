@@ -81,7 +81,9 @@ function MissionHead({ mission, done, checks }: MissionHeadProps) {
       </span>
       {checks && (
         <>
-          <span class="mission__count">{texts.value.activity.count(met, checks.length)}</span>
+          <span class="mission__count">
+            {texts.value.activity.count({ met, all: checks.length })}
+          </span>
           <span class="mission__brief one-line">{mission.criteria}</span>
         </>
       )}
@@ -127,7 +129,7 @@ function Help({ control, mission: { hints }, done }: HelpProps) {
           testId="mission-hint"
           onPress={() => open.changeSetup({ n_hints: n + 1 })}
         >
-          {activity.openHint(n + 1, hints.length)}
+          {activity.openHint({ n: n + 1, all: hints.length })}
         </Button>
       )}
     </div>

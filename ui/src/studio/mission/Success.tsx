@@ -32,7 +32,7 @@ export function Success({ open, mission }: { open: OpenProgram; mission: Activit
             testId="mission-next"
             onPress={() => beginActivity(open.program.group_id, next.name)}
           >
-            {activity.next(next.title)}
+            {activity.next({ title: next.title })}
           </Button>
         ) : (
           <LinkButton

@@ -98,7 +98,7 @@ function Point({ text, index, done }: PointProps) {
 function speedText(): string {
   const { max_v_mps = 0, slow_v_mps = 0 } = chosenRobot.value ?? {};
   const speed = (value: number) => decimal(value, 2, language.value);
-  return texts.value.robot.before.speed(speed(max_v_mps), speed(slow_v_mps));
+  return texts.value.robot.before.speed({ full: speed(max_v_mps), slow: speed(slow_v_mps) });
 }
 
 /** Focuses the first field of the element; at unmount, focuses the previous element again. */

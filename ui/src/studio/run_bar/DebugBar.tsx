@@ -46,7 +46,7 @@ function SpeedChoice({ open }: { open: OpenProgram }) {
       tip={debug.speed}
       testId="speed"
       value={open.setup.value.speed}
-      options={SPEEDS.map((factor) => [factor, debug.times(timesOf(factor))])}
+      options={SPEEDS.map((factor) => [factor, debug.times({ factor: timesOf(factor) })])}
       onChange={(speed) => open.changeSetup({ speed })}
     />
   );

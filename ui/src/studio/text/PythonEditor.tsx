@@ -108,7 +108,8 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
   const { python } = texts.value;
   const state = !check ? "checking" : check.faults.length > 0 ? "faulty" : "fine";
   const name = state === "fine" && !isChanged ? "unchanged" : state;
-  const label = name === "faulty" ? python.faults(check?.faults.length ?? 0) : python[name];
+  const label =
+    name === "faulty" ? python.faults({ count: check?.faults.length ?? 0 }) : python[name];
   return (
     <div class="text__states">
       <p

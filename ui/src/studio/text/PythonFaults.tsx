@@ -25,7 +25,7 @@ interface PythonFaultsProps {
 export function PythonFaults({ faults, onGo }: PythonFaultsProps) {
   const { python } = texts.value;
   return (
-    <ul class="text__faults" aria-label={python.faults(faults.length)} data-scrolls>
+    <ul class="text__faults" aria-label={python.faults({ count: faults.length })} data-scrolls>
       {faults.map((fault) => {
         const { line, column } = positionOf(fault);
         return (
@@ -40,7 +40,7 @@ export function PythonFaults({ faults, onGo }: PythonFaultsProps) {
               onPress={() => onGo(fault)}
             >
               <span>
-                <span class="text__place">{python.place(line, column)}</span>{" "}
+                <span class="text__place">{python.place({ line, column })}</span>{" "}
                 <strong>{fault.message}</strong> {fault.remedy}
               </span>
             </Button>

@@ -83,17 +83,17 @@ function stepText({ step, isOther }: Progress): string {
     case "hello":
       return tour.hello;
     case "move":
-      return tour.move(blockName("MOVE_FORWARD"), blockName("PROGRAM_START"));
+      return tour.move({ block: blockName("MOVE_FORWARD"), start: blockName("PROGRAM_START") });
     case "run":
-      return isOther ? tour.other : tour.run(run);
+      return isOther ? tour.other : tour.run({ run });
     case "watch":
       return isOther ? tour.watchOther : tour.watch;
     case "turn":
-      return tour.turn(blockName("TURN"));
+      return tour.turn({ block: blockName("TURN") });
     case "again":
       return isOther ? tour.other : tour.again;
     case "end":
-      return tour.end(texts.value.run.stop);
+      return tour.end({ stop: texts.value.run.stop });
   }
 }
 
@@ -106,7 +106,9 @@ function Ticks({ step }: { step: Step }) {
   const now = STEPS.indexOf(step);
   return (
     <p class="row gap-1">
-      <span class="visually-hidden">{texts.value.help.tour.place(now + 1, STEPS.length)}</span>
+      <span class="visually-hidden">
+        {texts.value.help.tour.place({ n: now + 1, all: STEPS.length })}
+      </span>
       {STEPS.map((one, index) => (
         <span key={one} class="tour__tick" data-now={index === now} aria-hidden="true">
           {index < now && <Check class="icon" />}

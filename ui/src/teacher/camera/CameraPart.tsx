@@ -80,7 +80,7 @@ function Found({ point, status, sign }: FoundProps) {
       data-finding={status}
     >
       <Icon class="icon" aria-hidden="true" />
-      {point === "sign" && sign ? seen(sign) : labels[status]}
+      {point === "sign" && sign ? seen({ sign }) : labels[status]}
     </li>
   );
 }

@@ -31,7 +31,9 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
   };
   const move = async (id: string) => {
     await change({ classroom_id: id });
-    onMoved(labels.moved(group.name, others.find(([one]) => one === id)?.[1] ?? ""));
+    onMoved(
+      labels.moved({ group: group.name, name: others.find(([one]) => one === id)?.[1] ?? "" }),
+    );
   };
   return (
     <>
@@ -54,7 +56,7 @@ export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) 
       {others.length > 0 && (
         <Select
           class="class-groups__move"
-          label={labels.moveOf(group.name)}
+          label={labels.moveOf({ name: group.name })}
           testId="move-group"
           value=""
           options={[["", labels.move], ...others]}

@@ -35,7 +35,7 @@ export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPan
     <section class="panel card">
       <PanelHead id={id} shownName={classroom?.name} school={school} reload={reload} />
       <p class="teacher__hint" role="status">
-        {moved || (groups.length === 0 ? labels.empty : labels.groups(groups.length))}
+        {moved || (groups.length === 0 ? labels.empty : labels.groups({ count: groups.length }))}
       </p>
       <ul class="column">
         {groups.map((group) => (

@@ -35,11 +35,11 @@ export function DeletedOnOtherPc({
       onConfirm={() => onDelete([...retained])}
       onCancel={onDecline}
     >
-      {labels.doomed(
+      {labels.doomed({
         computer,
-        pending.names.join(", "),
-        counted(pending, labels) || labels.programs(0),
-      )}
+        names: pending.names.join(", "),
+        work: counted(pending, labels) || labels.programs({ count: 0 }),
+      })}
       {pending.work.length > 0 && <span class="deletion__ask">{labels.whatToKeep}</span>}
       {pending.work.map((work) => (
         <WorkRow
@@ -69,8 +69,10 @@ function WorkRow({ work, isRetained, onToggle }: WorkRowProps) {
     <label class="deletion__work row middle gap-3" data-testid="can-keep">
       <input type="checkbox" checked={isRetained} onChange={onToggle} />
       <span>
-        <strong>{isGroup ? work.name : labels.programOf(work.name, work.place)}</strong>
-        {`: ${content || (isGroup ? labels.programs(0) : labels.runs(0))}`}
+        <strong>
+          {isGroup ? work.name : labels.programOf({ name: work.name, group: work.place })}
+        </strong>
+        {`: ${content || (isGroup ? labels.programs({ count: 0 }) : labels.runs({ count: 0 }))}`}
         {news && <span class="deletion__news">{news}</span>}
       </span>
     </label>

@@ -26,7 +26,7 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
   const isClass = chosen === classroom?.id;
   const affected = isClass ? groups : groups.filter(({ id }) => id === chosen);
   const name = isClass
-    ? `${classroom.name} (${texts.value.exchange.groups(groups.length)})`
+    ? `${classroom.name} (${texts.value.exchange.groups({ count: groups.length })})`
     : (affected[0]?.name ?? "");
   const remove = async () => {
     const removed = await (isClass ? exchange.deleteClassroom : exchange.deleteGroup)(chosen);
@@ -47,8 +47,12 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
         value={chosen}
         options={[
           ["", deletion.nothing],
-          ...groups.map((one): SelectOption<string> => [one.id, deletion.group(one.name)]),
-          ...(classroom ? [[classroom.id, deletion.classroom(classroom.name)] as const] : []),
+          ...groups.map(
+            (one): SelectOption<string> => [one.id, deletion.group({ name: one.name })],
+          ),
+          ...(classroom
+            ? [[classroom.id, deletion.classroom({ name: classroom.name })] as const]
+            : []),
         ]}
         onChange={(id) => setChosen(id)}
       />
@@ -75,7 +79,11 @@ function lossText(name: string, groups: readonly Group[]): string {
   const total = (count: (group: Group) => number) =>
     groups.reduce((sum, group) => sum + count(group), 0);
   const inBin = total((group) => group.n_in_bin);
-  const all = labels.programs(total((group) => group.n_programs) + inBin);
-  const programs = inBin > 0 ? `${all} (${texts.value.start.alsoInBin(inBin)})` : all;
-  return labels.deletion.goes(name, programs, labels.runs(total((group) => group.n_runs)));
+  const all = labels.programs({ count: total((group) => group.n_programs) + inBin });
+  const programs = inBin > 0 ? `${all} (${texts.value.start.alsoInBin({ n: inBin })})` : all;
+  return labels.deletion.goes({
+    name,
+    programs,
+    runs: labels.runs({ count: total((group) => group.n_runs) }),
+  });
 }

@@ -21,11 +21,11 @@ export function DeletionDone({ removed, elementRef }: DeletionDoneProps) {
       data-testid="deletion-done"
     >
       <p>
-        {labels.deletion.done(
-          labels.groups(n_groups),
-          labels.programs(n_programs),
-          labels.runs(n_runs),
-        )}
+        {labels.deletion.done({
+          groups: labels.groups({ count: n_groups }),
+          programs: labels.programs({ count: n_programs }),
+          runs: labels.runs({ count: n_runs }),
+        })}
       </p>
       <FilesLeft paths={[...removed.files.map(({ path }) => path), ...removed.backups]} />
     </div>

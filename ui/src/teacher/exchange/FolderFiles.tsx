@@ -19,7 +19,9 @@ export function FolderFiles({ folder, isChosen, onToggle }: FolderFilesProps) {
     <fieldset class="exchange__folder shrinks">
       <legend>
         <Icon class="icon" aria-hidden="true" />
-        {folder.is_removable ? labels.stick(folder.name) : labels.folder(folder.name)}
+        {folder.is_removable
+          ? labels.stick({ name: folder.name })
+          : labels.folder({ name: folder.name })}
         <FolderState folder={folder} />
       </legend>
       {folder.is_reachable && folder.files.length === 0 && (
@@ -52,16 +54,16 @@ function FileRow({ file, isChosen, onToggle }: FileRowProps) {
         <input
           type="checkbox"
           checked={isChosen}
-          aria-label={labels.choose(file.name)}
+          aria-label={labels.choose({ name: file.name })}
           onChange={onToggle}
         />
         <span class="exchange__name">{file.name}</span>
         {file.anonymous && <span class="exchange__nameless">{labels.nameless}</span>}
         <span class="exchange__about">
-          {labels.file(
-            size(file.size_bytes, language.value),
-            when(file.modified_at, new Date(), language.value, texts.value),
-          )}
+          {labels.file({
+            size: size(file.size_bytes, language.value),
+            when: when(file.modified_at, new Date(), language.value, texts.value),
+          })}
         </span>
       </label>
       {file.anonymous && isChosen && (
@@ -79,6 +81,8 @@ function FolderState({ folder }: { folder: Folder }) {
   if (!folder.is_writable) return <span class="exchange__about">{labels.readOnly}</span>;
   if (folder.free_bytes === null) return null;
   return (
-    <span class="exchange__about">{labels.free(size(folder.free_bytes, language.value))}</span>
+    <span class="exchange__about">
+      {labels.free({ size: size(folder.free_bytes, language.value) })}
+    </span>
   );
 }

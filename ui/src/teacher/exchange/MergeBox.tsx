@@ -54,8 +54,8 @@ export function MergeBox({ folders, merging, undecided, onReload }: MergeBoxProp
           onPress={() => mergeAll(chosen.map(({ path }) => path))}
         >
           {progress.value
-            ? labels.merging(progress.value.n, progress.value.of)
-            : labels.merge(chosen.length)}
+            ? labels.merging({ n: progress.value.n, of: progress.value.of })
+            : labels.merge({ count: chosen.length })}
         </Button>
       )}
       <Undecided deletions={undecided} onAsk={(path) => mergeAll([path])} />

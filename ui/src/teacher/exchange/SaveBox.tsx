@@ -85,7 +85,7 @@ function What({ classes, chosen }: WhatProps) {
         options={[
           ["", labels.everything],
           ...withDistinctNames(classes, language.value).map(
-            ({ id, name }): SelectOption<string> => [id, labels.onlyClass(name)],
+            ({ id, name }): SelectOption<string> => [id, labels.onlyClass({ name })],
           ),
         ]}
         onChange={(id) => {
@@ -121,7 +121,7 @@ function SaveButtons({ folders, onSave }: SaveButtonsProps) {
           busy={saving.value !== null}
           onPress={() => save(folder)}
         >
-          {saving.value === folder.path ? labels.saving : labels.saveIn(folder.name)}
+          {saving.value === folder.path ? labels.saving : labels.saveIn({ folder: folder.name })}
         </Button>
       ))}
     </div>
@@ -131,6 +131,10 @@ function SaveButtons({ folders, onSave }: SaveButtonsProps) {
 function savedText({ bundle, folder }: Saved): string {
   const { name, n_groups, n_runs } = bundle;
   const labels = texts.value.exchange;
-  const saved = labels.saved(name, labels.groups(n_groups), labels.runs(n_runs));
+  const saved = labels.saved({
+    name,
+    groups: labels.groups({ count: n_groups }),
+    runs: labels.runs({ count: n_runs }),
+  });
   return [saved, folder.is_removable && labels.takeOut].filter(Boolean).join(" ");
 }

@@ -12,13 +12,13 @@ export function Unconfirmed({ counts }: UnconfirmedProps) {
   if (counts.waiting + wrong + counts.not_repeatable === 0) return null;
   return (
     <div class="notice-box" role="status" data-testid="unconfirmed">
-      {counts.waiting > 0 && <p>{labels.waiting(counts.waiting)}</p>}
+      {counts.waiting > 0 && <p>{labels.waiting({ count: counts.waiting })}</p>}
       {wrong > 0 && (
         <p>
-          <strong>{labels.wrong(wrong)}</strong> {labels.wrongWhere}
+          <strong>{labels.wrong({ count: wrong })}</strong> {labels.wrongWhere}
         </p>
       )}
-      {counts.not_repeatable > 0 && <p>{labels.notRepeatable(counts.not_repeatable)}</p>}
+      {counts.not_repeatable > 0 && <p>{labels.notRepeatable({ count: counts.not_repeatable })}</p>}
     </div>
   );
 }

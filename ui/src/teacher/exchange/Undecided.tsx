@@ -22,9 +22,12 @@ export function Undecided({ deletions, onAsk }: UndecidedProps) {
         {deletions.map((one) => (
           <li key={one.path}>
             <span>
-              {labels.undecided.line(one.computer, counted(one, labels) || labels.programs(0))}{" "}
+              {labels.undecided.line({
+                computer: one.computer,
+                work: counted(one, labels) || labels.programs({ count: 0 }),
+              })}{" "}
               <span class="exchange__about">
-                {labels.undecided.file(one.name, at(one.exported_at))}
+                {labels.undecided.file({ name: one.name, when: at(one.exported_at) })}
               </span>
             </span>
             <Button onPress={() => onAsk(one.path)}>{labels.undecided.ask}</Button>

@@ -29,7 +29,7 @@ export function outcome(merged: Outcome, texts: OutcomeTexts): string {
   const sentences = [
     removed &&
       textWithCounts(counted({ ...removed, versions: 0 }, texts), texts.deleted, texts.deletedRest),
-    merged.kept.length > 0 && texts.kept(merged.kept.join(", ")),
+    merged.kept.length > 0 && texts.kept({ names: merged.kept.join(", ") }),
     ...came(merged, texts),
     heldBack && textWithCounts(counted(heldBack, texts), texts.heldBack, texts.heldBackRest),
   ];
@@ -40,10 +40,10 @@ export function outcome(merged: Outcome, texts: OutcomeTexts): string {
 export function counted(numbers: Partial<Merged["added"]>, texts: OutcomeTexts): string {
   const { groups = 0, programs = 0, versions = 0, runs = 0 } = numbers;
   return [
-    groups > 0 && texts.groups(groups),
-    programs > 0 && texts.programs(programs),
-    versions > 0 && texts.versions(versions),
-    runs > 0 && texts.runs(runs),
+    groups > 0 && texts.groups({ count: groups }),
+    programs > 0 && texts.programs({ count: programs }),
+    versions > 0 && texts.versions({ count: versions }),
+    runs > 0 && texts.runs({ count: runs }),
   ]
     .filter(Boolean)
     .join(", ");
@@ -55,19 +55,24 @@ function came(merged: Outcome, texts: OutcomeTexts): string[] {
   const parts = counted(added, texts);
   if (parts) {
     return [
-      texts.brought(who, parts),
+      texts.brought({ computer: who, parts }),
       ...(anonymous && added.groups > 0 ? [texts.cameNameless] : []),
     ];
   }
   if (merged.removed || merged.kept.length > 0) return [];
   // rows deleted here were not added, so "nothing new" would be wrong
-  if (merged.nothing_new) return [(merged.held_back ? texts.nothingComes : texts.nothingNew)(who)];
-  return [texts.only(who)];
+  if (merged.nothing_new)
+    return [(merged.held_back ? texts.nothingComes : texts.nothingNew)({ computer: who })];
+  return [texts.only({ computer: who })];
 }
 
 /** The text with counts, or `rest` if there are none. */
-function textWithCounts(parts: string, format: (parts: string) => string, rest: string): string {
-  return parts ? format(parts) : rest;
+function textWithCounts(
+  parts: string,
+  format: (values: { parts: string }) => string,
+  rest: string,
+): string {
+  return parts ? format({ parts }) : rest;
 }
 
 /** Text about a group's new place, and about work that the deleting PC did not have; "" without either. */
@@ -80,13 +85,13 @@ export function newsOf(
 ): string {
   const { is_moved, place, n_new_programs, n_new_edits, n_new_runs } = work;
   const news = [
-    n_new_programs > 0 && texts.programs(n_new_programs),
-    n_new_edits > 0 && texts.edits(n_new_edits),
-    n_new_runs > 0 && texts.runs(n_new_runs),
+    n_new_programs > 0 && texts.programs({ count: n_new_programs }),
+    n_new_edits > 0 && texts.edits({ count: n_new_edits }),
+    n_new_runs > 0 && texts.runs({ count: n_new_runs }),
   ].filter(Boolean);
   return [
-    is_moved && (place ? texts.isNow(place) : texts.isNowWithout),
-    news.length > 0 && texts.isNew(news.join(", ")),
+    is_moved && (place ? texts.isNow({ classroom: place }) : texts.isNowWithout),
+    news.length > 0 && texts.isNew({ parts: news.join(", ") }),
   ]
     .filter(Boolean)
     .join(" ");

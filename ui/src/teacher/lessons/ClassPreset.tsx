@@ -91,13 +91,13 @@ function Swap({ minutes, onChange }: SwapProps) {
 /** Shipped worlds, and the own worlds of activities that were made on this PC. */
 function worldOptions(
   activities: readonly ActivityChoice[],
-  worldOf: (title: string) => string,
+  worldOf: (values: { title: string }) => string,
 ): SelectOption<string>[] {
   const shipped = new Set(worlds.value.map(({ name }) => name));
   const own = activities.filter((one) => one.own && !shipped.has(one.goal_picture.world.name));
   return [
     ...worlds.value.map((one): SelectOption<string> => [one.name, worldTitle(one, language.value)]),
-    ...own.map(({ name, title }): SelectOption<string> => [name, worldOf(title)]),
+    ...own.map(({ name, title }): SelectOption<string> => [name, worldOf({ title })]),
   ];
 }
 

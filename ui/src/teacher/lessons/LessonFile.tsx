@@ -53,7 +53,7 @@ export function LessonFile({ lesson, onOpened }: LessonFileProps) {
                   testId="lesson-file-found"
                   onPress={() => openFound(file)}
                 >
-                  {labels.openFound(file.name)}
+                  {labels.openFound({ name: file.name })}
                 </Button>
               ))}
           </div>
@@ -80,10 +80,12 @@ function SaveButtons({ lesson, folders, status, act }: SaveButtonsProps) {
     const content = await authoringApi.lessonFile(lesson.id);
     const name = `${fileName(lesson.title, labels.name)}.pinel`;
     saveFile(name, content);
-    status.value = labels.savedAs(name);
+    status.value = labels.savedAs({ name });
   };
   const saveIn = async (folder: string) => {
-    status.value = labels.savedAs((await authoringApi.writeLessonFile(lesson.id, folder)).name);
+    status.value = labels.savedAs({
+      name: (await authoringApi.writeLessonFile(lesson.id, folder)).name,
+    });
   };
   return (
     <>
@@ -99,7 +101,7 @@ function SaveButtons({ lesson, folders, status, act }: SaveButtonsProps) {
             testId="lesson-file-save-in"
             onPress={() => act(() => saveIn(path))}
           >
-            {labels.saveIn(name)}
+            {labels.saveIn({ folder: name })}
           </Button>
         ))}
     </>

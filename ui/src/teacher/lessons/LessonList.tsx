@@ -44,7 +44,7 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
                 <input
                   type="checkbox"
                   class="lessons__pick"
-                  aria-label={labels.pick(titleOf(lesson))}
+                  aria-label={labels.pick({ title: titleOf(lesson) })}
                   checked={picked.includes(lesson.id)}
                   data-testid="lesson-pick"
                   onChange={({ currentTarget }) => mark(lesson.id, currentTarget.checked)}
@@ -76,7 +76,7 @@ function Join({ n, onJoin }: JoinProps) {
       <Button icon={Link2} disabled={n < 2} testId="lesson-join" onPress={onJoin}>
         {labels.join}
       </Button>
-      <p class="labelled__hint">{n > 1 ? labels.picked(n) : labels.joinHint}</p>
+      <p class="labelled__hint">{n > 1 ? labels.picked({ n }) : labels.joinHint}</p>
     </div>
   );
 }

@@ -20,7 +20,7 @@ export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
   const { lessons: labels } = texts.value.teacher;
   const { fault, act } = useAction(asTeacher);
   const activity = activities.find((one) => one.name === lesson.activity);
-  const since = labels.since(dateAndTime(lesson.opened_at, language.value));
+  const since = labels.since({ when: dateAndTime(lesson.opened_at, language.value) });
   const close = async () => {
     await classesApi.changeLesson(lesson.id, { closed: true });
     await onClosed();

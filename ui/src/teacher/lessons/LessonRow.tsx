@@ -31,8 +31,8 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
   const facts = [
     dateAndTime(lesson.opened_at, language.value),
     lesson.computer,
-    labels.versions(lesson.n_versions),
-    labels.runs(lesson.n_runs),
+    labels.versions({ count: lesson.n_versions }),
+    labels.runs({ count: lesson.n_runs }),
   ];
   return (
     <div
@@ -56,7 +56,7 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
         <Button
           kind="plain"
           icon={Unlink2}
-          label={labels.apartOf(title)}
+          label={labels.apartOf({ title })}
           testId="lesson-apart"
           onPress={() => asTeacher(() => change({ part_of: "" }))}
         >
@@ -66,7 +66,7 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
         <LinkButton
           iconEnd={ArrowRight}
           href={hashOf({ screen: "lesson", lesson: lesson.id })}
-          label={labels.reviewOf(title)}
+          label={labels.reviewOf({ title })}
           testId="lesson-link"
         >
           {labels.review}

@@ -116,7 +116,7 @@ function Deleted({ one, onBack }: DeletedProps) {
   };
   return (
     <div class="notice-box button-row" role="status">
-      <span>{labels.deleted(deleted.title)}</span>
+      <span>{labels.deleted({ title: deleted.title })}</span>
       <Button icon={Undo2} testId="making-undo" onPress={undo}>
         {labels.takeBack}
       </Button>

@@ -30,14 +30,19 @@ export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowPro
         )}
       </div>
       {!problem && (
-        <Button icon={Pencil} label={labels.editOf(title)} testId="making-edit" onPress={onEdit}>
+        <Button
+          icon={Pencil}
+          label={labels.editOf({ title })}
+          testId="making-edit"
+          onPress={onEdit}
+        >
           {labels.edit}
         </Button>
       )}
       <Button
         kind="plain"
         icon={Trash2}
-        label={labels.deleteOf(title)}
+        label={labels.deleteOf({ title })}
         testId="making-delete"
         onPress={onDelete}
       />

@@ -73,7 +73,7 @@ function Hints({ editor }: { editor: ActivityEditor }) {
         return (
           <div key={index}>
             <TextArea
-              label={labels.texts.hint(index + 1)}
+              label={labels.texts.hint({ n: index + 1 })}
               value={hint}
               rows={1}
               testId="making-hint"
@@ -81,7 +81,10 @@ function Hints({ editor }: { editor: ActivityEditor }) {
             />
             {unknown.length > 0 && (
               <p class="notice-box" role="status" data-testid="making-notice">
-                {labels.texts.notOffered(unknown.join("”, “"), levelNames()[level])}
+                {labels.texts.notOffered({
+                  blocks: unknown.join("”, “"),
+                  level: levelNames()[level],
+                })}
               </p>
             )}
           </div>
@@ -122,7 +125,7 @@ function LevelAndTime({ editor }: { editor: ActivityEditor }) {
       </div>
       {needed > level && (
         <p class="notice-box" role="status">
-          {labels.texts.levelTooLow(levelNames()[needed])}
+          {labels.texts.levelTooLow({ level: levelNames()[needed] })}
         </p>
       )}
       <label class="making__choice row wrap middle gap-2">

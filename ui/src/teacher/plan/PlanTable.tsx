@@ -106,10 +106,10 @@ function OpenActivity({ name, found: { current, activities }, onOpen }: OpenActi
         data-name={name}
         onPress={() => !isOpen && onOpen()}
       >
-        {labels.open(title)}
+        {labels.open({ activity: title })}
       </Button>
       <span class="visually-hidden" role="status">
-        {isOpen && labels.isOpen(title)}
+        {isOpen && labels.isOpen({ activity: title })}
       </span>
     </>
   );

@@ -24,7 +24,9 @@ export function Refresh({ at, busy, onRefresh }: RefreshProps) {
       onPress={onRefresh}
     >
       {labels.again}{" "}
-      <span class="refresh__at">{labels.at(timeOfDay(at.toISOString(), language.value))}</span>
+      <span class="refresh__at">
+        {labels.at({ time: timeOfDay(at.toISOString(), language.value) })}
+      </span>
     </Button>
   );
 }

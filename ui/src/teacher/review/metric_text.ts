@@ -1,7 +1,8 @@
-import { texts } from "../../i18n";
+import { language } from "../../i18n";
 import type { Message } from "../../i18n/message";
+import { figureText } from "../../i18n/reasons";
 
 /** Text of a metric from the server's catalogue, which the exported table uses too. */
 export function metricText(name: string): Message {
-  return texts.value.figures[`figure_${name}`] ?? { message: name, remedy: "" };
+  return figureText(name, language.value) ?? { message: name, remedy: "" };
 }

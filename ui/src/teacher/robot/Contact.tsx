@@ -40,6 +40,8 @@ function contactText({ x_m, y_m, rate_hz, battery }: RobotContact): string {
   const { contact: labels } = texts.value.robotSetup;
   const number = (value: number | null, digits: number) =>
     decimal(value ?? 0, digits, language.value);
-  const there = labels.found(number(x_m, 2), number(y_m, 2), number(rate_hz, 0));
-  return battery === null ? there : `${there} ${labels.battery(number(battery * 100, 0))}`;
+  const there = labels.found({ x: number(x_m, 2), y: number(y_m, 2), rate: number(rate_hz, 0) });
+  return battery === null
+    ? there
+    : `${there} ${labels.battery({ percent: number(battery * 100, 0) })}`;
 }

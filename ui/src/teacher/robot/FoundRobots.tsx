@@ -38,10 +38,10 @@ export function FoundRobots({ robot, draft, fill }: FoundRobotsProps) {
       <Button icon={Search} busy={busy} testId="robots-find" onPress={search}>
         {labels.ask}
       </Button>
-      <p class="labelled__hint">{labels.hint(draft.domain ?? "")}</p>
+      <p class="labelled__hint">{labels.hint({ domain: draft.domain ?? "" })}</p>
       <p role="status" class="teacher__done">
         {busy && labels.asking}
-        {found?.robots.length === 0 && labels.none(found.domain)}
+        {found?.robots.length === 0 && labels.none({ domain: found.domain })}
         {isUsed && labels.used}
       </p>
       {found && found.robots.length > 0 && <List robots={found.robots} onUse={use} />}
@@ -68,9 +68,9 @@ function List({ robots, onUse }: ListProps) {
         >
           <span>
             <strong>{one.namespace || labels.nameless}</strong>{" "}
-            {labels.topics(one.command_topic, one.odometry_topic)}
+            {labels.topics({ command: one.command_topic, odometry: one.odometry_topic })}
             {" · "}
-            {one.holder ? state.held(one.holder) : labels.free}
+            {one.holder ? state.held({ name: one.holder }) : labels.free}
           </span>
           <Button testId="robot-use" onPress={() => onUse(one)}>
             {labels.use}

@@ -72,8 +72,13 @@ function more(state: State): string {
   const number = (value: number, digits: number) => decimal(value, digits, language.value);
   const place = poseInRoom(state);
   return [
-    state.rate_hz !== null && labels.rate(number(state.rate_hz, 0)),
-    place && labels.place(number(place.x_m, 2), number(place.y_m, 2), number(place.heading_deg, 0)),
+    state.rate_hz !== null && labels.rate({ times: number(state.rate_hz, 0) }),
+    place &&
+      labels.place({
+        x: number(place.x_m, 2),
+        y: number(place.y_m, 2),
+        heading: number(place.heading_deg, 0),
+      }),
   ]
     .filter(Boolean)
     .map((text) => ` · ${text}`)

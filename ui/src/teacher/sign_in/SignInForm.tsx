@@ -37,7 +37,7 @@ export function SignInForm({ again }: SignInFormProps) {
         <FaultLine fault={fault} />
         {left > 0 && (
           <p class="notice-box" role="timer" data-testid="pin-wait">
-            {labels.wait(left)}
+            {labels.wait({ count: left })}
           </p>
         )}
         <div class="button-row">

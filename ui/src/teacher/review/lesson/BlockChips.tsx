@@ -15,7 +15,7 @@ export function BlockChips({ blocks }: BlockChipsProps) {
     <ul class="chips row wrap gap-1">
       {blocks.map(({ type, count, loose }) => {
         const category = categoryOfType(type);
-        const more = loose > 0 ? ` (${detail.loose(loose)})` : "";
+        const more = loose > 0 ? ` (${detail.loose({ count: loose })})` : "";
         return (
           <li key={type} class="chip" style={category ? hueOf(category) : {}}>
             {blockName(type, language.value)} <b>{count}</b>

@@ -22,7 +22,7 @@ export function CategoryChips({ blocks }: CategoryChipsProps) {
     <ul class="chips row wrap gap-1" aria-label={detail.blocks}>
       {[...counts].map(([category, count]) => {
         const name = counts.size > FEW ? "" : `${categoryName(category, language.value)} `;
-        const label = detail.blocksOf(categoryName(category, language.value), count);
+        const label = detail.blocksOf({ category: categoryName(category, language.value), count });
         return (
           <li key={category} class="chip chip--small" style={hueOf(category)} title={label}>
             <span aria-hidden="true">

@@ -21,7 +21,7 @@ export function Explanations() {
           );
         })}
       </dl>
-      <p>{labels.printed(now)}</p>
+      <p>{labels.printed({ date: now })}</p>
     </section>
   );
 }

@@ -44,7 +44,7 @@ export function GroupRow(props: GroupRowProps) {
           kind="bare"
           class="group-row__name row middle gap-2"
           open={open}
-          tip={`${group.name}. ${open ? detail.close(group.name) : detail.open(group.name)}`}
+          tip={`${group.name}. ${open ? detail.close({ group: group.name }) : detail.open({ group: group.name })}`}
           testId="review-open"
           onPress={onToggle}
         >

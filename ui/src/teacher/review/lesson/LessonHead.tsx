@@ -49,7 +49,7 @@ function Title({ page: { review, classroom } }: Pick<LessonHeadProps, "page">) {
   return (
     <h1 title={lesson.title}>
       <span class="lesson__class">{classroom ?? labels.noClass}</span> ·{" "}
-      {labels.title(lesson.title)}
+      {lesson.title || labels.untitled}
     </h1>
   );
 }
@@ -62,10 +62,10 @@ function factsOf({ review, activities }: LessonPage): string[] {
   return [
     daysText(days.length > 0 ? days : [new Date(lesson.opened_at)], language.value),
     activities.length > 0
-      ? labels.activities(activities.length, inList(activities))
+      ? labels.activities({ count: activities.length, names: inList(activities) })
       : labels.freeWork,
-    labels.groups(groups.length),
-    ...(computers.length > 0 ? [labels.computers(computers.join(", "))] : []),
+    labels.groups({ count: groups.length }),
+    ...(computers.length > 0 ? [labels.computers({ names: computers.join(", ") })] : []),
   ];
 }
 

@@ -23,7 +23,7 @@ export function LessonSummary({ review: { summary, groups }, viewState }: Lesson
   return (
     <ul class="lesson__summary" aria-label={labels.summary} data-testid="lesson-summary">
       {n_passed !== null && n_groups > 0 && (
-        <li class="lesson__passed">{labels.passedBy(n_passed, n_groups)}</li>
+        <li class="lesson__passed">{labels.passedBy({ n: n_passed, all: n_groups })}</li>
       )}
       {unconfirmed.map((text) => (
         <li key={text}>{text}</li>
@@ -36,11 +36,11 @@ export function LessonSummary({ review: { summary, groups }, viewState }: Lesson
           ))}
         </li>
       )}
-      {differing.length > 0 && <li>{labels.differing(inList(differing))}</li>}
-      {not_begun.length > 0 && <li>{labels.notBegun(inList(not_begun))}</li>}
+      {differing.length > 0 && <li>{labels.differing({ activities: inList(differing) })}</li>}
+      {not_begun.length > 0 && <li>{labels.notBegun({ names: inList(not_begun) })}</li>}
       {fault && (
         <li class="lesson__fault">
-          <span>{labels.commonFault(n_with_fault, fault)}</span>
+          <span>{labels.commonFault({ n: n_with_fault, what: fault })}</span>
           {fault_run && (
             <LinkButton icon={Play} href={hashOf({ screen: "replay", run: fault_run })}>
               {texts.value.review.detail.replay}
@@ -60,9 +60,9 @@ function unconfirmedTexts(groups: readonly GroupReview[]): string[] {
   const wrong = found.filter((one) => one === "differs" || one === "not_passed").length;
   const notRepeatable = found.filter((one) => one === "not_repeatable").length;
   return [
-    waiting > 0 ? labels.waiting(waiting) : "",
-    wrong > 0 ? labels.wrong(wrong) : "",
-    notRepeatable > 0 ? labels.notRepeatable(notRepeatable) : "",
+    waiting > 0 ? labels.waiting({ count: waiting }) : "",
+    wrong > 0 ? labels.wrong({ count: wrong }) : "",
+    notRepeatable > 0 ? labels.notRepeatable({ count: notRepeatable }) : "",
   ].filter(Boolean);
 }
 
@@ -81,7 +81,7 @@ function StuckGroup({ review: { group }, viewState: { open } }: StuckGroupProps)
     <Button
       class="tinted"
       style={{ "--group": group.color }}
-      tip={texts.value.review.detail.open(group.name)}
+      tip={texts.value.review.detail.open({ group: group.name })}
       testId="lesson-stuck"
       onPress={show}
     >

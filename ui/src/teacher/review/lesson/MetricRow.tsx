@@ -1,6 +1,7 @@
 import { CircleQuestionMark } from "lucide-preact";
 import type { Figures, OpenedHints } from "../../../api/model";
 import { language, texts } from "../../../i18n";
+import { hintsRead } from "../../../i18n/phrases";
 import { Button } from "../../../kit/Button";
 import { rove } from "../../../kit/roving";
 import { roundDuration } from "../../time_format";
@@ -28,7 +29,7 @@ interface MetricRowProps {
 export function MetricRow({ group, metrics, hints }: MetricRowProps) {
   const labels = texts.value.review.figures;
   return (
-    <ul class="figures" aria-label={labels.label(group)} onKeyDown={rove}>
+    <ul class="figures" aria-label={labels.label({ group })} onKeyDown={rove}>
       {METRICS.map((name, index) => (
         <li key={name}>
           <Metric
@@ -54,7 +55,7 @@ interface MetricProps {
 function Metric({ name, value, first, more }: MetricProps) {
   const labels = texts.value.review.figures;
   const shown = value === null ? labels.unknown : valueText(name, value);
-  const unit = labels[name](value ?? 0);
+  const unit = labels[name]({ count: value ?? 0 });
   const show = (event: { currentTarget: HTMLElement }) =>
     showTip(event.currentTarget, () => {
       const { message, remedy } = metricText(name);
@@ -69,7 +70,7 @@ function Metric({ name, value, first, more }: MetricProps) {
       testId="review-figure"
       data-name={name}
       data-value={value ?? ""}
-      label={labels.ask(`${shown} ${unit}`)}
+      label={labels.ask({ figure: `${shown} ${unit}` })}
       onPress={show}
       onMouseEnter={show}
       onFocus={show}
@@ -84,8 +85,7 @@ function Metric({ name, value, first, more }: MetricProps) {
 
 /** Lines about the opened hints of each activity. */
 function hintLines(hints: readonly OpenedHints[]): string[] {
-  const { detail } = texts.value.review;
-  return hints.map(({ title, n }) => `${title}: ${detail.hintsRead(n)}.`);
+  return hints.map(({ title, n }) => `${title}: ${hintsRead(n, texts.value)}.`);
 }
 
 function valueText(name: MetricName, value: number): string {

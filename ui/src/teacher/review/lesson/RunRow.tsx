@@ -46,7 +46,7 @@ export function RunRow({ mark, book, onAccepted }: RunRowProps) {
         {mark.repairs && (
           <LinkButton
             icon={GitCompareArrows}
-            label={detail.compare(book.numberOf(mark.repairs))}
+            label={detail.compare({ n: book.numberOf(mark.repairs) })}
             href={hashOf({ screen: "compare", first: mark.repairs, second: mark.run_id })}
           />
         )}
@@ -71,7 +71,12 @@ function Accept({ run, title, onAccepted }: AcceptProps) {
   const accept = () => act(async () => reviewApi.accept(run).then(onAccepted));
   return (
     <>
-      <Button busy={busy} testId="accept-run" label={detail.acceptOf(title)} onPress={accept}>
+      <Button
+        busy={busy}
+        testId="accept-run"
+        label={detail.acceptOf({ run: title })}
+        onPress={accept}
+      >
         {detail.accept}
       </Button>
       <FaultLine fault={fault} />
@@ -86,7 +91,7 @@ function Repair({ mark, book }: Omit<RunRowProps, "onAccepted">) {
   const changes = changeTexts(mark, differenceOf(mark));
   return (
     <p class="run-line__repair" data-testid="review-repair">
-      {line.repairs(book.numberOf(mark.repairs))}{" "}
+      {line.repairs({ n: book.numberOf(mark.repairs) })}{" "}
       {changes.length > 0 && `${line.between} ${changes.join("; ")}.`}
     </p>
   );

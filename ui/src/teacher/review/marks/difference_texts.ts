@@ -24,7 +24,9 @@ export function blockName(type: string, language: Language): string {
 /** Number of differing blocks, as text. */
 export function countTexts(changes: ChangeCounts, { line }: Texts["review"]): string[] {
   const kinds = ["added", "removed", "changed", "moved"] as const;
-  const found = kinds.filter((kind) => changes[kind] > 0).map((kind) => line[kind](changes[kind]));
+  const found = kinds
+    .filter((kind) => changes[kind] > 0)
+    .map((kind) => line[kind]({ count: changes[kind] }));
   return found.length > 0 ? found : [line.same];
 }
 
@@ -40,22 +42,28 @@ export function differenceTexts(
     ...changed.flatMap(({ type, what }) => {
       const other = what.find((change) => change.name === "type");
       if (other)
-        return difference.replaced(blockName(String(other.before), language), name({ type }));
+        return difference.replaced({
+          before: blockName(String(other.before), language),
+          after: name({ type }),
+        });
       return what.map((change) => changeText(type, change, texts, language));
     }),
-    ...added.map((block) => difference.added(name(block))),
-    ...removed.map((block) => difference.removed(name(block))),
-    ...moved.map((block) => difference.moved(name(block))),
+    ...added.map((block) => difference.added({ block: name(block) })),
+    ...removed.map((block) => difference.removed({ block: name(block) })),
+    ...moved.map((block) => difference.moved({ block: name(block) })),
   ];
   const lines = counted(found, difference.times);
   if (lines.length <= MAX_LISTED) return lines;
-  return [...lines.slice(0, MAX_LISTED), difference.more(lines.length - MAX_LISTED)];
+  return [...lines.slice(0, MAX_LISTED), difference.more({ count: lines.length - MAX_LISTED })];
 }
 
-function counted(all: readonly string[], times: (what: string, n: number) => string): string[] {
+function counted(
+  all: readonly string[],
+  times: (values: { what: string; n: number }) => string,
+): string[] {
   const counts = new Map<string, number>();
   for (const one of all) counts.set(one, (counts.get(one) ?? 0) + 1);
-  return [...counts].map(([what, n]) => (n === 1 ? what : times(what, n)));
+  return [...counts].map(([what, n]) => (n === 1 ? what : times({ what, n })));
 }
 
 function changeText(
@@ -65,11 +73,13 @@ function changeText(
   language: Language,
 ): string {
   const block = blockName(type, language);
-  if (name === "disabled") return difference.switched(block, after === true);
-  if (name === "comment") return difference.commented(block);
-  if (name.startsWith("extraState")) return difference.reshaped(block);
+  if (name === "disabled") {
+    return after === true ? difference.switchedOff({ block }) : difference.switchedOn({ block });
+  }
+  if (name === "comment") return difference.commented({ block });
+  if (name.startsWith("extraState")) return difference.reshaped({ block });
   const value = (one: unknown) => valueText(type, name, one, language) ?? difference.nothing;
-  return difference.changed(block, value(before), value(after));
+  return difference.changed({ block, before: value(before), after: value(after) });
 }
 
 function valueText(type: string, name: string, value: unknown, language: Language): string | null {

@@ -69,14 +69,16 @@ export function textOf(
 /** Number and outcome of a run. */
 export function runTitle(mark: ReviewMark, book: TimelineIndex): string {
   const { line, outcomes } = texts.value.review;
-  return `${line.run(book.numberOf(mark.run_id))}: ${outcomes[outcomeOf(mark)]}`;
+  return `${line.run({ n: book.numberOf(mark.run_id) })}: ${outcomes[outcomeOf(mark)]}`;
 }
 
 function editsTitle(mark: ReviewMark): string {
   const { line } = texts.value.review;
   const took = mark.until ? (Date.parse(mark.until) - Date.parse(mark.at)) / 1000 : 0;
-  const edits = line.edits(mark.n_edits ?? 0);
-  return took >= 1 ? `${edits} ${line.within(roundDuration(took, language.value))}` : edits;
+  const edits = line.edits({ count: mark.n_edits ?? 0 });
+  return took >= 1
+    ? `${edits} ${line.within({ time: roundDuration(took, language.value) })}`
+    : edits;
 }
 
 function aboutRun(mark: ReviewMark, book: TimelineIndex): string[] {
@@ -85,14 +87,14 @@ function aboutRun(mark: ReviewMark, book: TimelineIndex): string[] {
   return [
     mark.message ?? "",
     facts(mark, book),
-    mark.repairs ? line.repairs(book.numberOf(mark.repairs)) : "",
-    repair ? line.repairedBy(book.numberOf(repair.run_id)) : "",
+    mark.repairs ? line.repairs({ n: book.numberOf(mark.repairs) }) : "",
+    repair ? line.repairedBy({ n: book.numberOf(repair.run_id) }) : "",
   ];
 }
 
 /** Program, time, and duration of the run. */
 export function facts(mark: ReviewMark, book: TimelineIndex): string {
-  const time = texts.value.review.detail.at(timeOfDay(mark.at, language.value));
+  const time = texts.value.review.detail.at({ time: timeOfDay(mark.at, language.value) });
   const day = shortDay(Date.parse(mark.at) / 1000, language.value);
   return [
     mark.program_name,

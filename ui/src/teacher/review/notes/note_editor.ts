@@ -72,7 +72,7 @@ export function stateText({ note, text, state, changed }: NoteEditor): string {
   if (state.value === "deleted") return labels.deleted;
   if (!note.value) return labels.help;
   const read = note.value.seen_at
-    ? labels.seen(when(note.value.seen_at, new Date(), language.value, texts.value))
+    ? labels.seen({ when: when(note.value.seen_at, new Date(), language.value, texts.value) })
     : labels.unseen;
   return `${labels.saved}. ${read}`;
 }

@@ -88,7 +88,7 @@ function Choose({ run, chosen, title }: Omit<HistoryCardProps, "lesson"> & { tit
         type="checkbox"
         checked={isChosen}
         disabled={run.state === "running"}
-        aria-label={runs.chooseOf(title)}
+        aria-label={runs.chooseOf({ run: title })}
         data-testid="compare-choose"
         onChange={() => {
           const others = chosen.value.filter(({ id }) => id !== run.id);

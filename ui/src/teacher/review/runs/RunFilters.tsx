@@ -77,12 +77,15 @@ function groupOptions({ groups }: FilterChoices, classroom: string): Options {
 
 /** Lessons with their dates. Choosing a lesson includes its parts; a part whose lesson is missing has an option. */
 function lessonOptions({ lessons }: FilterChoices, classroom: string): Options {
-  const { title } = texts.value.review.lesson;
+  const { untitled } = texts.value.review.lesson;
   const isPart = ({ part_of }: Lesson) => lessons.some(({ id }) => id === part_of);
   return lessons
     .filter((lesson) => !isPart(lesson))
     .filter(({ classroom_id }) => !classroom || (classroom_id ?? NO_CLASS) === classroom)
-    .map((one) => [one.id, `${title(one.title)} · ${dateAndTime(one.opened_at, language.value)}`]);
+    .map((one) => [
+      one.id,
+      `${one.title || untitled} · ${dateAndTime(one.opened_at, language.value)}`,
+    ]);
 }
 
 function worldOptions(): Options {

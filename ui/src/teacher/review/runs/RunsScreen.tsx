@@ -94,5 +94,5 @@ function RunCards({ page: { runs, next }, lessons, busy, onOlder }: RunCardsProp
 
 function titleOf({ lesson_id }: HistoryRun, lessons: readonly Lesson[]): string | null {
   const lesson = lessons.find(({ id }) => id === lesson_id);
-  return lesson ? texts.value.review.lesson.title(lesson.title) : null;
+  return lesson ? lesson.title || texts.value.review.lesson.untitled : null;
 }

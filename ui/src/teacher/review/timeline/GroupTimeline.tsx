@@ -28,7 +28,7 @@ export function GroupTimeline({ group, book, layout }: GroupTimelineProps) {
   return (
     <div class="line" style={{ width: `${layout.width}px`, "--line-width": layout.width }}>
       <Ground layout={layout} />
-      <ol aria-label={`${line.label(group)}. ${line.keys}`} onKeyDown={rove}>
+      <ol aria-label={`${line.label({ group })}. ${line.keys}`} onKeyDown={rove}>
         {layout.marks.map((placed) => (
           <li
             key={placed.mark.run_id ?? `${placed.mark.version_id}/${placed.index}`}
@@ -123,14 +123,14 @@ function Ground({ layout }: { layout: TimelineLayout }) {
       ))}
       {folds.map(({ x, fold, isNight, isLabelled }) => (
         <g key={fold.from} class="line__fold" transform={`translate(${x} ${BASE})`}>
-          <title>{line.fold(roundDuration(fold.seconds, language.value))}</title>
+          <title>{line.fold({ time: roundDuration(fold.seconds, language.value) })}</title>
           <rect x="-7" y="-4" width="14" height="8" />
           <path d="M-7 5l4-10M3 5l4-10" />
           {isLabelled && (
             <text y="16">
               {isNight
                 ? shortDay(fold.from + fold.seconds, language.value)
-                : line.minutes(Math.round(fold.seconds / 60))}
+                : line.minutes({ n: Math.round(fold.seconds / 60) })}
             </text>
           )}
         </g>
@@ -157,7 +157,7 @@ function tickText({ time, labelKind, from }: Tick): string {
   if (labelKind === "day") return shortDay(time, language.value);
   if (labelKind === "clock") return timeOfDay(new Date(time * 1000).toISOString(), language.value);
   const minutes = Math.round((time - from) / 60);
-  return minutes === 0 ? line.begin : line.minutes(minutes);
+  return minutes === 0 ? line.begin : line.minutes({ n: minutes });
 }
 
 /** Path of an arrow from above one event to above another. */
