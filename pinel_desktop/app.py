@@ -21,6 +21,7 @@ from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.instance import InstanceLock
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
+from pinel_desktop.messages.content import titled
 from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
@@ -89,7 +90,7 @@ class App:
         self._on_show = on_show
         self._make_engine = make_engine
         self._read = read or _read_document
-        self._worlds = list_worlds() if worlds is None else worlds
+        self._worlds = [titled(world) for world in list_worlds()] if worlds is None else worlds
         self._camera_source = camera
         self._bridge = bridge
         self._legacy: LegacyApi | None = None

@@ -118,11 +118,14 @@ def _documents() -> dict[str, dict[str, Any]]:
     folder = resources.files("sim") / "worlds"
     files = sorted(entry.name for entry in folder.iterdir() if entry.name.endswith(".json"))
     documents = (json.loads((folder / name).read_text("utf-8")) for name in files)
-    return {document["name"]: document for document in documents}
+    return {document["name"]: {"title": document["name"], **document} for document in documents}
 
 
 def list_worlds() -> list[dict[str, Any]]:
-    """Returns the documents of all shipped worlds: the worlds of lessons in their order, then the others by name."""
+    """Returns the documents of all shipped worlds: the worlds of lessons in their order, then the others by name.
+
+    Their files have no title. The program has titles in every language; here the name stands for it.
+    """
     return sorted(_documents().values(), key=lambda document: _rank(document["name"]))
 
 

@@ -222,18 +222,18 @@ def unindented(text: str) -> str:
 @pytest.mark.parametrize(
     ("change", "folders"),
     [
-        ("A block", ["program", "execution", "blocks", "i18n", "blocks"]),
-        ("A sensor", ["program", "links", "i18n"]),
+        ("A block", ["program", "execution", "blocks", "catalogue", "blocks"]),
+        ("A sensor", ["program", "links", "catalogue"]),
         ("A robot", ["robot"]),
         ("A robot link", ["links", "links", "robot", "messages"]),
         (
             "A check kind of an activity",
-            ["checks", "checks", "catalogue", "i18n", "activities"],
+            ["checks", "checks", "catalogue", "catalogue", "activities"],
         ),
         ("An event", ["events", "execution"]),
         ("A request of the page", ["models", "api", "api"]),
-        ("A route and a screen", ["shell", "teacher", "i18n"]),
-        ("A language", ["i18n", "catalogue", "worlds"]),
+        ("A route and a screen", ["shell", "teacher", "catalogue"]),
+        ("A language", ["catalogue", "catalogue", "page", "content"]),
     ],
 )
 def test_the_example_of_a_change_names_each_place_in_its_order(

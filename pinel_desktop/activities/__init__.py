@@ -32,7 +32,6 @@ from pinel_desktop.activities.reading import (
     shipped_texts,
     solution_of,
     world_title,
-    world_titles,
 )
 from pinel_desktop.activities.recorded import (
     case_of_real_run,
@@ -87,5 +86,4 @@ __all__ = [
     "trials",
     "world_of",
     "world_title",
-    "world_titles",
 ]

@@ -1,10 +1,12 @@
 """Examples: finished programs that a group opens as copies, to run and to modify them."""
 
+import json
 from functools import cache
 from importlib import resources
 
 from pinel_desktop.activities.goals import GOAL_FILE, Goal
 from pinel_desktop.activities.model import Activity
+from pinel_desktop.messages.content import with_texts
 from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import ParseResult
 
@@ -33,7 +35,8 @@ def example(name: str) -> Activity:
 
     Its only case has the inputs of its picture; its `story` is one sentence.
     """
-    return Activity.model_validate_json((_CATALOGUE / name / "example.json").read_text("utf-8"))
+    document = json.loads((_CATALOGUE / name / "example.json").read_text("utf-8"))
+    return Activity.model_validate(with_texts(document, "examples"))
 
 
 @cache

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from pinel_desktop.activities.faults import ActivityError, schema_faults, semantic_faults
 from pinel_desktop.activities.model import FORMAT, Activity, PathName
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import SOURCE_LANGUAGE
+from pinel_desktop.messages.content import titled, with_texts, world_titles
 from pinel_desktop.program.duplicates import duplicate_key_faults
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.python_text import read_python
@@ -31,7 +31,8 @@ PATHS: tuple[PathName, ...] = get_args(PathName)
 def _shipped() -> dict[str, Activity]:
     folders = sorted(entry.name for entry in _CATALOGUE.iterdir() if entry.is_dir())
     texts = [(_CATALOGUE / name / "activity.json").read_text("utf-8") for name in folders]
-    activities = [Activity.model_validate_json(text) for text in texts]
+    documents = [with_texts(json.loads(text), "missions") for text in texts]
+    activities = [Activity.model_validate(document) for document in documents]
     return {activity.name: activity for activity in sorted(activities, key=_catalogue_order)}
 
 
@@ -75,18 +76,10 @@ def world_title(activity: Activity, language: str) -> str | None:
     return world_titles(language).get(activity.world) if isinstance(activity.world, str) else None
 
 
-def world_titles(language: str) -> dict[str, str]:
-    """Returns the titles of the shipped worlds in a language, by name."""
-    return {one["name"]: _in(one["title"], language) for one in list_worlds()}
-
-
-def _in(title: Mapping[str, str], language: str) -> str:
-    return title.get(language, title[SOURCE_LANGUAGE])
-
-
 def shipped_texts() -> list[str]:
     """Returns names of shipped worlds and activities and all texts of these worlds; anonymous exports may have them."""
-    return sorted({*_texts_in(list_worlds()), *activity_names()})
+    worlds = [titled(world) for world in list_worlds()]
+    return sorted({*_texts_in(worlds), *activity_names()})
 
 
 def _texts_in(value: object) -> Iterator[str]:

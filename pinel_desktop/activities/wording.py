@@ -21,7 +21,8 @@ from pinel_desktop.messages import (
 from pinel_desktop.program.model import action_names
 
 TextByLanguage = dict[str, str]
-_PLACEHOLDER = re.compile(r"\{(\w+)\}")
+# `{{name}}` in the catalogue, `{name}` in an activity
+_PLACEHOLDER = re.compile(r"\{?\{(\w+)\}\}?")
 _UNITS = ("_m", "_deg", "_s")
 _QUOTED = re.compile('[“«"]([^”»"]+)[”»"]')
 # the names of these blocks are everyday words, which name a block only in quotation marks
@@ -230,7 +231,7 @@ def blocks_named(texts: dict[str, str]) -> dict[str, str]:
     found: dict[str, str] = {}
     for language in LANGUAGES:
         for quoted in _QUOTED.findall(texts.get(language, "")):
-            found |= dict(_first(quoted, language))
+            found |= dict(_first(quoted.strip(), language))
     plain = _QUOTED.sub(" ", texts.get(SOURCE_LANGUAGE, ""))
     for start in re.finditer(r"\b\w", plain):
         named = dict(_first(plain[start.start() :], SOURCE_LANGUAGE))

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from datetime import datetime
 
 from pinel_desktop.messages import catalogue, describe
+from pinel_desktop.messages.content import world_titles
 from pinel_desktop.robot.robot_profile import ROOM
 from pinel_desktop.school.review import Counts, LessonReview, TimelineEntry, spreadsheet
 from pinel_desktop.school.review.spreadsheet import Cell
@@ -48,8 +49,6 @@ def timeline_csv(
         reasons: messages why runs ended, by run id.
         titles: of activities, by name.
     """
-
-    from pinel_desktop.activities import world_titles  # noqa: PLC0415 - heavy
 
     own = describe("review_own_world", {}, language).message
     worlds = world_titles(language) | {

@@ -22,6 +22,7 @@ from pinel_desktop.activities import (
 )
 from pinel_desktop.activities.reading import read_activity
 from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.messages.content import with_texts
 from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import ParseResult, read_document
 from tests.activities.given_programs import CATALOGUE, PROGRAMS, GivenProgram, others, wrong
@@ -82,7 +83,8 @@ def test_it_stands_in_the_docs_with_its_place(name: str) -> None:
 @pytest.mark.parametrize("name", activity_names())
 def test_it_tells_all_that_a_group_needs_in_every_language(name: str) -> None:
     text = (CATALOGUE / name / "activity.json").read_text("utf-8")
-    assert read_activity(text)[1] == ()
+    document = with_texts(json.loads(text), "missions")
+    assert read_activity(json.dumps(document))[1] == ()
     activity = choose_activity(name)
     assert activity.name == name
     assert activity.level is not None

@@ -1,5 +1,6 @@
 """Words for pupils: numbers, lengths, and blocks by the labels that they have on the screen."""
 
+import json
 import re
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from pinel_desktop.activities.wording import block_label, interpolate, length, n
 from pinel_desktop.messages import LANGUAGES, catalogue
 from pinel_desktop.program.model import action_names
 
-I18N = Path(__file__).parents[2] / "ui" / "src" / "i18n"
+CATALOGUE = Path(__file__).parents[2] / "pinel_desktop" / "messages" / "catalogue"
 LABEL = {"conditional_execution": "IF"}
 
 
@@ -20,15 +21,20 @@ def block(**data: object) -> Command:
     return Command("/commands/0", data, 0)
 
 
+def shown_labels(language: str) -> dict[str, str]:
+    """The texts of the page's blocks."""
+    text = (CATALOGUE / language / "page" / "blocks.json").read_text("utf-8")
+    return dict(json.loads(text)["blocks"])
+
+
 def plain(label: str) -> str:
     """A label without icon, values and spaces at its end."""
-    return re.sub(r"\s+", " ", re.sub(r"%\d|\{\w+\}", "·", label)).strip(" ·")
+    return re.sub(r"\s+", " ", re.sub(r"%\d|\{\{\w+\}\}", "·", label)).strip(" ·")
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_blocks_have_the_labels_that_they_have_on_the_screen(language: str) -> None:
-    text = (I18N / language / "blocks.ts").read_text("utf-8")
-    labels = dict(re.findall(r'^  ([A-Z_]+):\s*"((?:[^"\\]|\\.)*)"', text, re.M))
+    labels = shown_labels(language)
     names = [*(name for name in action_names() if name != "pen"), "pen_down", "pen_up"]
     for name in names:
         shown = labels[LABEL.get(name, name.upper())]
@@ -39,8 +45,7 @@ def test_blocks_have_the_labels_that_they_have_on_the_screen(language: str) -> N
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_values_have_the_words_that_they_have_on_the_screen(language: str) -> None:
-    text = (I18N / language / "blocks.ts").read_text("utf-8")
-    labels = dict(re.findall(r'^  ([A-Z_]+): "([^"]*)"', text, re.M))
+    labels = shown_labels(language)
     pairs = {"distance": "DISTANCE_SENSOR", "gesture": "GESTURE_RESULT"}
     for name in ("front", "back", "bumper", "heading", "time", "floor", "distance", "gesture"):
         shown = labels[pairs.get(name, name.upper())]

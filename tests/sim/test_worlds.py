@@ -11,6 +11,7 @@ import pytest
 from pinel_desktop.execution.executor import execute
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.messages.content import titled, world_titles
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import PIONEER_3DX, SimulationConfig
 from sim.floor import color_at, zone_at
@@ -26,12 +27,15 @@ def names() -> list[str]:
     return [document["name"] for document in list_worlds()]
 
 
-def test_there_are_at_least_eight_each_under_its_file_s_name_with_a_title_of_its_own() -> None:
+def test_there_are_at_least_eight_each_under_its_file_s_name_with_titles_of_its_own() -> None:
     assert len(names()) >= 8
     files = {path.stem for path in (Path(__file__).parents[2] / "sim" / "worlds").glob("*.json")}
     assert set(names()) == files
     for language in LANGUAGES:
-        assert len({document["title"][language] for document in list_worlds()}) == len(names())
+        assert len({titled(document)["title"][language] for document in list_worlds()}) == len(
+            names()
+        )
+        assert set(world_titles(language)) == files
 
 
 def test_they_are_listed_from_first_steps_to_projects() -> None:

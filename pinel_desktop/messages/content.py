@@ -1,0 +1,65 @@
+"""Texts of the worlds, activities and examples that ship: `catalogue/LANGUAGE/content/AREA.json`, by name."""
+
+import json
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+from typing import Any, Literal
+
+from pinel_desktop.messages import LANGUAGES
+
+Area = Literal["missions", "examples", "worlds"]
+_CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "catalogue"
+
+
+@cache
+def shipped_texts(area: Area) -> dict[str, dict[str, Any]]:
+    """Returns the texts of an area: language -> name -> texts."""
+    return {
+        language: json.loads(
+            (_CATALOGUE / language / "content" / f"{area}.json").read_text("utf-8")
+        )
+        for language in LANGUAGES
+    }
+
+
+def world_titles(language: str) -> dict[str, str]:
+    """Returns the titles of the shipped worlds in a language, by name."""
+    return shipped_texts("worlds")[language]
+
+
+def titled(world: Mapping[str, Any]) -> dict[str, Any]:
+    """Returns the document of a shipped world with its title in every language."""
+    texts = shipped_texts("worlds")
+    return {**world, "title": {language: texts[language][world["name"]] for language in LANGUAGES}}
+
+
+def with_texts(document: Mapping[str, Any], area: Area) -> dict[str, Any]:
+    """Returns the document of a shipped activity with its texts in every language, the form of docs/activities.md.
+
+    The shipped document has no texts: `label` and `say` in it are keys of the catalogue.
+    """
+    of_name = {tag: names[document["name"]] for tag, names in shipped_texts(area).items()}
+    source = of_name[LANGUAGES[0]]
+
+    def localized(key: str, index: int | None = None) -> dict[str, str]:
+        texts = {tag: texts[key] for tag, texts in of_name.items()}
+        return {tag: text if index is None else text[index] for tag, text in texts.items()}
+
+    def filled(node: Any) -> Any:
+        if isinstance(node, list):
+            return [filled(one) for one in node]
+        if not isinstance(node, Mapping):
+            return node
+        return {
+            key: localized(one) if key in ("label", "say") else filled(one)
+            for key, one in node.items()
+        }
+
+    own = [key for key in source if not key.startswith(("label_", "say_", "hints"))]
+    hints = [localized("hints", index) for index in range(len(source.get("hints", ())))]
+    return {
+        **filled(document),
+        **{key: localized(key) for key in own},
+        **({"hints": hints} if hints else {}),
+    }
