@@ -70,11 +70,34 @@ def test_a_code_stands_on_one_line() -> None:
 @pytest.mark.parametrize("code", sorted(catalogue(SOURCE_LANGUAGE)))
 def test_every_code_has_words_in_every_language_with_the_same_values(code: str) -> None:
     entry = {language: catalogue(language)[code] for language in LANGUAGES}
-    assert all(texts["message"].strip() for texts in entry.values())
+    assert all(part(texts, "message").strip() for texts in entry.values())
     # good news and labels need no remedy, but then in no language
-    assert len({bool(texts["remedy"].strip()) for texts in entry.values()}) == 1
-    used = [set(PLACEHOLDER.findall(w["message"] + w["remedy"])) for w in entry.values()]
+    assert len({bool(part(texts, "remedy").strip()) for texts in entry.values()}) == 1
+    used = [set(PLACEHOLDER.findall(" ".join(texts.values()))) for texts in entry.values()]
     assert all(values == used[0] for values in used)
+
+
+def part(texts: dict[str, str], name: str) -> str:
+    """A part of a message in its general form."""
+    return texts[name] if name in texts else texts[f"{name}_other"]
+
+
+@pytest.mark.parametrize(
+    ("language", "n", "message"),
+    [
+        ("pt-BR", 1, "O PIN foi digitado errado 1 vez. Espere 1 segundo e tente de novo."),
+        ("pt-BR", 3, "O PIN foi digitado errado 3 vezes. Espere 3 segundos e tente de novo."),
+        ("en", 1, "The PIN was wrong 1 time. Wait 1 second and try again."),
+        ("en", 0, "The PIN was wrong 0 times. Wait 0 seconds and try again."),
+    ],
+)
+def test_a_message_has_the_form_of_its_count(language: str, n: int, message: str) -> None:
+    assert describe("pin_wait", {"failed": n, "seconds": n}, language).line == message
+
+
+def test_each_part_of_a_message_counts_its_own_number() -> None:
+    line = describe("pin_wait", {"failed": 5, "seconds": 1}, "es").line
+    assert line == "El PIN se escribió mal 5 veces. Espere 1 segundo y pruebe de nuevo."
 
 
 def refused_terms() -> list[tuple[str, str]]:
@@ -167,7 +190,7 @@ def test_a_command_to_type_stands_in_quotation_marks(language: str) -> None:
 @pytest.mark.parametrize("language", sorted(TO_ONE))
 def test_pupils_are_spoken_to_as_a_group(language: str) -> None:
     entries = [entry for name in TO_PUPILS for entry in area(language, name).values()]
-    remedies = [entry["remedy"] for entry in entries]
+    remedies = [part(entry, "remedy") for entry in entries]
     assert [text for text in remedies if TO_ONE[language].search(text)] == []
 
 
@@ -187,7 +210,7 @@ def test_every_code_that_the_program_raises_has_words() -> None:
         "distance_out_of_range" not in codes
     )  # made from the parameter's name, so it is checked below
     assert codes - set(catalogue(SOURCE_LANGUAGE)) == set()
-    assert [code for code in codes if not catalogue(SOURCE_LANGUAGE)[code]["remedy"]] == []
+    assert [code for code in codes if not part(catalogue(SOURCE_LANGUAGE)[code], "remedy")] == []
 
 
 def test_every_range_in_the_language_has_words() -> None:
@@ -232,7 +255,9 @@ def test_moments_are_written_as_in_their_language(language: str, shown: str) -> 
 def test_the_place_of_a_file_is_told_whole(name: str) -> None:
     place = "C:\\Users\\Laboratório de Informática\\" + "Turma 9B\\" * 20 + "programa.json"
     placeholder = "{{" + name + "}}"
-    codes = [code for code, texts in catalogue("es").items() if placeholder in texts["message"]]
+    codes = [
+        code for code, texts in catalogue("es").items() if placeholder in part(texts, "message")
+    ]
     assert codes
     for code in codes:
         assert place in describe(code, {name: place}, "es").message

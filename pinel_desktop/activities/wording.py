@@ -126,7 +126,9 @@ def block_label(command: Command, language: str) -> str:
 
 def _parameters(data: Mapping[str, Any], language: str) -> dict[str, str]:
     values = {
-        name: number(value, language) if isinstance(value, int | float) else f"“{value}”"
+        name: number(value, language)
+        if isinstance(value, int | float)
+        else _quoted(value, language)
         for name, value in data.items()
         if isinstance(value, str | int | float) and not isinstance(value, bool)
     }
@@ -148,6 +150,10 @@ def _parameters(data: Mapping[str, Any], language: str) -> dict[str, str]:
         route = "block_around" if data.get("avoid") else "block_straight"
         values["way"] = describe(route, {}, language).message
     return values
+
+
+def _quoted(value: str, language: str) -> str:
+    return describe("value_quoted", {"text": value}, language).message
 
 
 def expression_label(value: Any, language: str) -> str | None:

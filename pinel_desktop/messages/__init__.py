@@ -4,7 +4,8 @@
 
     "distance_out_of_range": {"message": "...{{value}}...", "remedy": "..."},
 
-The form is i18next JSON v4, which translators' tools read. Of a plural each form is written, chosen by `count`:
+The form is i18next JSON v4, which translators' tools read. Of a plural each form is written. The first number in its
+text chooses one:
 
     "merged": {"message_one": "{{count}} run came.", "message_other": "{{count}} runs came.", "remedy": ""},
 
@@ -83,7 +84,7 @@ def plural_rules(language: str) -> dict[str, Callable[[int], int]]:
     """
     file = _CATALOGUE / language / "language.json"
     conditions: dict[str, str] = json.loads(file.read_text("utf-8"))["plural"]
-    return {form: gettext.c2py(condition) for form, condition in conditions.items()}  # type: ignore[attr-defined]
+    return {form: gettext.c2py(condition) for form, condition in conditions.items()}
 
 
 def language_of_system() -> str:
@@ -122,17 +123,17 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Localize
 
 
 def _form(texts: Mapping[str, str], part: str, params: Mapping[str, object], language: str) -> str:
-    """The text of a part of a message; of a plural, the form for `count`."""
+    """The text of a part of a message. Of a plural it is the form for the first number in its general form."""
     if (whole := texts.get(part)) is not None:
         return whole
-    count = params.get("count")
-    if isinstance(count, int):
-        if count == 0 and (zero := texts.get(f"{part}_zero")) is not None:
-            return zero
-        for form, holds in plural_rules(language).items():
-            if holds(count):
-                return texts.get(f"{part}_{form}", texts.get(f"{part}_other", ""))
-    return texts.get(f"{part}_other", "")
+    general = texts.get(f"{part}_other", "")
+    counts = (params.get(name) for name in _PLACEHOLDER.findall(general))
+    count = next((one for one in counts if isinstance(one, int)), None)
+    if count is None:
+        return general
+    forms = (form for form, holds in plural_rules(language).items() if holds(count))
+    names = [*(["zero"] if count == 0 else []), *forms]
+    return next((texts[f"{part}_{name}"] for name in names if f"{part}_{name}" in texts), general)
 
 
 def _without_sides(params: Mapping[str, object]) -> Mapping[str, object]:

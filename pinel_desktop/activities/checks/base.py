@@ -172,9 +172,8 @@ def text(code: str, language: str, **values: Any) -> str:
 
 
 def counted(code: str, n: int, language: str, **values: Any) -> str:
-    """Returns the message for none, one or several."""
-    ending = {0: "_none", 1: "_one"}.get(n, "")
-    return text(f"{code}{ending}", language, n=n, **values)
+    """Returns the message in its form for a count."""
+    return describe(code, {**formatted_values(values, language), "count": n}, language).message
 
 
 def side(angle_deg: float, language: str) -> str:

@@ -93,6 +93,12 @@ describe.each(LANGUAGES)("the catalogue %s", (language) => {
   });
 });
 
+test("a message of the server has the form of its count", () => {
+  const said = (count: number) => reasonText("odometry_invalid", { count }, "en")?.message;
+  expect(said(1)).toBe("The robot reports impossible positions (1 message).");
+  expect(said(2)).toBe("The robot reports impossible positions (2 messages).");
+});
+
 describe("figures", () => {
   test("are written as the language writes them", () => {
     expect(decimal(0.62, 2, "pt-BR")).toBe("0,62");

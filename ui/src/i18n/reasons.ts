@@ -52,9 +52,20 @@ function filled(
       const size = SIDED.has(name) ? side * value : value;
       return show(MEASURED.has(name) ? Math.round(size * 100) / 100 : size, language);
     });
-  const form = (part: "message" | "remedy") =>
-    words[part] ?? pluralForm({ ...words }, part, Number(params.count), language);
+  const form = (part: keyof Message) => words[part] ?? counted(words, part, params, language);
   return { message: fill(form("message")), remedy: fill(form("remedy")) };
+}
+
+/** The form of a plural for the first number in its general form. */
+function counted(
+  words: MessageEntry,
+  part: keyof Message,
+  params: Record<string, unknown>,
+  language: Language,
+): string {
+  const names = words[`${part}_other`]?.matchAll(/\{\{(\w+)\}\}/g) ?? [];
+  const count = [...names].map(([, name = ""]) => params[name]).find(Number.isInteger);
+  return pluralForm({ ...words }, part, Number(count ?? Number.NaN), language);
 }
 
 function show(value: unknown, language: Language): string {

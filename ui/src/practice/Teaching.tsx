@@ -71,7 +71,7 @@ function Taught({ signs, onForget }: TaughtProps) {
       {signs.map(({ name, n_samples, n_movements }) => (
         <li key={name} data-testid="taught-sign" data-sign={name}>
           <strong>{name}</strong>
-          {n_samples > 0 && <span>{labels.samples({ n: n_samples })}</span>}
+          {n_samples > 0 && <span>{labels.samples({ count: n_samples })}</span>}
           {n_movements > 0 && <span>{labels.movements({ count: n_movements })}</span>}
           <Button
             icon={Trash2}

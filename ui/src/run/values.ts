@@ -32,7 +32,8 @@ const separatorIn = (language: Language) => (language === "en" ? ", " : "; ");
 export function valueText(value: unknown, texts: Texts, language: Language): string {
   if (typeof value === "number") return formatNumber(value, language);
   if (typeof value === "boolean") return value ? texts.show.yes : texts.show.no;
-  if (typeof value === "string") return value === "" ? texts.show.emptyText : `“${value}”`;
+  if (value === "") return texts.show.emptyText;
+  if (typeof value === "string") return texts.show.quoted({ text: value });
   if (Array.isArray(value)) {
     const items = value.map((item) => valueText(item, texts, language));
     return `[${items.join(separatorIn(language))}]`;

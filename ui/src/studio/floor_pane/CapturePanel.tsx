@@ -47,14 +47,19 @@ export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps)
 
 function Head({ capture: { leftS, timeoutS } }: { capture: Capture }) {
   const labels = texts.value.capture;
-  const shown = decimal(Math.ceil(leftS), 0, language.value);
+  const count = Math.ceil(leftS);
+  const shown = decimal(count, 0, language.value);
   return (
     <>
       <div class="capture__head row middle gap-3">
         <Hand class="icon capture__hand" aria-hidden="true" />
         <h2 class="capture__title">{hasPicture.value ? labels.show : labels.title}</h2>
         <CameraChoice />
-        <span class="capture__left" role="timer" aria-label={labels.leftHelp({ seconds: shown })}>
+        <span
+          class="capture__left"
+          role="timer"
+          aria-label={labels.leftHelp({ seconds: shown, count })}
+        >
           {labels.left({ seconds: shown })}
         </span>
       </div>

@@ -82,7 +82,7 @@ function Hints({ editor }: { editor: ActivityEditor }) {
             {unknown.length > 0 && (
               <p class="notice-box" role="status" data-testid="making-notice">
                 {labels.texts.notOffered({
-                  blocks: unknown.join("”, “"),
+                  blocks: unknown.map((text) => texts.value.show.quoted({ text })).join(", "),
                   level: levelNames()[level],
                 })}
               </p>

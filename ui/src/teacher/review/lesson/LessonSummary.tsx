@@ -40,7 +40,7 @@ export function LessonSummary({ review: { summary, groups }, viewState }: Lesson
       {not_begun.length > 0 && <li>{labels.notBegun({ names: inList(not_begun) })}</li>}
       {fault && (
         <li class="lesson__fault">
-          <span>{labels.commonFault({ n: n_with_fault, what: fault })}</span>
+          <span>{labels.commonFault({ count: n_with_fault, what: fault })}</span>
           {fault_run && (
             <LinkButton icon={Play} href={hashOf({ screen: "replay", run: fault_run })}>
               {texts.value.review.detail.replay}

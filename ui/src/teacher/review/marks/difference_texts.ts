@@ -88,7 +88,7 @@ function valueText(type: string, name: string, value: unknown, language: Languag
     return value.toLocaleString(language, { maximumFractionDigits: 3, useGrouping: false });
   }
   if (typeof value !== "string") return null;
-  return optionText(type, name, value, language) ?? `“${value}”`;
+  return optionText(type, name, value, language) ?? textsOf(language).show.quoted({ text: value });
 }
 
 /** Text of a dropdown option on the block. */
