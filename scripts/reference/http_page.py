@@ -23,4 +23,5 @@ def errors_of_writing() -> list[str]:
 
 
 def _row(code: str) -> str:
-    return f"| {STATUS[code]} | `{code}` | {describe(code, {}, 'en').message} |"
+    message = describe(code, {}, "en").message.replace("{{", "{").replace("}}", "}")
+    return f"| {STATUS[code]} | `{code}` | {message} |"

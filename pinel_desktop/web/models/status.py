@@ -2,20 +2,24 @@
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, ValidationInfo, create_model, field_validator
+from pydantic import Field, ValidationInfo, WithJsonSchema, create_model, field_validator
 
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.settings import MAX_TEXT, SETTINGS, TEXT, Setting
 from pinel_desktop.web.models import Id, RequestModel, ResponseModel
 from pinel_desktop.web.models.errors import Notice
 
+# without the languages, so that one more changes neither the description nor the page's types
+_LANGUAGE_SCHEMA = WithJsonSchema(
+    {"type": "string", "description": "tag of a language of the catalogue"}
+)
 OF_PAGE = {name: setting for name, setting in SETTINGS.items() if setting.of_page}
 
 if TYPE_CHECKING:
     Language = str
     Name = str
 else:
-    Language = Literal[LANGUAGES]
+    Language = Annotated[Literal[LANGUAGES], _LANGUAGE_SCHEMA]
     Name = Literal[tuple(OF_PAGE)]
 
 
@@ -46,6 +50,8 @@ class Settings(RequestModel):
 def _field(setting: Setting) -> Any:
     """Returns the type of a setting's value, with its default."""
     kind: Any = str if setting.values is None else Literal[(setting.default, *setting.values)]
+    if setting.values is LANGUAGES:
+        kind = Annotated[kind, _LANGUAGE_SCHEMA]
     return (Annotated[kind, Field(description=setting.about)], setting.default)
 
 

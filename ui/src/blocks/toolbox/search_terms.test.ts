@@ -8,7 +8,7 @@ import { searchBlocks } from "./search";
 beforeAll(registerBlocks);
 
 /** Words that pupils search for, by the block that must be found. */
-const SEARCH_TERMS: Readonly<Record<Language, Readonly<Record<string, string>>>> = {
+const SEARCH_TERMS: Readonly<Record<string, Readonly<Record<string, string>>>> = {
   "pt-BR": {
     move_forward: "andar, frente, avançar, reto, mover",
     move_backward: "ré, trás, voltar, recuar",
@@ -102,13 +102,13 @@ const SEARCH_TERMS: Readonly<Record<Language, Readonly<Record<string, string>>>>
 };
 
 const cases = (language: Language) =>
-  Object.entries(SEARCH_TERMS[language]).flatMap(([type, terms]) =>
+  Object.entries(SEARCH_TERMS[language] ?? {}).flatMap(([type, terms]) =>
     terms.split(", ").map((term): [string, string] => [term, type]),
   );
 
 const folded = (term: string) => term.normalize("NFD").replace(/\p{M}/gu, "").toUpperCase();
 
-describe.each(["pt-BR", "en", "es"] as const)("in %s", (language) => {
+describe.each(Object.keys(SEARCH_TERMS))("in %s", (language) => {
   test.each(cases(language))("%s finds %s among the first three", (term, type) => {
     setBlockLanguage(language);
     for (const typed of [term, folded(term)]) {
@@ -119,7 +119,5 @@ describe.each(["pt-BR", "en", "es"] as const)("in %s", (language) => {
 });
 
 test("the words are counted, so that none gets lost", () => {
-  expect(["pt-BR", "en", "es"].map((language) => cases(language as Language).length)).toEqual([
-    83, 40, 40,
-  ]);
+  expect(Object.keys(SEARCH_TERMS).map((language) => cases(language).length)).toEqual([83, 40, 40]);
 });
