@@ -183,7 +183,7 @@ def test_names_of_code_are_no_words() -> None:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_command_to_type_stands_in_quotation_marks(language: str) -> None:
     messages = {code: " ".join(texts.values()) for code, texts in catalogue(language).items()}
-    bare = re.compile(r"`|(?<!“)\bpinel (?:doctor|export|merge|pin|run|runs|serve)\b")
+    bare = re.compile(r"`|(?<!“)(?<!«\u00a0)\bpinel (?:doctor|export|merge|pin|run|runs|serve)\b")
     assert {code: text for code, text in messages.items() if bare.search(text)} == {}
 
 
