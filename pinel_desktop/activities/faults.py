@@ -17,6 +17,7 @@ from pinel_desktop.activities.model import (
 )
 from pinel_desktop.activities.wording import blocks_named
 from pinel_desktop.errors import PinelError
+from pinel_desktop.messages.content import titled
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.model import action_names
 from pinel_desktop.program.pointers import pointer
@@ -214,7 +215,7 @@ def _world(activity: Activity) -> tuple[dict[str, Any] | None, list[Fault]]:
     world = activity.world
     if isinstance(world, str):
         try:
-            return world_document(world), []
+            return titled(world_document(world)), []
         except WorldError as error:
             return None, [Fault(error.code, "/world", None, error.params)]
     document, faults = read_own_world(world, robot=activity.model)

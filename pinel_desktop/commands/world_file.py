@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.messages.content import titled
 from pinel_desktop.program.faults import Fault
 from sim.world import WorldError, world_document
 
@@ -37,7 +38,7 @@ def choose_world(name_or_file: str, *, robot: str) -> ChosenWorld:
     is_json = name_or_file.lower().endswith(".json")
     try:
         if not is_json:
-            return ChosenWorld(name_or_file, world_document(name_or_file))
+            return ChosenWorld(name_or_file, titled(world_document(name_or_file)))
     except WorldError as error:
         if not os.path.isfile(name_or_file):
             raise PinelError(error.code, **error.params) from error

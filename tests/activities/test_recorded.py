@@ -19,6 +19,8 @@ from pinel_desktop.activities import (
 from pinel_desktop.activities import evidence as evidence_module
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.cli import main
+from pinel_desktop.commands.world_file import choose_world
+from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import ParseResult
 from pinel_desktop.robot import simulation_config_from
@@ -133,3 +135,10 @@ def test_a_run_is_recognised_as_the_case_that_it_was(name: str, case: int, tmp_p
     assert case_of_run(activity, {}, setting, log) is None
     realistic = replace(setting, preset="realistic")
     assert case_of_run(activity, row.world_document, realistic, log) is None
+
+
+def test_the_world_of_a_shipped_activity_has_its_title_in_every_language() -> None:
+    world = world_of(choose_activity("maze"))
+    assert set(world["title"]) == set(LANGUAGES)
+    assert world["title"]["pt-BR"] == "Labirinto"
+    assert choose_world("maze", robot="pioneer_3dx").document == world
