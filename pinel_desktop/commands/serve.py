@@ -98,9 +98,9 @@ def _bridge(
         return None
     from pinel_desktop.web.legacy.api import BridgeChoice  # noqa: PLC0415 - only with --bridge
 
-    record = chosen_robot("bridge", (), bridge, key)
-    assert isinstance(record, BridgeProfile)
-    return BridgeChoice(record, robot, file_pages)
+    profile = chosen_robot("bridge", (), bridge, key)
+    assert isinstance(profile, BridgeProfile)
+    return BridgeChoice(profile, robot, file_pages)
 
 
 def _serve(app: App, choice: "BridgeChoice | None") -> None:

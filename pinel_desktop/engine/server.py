@@ -206,16 +206,16 @@ class Engine:
         else:
             self.respond(message["request"], found)
 
-    def _contact(self, record: RobotProfile) -> Message:
+    def _contact(self, profile: RobotProfile) -> Message:
         from pinel_desktop.runs.contact import probe_robot  # noqa: PLC0415 - for real robots only
 
-        with self.robots.reserved(record):
-            return probe_robot(record).as_message()
+        with self.robots.reserved(profile):
+            return probe_robot(profile).as_message()
 
-    def _find(self, record: RobotProfile) -> list[Message]:
+    def _find(self, profile: RobotProfile) -> list[Message]:
         from pinel_desktop.runs.contact import robots_in_domain  # noqa: PLC0415 - for real robots only
 
-        return robots_in_domain(record)
+        return robots_in_domain(profile)
 
     def _begin(self, message: Message) -> None:
         # The app starts one run at a time, but the thread of the former run may still be ending.

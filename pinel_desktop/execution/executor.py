@@ -17,6 +17,7 @@ from pinel_desktop.events.model import (
     RunState,
     Telemetry,
 )
+from pinel_desktop.execution.await_commands import MOVED_BY_HAND_M, await_commands
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S, WALL_TIME, Clock, UnpacedClock, WallTime
 from pinel_desktop.execution.context import RunContext, RunFailureError, Sources
 from pinel_desktop.execution.control import RunControl
@@ -26,7 +27,6 @@ from pinel_desktop.execution.debug.sensor_stream import SensorStream
 from pinel_desktop.execution.debug.variable_watch import VariableWatch
 from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.limits import StepLimit
-from pinel_desktop.execution.open_end import MOVED_BY_HAND_M, await_commands
 from pinel_desktop.execution.recorder import TelemetryRecorder
 from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.execution.stack import ProgramStack

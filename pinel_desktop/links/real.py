@@ -51,12 +51,12 @@ class RealLink:
     command_delay_s = _DELAY_S
 
     def __init__(
-        self, record: RobotProfile, setting: SimulationConfig, transport: Transport
+        self, profile: RobotProfile, setting: SimulationConfig, transport: Transport
     ) -> None:
-        robot = record.limited(setting.robot)
+        robot = profile.limited(setting.robot)
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
-        self._edge = _Edge(record.room, robot.radius_m)
-        self._robot_lock = RobotLock(record)
+        self._edge = _Edge(profile.room, robot.radius_m)
+        self._robot_lock = RobotLock(profile)
         self._transport = transport
         self.sensors = transport.sensors
         self._publisher = VelocityPublisher(transport.send)

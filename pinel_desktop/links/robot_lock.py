@@ -17,9 +17,9 @@ _ACQUIRE_TIMEOUT_S, _POLL_INTERVAL_S = 0.1, 0.02
 class RobotLock:
     """The lock on the robot of a profile. Any thread of the process that acquired the lock may release it."""
 
-    def __init__(self, record: RobotProfile) -> None:
-        self._address = record.address
-        name = hashlib.sha256(f"{record.link} {record.address}".encode()).hexdigest()[:16]
+    def __init__(self, profile: RobotProfile) -> None:
+        self._address = profile.address
+        name = hashlib.sha256(f"{profile.link} {profile.address}".encode()).hexdigest()[:16]
         self._path = os.path.join(tempfile.gettempdir(), f"pinel-robot-{name}.lock")
         # All accounts of the PC share the file. Without write access for all, the first account
         # would lock out the others for good.

@@ -199,20 +199,20 @@ class BridgeProfile(RobotProfile):
 
 
 PROFILES: dict[str, type[RobotProfile]] = {
-    record.link: record for record in (DdsProfile, Ros2Profile, BridgeProfile)
+    profile.link: profile for profile in (DdsProfile, Ros2Profile, BridgeProfile)
 }
 
 
-def fields_of(record: type[RobotProfile]) -> list[str]:
+def fields_of(profile: type[RobotProfile]) -> list[str]:
     """Returns the names of all fields; fields of the room are named `room.NAME`."""
-    own = [name for name in record.model_fields if name != "room"]
+    own = [name for name in profile.model_fields if name != "room"]
     return [*own, *(f"room.{name}" for name in Room.model_fields)]
 
 
-def limits(record: type[RobotProfile], field: str) -> tuple[float, float]:
+def limits(profile: type[RobotProfile], field: str) -> tuple[float, float]:
     """Returns the minimum and maximum of a numeric field; NaN for other fields."""
     in_room, _, name = field.rpartition(".")
-    fields = Room.model_fields if in_room == "room" else record.model_fields
+    fields = Room.model_fields if in_room == "room" else profile.model_fields
     bounds = fields[name].metadata if name in fields else []
     low = next((bound.ge for bound in bounds if hasattr(bound, "ge")), math.nan)
     high = next((bound.le for bound in bounds if hasattr(bound, "le")), math.nan)
@@ -236,10 +236,10 @@ def profile_from(message: Mapping[str, Any]) -> RobotProfile:
         raise _first_fault(PROFILES[link], error) from error
 
 
-def _first_fault(record: type[RobotProfile], error: ValidationError) -> PinelError:
+def _first_fault(profile: type[RobotProfile], error: ValidationError) -> PinelError:
     first = error.errors(include_url=False)[0]
     field = ".".join(str(part) for part in first["loc"] if not str(part).startswith("constrained"))
-    low, high = limits(record, field)
+    low, high = limits(profile, field)
     if math.isnan(low):
         return PinelError("robot_record_invalid", field=field, value=first["input"])
     return PinelError("robot_record_range", field=field, value=first["input"], low=low, high=high)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pinel_desktop.judge.messages import RunStartInfo
 
 _EVERY_S = 0.5
-_PAUSES = 9  # ratio of a pause to the duration of the evaluation before it
+_PAUSE_RATIO = 9  # ratio of a pause to the duration of the evaluation before it
 _MAX_PAUSE_S = 10.0
 
 _log = logging.getLogger(__name__)
@@ -100,7 +100,7 @@ class LiveChecks:
 
 def pause_after_s(judging_s: float) -> float:
     """Returns the pause after an evaluation that took `judging_s`."""
-    return min(max(_EVERY_S, _PAUSES * judging_s), _MAX_PAUSE_S)
+    return min(max(_EVERY_S, _PAUSE_RATIO * judging_s), _MAX_PAUSE_S)
 
 
 class _EventBuffer:

@@ -32,10 +32,10 @@ class RobotProfiles:
 
     def profile(self, link: str) -> RobotProfile:
         """Returns the profile of a link. Raises PinelError `unknown_link`, `robot_not_set_up`."""
-        record = self.find(link)
-        if record is None:
+        profile = self.find(link)
+        if profile is None:
             raise PinelError("robot_not_set_up")
-        return record
+        return profile
 
     def save(self, link: str, fields: dict[str, Any]) -> RobotProfile:
         """Stores the profile of a link; a missing field gets its default.
@@ -45,10 +45,10 @@ class RobotProfiles:
                 such as `start_in_wall`.
         """
         key = self._key(link)
-        record = profile_from({**fields, "link": link})
-        _require_room(record)
-        self._settings.set(key, record.as_message())
-        return record
+        profile = profile_from({**fields, "link": link})
+        _require_room(profile)
+        self._settings.set(key, profile.as_message())
+        return profile
 
     def forget(self, link: str) -> None:
         """Deletes the profile of a link. Raises PinelError `unknown_link`."""
@@ -60,10 +60,10 @@ class RobotProfiles:
         return f"robot_{link}"
 
 
-def _require_room(record: RobotProfile) -> None:
+def _require_room(profile: RobotProfile) -> None:
     """Raises PinelError with the first fault of the start pose in the room, such as `start_in_wall`."""
     from pinel_desktop.worlds import read_own_world  # noqa: PLC0415 - heavy
 
-    _, faults = read_own_world(record.room.as_world(), robot=PIONEER_3DX.name)
+    _, faults = read_own_world(profile.room.as_world(), robot=PIONEER_3DX.name)
     for fault in faults:
         raise PinelError(fault.code, **fault.params)

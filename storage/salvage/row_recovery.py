@@ -1,7 +1,7 @@
 """Recovers rows of a damaged file into a new database with the tables of this release.
 
-SQLite reads each table from its root page, then each page by itself (`desk`). If the tree above a page is damaged, the
-values of its rows identify its table: they must fit the rules of the table, as the rows of a bundle must.
+SQLite reads each table from its root page, then each page by itself (`page_reader`). If the tree above a page is
+damaged, the values of its rows identify its table: they must fit the rules of the table, as the rows of a bundle must.
 """
 
 import zlib
@@ -12,8 +12,15 @@ from pathlib import Path
 from typing import NamedTuple
 
 from storage.salvage.damaged_rows import remove_damaged_versions
-from storage.salvage.desk import EDITS_INDEX, INDEX_INTERIOR, INDEX_LEAF, TABLE_LEAF, Desk, Row
 from storage.salvage.keys import repair_keys
+from storage.salvage.page_reader import (
+    EDITS_INDEX,
+    INDEX_INTERIOR,
+    INDEX_LEAF,
+    TABLE_LEAF,
+    PageReader,
+    Row,
+)
 from storage.sql import Stop, column_names
 from storage.sqlite import sqlite3
 from storage.tables import rules
@@ -63,17 +70,17 @@ def recover_rows(
         usual_roots: root pages of tables and indexes, used where the file's own schema is damaged.
         stop: polled; once it returns True, the recovery ends with the rows found so far.
     """
-    with closing(Desk(folder / "copy", file, db, _TABLES, stop)) as desk:
-        return _Recovery(db, desk, {**usual_roots, **desk.roots}, stop).read()
+    with closing(PageReader(folder / "copy", file, db, _TABLES, stop)) as reader:
+        return _Recovery(db, reader, {**usual_roots, **reader.roots}, stop).read()
 
 
 class _Recovery:
     def __init__(
-        self, db: sqlite3.Connection, desk: Desk, roots: Mapping[str, int], stop: Stop
+        self, db: sqlite3.Connection, reader: PageReader, roots: Mapping[str, int], stop: Stop
     ) -> None:
-        self._db, self._desk, self._roots, self._stop = db, desk, roots, stop
+        self._db, self._reader, self._roots, self._stop = db, reader, roots, stop
         self._schemas = {name: _row_schema(db, table) for name, table in _TABLES.items()}
-        self._of_leaves = [one for name, one in self._schemas.items() if name not in desk.keyed]
+        self._of_leaves = [one for name, one in self._schemas.items() if name not in reader.keyed]
         self._of_indexes = [self._schemas[name] for name in _IDENTIFIED_BY_SCHEMA]
         self._found = RecoveryStats()
         self._added_hashes: set[int] = set()  # of accepted rows; pages may yield a row again
@@ -84,7 +91,7 @@ class _Recovery:
         for name in (EDITS_INDEX, *self._schemas):
             if name in self._roots:
                 self._read_tree(name)
-        for page in self._desk.pages():
+        for page in self._reader.pages():
             if self._stop():
                 self._found.is_cut_short = True
                 break
@@ -96,7 +103,7 @@ class _Recovery:
         return self._found
 
     def _read_tree(self, name: str) -> None:
-        for row in self._desk.tree(name, self._roots[name]):
+        for row in self._reader.tree(name, self._roots[name]):
             match row:
                 case (str(program), int(number), int(_)) if name == EDITS_INDEX:
                     self._found.edits.add((program, number))
@@ -109,7 +116,7 @@ class _Recovery:
         if page[0] not in (TABLE_LEAF, INDEX_LEAF, INDEX_INTERIOR):
             return
         for shape in likely:
-            accepted = [self._try_add(shape, row) for row in self._desk.rows(shape.name, page)]
+            accepted = [self._try_add(shape, row) for row in self._reader.rows(shape.name, page)]
             if accepted and all(accepted):
                 likely.remove(shape)
                 likely.insert(0, shape)

@@ -25,7 +25,7 @@ from storage.salvage.damaged_rows import (
     prefer_intact_rows,
     record_damaged_runs,
 )
-from storage.salvage.desk import roots
+from storage.salvage.page_reader import roots
 from storage.salvage.placeholder_rows import add_missing_parents
 from storage.salvage.row_recovery import RecoveryStats, recover_rows
 from storage.sql import column_names, opened

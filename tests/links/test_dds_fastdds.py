@@ -33,13 +33,13 @@ def record() -> Iterator[DdsProfile]:
 
 
 @pytest.fixture
-def start_robot(record: DdsProfile) -> Iterator[Robots]:
+def start_robot(profile: DdsProfile) -> Iterator[Robots]:
     """Starts robots in the record's domain; they end with the test."""
     built_peer()
     started: list[FastDdsPeer] = []
 
     def start(command: CommandType = "twist", user_data: tuple[str, str] = ("", "")) -> FastDdsPeer:
-        started.append(FastDdsPeer(record.domain, command, user_data))
+        started.append(FastDdsPeer(profile.domain, command, user_data))
         return started[-1]
 
     yield start
@@ -48,9 +48,9 @@ def start_robot(record: DdsProfile) -> Iterator[Robots]:
 
 
 @pytest.fixture
-def link(record: DdsProfile) -> Iterator[RobotLink]:
+def link(profile: DdsProfile) -> Iterator[RobotLink]:
     """Not yet connected."""
-    link = open_link("dds", world="empty_room", robot=record)
+    link = open_link("dds", world="empty_room", robot=profile)
     yield link
     link.close()
 
@@ -67,8 +67,8 @@ def drive(link: RobotLink, seconds: float) -> None:
         time.sleep(0.02)
 
 
-def run_of(record: DdsProfile, document: list[dict[str, object]]) -> LiveRun:
-    run = LiveRun(RunSpec(document, "empty_room", link="dds", robot=record))
+def run_of(profile: DdsProfile, document: list[dict[str, object]]) -> LiveRun:
+    run = LiveRun(RunSpec(document, "empty_room", link="dds", robot=profile))
     run.thread.start()
     return run
 
@@ -83,10 +83,10 @@ def wait_for_standstill_s(robot: FastDdsPeer) -> float:
 
 
 def test_a_program_drives_the_robot_a_metre_by_its_odometry(
-    record: DdsProfile, start_robot: Robots
+    profile: DdsProfile, start_robot: Robots
 ) -> None:
     robot = start_robot()
-    ended = run_of(record, [{"action": "move_forward", "distance": 1.0}]).result().ended
+    ended = run_of(profile, [{"action": "move_forward", "distance": 1.0}]).result().ended
     assert ended.state == "finished", ended
     assert ended.pose is not None
     assert ended.pose["x_m"] == pytest.approx(1.0, abs=0.02)
@@ -94,9 +94,9 @@ def test_a_program_drives_the_robot_a_metre_by_its_odometry(
     assert [twist for _, twist in robot.received[-2:]] == [STANDSTILL, STANDSTILL]
 
 
-def test_stop_reaches_the_robot(record: DdsProfile, start_robot: Robots) -> None:
+def test_stop_reaches_the_robot(profile: DdsProfile, start_robot: Robots) -> None:
     robot = start_robot()
-    run = run_of(record, FAR)
+    run = run_of(profile, FAR)
     robot.wait_until_driven()
     stopped_s = time.monotonic()
     run.control.stop()
@@ -116,10 +116,10 @@ def test_velocities_come_back_as_odometry(link: RobotLink, start_robot: Robots) 
 
 @pytest.mark.parametrize("happens", [FastDdsPeer.freeze, FastDdsPeer.kill])
 def test_a_robot_that_freezes_or_is_switched_off_is_lost_long_before_dds_says_so(
-    record: DdsProfile, start_robot: Robots, happens: Callable[[FastDdsPeer], None]
+    profile: DdsProfile, start_robot: Robots, happens: Callable[[FastDdsPeer], None]
 ) -> None:
     robot = start_robot()
-    run = run_of(record, FAR)
+    run = run_of(profile, FAR)
     robot.wait_until_driven()
     happens(robot)
     lost_s = time.monotonic()

@@ -61,8 +61,8 @@ def profile_of(kind: type[RobotProfile], domain: int) -> RobotProfile:
     return kind.model_validate({"domain": domain, "room": room, **here})
 
 
-def run_of(record: RobotProfile, document: list[dict[str, Any]]) -> LiveRun:
-    run = LiveRun(RunSpec(document, "empty_room", link=record.link, robot=record))
+def run_of(profile: RobotProfile, document: list[dict[str, Any]]) -> LiveRun:
+    run = LiveRun(RunSpec(document, "empty_room", link=profile.link, robot=profile))
     run.thread.start()
     return run
 

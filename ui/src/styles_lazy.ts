@@ -16,7 +16,7 @@ import "./work/group_head.css";
 import "./work/work.css";
 import "./work/programs.css";
 import "./run/panels/time_strip.css";
-import "./studio/floor_pane/past_run.css";
+import "./studio/floor_pane/last_run_timeline.css";
 import "./replay/replay.css";
 import "./versions/versions.css";
 import "./versions/differences.css";

@@ -23,7 +23,7 @@ _MAX_HEAD_BYTES = 8 * 1024
 REQUEST_S = 10.0
 # After a refusal the connection stays open for this time. If it were closed while the client still
 # sends, the client would lose the response.
-_LEAVES_S = 2.0
+_CLOSE_TIMEOUT_S = 2.0
 # If there are more, the connection whose last complete request is oldest is closed.
 MAX_CONNECTIONS = 32
 _ROUNDS = 1_000
@@ -276,7 +276,7 @@ class _Connection(asyncio.Protocol):
         self._transport.write(_encoded(refusal(error), is_last=True))
         self._transport.write_eof()
         self._transport.resume_reading()
-        self._deadline = self._loop.call_later(_LEAVES_S, self.abort)
+        self._deadline = self._loop.call_later(_CLOSE_TIMEOUT_S, self.abort)
 
     def _reply(self, answer: Response) -> None:
         self._deadline.cancel()

@@ -74,19 +74,19 @@ class PersistentBridge:
 
     def __init__(
         self,
-        record: BridgeProfile,
+        profile: BridgeProfile,
         delegated: Mapping[str, DelegatedRoute],
         ask: Callable[[Request, int | None, bool], Future[Response]],
         *,
         file_pages: bool = False,
         on_batch_end: Callable[[], None] = lambda: None,
     ) -> None:
-        self._host, self._delegated, self._ask = record.host, delegated, ask
+        self._host, self._delegated, self._ask = profile.host, delegated, ask
         self._idle = _Idle()
-        callers = RequestGuard(record, file_pages=file_pages)
+        callers = RequestGuard(profile, file_pages=file_pages)
         self._routes = Routes(self._idle, callers, on_batch_end)
         self._routes.add({path: Door(route.method) for path, route in delegated.items()})
-        self._server = BridgeHttpServer(record.host, record.port, self._respond, self._max_body)
+        self._server = BridgeHttpServer(profile.host, profile.port, self._respond, self._max_body)
         self.port = self._server.port
 
     def start(self) -> None:
@@ -101,9 +101,9 @@ class PersistentBridge:
             _bridges.pop(self.port, None)
         self._server.close()
 
-    def serves(self, record: BridgeProfile) -> bool:
+    def serves(self, profile: BridgeProfile) -> bool:
         """Returns whether the bridge listens at the address of the profile."""
-        return record.port == self.port and self._host in (record.host, *_EVERYWHERE)
+        return profile.port == self.port and self._host in (profile.host, *_EVERYWHERE)
 
     def attach(self, handler: BridgeHandler) -> None:
         """Passes requests to `/bridge/*` to the handler of a run, until `detach`."""
@@ -128,11 +128,11 @@ class PersistentBridge:
         return _when_done(self._ask(request, self._routes.batch.number, is_of_page), shared)
 
 
-def find_persistent_bridge(record: BridgeProfile) -> PersistentBridge | None:
+def find_persistent_bridge(profile: BridgeProfile) -> PersistentBridge | None:
     """Returns the bridge of this process that listens at the address of the profile; None without one."""
     with _lock:
-        bridge = _bridges.get(record.port)
-    return bridge if bridge and bridge.serves(record) else None
+        bridge = _bridges.get(profile.port)
+    return bridge if bridge and bridge.serves(profile) else None
 
 
 def _when_done(asked: "Future[Response]", headers: Mapping[str, str]) -> "Future[Response]":

@@ -23,11 +23,11 @@ class RequestGuard:
         file_pages: whether pages without an origin, which were opened as a file, are admitted without a key.
     """
 
-    def __init__(self, record: BridgeProfile, *, file_pages: bool = False) -> None:
-        self.has_key = bool(record.key)
+    def __init__(self, profile: BridgeProfile, *, file_pages: bool = False) -> None:
+        self.has_key = bool(profile.key)
         self.file_pages = file_pages
-        self._key = record.key.encode()
-        self._names = {"localhost", record.host.lower(), *_names_of_this_pc()}
+        self._key = profile.key.encode()
+        self._names = {"localhost", profile.host.lower(), *_names_of_this_pc()}
 
     def page_origin(self, headers: Mapping[str, str], *, for_robots: bool = False) -> str | None:
         """Returns the origin of a web page that may read the response; None for a program that is no page.

@@ -29,23 +29,23 @@ class BridgeTransport:
         port: port on which it listens; a free one if the profile's port is 0.
     """
 
-    def __init__(self, record: BridgeProfile) -> None:
+    def __init__(self, profile: BridgeProfile) -> None:
         self.sensors = Sensors()
-        self.port = record.port
-        self._profile = record
+        self.port = profile.port
+        self._profile = profile
         self._session: BridgeSession | None = None
         self._server: BridgeHttpServer | None = None
         self._persistent_bridge: PersistentBridge | None = None
         self._active_session: BridgeSession | None = None
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        record = self._profile
+        profile = self._profile
         self._session = session = BridgeSession(receiver)
         self._serve(session)
-        due_s = time.monotonic() + record.wait_s
+        due_s = time.monotonic() + profile.wait_s
         while not session.asked.wait(_POLL_S) and not cancelled():
             if time.monotonic() > due_s:
-                raise PinelError("bridge_no_client", host=record.url_host, port=self.port)
+                raise PinelError("bridge_no_client", host=profile.url_host, port=self.port)
 
     def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
         """Receives poses and sends zeros; does not wait for the client."""

@@ -33,12 +33,12 @@ class DiscoveredRobot:
     holder: str | None
 
 
-def discover_robots(record: RosProfile) -> list[DiscoveredRobot]:
+def discover_robots(profile: RosProfile) -> list[DiscoveredRobot]:
     """Listens in the profile's domain for 2.5 s and returns the robots; publishes nothing.
 
     Raises PinelError `network_missing`, `peer_unknown`.
     """
-    session = Session(record.domain, addresses(record.peers, lambda: False))
+    session = Session(profile.domain, addresses(profile.peers, lambda: False))
     try:
         graph = Graph(session)
         due_s = time.monotonic() + _LISTENING_S

@@ -29,11 +29,11 @@ class EndpointSearch:
         command_type, odometry_type: message types that the robot uses; None until they are found.
     """
 
-    def __init__(self, graph: Graph, record: DdsProfile) -> None:
+    def __init__(self, graph: Graph, profile: DdsProfile) -> None:
         self._graph = graph
-        self._domain = record.domain
-        self._command_topic = record.name_of(record.command_topic)
-        self._odometry_topic = record.name_of(record.odometry_topic)
+        self._domain = profile.domain
+        self._command_topic = profile.name_of(profile.command_topic)
+        self._odometry_topic = profile.name_of(profile.odometry_topic)
         self.command_type: type[IdlStruct] | None = None
         self.odometry_type: type[IdlStruct] | None = None
 

@@ -33,10 +33,10 @@ _POLL_S = 0.05
 class DdsTransport:
     """The connection with one robot in a DDS domain."""
 
-    def __init__(self, record: DdsProfile, robot: RobotModel) -> None:
-        self._profile = record
-        self._command_topic = record.name_of(record.command_topic)
-        self._odometry_topic = record.name_of(record.odometry_topic)
+    def __init__(self, profile: DdsProfile, robot: RobotModel) -> None:
+        self._profile = profile
+        self._command_topic = profile.name_of(profile.command_topic)
+        self._odometry_topic = profile.name_of(profile.odometry_topic)
         self._sensors = RosSensors(robot)
         self.sensors: Sensors = self._sensors
         self._session: Session | None = None
@@ -187,16 +187,16 @@ class DdsTransport:
 class _Sensors:
     """The sensor topics of a profile; finds each topic once the robot publishes it."""
 
-    def __init__(self, graph: Graph, record: DdsProfile) -> None:
+    def __init__(self, graph: Graph, profile: DdsProfile) -> None:
         self._graph = graph
         scan, sonar = (messages.LaserScan,), (messages.Range, messages.PointCloud)
         rows = (
-            (record.scan_topic, scan),
-            (record.sonar_topic, sonar),
-            (record.bumper_topic, (messages.Bool,)),
-            (record.battery_topic, (messages.BatteryState,)),
+            (profile.scan_topic, scan),
+            (profile.sonar_topic, sonar),
+            (profile.bumper_topic, (messages.Bool,)),
+            (profile.battery_topic, (messages.BatteryState,)),
         )
-        self._waiting = {record.name_of(topic): kinds for topic, kinds in rows if topic}
+        self._waiting = {profile.name_of(topic): kinds for topic, kinds in rows if topic}
         self._found: dict[str, type[IdlStruct]] = {}
 
     def new(self) -> list[tuple[str, type[IdlStruct]]]:
@@ -264,4 +264,4 @@ def dds_link(
 ) -> RealLink:
     """Returns the link to a ROS 2 robot over DDS. Raises PinelError `robot_not_set_up` without a profile."""
     del world, seed
-    return real_link(lambda record: DdsTransport(record, setting.robot), setting, robot)
+    return real_link(lambda profile: DdsTransport(profile, setting.robot), setting, robot)

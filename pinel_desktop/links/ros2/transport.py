@@ -41,16 +41,16 @@ def ros2_link(
     *, world: Any, setting: SimulationConfig, seed: int, robot: RobotProfile | None
 ) -> RealLink:
     """Returns the link to the robot of a `Ros2Profile`. Raises PinelError `robot_not_set_up` without a profile."""
-    return real_link(lambda record: Ros2Transport(record, setting.robot), setting, robot)
+    return real_link(lambda profile: Ros2Transport(profile, setting.robot), setting, robot)
 
 
 class Ros2Transport:
     """The connection with one robot over the node's pipes. `send` never waits; only the newest velocity is queued."""
 
-    def __init__(self, record: Ros2Profile, robot: RobotModel) -> None:
+    def __init__(self, profile: Ros2Profile, robot: RobotModel) -> None:
         self._sensors = RosSensors(robot)
         self.sensors: Sensors = self._sensors
-        self._profile = record
+        self._profile = profile
         self._process: subprocess.Popen[str] | None = None
         self._outbox: queue.Queue[Twist2D | None] = queue.Queue(maxsize=1)
         self._has_started = False
@@ -86,13 +86,13 @@ class Ros2Transport:
                 raise PinelError("ros_silent")
 
     def _configuration(self) -> Message:
-        record = self._profile
-        names = {name: str(getattr(record, name)) for name in _TOPICS}
-        topics = {name: topic and record.name_of(topic) for name, topic in names.items()}
+        profile = self._profile
+        names = {name: str(getattr(profile, name)) for name in _TOPICS}
+        topics = {name: topic and profile.name_of(topic) for name, topic in names.items()}
         holder = re.sub(r"[^A-Za-z0-9]", "_", platform.node()) or "pc"
         # PCs set up from one disk image share their name, and may have equal process ids.
         own = f"{holder}_{os.getpid()}_{secrets.token_hex(3)}"
-        return {**topics, "domain": record.domain, "holder": own}
+        return {**topics, "domain": profile.domain, "holder": own}
 
     def _started(self, command: list[str]) -> subprocess.Popen[str]:
         try:

@@ -39,7 +39,7 @@ class Jog:
         self._sent_s = 0.0
         self._is_halted = False
 
-    def command(self, record: RobotProfile, drive: float, turn: float, sent_s: float) -> None:
+    def command(self, profile: RobotProfile, drive: float, turn: float, sent_s: float) -> None:
         """Commands the velocity for the held keys: ahead (1) or back (-1), left (1) or right (-1).
 
         Args:
@@ -59,9 +59,9 @@ class Jog:
             if self._is_halted:
                 return
             if self._drive is None and is_held:
-                self._drive = _Drive(self, self._robot, record)
+                self._drive = _Drive(self, self._robot, profile)
             if self._drive is not None:
-                self._drive.command(_twist(record, drive, turn))
+                self._drive.command(_twist(profile, drive, turn))
 
     def halt(self) -> None:
         """Stops the robot at once and disconnects; ignores the held keys until they are released."""
@@ -82,8 +82,8 @@ class Jog:
 class _Drive:
     """One connection to the robot, on a thread of its own."""
 
-    def __init__(self, jog: Jog, robot: RobotMonitor, record: RobotProfile) -> None:
-        self._jog, self._robot, self._profile = jog, robot, record
+    def __init__(self, jog: Jog, robot: RobotMonitor, profile: RobotProfile) -> None:
+        self._jog, self._robot, self._profile = jog, robot, profile
         self._link: RealLink | None = None
         self._used_s = time.monotonic()
         self._ending = threading.Event()
@@ -145,9 +145,9 @@ class _Drive:
                 return
 
 
-def _twist(record: RobotProfile, drive: float, turn: float) -> Twist2D:
+def _twist(profile: RobotProfile, drive: float, turn: float) -> Twist2D:
     """Returns the velocity for the keys, at most half of the profile's limits."""
-    slow = record.slowed()
+    slow = profile.slowed()
     v = min(MAX_JOG_MPS, slow.max_v_mps)
     omega = min(MAX_JOG_RADPS, math.radians(slow.max_omega_dps))
     return Twist2D(_share(drive) * v, _share(turn) * omega)

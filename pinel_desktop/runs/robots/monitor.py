@@ -32,8 +32,8 @@ class RobotMonitor:
     A run or a jog reserves the robot. Listening then ends, and the published state comes from the link that drives.
     """
 
-    def __init__(self, record: RobotProfile, send: Callable[[Message], None]) -> None:
-        self._profile = record
+    def __init__(self, profile: RobotProfile, send: Callable[[Message], None]) -> None:
+        self._profile = profile
         self._changed = threading.Condition()
         self._thread: threading.Thread | None = None
         self._lease_ends_s = -math.inf
@@ -51,12 +51,12 @@ class RobotMonitor:
         """Pose of the robot at the room's start, in its odometry frame; None if unknown."""
         return self._start
 
-    def renew_lease(self, record: RobotProfile) -> None:
+    def renew_lease(self, profile: RobotProfile) -> None:
         """Extends monitoring by `LEASE_S`; connects again if the profile has changed."""
         with self._changed:
             self._lease_ends_s = time.monotonic() + LEASE_S
             if not self._n_users:
-                self._use_profile(record)
+                self._use_profile(profile)
             if self._thread is None:
                 self._thread = threading.Thread(target=self._work, name="robot-watch", daemon=True)
                 self._thread.start()
@@ -68,7 +68,7 @@ class RobotMonitor:
             self._trouble = None
 
     @contextlib.contextmanager
-    def reserved(self, use: Use, record: RobotProfile) -> Iterator[Follow]:
+    def reserved(self, use: Use, profile: RobotProfile) -> Iterator[Follow]:
         """Reserves the robot: ends listening, and publishes the state of the link that the yielded function receives.
 
         Raises PinelError `robot_in_use` for a jog while a run or a connection test has reserved the robot.
@@ -103,9 +103,9 @@ class RobotMonitor:
         if thread is not None:
             thread.join(_RELEASED_WITHIN_S)
 
-    def _use_profile(self, record: RobotProfile) -> None:
-        if record != self._profile:
-            self._profile, self._start = record, None
+    def _use_profile(self, profile: RobotProfile) -> None:
+        if profile != self._profile:
+            self._profile, self._start = profile, None
             self._missing = self._trouble = None
             self._changed.notify_all()
 
@@ -131,22 +131,22 @@ class RobotMonitor:
                     self._thread = self._start = self._missing = self._trouble = None
                     return
                 self._is_listening = is_free = self._n_users == 0
-                record = self._profile
+                profile = self._profile
             if is_free:
-                self._listen(record)
+                self._listen(profile)
             else:
                 self._publish_state()
                 self._wait(lambda: not self._n_users, UPDATE_INTERVAL_S)
 
-    def _listen(self, record: RobotProfile) -> None:
-        link = open_link(record.link, world=record.room.as_world(), robot=record)
+    def _listen(self, profile: RobotProfile) -> None:
+        link = open_link(profile.link, world=profile.room.as_world(), robot=profile)
         assert isinstance(link, RealLink)
         self._publish_state()
         try:
-            link.listen(lambda: self._is_over(record))
+            link.listen(lambda: self._is_over(profile))
             self._follow(link)
             self._missing = None
-            self._receive(link, record)
+            self._receive(link, profile)
         except PinelError as problem:
             self._missing = problem
         except Exception:
@@ -156,13 +156,13 @@ class RobotMonitor:
             with self._changed:
                 self._link, self._is_listening = None, False
                 self._changed.notify_all()
-        if not self._is_over(record):
+        if not self._is_over(profile):
             self._publish_state()
-            self._wait(lambda: self._is_over(record), _AGAIN_S)
+            self._wait(lambda: self._is_over(profile), _AGAIN_S)
 
-    def _receive(self, link: RealLink, record: RobotProfile) -> None:
+    def _receive(self, link: RealLink, profile: RobotProfile) -> None:
         """Publishes the robot's state until the robot is reserved or must be connected again."""
-        while not self._is_over(record):
+        while not self._is_over(profile):
             if link.problem is not None:
                 self._start = None
                 raise link.problem
@@ -170,11 +170,11 @@ class RobotMonitor:
             self._publish_state()
             if link.n_odometry and link.age_s > _RECONNECT_AFTER_S:
                 return
-            self._wait(lambda: self._is_over(record), UPDATE_INTERVAL_S / 2)
+            self._wait(lambda: self._is_over(profile), UPDATE_INTERVAL_S / 2)
 
-    def _is_over(self, record: RobotProfile) -> bool:
+    def _is_over(self, profile: RobotProfile) -> bool:
         is_due = time.monotonic() >= self._lease_ends_s
-        return is_due or self._n_users > 0 or record != self._profile
+        return is_due or self._n_users > 0 or profile != self._profile
 
     def _wait(self, condition: Callable[[], bool], seconds: float) -> None:
         with self._changed:

@@ -26,26 +26,26 @@ class RobotService:
 
     def handle(self, message: Message) -> None:
         """Executes a message of one of the `ROBOT_MESSAGES`. Never waits."""
-        record = profile_from(message["robot"])
+        profile = profile_from(message["robot"])
         if message["type"] == JOG:
-            self._jog(message, record)
+            self._jog(message, profile)
         elif message["type"] == HALT:
-            self._halt(record)
+            self._halt(profile)
         elif message["type"] == AT_START:
-            self._robot(record).set_start_here()
+            self._robot(profile).set_start_here()
         else:
-            self._robot(record).renew_lease(record)
+            self._robot(profile).renew_lease(profile)
 
     @contextlib.contextmanager
-    def reserved(self, record: RobotProfile) -> Iterator[Follow]:
+    def reserved(self, profile: RobotProfile) -> Iterator[Follow]:
         """Reserves the robot for a run or a connection test; ends a jog first.
 
         The monitor publishes the state of the link that the yielded function receives.
         """
-        jog = self._jogs.get(record.link)
+        jog = self._jogs.get(profile.link)
         if jog is not None:
             jog.end()
-        with self._robot(record).reserved("run", record) as follow:
+        with self._robot(profile).reserved("run", profile) as follow:
             yield follow
 
     def close(self) -> None:
@@ -55,18 +55,18 @@ class RobotService:
         for robot in tuple(self._robots.values()):
             robot.close()
 
-    def _robot(self, record: RobotProfile) -> RobotMonitor:
+    def _robot(self, profile: RobotProfile) -> RobotMonitor:
         with self._lock:
-            return self._robots.setdefault(record.link, RobotMonitor(record, self._send))
+            return self._robots.setdefault(profile.link, RobotMonitor(profile, self._send))
 
-    def _jog(self, message: Message, record: RobotProfile) -> None:
-        robot = self._robot(record)
-        jog = self._jogs.get(record.link)
+    def _jog(self, message: Message, profile: RobotProfile) -> None:
+        robot = self._robot(profile)
+        jog = self._jogs.get(profile.link)
         if jog is None:
-            jog = self._jogs[record.link] = Jog(robot)
-        jog.command(record, message["drive"], message["turn"], message["sent_s"])
+            jog = self._jogs[profile.link] = Jog(robot)
+        jog.command(profile, message["drive"], message["turn"], message["sent_s"])
 
-    def _halt(self, record: RobotProfile) -> None:
-        jog = self._jogs.get(record.link)
+    def _halt(self, profile: RobotProfile) -> None:
+        jog = self._jogs.get(profile.link)
         if jog is not None:
             jog.halt()

@@ -159,13 +159,13 @@ def _refuse(faults: "Sequence[Fault]", parts: Services) -> None:
 def _real_spec(document: dict[str, object], body: NewRun, parts: Services) -> RunSpec:
     from pinel_desktop.runs.robot_checks import missing_on_real_robots  # noqa: PLC0415 - heavy
 
-    record = parts.robots.profile(body.robot)
+    profile = parts.robots.profile(body.robot)
     _refuse(missing_on_real_robots(document), parts)
     if body.slow:
-        record = record.slowed()
-    world = record.room.as_world()
+        profile = profile.slowed()
+    world = profile.room.as_world()
     seed = body.seed or 0
-    return RunSpec(document, world, link=body.robot, robot=record, seed=seed, pace="live")
+    return RunSpec(document, world, link=body.robot, robot=profile, seed=seed, pace="live")
 
 
 def _world_name(spec: RunSpec, activity: "Activity | None", body: NewRun) -> str:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from storage import open_store
-from storage.salvage.desk import EDITS_INDEX, roots
+from storage.salvage.page_reader import EDITS_INDEX, roots
 from storage.salvage.row_recovery import RecoveryStats, recover_rows
 from storage.sql import opened, row_count, tuples
 from storage.sqlite import sqlite3

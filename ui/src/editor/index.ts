@@ -26,10 +26,10 @@ import { Minimap } from "./minimap";
 import type { EditorOptions } from "./options";
 import { restoreFocus } from "./restore_focus";
 import { dimLooseBlocks, ensureStartBlock } from "./start_block";
-import { interceptEmptyUndo, undoInto } from "./steps_back";
 import { pageFont, showTheme, type ThemeName } from "./themes";
 import { appendBlock } from "./toolbox/append";
 import { PinelToolbox } from "./toolbox/flyout";
+import { interceptEmptyUndo, undoInto } from "./undo";
 import { withoutEvents } from "./without_events";
 import { addZoomControls } from "./zoom_controls";
 

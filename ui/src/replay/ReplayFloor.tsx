@@ -4,7 +4,7 @@ import { texts } from "../i18n";
 import { PanelToggle } from "../kit/PanelToggle";
 import { MuteButton } from "../run/panels/MuteButton";
 import { Readout } from "../run/panels/Readout";
-import { Shown } from "../run/panels/Shown";
+import { RunOutput } from "../run/panels/RunOutput";
 import { Scene } from "../scene/Scene";
 import { lazy } from "../shell/lazy";
 import { robotOf } from "../shell/session";
@@ -40,7 +40,7 @@ export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
               <MuteButton view={playback.view} />
             </div>
           </div>
-          <Shown view={playback.view} />
+          <RunOutput view={playback.view} />
         </div>
         {plotting.value && (
           <div

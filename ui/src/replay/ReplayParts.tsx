@@ -11,13 +11,13 @@ import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { theme } from "../shell/theme";
 
 /** A recorded run and its state at the current tick. */
-export interface Shown {
+export interface ReplayedRun {
   readonly run: RunWithVersion;
   readonly view: ReadonlySignal<RunView>;
 }
 
 /** A sentence about the robot's action at the current tick. */
-export function ReplaySentence({ run, view }: Shown) {
+export function ReplaySentence({ run, view }: ReplayedRun) {
   const sentence = useComputed<Sentence>(() => {
     const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
     // a run that was interrupted before its first tick has only an ending to show
@@ -39,7 +39,7 @@ export function ReplaySentence({ run, view }: Shown) {
  * The blocks of the recorded version, with the running block highlighted and the failed one
  * outlined.
  */
-export function ReplayBlocks({ run, view }: Shown) {
+export function ReplayBlocks({ run, view }: ReplayedRun) {
   const container = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor | null>(null);
 

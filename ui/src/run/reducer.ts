@@ -167,9 +167,9 @@ export function reduce(view: RunView, event: RunEvent): RunView {
     case "run_state":
       return { ...next, phase: event.state, next: heldBefore(event) };
     case "block_started":
-      return started(next, event);
+      return withBlockStarted(next, event);
     case "block_ended":
-      return ended(next, event.pointer);
+      return withBlockEnded(next, event.pointer);
     case "capture_started":
       return {
         ...next,
@@ -178,19 +178,19 @@ export function reduce(view: RunView, event: RunEvent): RunView {
     case "countdown":
       return view.capture ? { ...next, capture: { ...view.capture, leftS: event.left_s } } : next;
     case "gesture_result":
-      return { ...next, gesture: event.result, capture: null, captured: captured(view, event) };
+      return { ...next, gesture: event.result, capture: null, captured: capturedSign(view, event) };
     case "watch":
       return { ...next, gesture: event.gesture || null };
     case "things":
       return { ...next, boxes: { ...view.boxes, ...event.boxes } };
     case "run_ended":
-      return closed(next, event);
+      return withRunEnded(next, event);
     default:
       return next;
   }
 }
 
-function captured(view: RunView, event: GestureResultEvent): Captured | null {
+function capturedSign(view: RunView, event: GestureResultEvent): Captured | null {
   if (event.source !== "capture") return view.captured;
   const { result: label, by = null, confidence = null, tick } = event;
   const nextLine = (view.output.talk.at(-1)?.number ?? -1) + 1;
@@ -232,7 +232,7 @@ function heldBefore({ state, cause, block }: RunState): string | null {
 
 type BlockStarted = Extract<RunEvent, { type: "block_started" }>;
 
-function started(view: RunView, event: BlockStarted): RunView {
+function withBlockStarted(view: RunView, event: BlockStarted): RunView {
   const { block, pointer, action, amount, tick } = event;
   const entry: ActiveBlock = { block, pointer, action, amount, round: 0, roundTick: -Infinity };
   return {
@@ -259,13 +259,13 @@ function withRound(
   return stack.with(at, { ...loop, round, roundTick: tick });
 }
 
-function ended(view: RunView, pointer: string): RunView {
+function withBlockEnded(view: RunView, pointer: string): RunView {
   const at = view.stack.findLastIndex((entry) => entry.pointer === pointer);
   if (at < 0) return view;
   return { ...view, stack: view.stack.slice(0, at), motion: null, capture: null };
 }
 
-function closed(view: RunView, event: RunEndedEvent): RunView {
+function withRunEnded(view: RunView, event: RunEndedEvent): RunView {
   return {
     ...view,
     phase: event.state,

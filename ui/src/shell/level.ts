@@ -9,7 +9,7 @@ export const LEVELS = [1, 2, 3] as const satisfies readonly Level[];
 const HIGHEST: Level = 3;
 
 /** The setting of the toolbox: a level, or only the actions that the open mission offers. */
-export type Shown = Level | "mission";
+export type ToolboxContent = Level | "mission";
 
 const ofGroups = new SettingById("pinel_levels");
 const inMissions = new SettingById("pinel_mission_levels");
@@ -43,7 +43,7 @@ export interface MissionLevel {
 export const missionLevel = signal<MissionLevel | null>(null);
 
 /** The group's choice, else the setting of the mission, else a level that offers all blocks of the program. */
-export const shown = computed<Shown>(() => {
+export const shown = computed<ToolboxContent>(() => {
   const { value: mission } = missionLevel;
   if (!mission) return chosenIn(ofGroups, group.value?.id) ?? unchosen.value;
   const chosen = chosenIn(inMissions, mission.program);
@@ -63,7 +63,7 @@ export const offered = computed(() =>
 );
 
 /** Stores the group's choice: for the program of the open mission, else for all its other programs. */
-export function setLevel(chosen: Shown): void {
+export function setLevel(chosen: ToolboxContent): void {
   const mission = missionLevel.peek();
   if (mission) inMissions.set(mission.program, chosen === "mission" ? null : String(chosen));
   else if (chosen !== "mission") ofGroups.set(group.peek()?.id ?? "", String(chosen));

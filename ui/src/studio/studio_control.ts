@@ -16,9 +16,9 @@ import { inspectedTick, shown } from "../run/inspected_tick";
 import { verdictOf, withVerdict } from "../run/judgement";
 import * as robot from "../run/live";
 import {
+  activeRealLink,
   chosenRobot,
   isChecked,
-  movingLink,
   robotHasRun,
   robotOfRun,
   SIMULATOR,
@@ -327,7 +327,7 @@ export class StudioControl {
       return { text: run.other, more: "", tone: "notice" };
     }
     const { value: lacking } = this.lacking;
-    if (view.phase === "starting" && movingLink.value) {
+    if (view.phase === "starting" && activeRealLink.value) {
       return lacking ?? { text: real.searching, more: real.searchingHow, tone: "calm" };
     }
     if (this.asksBefore.value) return { text: real.before.first, more: "", tone: "notice" };

@@ -7,7 +7,7 @@ import { asTeacher, isSignedOut } from "../shell/teacher/teacher_session";
  * has ended by then, it does not ask for the PIN, because the shown data stays.
  */
 export function useTeacherLoaded<T>(key: unknown, ask: () => Promise<T>): Loadable<T> {
-  return useLoaded(key, () => asTeacher(ask), { whenBack: () => ask().catch(unlessSignedOut) });
+  return useLoaded(key, () => asTeacher(ask), { onFocus: () => ask().catch(unlessSignedOut) });
 }
 
 function unlessSignedOut(error: unknown): typeof UNCHANGED {

@@ -3,7 +3,7 @@ import type { Language, Texts } from "../i18n";
 import { decimal } from "../i18n/format";
 import { ROOM_WORLD } from "../run/real/real_robot";
 import { robotOf, worlds } from "../shell/session";
-import { lifelikeOf } from "../studio/program/setup";
+import { realismOf } from "../studio/program/setup";
 
 /** A changed part of where and how a program runs, in words. */
 export interface SetupChange {
@@ -57,7 +57,7 @@ function partsOf(setup: Setup, texts: Texts, language: Language): [string, strin
     [run.world, worldLabel(setup.world, texts, language)],
     [archive.start, startText(setup, texts, language)],
     [debug.model, robotOf(setup.model)?.title ?? setup.model],
-    [archive.robot, debug[lifelikeOf(setup)]],
+    [archive.robot, debug[realismOf(setup)]],
     [debug.speed, debug.times({ factor: decimal(setup.speed, setup.speed < 1 ? 2 : 0, language) })],
   ];
 }

@@ -3,7 +3,7 @@ import { api } from "../api/client";
 import type { EditorStore } from "./editor_store";
 
 /** Delay between the last change and the request to the server, milliseconds. */
-const QUIET_MS = 150;
+const DEBOUNCE_MS = 150;
 
 /** Lets the server check the document after each change; stores the faults. Returns the unsubscribe function. */
 export function checkOnChange(store: EditorStore, onTrouble: (error: unknown) => void): () => void {
@@ -20,7 +20,7 @@ export function checkOnChange(store: EditorStore, onTrouble: (error: unknown) =>
   const stop = effect(() => {
     store.document.value;
     clearTimeout(timer);
-    timer = setTimeout(() => void ask(), QUIET_MS);
+    timer = setTimeout(() => void ask(), DEBOUNCE_MS);
   });
   return () => {
     clearTimeout(timer);

@@ -7,8 +7,8 @@ import threading
 import time
 
 # minimum time in s between two lines of a kind; of more frequent lines only the newest is written
-PAUSES = {"odometry": 0.005, "scan": 0.1, "range": 0.1, "points": 0.1, "battery": 1.0}
-LEAVES_S = 1.0
+MIN_INTERVALS_S = {"odometry": 0.005, "scan": 0.1, "range": 0.1, "points": 0.1, "battery": 1.0}
+CLOSE_TIMEOUT_S = 1.0
 
 
 class Outbox:
@@ -37,11 +37,11 @@ class Outbox:
             }
 
     def close(self):
-        """Writes the queued lines; gives up after `LEAVES_S` if the app does not read."""
+        """Writes the queued lines; gives up after `CLOSE_TIMEOUT_S` if the app does not read."""
         with self._changed:
             self._ending = True
             self._changed.notify()
-        self._thread.join(LEAVES_S)
+        self._thread.join(CLOSE_TIMEOUT_S)
 
     def _work(self):
         try:
@@ -70,4 +70,4 @@ class Outbox:
     def _wait_s(self, which, now_s):
         if self._ending:
             return 0.0
-        return self._written_s.get(which, -math.inf) + PAUSES.get(which[0], 0.0) - now_s
+        return self._written_s.get(which, -math.inf) + MIN_INTERVALS_S.get(which[0], 0.0) - now_s

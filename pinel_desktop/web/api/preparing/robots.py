@@ -80,9 +80,9 @@ def contact_real_robot(path: LinkPath) -> Response:
     """Connects to the robot, reads its data for a second and commands no motion. For the teacher."""
     require_teacher()
     parts = services()
-    record = parts.robots.profile(path.link)
+    profile = parts.robots.profile(path.link)
     try:
-        found = parts.engine.contact(record.for_contact())
+        found = parts.engine.contact(profile.for_contact())
     except PinelError as error:
         text = explain(error, parts.settings.language)
         nothing = dict.fromkeys(("x_m", "y_m", "heading_deg", "rate_hz", "battery"))
@@ -104,18 +104,18 @@ def contact_real_robot(path: LinkPath) -> Response:
     ),
 )
 def find_real_robots(path: LinkPath, body: RealRobotRecord) -> Response:
-    """Searches for ROS 2 robots in the domain of a record that need not be stored. For the teacher."""
+    """Searches for ROS 2 robots in the domain of a profile that need not be stored. For the teacher."""
     require_teacher()
     try:
-        record = profile_from({**body.record, "link": path.link})
+        profile = profile_from({**body.record, "link": path.link})
     except PinelError as error:
         raise _with_field_label(error, path.link) from error
-    if not isinstance(record, RosProfile):
+    if not isinstance(profile, RosProfile):
         found_by_search = [one for one, kind in PROFILES.items() if issubclass(kind, RosProfile)]
         raise PinelError("unknown_link", value=path.link, allowed=found_by_search)
-    found = services().engine.find(record)
+    found = services().engine.find(profile)
     return json_response(
-        FoundRobots(domain=record.domain, robots=[FoundRobot(**one) for one in found])
+        FoundRobots(domain=profile.domain, robots=[FoundRobot(**one) for one in found])
     )
 
 
@@ -125,8 +125,8 @@ def find_real_robots(path: LinkPath, body: RealRobotRecord) -> Response:
 def watch_real_robot(path: LinkPath, body: RobotWatch) -> Response:
     """Listens to the robot for the next seconds and publishes its state as `robot_state` events. Commands no motion."""
     parts = services()
-    record = parts.robots.profile(path.link)
-    parts.status_feed.watch(parts.engine, record, is_first=body.is_first)
+    profile = parts.robots.profile(path.link)
+    parts.status_feed.watch(parts.engine, profile, is_first=body.is_first)
     return json_response(Empty())
 
 
@@ -141,8 +141,8 @@ def jog_real_robot(path: LinkPath, body: Jog) -> Response:
     """
     require_teacher()
     parts = services()
-    record = parts.robots.profile(path.link)
-    parts.engine.jog(record, body.drive, body.turn, body.sent_ms / 1000)
+    profile = parts.robots.profile(path.link)
+    parts.engine.jog(profile, body.drive, body.turn, body.sent_ms / 1000)
     return json_response(Empty())
 
 
@@ -179,22 +179,22 @@ def _with_field_label(error: PinelError, link: str) -> PinelError:
 
 def _robot(link: str) -> RealRobot:
     stored = services().robots.find(link)
-    record = stored or PROFILES[link]()
+    profile = stored or PROFILES[link]()
     return RealRobot(
         link=link,
         is_set_up=stored is not None,
-        max_v_mps=record.max_v_mps,
-        slow_v_mps=record.slowed().max_v_mps,
+        max_v_mps=profile.max_v_mps,
+        slow_v_mps=profile.slowed().max_v_mps,
         world=World.model_validate(stored.room.as_world()) if stored else None,
-        record=record.as_message() if is_teacher() else None,
-        fields=[_field(type(record), name) for name in fields_of(type(record))],
+        record=profile.as_message() if is_teacher() else None,
+        fields=[_field(type(profile), name) for name in fields_of(type(profile))],
     )
 
 
-def _field(record: type[RobotProfile], name: str) -> RobotField:
+def _field(profile: type[RobotProfile], name: str) -> RobotField:
     label, hint = _label_and_hint(name)
-    low, high = limits(record, name)
-    info = record.model_fields.get(name)
+    low, high = limits(profile, name)
+    info = profile.model_fields.get(name)
     is_number = not math.isnan(low)
     return RobotField(
         name=name,

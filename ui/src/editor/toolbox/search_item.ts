@@ -7,7 +7,7 @@ import { EVERYTHING, type OfferedActions, SEARCH_KIND } from "../../blocks/toolb
 import { svgIcon } from "../svg_icon";
 
 /** The searched blocks: of a level, or of an activity. */
-interface Shown {
+interface SearchScope {
   level: Level;
   offered: OfferedActions;
 }
@@ -86,7 +86,7 @@ class SearchItem extends Blockly.ToolboxCategory {
 
   private find(): void {
     const query = this.field.value.trim();
-    const { level, offered } = this.toolboxItemDef_ as unknown as Shown;
+    const { level, offered } = this.toolboxItemDef_ as unknown as SearchScope;
     const found = query ? searchBlocks(query, level, this.workspace_, offered) : [];
     const note = query ? this.nothingFound(query) : blockText("SEARCH_HINT");
     this.flyoutItems_ = found.length > 0 ? found : [label(note)];

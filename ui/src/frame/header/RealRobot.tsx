@@ -5,7 +5,7 @@ import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
 import { robotLabel } from "../../run/real/RobotName";
 import { RobotState } from "../../run/real/RobotState";
-import { EMERGENCY_KEY, emergencyStop, movingLink } from "../../run/real/real_robot";
+import { activeRealLink, EMERGENCY_KEY, emergencyStop } from "../../run/real/real_robot";
 import { useWatchedRobot } from "../../run/real/robot_state";
 import { report } from "../../shell/session";
 
@@ -13,7 +13,7 @@ const halt = () => void emergencyStop().catch(report);
 
 /** While a real robot may move, shows its name and the emergency stop. */
 export function RealRobot() {
-  const { value: link } = movingLink;
+  const { value: link } = activeRealLink;
   useEffect(
     () => (link ? listen(window, { keydown: onKey }, { capture: true }) : undefined),
     [link],

@@ -177,7 +177,7 @@ describe("what is loaded", () => {
   });
 
   test("waits until its key rests, once there is something to show", async () => {
-    const options = { quietMs: 60_000 };
+    const options = { debounceMs: 60_000 };
     const { rerender, unmount } = render(<List options={options} />);
     expect(requests).toHaveLength(1);
     await request(0).respond(["A"]);
@@ -194,17 +194,17 @@ describe("what is loaded", () => {
   });
 
   test("is asked for when the window is come back to, where that is wished", async () => {
-    const whenBack = vi.fn(async () => ["B"]);
-    render(<List options={{ whenBack }} />);
+    const onFocus = vi.fn(async () => ["B"]);
+    render(<List options={{ onFocus }} />);
     fireEvent.focus(window);
-    expect(whenBack).not.toHaveBeenCalled();
+    expect(onFocus).not.toHaveBeenCalled();
     await request(0).respond(["A"]);
     fireEvent.focus(window);
     await waitFor(() => expect(screen().textContent).toBe("B"));
   });
 
   test("stays as it is when coming back brings no news", async () => {
-    render(<List options={{ whenBack: async () => UNCHANGED }} />);
+    render(<List options={{ onFocus: async () => UNCHANGED }} />);
     await request(0).respond(["A"]);
     fireEvent.focus(window);
     await waitFor(() => expect(screen().ariaBusy).toBe("false"));

@@ -5,9 +5,9 @@ import { type Ask, Load, type LoadOptions, type LoadState, type UNCHANGED } from
 
 export interface LoadedOptions<T> extends LoadOptions<T> {
   /** Request made when the window regains focus while a value is shown; by default none. */
-  whenBack?: Ask<T | typeof UNCHANGED>;
+  onFocus?: Ask<T | typeof UNCHANGED>;
   /** Debounce: while a value is shown, a new key is requested after this time without changes. */
-  quietMs?: number;
+  debounceMs?: number;
 }
 
 /** State of a loaded value. `again` reloads and resolves when the reload has ended. */
@@ -31,18 +31,18 @@ export function useLoaded<T>(
   // runs before the first paint, so that an immediate response is drawn at once
   useLayoutEffect(
     () => {
-      const { quietMs = 0 } = latest.current.options;
-      if (quietMs === 0 || load.state.peek().status !== "ready") return void again();
-      const timer = setTimeout(again, quietMs);
+      const { debounceMs = 0 } = latest.current.options;
+      if (debounceMs === 0 || load.state.peek().status !== "ready") return void again();
+      const timer = setTimeout(again, debounceMs);
       return () => clearTimeout(timer);
     },
     Array.isArray(key) ? key : [key],
   );
   useEffect(() => {
     const comeBack = () => {
-      const { whenBack } = latest.current.options;
+      const { onFocus } = latest.current.options;
       const state = load.state.peek();
-      if (whenBack && state.status === "ready" && !state.busy) void load.ask(whenBack);
+      if (onFocus && state.status === "ready" && !state.busy) void load.ask(onFocus);
     };
     return listen(window, { focus: comeBack });
   }, []);

@@ -35,7 +35,7 @@ export const chosenRobot = computed<RealRobot | null>(
  * Link of the real robot that may move: of the live run, else the chosen robot, else the jogged
  * one. Null if all is simulated.
  */
-export const movingLink = computed<string | null>(() => {
+export const activeRealLink = computed<string | null>(() => {
   const run = isLive(live.value) ? liveRun.value : null;
   if (run && run.link !== SIMULATOR) return run.link;
   return chosenRobot.value?.link ?? joggedLink.value;

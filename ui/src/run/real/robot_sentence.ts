@@ -1,11 +1,11 @@
 import type { Sentence } from "../sentence";
-import { movingLink } from "./real_robot";
+import { activeRealLink } from "./real_robot";
 import { robotStates } from "./robot_state";
 import { stateText } from "./state_text";
 
 /** Why the chosen robot cannot drive, and the remedy; null if it is connected or none is chosen. */
 export function robotSentence(): Sentence | null {
-  const { value: link } = movingLink;
+  const { value: link } = activeRealLink;
   const state = link === null ? undefined : robotStates.value[link];
   if (!state || (state.state === "connected" && !state.holder)) return null;
   const { spoken, tip } = stateText(state);

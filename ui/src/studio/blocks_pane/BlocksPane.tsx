@@ -30,12 +30,12 @@ import { problem, program, refreshStatus } from "../../shell/session";
 import { theme } from "../../shell/theme";
 import { breakpoints } from "../debug/debugging";
 import type { StudioControl } from "../studio_control";
-import { BackFromOld } from "./BackFromOld";
 import { FaultList } from "./FaultList";
 import { InBin } from "./InBin";
 import { LessonMission } from "./LessonMission";
 import { OtherWindow } from "./OtherWindow";
 import { ParallelBranchNotice } from "./ParallelBranchNotice";
+import { RestoredVersionBanner } from "./RestoredVersionBanner";
 import { SwapReminder } from "./SwapReminder";
 
 const MissionCard = lazy(async () => (await import("../mission/MissionCard")).MissionCard);
@@ -50,7 +50,7 @@ export function BlocksPane({ control }: { control: StudioControl }) {
       <InBin open={control.open} />
       <ParallelBranchNotice program={control.open.program} />
       <OtherWindow open={control.open} />
-      <BackFromOld control={control} />
+      <RestoredVersionBanner control={control} />
       <Swap control={control} />
       <SwapReminder group={control.open.program.group_id} />
       <Workspace control={control} />

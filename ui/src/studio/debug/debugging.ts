@@ -2,7 +2,7 @@ import { computed, effect, signal, untracked } from "@preact/signals";
 import * as robot from "../../run/live";
 import { level } from "../../shell/level";
 import type { OpenProgram } from "../program/open_program";
-import { LIFELIKE } from "../program/setup";
+import { REALISM_PRESETS } from "../program/setup";
 
 /** Ids of the blocks of the open program before which the run pauses. */
 export const breakpoints = signal<readonly string[]>([]);
@@ -11,7 +11,7 @@ export const breakpoints = signal<readonly string[]>([]);
 export function runSettings({ setup }: OpenProgram, paused: boolean): robot.RunOptions {
   const { model, preset, feedback, speed } = setup.peek();
   // on the first level the choice is hidden, so an earlier choice must not apply
-  const chosen = level.peek() > 1 ? { model, preset, feedback } : LIFELIKE.ideal;
+  const chosen = level.peek() > 1 ? { model, preset, feedback } : REALISM_PRESETS.ideal;
   return { breakpoints: [...breakpoints.peek()], speed, paused, ...chosen };
 }
 

@@ -18,7 +18,7 @@ import { DRAWER, type DrawerState } from "../text/drawer";
 import { prepareCapture } from "./CapturePanel";
 import { Stage } from "./Stage";
 
-const PastRun = lazy(async () => (await import("./PastRun")).PastRun);
+const LastRunTimeline = lazy(async () => (await import("./LastRunTimeline")).LastRunTimeline);
 const HelpPanel = lazy(async () => (await import("../help/HelpPanel")).HelpPanel);
 
 export function FloorPane({ control }: { control: StudioControl }) {
@@ -85,7 +85,9 @@ function Status({ control }: { control: StudioControl }) {
 function RunTime({ control }: { control: StudioControl }) {
   const has = useComputed(() => control.mine.value && robot.live.value.phase !== "idle");
   const over = useComputed(() => !isLive(robot.live.value));
-  return has.value ? <div class="floor__time row rigid">{over.value && <PastRun />}</div> : null;
+  return has.value ? (
+    <div class="floor__time row rigid">{over.value && <LastRunTimeline />}</div>
+  ) : null;
 }
 
 /** Offers undo after the group's own world was deleted. */

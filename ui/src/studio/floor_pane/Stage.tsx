@@ -8,8 +8,8 @@ import { isNow, shown, shownPose } from "../../run/inspected_tick";
 import * as robot from "../../run/live";
 import type { Question } from "../../run/output";
 import { MuteButton } from "../../run/panels/MuteButton";
-import { Shown } from "../../run/panels/Shown";
-import { chosenRobot, movingLink } from "../../run/real/real_robot";
+import { RunOutput } from "../../run/panels/RunOutput";
+import { activeRealLink, chosenRobot } from "../../run/real/real_robot";
 import { robotStates } from "../../run/real/robot_state";
 import { stateText } from "../../run/real/state_text";
 import { isLive } from "../../run/reducer";
@@ -61,7 +61,7 @@ export function Stage({ control, drawer }: StageProps) {
           />
           <Corner control={control} />
         </div>
-        {!waits && <Shown view={shown} more={sensorValues} />}
+        {!waits && <RunOutput view={shown} more={sensorValues} />}
       </div>
       {capturing.value && <CaptureWhileAsked control={control} />}
       {asked.value && <Asked control={control} question={asked.value} />}
@@ -139,7 +139,7 @@ function RoomCorner({ control }: { control: StudioControl }) {
 
 /** The room, and the state of a detected robot: the header shows this state in wide windows only. */
 function RoomStatus() {
-  const { value: link } = movingLink;
+  const { value: link } = activeRealLink;
   const state = link ? robotStates.value[link] : undefined;
   const isDetected = state?.state === "connected" || state?.state === "silent";
   const { short, tip } = stateText(state);

@@ -1,6 +1,6 @@
 import type { Activity, JudgedEvent } from "../../api/model";
 import { texts } from "../../i18n";
-import { movingLink } from "../../run/real/real_robot";
+import { activeRealLink } from "../../run/real/real_robot";
 import { JudgingLine, VerdictLine } from "../../run/real/VerdictLine";
 
 interface HowJudgedProps {
@@ -11,7 +11,7 @@ interface HowJudgedProps {
 /** For a real robot: how its run was judged or why not; before a run, whether it will be judged. */
 export function HowJudged({ mission, verdict }: HowJudgedProps) {
   if (verdict?.by_robot || verdict?.not_judged) return <VerdictLine of={verdict} />;
-  if (!movingLink.value) return null;
+  if (!activeRealLink.value) return null;
   const { not_on_robot } = mission;
   if (not_on_robot) return <JudgingLine state="not_judged">{not_on_robot}</JudgingLine>;
   return <JudgingLine state="will_be">{texts.value.robot.willBeJudged}</JudgingLine>;

@@ -8,7 +8,7 @@ export type SaveState = "saved" | "saving" | "failed" | "deleted";
 type Save = (content: EditorContent, last: boolean) => Promise<SavedState>;
 
 /** Debounce after the last edit, and its upper bound: continuous edits are on disk within a second. */
-const QUIET_MS = 300;
+const DEBOUNCE_MS = 300;
 const MAX_DELAY_MS = 600;
 const RETRY_MS = [1000, 2000, 5000];
 const DELETED = ["program_not_found", "group_not_found"];
@@ -41,7 +41,7 @@ export class Autosave {
     this.failures = 0;
     this.state.value = "saving";
     const left = this.pendingSince + MAX_DELAY_MS - now;
-    this.schedule(Math.max(0, Math.min(QUIET_MS, left)));
+    this.schedule(Math.max(0, Math.min(DEBOUNCE_MS, left)));
   }
 
   /** Saves now. Resolves when all edits are on disk, rejects on failure. */

@@ -5,13 +5,13 @@ import { OWN_WORLD, type RealismOptions, type Setup, type Version } from "../../
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
 
 /** Choices of preset and feedback. */
-export const LIFELIKE = {
+export const REALISM_PRESETS = {
   ideal: { preset: "ideal", feedback: "pose" },
   camera: { preset: "realistic", feedback: "pose" },
   wheels: { preset: "realistic", feedback: "odometry" },
 } as const satisfies Record<string, RealismOptions>;
 
-export type LifelikeName = keyof typeof LIFELIKE;
+export type RealismName = keyof typeof REALISM_PRESETS;
 
 /** The setup of a version. A version of an earlier release has no setup: its own world, else defaults. */
 export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup {
@@ -19,7 +19,7 @@ export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup
   return (
     version?.setup ?? {
       model: DEFAULT_ROBOT,
-      ...LIFELIKE.ideal,
+      ...REALISM_PRESETS.ideal,
       world,
       start: null,
       speed: 1,
@@ -30,7 +30,7 @@ export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup
 }
 
 /** The page's name for the preset and feedback of a setup. */
-export function lifelikeOf({ preset, feedback }: Setup): LifelikeName {
+export function realismOf({ preset, feedback }: Setup): RealismName {
   if (preset === "ideal") return "ideal";
   return feedback === "pose" ? "camera" : "wheels";
 }

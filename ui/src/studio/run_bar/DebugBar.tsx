@@ -3,11 +3,11 @@ import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import { Select } from "../../kit/Select";
 import { clear } from "../../run/live";
-import { movingLink } from "../../run/real/real_robot";
+import { activeRealLink } from "../../run/real/real_robot";
 import { isLivePhase } from "../../run/reducer";
 import { robotModels, robotOf } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
-import { LIFELIKE, type LifelikeName, lifelikeOf, SPEEDS } from "../program/setup";
+import { REALISM_PRESETS, type RealismName, realismOf, SPEEDS } from "../program/setup";
 import { ActionButton, type ActionsProps } from "./ActionButton";
 import { STEPS } from "./actions";
 
@@ -20,7 +20,7 @@ export function DebugBar(props: ActionsProps) {
       {STEPS.filter(({ isShown }) => isShown(props.state)).map((action) => (
         <ActionButton key={action.name} {...props} action={action} />
       ))}
-      {!movingLink.value && (
+      {!activeRealLink.value && (
         <>
           {!isLivePhase(props.state.phase) && !open.mission.value && (
             <>
@@ -78,8 +78,8 @@ function ModelChoice({ open }: { open: OpenProgram }) {
 /** Selects preset and feedback of the next simulated run. */
 function LifelikeChoice({ open }: { open: OpenProgram }) {
   const { debug } = texts.value;
-  const names = Object.keys(LIFELIKE) as LifelikeName[];
-  const now = lifelikeOf(open.setup.value);
+  const names = Object.keys(REALISM_PRESETS) as RealismName[];
+  const now = realismOf(open.setup.value);
   return (
     <Select
       class="debug-bar__lifelike"
@@ -89,7 +89,7 @@ function LifelikeChoice({ open }: { open: OpenProgram }) {
       testId="lifelike"
       value={now}
       options={names.map((name) => [name, debug[name], { title: debug[`${name}Help`] }])}
-      onChange={(name) => open.changeSetup(LIFELIKE[name])}
+      onChange={(name) => open.changeSetup(REALISM_PRESETS[name])}
     />
   );
 }

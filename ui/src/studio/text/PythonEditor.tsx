@@ -27,7 +27,7 @@ interface Check {
 }
 
 /** Debounce of the check. */
-const QUIET_MS = 350;
+const DEBOUNCE_MS = 350;
 
 async function checkOf(text: string): Promise<Check> {
   const { document, faults } = await api.readPython(text);
@@ -39,7 +39,7 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
   const { python } = texts.value;
   const [text, setText] = useState(original);
   const check = valueIn(
-    useLoaded([text, language.value], () => checkOf(text), { quietMs: QUIET_MS }),
+    useLoaded([text, language.value], () => checkOf(text), { debounceMs: DEBOUNCE_MS }),
   );
   const field = useRef<HTMLTextAreaElement>(null);
   const faults = check?.faults ?? [];

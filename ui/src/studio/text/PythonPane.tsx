@@ -22,7 +22,7 @@ interface PythonPaneProps {
 }
 
 /** Debounce of the translation to Python. */
-const QUIET_MS = 250;
+const DEBOUNCE_MS = 250;
 
 /** The program as Python text, read-only or in the editor. */
 export function PythonPane(props: PythonPaneProps) {
@@ -30,7 +30,7 @@ export function PythonPane(props: PythonPaneProps) {
   const written = useLoaded(
     [document, language.value],
     async () => document && api.writePython(document),
-    { quietMs: QUIET_MS },
+    { debounceMs: DEBOUNCE_MS },
   );
   const { python } = texts.value;
   const text = valueIn(written)?.text ?? null;

@@ -4,14 +4,14 @@ import type { RunView } from "../reducer";
 import { Talk } from "./Talk";
 import { Watch } from "./Watch";
 
-interface ShownProps {
+interface RunOutputProps {
   view: ReadonlySignal<RunView>;
   /** More rows to watch: sensor values while the run is paused. */
   more?: ReadonlySignal<readonly (readonly [string, unknown])[]>;
 }
 
 /** Panel under the floor with the dialogue and the variables. Renders nothing without either. */
-export function Shown({ view, more }: ShownProps) {
+export function RunOutput({ view, more }: RunOutputProps) {
   const talk = useComputed(() => view.value.output.talk);
   const variables = useComputed(() => view.value.output.variables);
   const calls = useComputed(() => view.value.output.calls.map((call) => call.function).join(" › "));

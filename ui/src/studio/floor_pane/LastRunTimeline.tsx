@@ -14,7 +14,7 @@ import { hashOf } from "../../shell/route";
 const DIRECTIONS: Readonly<Record<string, -1 | 1>> = { ArrowLeft: -1, ArrowRight: 1 };
 
 /** Time strip of the last run: shows a chosen tick on the floor and in the blocks, until the group leaves it. */
-export function PastRun() {
+export function LastRunTimeline() {
   useEffect(returnsToEnd, []);
   const { work, replay } = texts.value;
   const { run } = live.value;

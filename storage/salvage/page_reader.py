@@ -32,7 +32,7 @@ _EDITS = f"""CREATE TABLE {EDITS_INDEX} (program_id TEXT, number INTEGER, row IN
     PRIMARY KEY (program_id, number, row)) WITHOUT ROWID"""
 
 
-class Desk:
+class PageReader:
     """The copy of the damaged file, open for reading.
 
     Args:

@@ -5,7 +5,7 @@ import { restoredFrom } from "../program/restored_from";
 import type { StudioControl } from "../studio_control";
 
 /** Names the version that a restored old version replaced, with a link back to it. */
-export function BackFromOld({ control }: { control: StudioControl }) {
+export function RestoredVersionBanner({ control }: { control: StudioControl }) {
   const forget = () => {
     restoredFrom.value = null;
   };
