@@ -3,8 +3,8 @@ import type { BlockType } from "../blocks/definitions";
 import type { KnownSigns } from "../blocks/known_signs";
 import type { OfferedActions } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
+import type { Fault } from "./decorations/fault_decorations";
 import type { EditorElements } from "./elements";
-import type { Fault } from "./marks/fault_decorations";
 import type { ThemeName } from "./themes";
 
 /** The interface of the block editor; `createEditor` in `index.ts` creates one. */

@@ -1,6 +1,6 @@
 import type * as Blockly from "blockly/core";
 import { type BlockType, definitionOf } from "../blocks/definitions";
-import type { Highlight } from "./marks/highlight";
+import type { Highlight } from "./decorations/highlight";
 
 /** Elements of the editor for the guided tour to point at; null while an element is hidden. */
 export class EditorElements {

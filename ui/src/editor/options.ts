@@ -1,7 +1,7 @@
 import type { Level } from "../blocks/definition";
 import type { OfferedActions } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
-import type { EvaluateExpression } from "./marks/value_bubble";
+import type { EvaluateExpression } from "./decorations/value_bubble";
 import type { ThemeName } from "./themes";
 
 /** Settings and callbacks of an editor. */

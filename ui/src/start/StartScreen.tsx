@@ -44,9 +44,9 @@ export function StartScreen() {
     <Loaded of={found} as="screen" actions={<TeacherLink />}>
       {([groups, classes]) =>
         groups.length + classes.length === 0 ? (
-          <FirstGroup onLesson={found.again} />
+          <FirstGroup onLesson={found.reload} />
         ) : (
-          <Groups groups={groups} classes={classes} onLesson={found.again} />
+          <Groups groups={groups} classes={classes} onLesson={found.reload} />
         )
       }
     </Loaded>

@@ -95,9 +95,9 @@ function SchoolPart({ part }: ParametersOf<"teacher">) {
   return (
     <Loaded of={school}>
       {(found) => {
-        if (part === "classes") return <ClassesPart school={found} reload={school.again} />;
+        if (part === "classes") return <ClassesPart school={found} reload={school.reload} />;
         if (part === "plan") return <PlanPart school={found} />;
-        return <LessonsPart school={found} reload={school.again} />;
+        return <LessonsPart school={found} reload={school.reload} />;
       }}
     </Loaded>
   );

@@ -1,6 +1,6 @@
 import * as Blockly from "blockly/core";
 import { blockText } from "../../blocks/texts";
-import { bringIntoView } from "../marks/highlight";
+import { bringIntoView } from "../decorations/highlight";
 import { ROOTS } from "../start_block";
 
 const { ConnectionType } = Blockly;

@@ -50,7 +50,7 @@ function List({ about = "a", options = {} }: ListProps) {
       <Loaded of={list} as="screen" loading="Abrindo" empty={<p>Nada ainda</p>}>
         {(names, { busy }) => <main aria-busy={busy}>{names.join(" ")}</main>}
       </Loaded>
-      <button type="button" onClick={() => void list.again()}>
+      <button type="button" onClick={() => void list.reload()}>
         De novo
       </button>
       <button type="button" onClick={() => list.set(["C"])}>

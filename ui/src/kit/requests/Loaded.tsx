@@ -19,7 +19,7 @@ interface LoadedProps<T> {
 /** Draws a loaded value, or its loading or failed state. */
 export function Loaded<T>({ of, as = "part", loading, empty, actions, children }: LoadedProps<T>) {
   if (of.status === "failed") {
-    return <NotLoaded as={as} busy={of.busy} again={of.again} actions={actions} />;
+    return <NotLoaded as={as} busy={of.busy} again={of.reload} actions={actions} />;
   }
   if (of.status === "ready") {
     const isEmpty = Array.isArray(of.value) && of.value.length === 0 && empty !== undefined;

@@ -10,8 +10,8 @@ export interface LoadedOptions<T> extends LoadOptions<T> {
   debounceMs?: number;
 }
 
-/** State of a loaded value. `again` reloads and resolves when the reload has ended. */
-export type Loadable<T> = LoadState<T> & { again(): Promise<void>; set(value: T): void };
+/** State of a loaded value. `reload` resolves when the reload has ended. */
+export type Loadable<T> = LoadState<T> & { reload(): Promise<void>; set(value: T): void };
 
 /**
  * Loads a value. A new `key`, one value or several, starts a new request; the old value stays until
@@ -26,14 +26,14 @@ export function useLoaded<T>(
   const latest = useRef({ ask, options });
   latest.current = { ask, options };
   load.options = options;
-  const again = useCallback(() => load.ask((signal) => latest.current.ask(signal)), []);
+  const reload = useCallback(() => load.ask((signal) => latest.current.ask(signal)), []);
   const set = useCallback((value: T) => load.set(value), []);
   // runs before the first paint, so that an immediate response is drawn at once
   useLayoutEffect(
     () => {
       const { debounceMs = 0 } = latest.current.options;
-      if (debounceMs === 0 || load.state.peek().status !== "ready") return void again();
-      const timer = setTimeout(again, debounceMs);
+      if (debounceMs === 0 || load.state.peek().status !== "ready") return void reload();
+      const timer = setTimeout(reload, debounceMs);
       return () => clearTimeout(timer);
     },
     Array.isArray(key) ? key : [key],
@@ -46,5 +46,5 @@ export function useLoaded<T>(
     };
     return listen(window, { focus: comeBack });
   }, []);
-  return { ...load.state.value, again, set };
+  return { ...load.state.value, reload, set };
 }

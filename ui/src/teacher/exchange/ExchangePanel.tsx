@@ -53,7 +53,7 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
   // shows a newly plugged-in stick; ignores failures, because the first request reports them
   usePolling(() => exchange.folders().then(places.set, () => {}), { everyMs: POLL_MS });
   const loadAll = async () => {
-    await Promise.all([places.again(), known.again()]);
+    await Promise.all([places.reload(), known.reload()]);
   };
   const merging = useMerging(loadAll);
   /** Clears the results, which must not appear under another folder. */
@@ -73,8 +73,8 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
       <Loaded of={known}>
         {({ knownComputers, classes }) => (
           <>
-            <SaveBox folders={folders} classes={classes} saved={saved} onSaved={places.again} />
-            <KnownComputers knownComputers={knownComputers} onAgain={known.again} />
+            <SaveBox folders={folders} classes={classes} saved={saved} onSaved={places.reload} />
+            <KnownComputers knownComputers={knownComputers} onAgain={known.reload} />
           </>
         )}
       </Loaded>

@@ -62,7 +62,7 @@ function ClassLessons({ id }: ClassLessonsProps) {
             {id !== NO_CLASS && (
               <section class="panel card">
                 {open ? (
-                  <LessonNow lesson={open} activities={activities} onClosed={found.again} />
+                  <LessonNow lesson={open} activities={activities} onClosed={found.reload} />
                 ) : (
                   <p class="teacher__hint">{current ? labels.byItself : labels.none}</p>
                 )}
@@ -71,7 +71,7 @@ function ClassLessons({ id }: ClassLessonsProps) {
                   activities={activities}
                   proposed={now?.preset.activity ?? ""}
                   another={open !== null}
-                  onOpened={found.again}
+                  onOpened={found.reload}
                 />
               </section>
             )}
@@ -80,11 +80,11 @@ function ClassLessons({ id }: ClassLessonsProps) {
                 classroom={id}
                 preset={now.preset}
                 activities={activities}
-                onChanged={found.again}
+                onChanged={found.reload}
               />
             )}
-            {id !== NO_CLASS && <LessonFile lesson={open} onOpened={found.again} />}
-            <LessonList lessons={lessons} onChanged={found.again} />
+            {id !== NO_CLASS && <LessonFile lesson={open} onOpened={found.reload} />}
+            <LessonList lessons={lessons} onChanged={found.reload} />
           </>
         );
       }}

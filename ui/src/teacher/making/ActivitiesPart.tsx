@@ -26,13 +26,13 @@ export function ActivitiesPart() {
   const remove = async (one: OwnActivity) => {
     await asTeacher(() => authoringApi.remove(one.id));
     deleted.value = one;
-    await found.again();
+    await found.reload();
   };
   return (
     <>
       <h1>{labels.title}</h1>
       <p class="teacher__hint">{labels.intro}</p>
-      <Deleted one={deleted} onBack={found.again} />
+      <Deleted one={deleted} onBack={found.reload} />
       <Loaded of={found}>
         {({ activities, groups }) =>
           form.value ? (
@@ -42,7 +42,7 @@ export function ActivitiesPart() {
               groups={groups}
               onSaved={async () => {
                 close();
-                await found.again();
+                await found.reload();
               }}
               onCancel={close}
             />

@@ -37,7 +37,7 @@ export function PlanPart({ school: { classes } }: PlanPartProps) {
         <p class="teacher__hint">{labels.noClass}</p>
       )}
       <Loaded of={found}>
-        {(inClass) => <PlanTable classroom={shown} found={inClass} reload={found.again} />}
+        {(inClass) => <PlanTable classroom={shown} found={inClass} reload={found.reload} />}
       </Loaded>
       <p>{labels.robots}</p>
       <p>{labels.roles}</p>

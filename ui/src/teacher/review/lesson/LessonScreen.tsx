@@ -45,7 +45,7 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
       {(value, { at, busy }) => (
         <Lesson
           page={value}
-          refresh={<Refresh at={at} busy={busy} onRefresh={page.again} />}
+          refresh={<Refresh at={at} busy={busy} onRefresh={page.reload} />}
           onAccepted={reload}
         />
       )}

@@ -34,7 +34,7 @@ function Runs() {
         <h1>{labels.title}</h1>
         <p>{labels.help}</p>
         {list.status === "ready" && (
-          <Refresh at={list.at} busy={list.busy} onRefresh={list.again} />
+          <Refresh at={list.at} busy={list.busy} onRefresh={list.reload} />
         )}
       </div>
       <Loaded of={choices}>{(found) => <RunFilters filter={filter} choices={found} />}</Loaded>

@@ -38,7 +38,7 @@ export function useRunList() {
   });
   const older = () => {
     left.runs += 1;
-    return list.again();
+    return list.reload();
   };
   return { list, older };
 }
