@@ -191,7 +191,7 @@ def test_a_replay_outlines_the_block_that_failed_and_speaks_of_no_button_that_is
     teacher: Teacher,
 ) -> None:
     crashed, stopped, _ = teacher.past.runs
-    outlined = teacher.page.locator(".pinelFaultRing")
+    outlined = teacher.page.locator(".pinelAdviceRing")
     teacher.go(f"run/{crashed}")
     expect(teacher["replay-slider"]).to_be_visible()
     expect(outlined).to_have_count(0)

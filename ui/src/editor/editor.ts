@@ -20,7 +20,7 @@ export interface Editor {
   document(): object;
   /** Highlights the running block and scrolls it into view; null clears the highlight. */
   highlight(blockId: string | null): void;
-  /** Shows faults on their blocks, until the block is edited or the list changes. */
+  /** Shows faults of the program on their blocks, in red, until the block is edited or the list changes. */
   showFaults(faults: Fault[]): void;
   /** Inserts a new block where a click in the flyout would insert it, as one undo step. */
   append(type: BlockType): void;
@@ -44,8 +44,8 @@ export interface Editor {
    */
   setPlaces(names: readonly string[] | null): void;
   setReadOnly(readOnly: boolean): void;
-  /** Shows advice on a run at a block, in amber; null removes it. */
-  showAdvice(advice: Fault | null): void;
+  /** Shows at blocks why a run failed and advice on it, in amber. */
+  showAdvice(advice: readonly Fault[]): void;
   /**
    * While the program runs, a note at each edited field explains that the change applies to the
    * next run.

@@ -133,8 +133,8 @@ class BlockEditor implements Editor {
     appendBlock(flyoutBlock(type, EVERYTHING, this.workspace), this.workspace);
   }
 
-  showAdvice(advice: Fault | null): void {
-    this.advice.show(advice ? [advice] : []);
+  showAdvice(advice: readonly Fault[]): void {
+    this.advice.show(advice);
   }
 
   reveal(blockId: string): void {

@@ -57,7 +57,7 @@ export function ReplayBlocks({ run, view }: ReplayedRun) {
     made.setReadOnly(true);
     const stop = effect(() => {
       made.highlight(activeBlockId(view.value));
-      made.showFaults(failureIn(view.value, language.value));
+      made.showAdvice(failureIn(view.value, language.value));
     });
     return () => {
       stop();

@@ -146,9 +146,9 @@ export class StudioControl {
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.activeBlockId.value)),
       effect(() => {
-        this.showFaults(editor);
+        editor.showFaults([...this.open.faults.value]);
         // after the faults, so that a screen reader reads the verdict if both change at once
-        editor.showAdvice(this.advice.value);
+        this.showAdvice(editor);
       }),
       effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
     ];
@@ -160,10 +160,11 @@ export class StudioControl {
   }
 
   /** Scrolls to the block at which a run failed, once: the group may scroll elsewhere afterwards. */
-  private showFaults(editor: Editor): void {
+  private showAdvice(editor: Editor): void {
     const failed = this.runFaults();
-    editor.showFaults([...this.open.faults.value, ...failed]);
+    const { value: advice } = this.advice;
     const block = failed[0]?.block ?? null;
+    editor.showAdvice(advice && advice.block !== block ? [advice, ...failed] : failed);
     if (block !== null && block !== this.revealed) editor.reveal(block);
     this.revealed = block;
   }
