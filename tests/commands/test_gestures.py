@@ -81,6 +81,7 @@ def test_a_missing_network_is_said_in_words(
     assert "make setup" in done.stderr
 
 
+@pytest.mark.timeout(400)  # trains and measures three times: 70 s on a PC at rest
 def test_what_was_learnt_from_a_folder_is_measured_on_it(tmp_path: Path) -> None:
     table = make_photos(tmp_path)
     recordings, trained = tmp_path / "recordings.npz", tmp_path / "letters.npz"

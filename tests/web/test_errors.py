@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.web.responses import STATUS
 from storage import StoreError
 from tests.web.browser import ApiResponse, Browser
@@ -34,7 +35,7 @@ def check_shape(answer: ApiResponse, status: int, code: str) -> dict[str, Any]:
         ("POST", "/api/nothing", {}, 404, "not_found"),
         ("DELETE", "/api/groups", None, 405, "method_not_allowed"),
         ("POST", "/api/status", {}, 405, "method_not_allowed"),
-        ("PUT", "/api/settings", {"language": "fr"}, 422, "invalid_request"),
+        ("PUT", "/api/settings", {"language": "xx"}, 422, "invalid_request"),
         ("POST", "/api/groups", {"nome": "A"}, 422, "invalid_request"),
         ("POST", "/api/groups", {"name": 7}, 422, "invalid_request"),
         ("POST", "/api/groups", ["A"], 422, "invalid_request"),
@@ -88,7 +89,7 @@ def test_every_family_of_routes_answers_errors_in_the_one_shape(
         ("POST", "/api/groups", {"name": "x" * 1001}, ["“name”", "1000 caracteres"]),
         ("POST", "/api/groups", [], ["objeto JSON"]),
         ("POST", "/api/check", {"document": 7}, ["“document”", "objeto", "lista"]),
-        ("PUT", "/api/settings", {"language": "fr"}, ["“language”", "pt-BR, en, es"]),
+        ("PUT", "/api/settings", {"language": "xx"}, ["“language”", ", ".join(LANGUAGES)]),
         ("GET", f"/api/groups/{NOWHERE}/runs?limit=0", None, ["“limit”", "de 1 a 200"]),
         ("GET", f"/api/groups/{NOWHERE}/runs?limit=201", None, ["“limit”", "de 1 a 200"]),
         ("GET", f"/api/groups/{NOWHERE}/runs?limit=x", None, ["inteiro", "de 1 a 200"]),

@@ -260,7 +260,7 @@ def test_every_figure_says_in_words_what_it_counts(language: str) -> None:
     for name in (*Figures.model_fields, "blocks", "changes", "repairs"):
         text = describe(f"figure_{name}", {}, language)
         assert text.message != f"figure_{name}"
-        assert text.remedy.startswith(("Cont", "Counts", "Cuenta", "Marca", "Marks"))
+        assert len(text.remedy.split()) > 4
 
 
 def test_two_versions_are_compared_block_by_block(browser: Browser, pupils: Pupils) -> None:
