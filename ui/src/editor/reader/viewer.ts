@@ -61,7 +61,7 @@ export class BlocksViewer {
     });
     options.container.classList.add("pinelReadOnly");
     this.pointed = new Highlight(this.workspace);
-    this.failed = new Highlight(this.workspace, "fault");
+    this.failed = new Highlight(this.workspace, "advice");
     this.minimap = new Minimap(this.workspace);
     this.zoom = addZoomControls(this.workspace, () => this.workspace.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
