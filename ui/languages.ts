@@ -8,7 +8,7 @@ const TEXTS = /^\0virtual:texts\/([\w-]+)\/(start|lazy)$/;
 
 /** Areas of the page that are fetched with the first part that is loaded lazily. All others are needed at the start. */
 const LAZY = ["camera", "exchange", "help", "plan", "review", "teacher"];
-/** Messages of the server that the page writes too, by the names that `Texts` gives them. */
+/** Files with messages of the server that the page needs too, by their properties in `Texts`. */
 const MESSAGES = {
   start: { reasons: ["program", "robots", "run"] },
   lazy: { cameraProblems: ["camera", "gestures"], figures: ["review"] },

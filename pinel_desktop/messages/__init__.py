@@ -4,8 +4,8 @@
 
     "distance_out_of_range": {"message": "...{{value}}...", "remedy": "..."},
 
-The form is i18next JSON v4, which translators' tools read. Of a plural each form is written. The first number in its
-text chooses one:
+The form is i18next JSON v4, which translators' tools read. A plural has a text for each form. The first number in
+the general form (`other`) chooses among them:
 
     "merged": {"message_one": "{{count}} run came.", "message_other": "{{count}} runs came.", "remedy": ""},
 

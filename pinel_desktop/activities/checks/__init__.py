@@ -2,7 +2,7 @@
 
 Each kind has a file in the folders below: its model, its evaluation, its texts for pupils, its fields in the form.
 The model's docstring is the kind's row in docs/activities.md. The texts are in
-`messages/catalogue/LANGUAGE/activities.json`, the form's labels in `ui/src/i18n/LANGUAGE/teacher.ts`.
+`messages/catalogue/LANGUAGE/activities.json`, the form's labels in `page/teacher.json` beside it.
 """
 
 from typing import Annotated, get_args

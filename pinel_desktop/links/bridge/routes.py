@@ -186,8 +186,7 @@ class Routes:
         try:
             document = _document(request.body)
         except PinelError:
-            # Counts as an invalid pose, for the link's error about a robot that posts no valid
-            # pose.
+            # the link counts it: it reports a robot that posts no valid pose
             with contextlib.suppress(PinelError):
                 self.conversation.handle_pose(request.client, None)
             raise

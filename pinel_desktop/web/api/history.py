@@ -44,6 +44,7 @@ def _filter(query: HistoryPage) -> RunFilter:
 def _bounds(day: date) -> tuple[str, str]:
     """Start and end in UTC of a day in the time zone of this PC."""
     if not _FIRST_YEAR <= day.year <= _LAST_YEAR:
+        # no run is that old or new; "~" sorts after every time of that day
         return day.isoformat(), f"{day.isoformat()}~"
     midnights = (datetime.combine(day + timedelta(days=more), time()) for more in (0, 1))
     begin, end = (f"{midnight.astimezone(UTC):%Y-%m-%dT%H:%M:%S}" for midnight in midnights)

@@ -69,7 +69,7 @@ export function when(iso: string, now: Date, language: Language, texts: Texts): 
   return moment(iso, now, language, texts);
 }
 
-/** The same with the time of day always, for what is told apart by it. */
+/** The date as `when` writes it, always with the time of day: for lists in which the time tells entries apart. */
 export function moment(iso: string, now: Date, language: Language, texts: Texts): string {
   const then = new Date(iso);
   const time = whole(then.toLocaleTimeString(language, { timeStyle: "short" }));

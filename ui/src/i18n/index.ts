@@ -43,7 +43,7 @@ const compiled = ({ texts, messages }: Part, language: Language): object => ({
   ...messages,
 });
 
-/** Fetches the texts of the lazy parts; from now on, those of every language chosen. */
+/** Fetches the texts of the lazy parts in the language chosen. Each language chosen later is fetched with them. */
 export async function fetchLazyTexts(): Promise<void> {
   needed.add("lazy");
   while (!LAZY.has(language.peek())) await fetchTexts(language.peek());

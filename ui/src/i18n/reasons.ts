@@ -4,8 +4,8 @@ import { formatNumber } from "./format";
 import type { Message, MessageEntry } from "./message";
 
 /**
- * Why a run ended, in the server's words; null for a code that has none. What can be known only while running may have
- * the reason of a fault of the document, such as a distance that comes out below 0.
+ * Why a run ended, in the server's words; null for a code that has none. The code can be that of a fault of the program,
+ * because some values are known only in the run, such as a computed distance below 0.
  */
 export function reasonText(
   code: string | null,
@@ -32,7 +32,7 @@ export function cameraProblemText(
 export const figureText = (name: string, language: Language): Message | null =>
   filled(textsOf(language).figures?.[`figure_${name}`], {}, language);
 
-/** What was measured is said in centimetres; what a program says, as it is written there. */
+/** Measured lengths, which are rounded to two decimals. Numbers of the program stay as they are written. */
 const MEASURED = new Set(["done", "away"]);
 /** Their sign says to which side the robot turned. */
 const SIDED = new Set(["done", "amount"]);

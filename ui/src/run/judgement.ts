@@ -14,7 +14,7 @@ export function withVerdict(
   // a failed run keeps its reason and advice; the mission's card shows that it is not judged
   if (judged.not_judged)
     return ended.tone === "fault" ? ended : { ...ended, more: judged.not_judged };
-  // a run that PINEL lost: `missing` repeats the sentence of the end, which already has advice
+  // for a run that PINEL lost, `missing` is the same sentence as the ending, which already has advice
   if (judged.missing?.startsWith(ended.text)) return ended;
   const tone = ended.tone === "done" ? "notice" : ended.tone;
   if (judged.missing) return { ...ended, tone, more: activity.missing({ what: judged.missing }) };
