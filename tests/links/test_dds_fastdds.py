@@ -27,7 +27,7 @@ DDS_LEASE_S = 10.0  # lease duration of participants
 
 
 @pytest.fixture
-def record() -> Iterator[DdsProfile]:
+def profile() -> Iterator[DdsProfile]:
     with own_domain() as domain:
         yield local_profile(domain)
 
