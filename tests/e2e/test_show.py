@@ -81,7 +81,7 @@ def run_to_the_end(studio: Studio) -> None:
 def test_what_the_robot_says_is_listed_with_the_newest_in_sight(studio: Studio) -> None:
     studio.enter_new_group()
     write_program(
-        studio, 'for n in steps(1, 30):\n    robot.say(join("volta ", n))\nrobot.wait(1)\n'
+        studio, 'for n in steps(1, 30):\n    robot.say(join("volta ", n))\nrobot.wait(600)\n'
     )
     expect(studio["talk"]).to_have_count(0)
     studio.run()
@@ -89,7 +89,8 @@ def test_what_the_robot_says_is_listed_with_the_newest_in_sight(studio: Studio) 
     expect(studio["talk-line"].last).to_contain_text("volta 30")
     expect(studio["talk-line"].last).to_be_in_viewport()
     expect(studio["status-line"]).to_contain_text("Diz: “volta 30”")
-    studio.wait_for_phase("finished")
+    studio["stop"].click()
+    studio.wait_for_phase("stopped")
     expect(studio["talk-line"]).to_have_count(30)
 
 
