@@ -13,7 +13,7 @@ _CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "catalogue"
 
 
 @cache
-def shipped_texts(area: Area) -> dict[str, dict[str, Any]]:
+def texts_by_language(area: Area) -> dict[str, dict[str, Any]]:
     """Returns the texts of an area: language -> name -> texts."""
     return {
         language: json.loads(
@@ -25,12 +25,12 @@ def shipped_texts(area: Area) -> dict[str, dict[str, Any]]:
 
 def world_titles(language: str) -> dict[str, str]:
     """Returns the titles of the shipped worlds in a language, by name."""
-    return shipped_texts("worlds")[language]
+    return texts_by_language("worlds")[language]
 
 
 def titled(world: Mapping[str, Any]) -> dict[str, Any]:
     """Returns the document of a shipped world with its title in every language."""
-    texts = shipped_texts("worlds")
+    texts = texts_by_language("worlds")
     return {**world, "title": {language: texts[language][world["name"]] for language in LANGUAGES}}
 
 
@@ -39,7 +39,7 @@ def with_texts(document: Mapping[str, Any], area: Area) -> dict[str, Any]:
 
     The shipped document has no texts: `label` and `say` in it are keys of the catalogue.
     """
-    of_name = {tag: names[document["name"]] for tag, names in shipped_texts(area).items()}
+    of_name = {tag: names[document["name"]] for tag, names in texts_by_language(area).items()}
     source = of_name[LANGUAGES[0]]
 
     def localized(key: str, index: int | None = None) -> dict[str, str]:

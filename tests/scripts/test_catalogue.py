@@ -58,7 +58,7 @@ def test_a_missing_and_an_unknown_file_are_named(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_no_key_stands_in_two_files_of_the_page(language: str) -> None:
+def test_each_key_of_the_page_is_in_one_file(language: str) -> None:
     areas: list[dict[str, Any]] = [
         json.loads(file.read_text("utf-8")) for file in (FOLDER / language / "page").glob("*.json")
     ]

@@ -56,7 +56,7 @@ function filled(
   return { message: fill(form("message")), remedy: fill(form("remedy")) };
 }
 
-/** The form of a plural for the first number in its general form. */
+/** The form of a plural for the first number in its general form, as `_form` of pinel_desktop/messages chooses it. */
 function counted(
   words: MessageEntry,
   part: keyof Message,

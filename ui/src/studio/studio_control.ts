@@ -159,12 +159,12 @@ export class StudioControl {
     };
   }
 
-  /** Scrolls to the block at which a run failed, once: the group may scroll elsewhere afterwards. */
+  /** Shows a failed run at its block, and scrolls there once: the group may scroll elsewhere afterwards. */
   private showAdvice(editor: Editor): void {
-    const failed = this.runFaults();
+    const failed = this.edited.value ? [] : failureOf(this.failure.value, language.value);
     const { value: advice } = this.advice;
+    editor.showAdvice(advice ? [advice, ...failed] : failed);
     const block = failed[0]?.block ?? null;
-    editor.showAdvice(advice && advice.block !== block ? [advice, ...failed] : failed);
     if (block !== null && block !== this.revealed) editor.reveal(block);
     this.revealed = block;
   }
@@ -305,11 +305,6 @@ export class StudioControl {
       // `real_stop_unconfirmed` stays: somebody must look at the real robot
       if (error instanceof ApiError && error.code === "stop_unconfirmed") forgetWhenOver();
     });
-  }
-
-  /** The failure of a run, as a fault of its block. */
-  private runFaults() {
-    return this.edited.value ? [] : failureOf(this.failure.value, language.value);
   }
 
   private computeSentence(): Sentence {
