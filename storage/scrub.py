@@ -20,7 +20,7 @@ _FIRST_S = 60.0  # after the start, when the group works
 _EVERY_S = 86_400.0
 _PIECE_S = 0.02
 _REST = 19.0  # ratio of the pause to the duration of a piece
-_AT_ONCE = 50  # keys that are queried together
+_BATCH_SIZE = 50  # keys that are queried together
 _Key = tuple[str, str]
 
 
@@ -104,7 +104,7 @@ class Scrubber:
         ended = "" if table == "versions" else "AND state <> 'running'"
         query = f"SELECT rowid, id FROM {home} WHERE rowid > ? {ended} ORDER BY rowid LIMIT ?"
         with self._database.read_connection() as db:
-            return [(place, key) for place, key in rows_of(db, query, [after, _AT_ONCE])]
+            return [(place, key) for place, key in rows_of(db, query, [after, _BATCH_SIZE])]
 
     def _missing(self, table: str) -> list[_Key]:
         """Returns the keys with a checksum whose row is missing though nobody deleted it."""

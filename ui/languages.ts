@@ -34,7 +34,7 @@ export function languages(): Plugin {
 }
 
 /** The tag of a module of texts for the start, or null. */
-export const tagOfStart = (id: string | null): string | null =>
+export const tagOfStartModule = (id: string | null): string | null =>
   TEXTS.exec(id ?? "")?.[2] === "start" ? (TEXTS.exec(id ?? "")?.[1] ?? null) : null;
 
 function listOfLanguages(): string {

@@ -2,7 +2,7 @@ import { cpSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
-import { languages, tagOfStart } from "./languages.ts";
+import { languages, tagOfStartModule } from "./languages.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -61,7 +61,7 @@ function pagePerLanguage(): Plugin {
       if (html?.type !== "asset") throw new Error("there is no index.html");
       for (const chunk of Object.values(bundle)) {
         if (chunk.type !== "chunk") continue;
-        const tag = tagOfStart(chunk.facadeModuleId);
+        const tag = tagOfStartModule(chunk.facadeModuleId);
         if (!tag) continue;
         const parts = chunk.imports.filter((name) => !String(html.source).includes(name));
         const texts = [

@@ -55,7 +55,7 @@ class FrameAnalyzer:
         """Returns the hands of the next frame, at most two."""
         if frame.hands is not None:
             return [self._recorded(hand) for hand in frame.hands]
-        return [self._found(hand) for hand in self._recogniser.track(frame.picture)]
+        return [self._detected_sign(hand) for hand in self._recogniser.track(frame.picture)]
 
     def reset(self) -> None:
         """Resets hand tracking, because the next frame comes from another source."""
@@ -68,7 +68,7 @@ class FrameAnalyzer:
             hand.points, side, hand.features, prediction, prediction.best in self._taught
         )
 
-    def _found(self, recognised: RecognisedHand) -> DetectedSign:
+    def _detected_sign(self, recognised: RecognisedHand) -> DetectedSign:
         hand, prediction = recognised.hand, recognised.prediction
         points, is_taught = hand.points[:, :2].astype(np.float32), prediction.best in self._taught
         return DetectedSign(points, hand.handedness, recognised.features, prediction, is_taught)

@@ -29,9 +29,9 @@ class Breakaway:
         self._towards = 0.0
         self._n_passed = 0
 
-    def arrived(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
+    def is_reached(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
         """Returns whether the motion has reached its goal; `error` is the remaining path (m or rad)."""
-        if self._goal.arrived(error, twist, ticks_past_end):
+        if self._goal.is_reached(error, twist, ticks_past_end):
             return True
         return self._n_passed > 0 and at_rest(twist) and abs(error) <= self._tolerance
 

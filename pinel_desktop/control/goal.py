@@ -30,7 +30,7 @@ class GoalCheck:
     coarse: float
     settle_ticks: int = 15
 
-    def arrived(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
+    def is_reached(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
         """Returns whether the motion has arrived.
 
         Args:

@@ -140,7 +140,7 @@ def drive_straight(
         expected, speed, past_end = setpoints.next(along)
         if (
             past_end >= 0
-            and breakaway.arrived(distance_m - along, context.twist, past_end)
+            and breakaway.is_reached(distance_m - along, context.twist, past_end)
             and not sliding.is_beside()
         ):
             break
@@ -185,7 +185,7 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
         turned += wrap_angle(context.pose.yaw_rad - yaw)
         yaw = context.pose.yaw_rad
         expected, speed, past_end = setpoints.next(turned)
-        if past_end >= 0 and breakaway.arrived(angle_rad - turned, context.twist, past_end):
+        if past_end >= 0 and breakaway.is_reached(angle_rad - turned, context.twist, past_end):
             break
         if progress.stuck(turned, context.tick) or breakaway.is_hopeless:
             raise _blocked_turn(turned, angle_rad)
@@ -230,8 +230,8 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
         along_m, across_m, yaw_error = arc.errors(context.pose, expected)
         if (
             past_end >= 0
-            and move.arrived(along_m, context.twist, past_end)
-            and turn.arrived(yaw_error, context.twist, past_end)
+            and move.is_reached(along_m, context.twist, past_end)
+            and turn.is_reached(yaw_error, context.twist, past_end)
             and abs(across_m) <= _BESIDE_M
         ):
             break

@@ -31,9 +31,9 @@ class ExpressionChecker:
     """
 
     def __init__(
-        self, signatures: dict[str, Signature], variables: set[str], found: list[PathFault]
+        self, signatures: dict[str, Signature], variables: set[str], faults: list[PathFault]
     ) -> None:
-        self._signatures, self._variables, self._found = signatures, variables, found
+        self._signatures, self._variables, self._faults = signatures, variables, faults
         self.warnings: list[PathFault] = []
         self.deepest = self.n_keys = 0
         self.parameters: tuple[str, ...] = ()
@@ -107,7 +107,7 @@ class ExpressionChecker:
         return signature
 
     def _add(self, code: str, path: Path, **params: object) -> None:
-        self._found.append((code, path, params))
+        self._faults.append((code, path, params))
 
     def _condition(self, value: Any, path: Path) -> None:
         if isinstance(value, str):
@@ -117,7 +117,7 @@ class ExpressionChecker:
                 return  # reported by the models
             inside: list[PathFault] = []
             found = ExpressionChecker(self._signatures, self._variables, inside)._type(tree, ())
-            self._found += [(code, path, params) for code, _, params in inside]
+            self._faults += [(code, path, params) for code, _, params in inside]
         else:
             found = self._type(value, path)
         if found not in (None, "boolean"):

@@ -32,7 +32,7 @@ _SELECT = {
     table: f"SELECT * FROM {{schema}}.{table} WHERE {key} {{which}} ORDER BY {key}, {_ORDER[table]}"
     for table, key in KEYS.items()
 }
-_ROWS_AT_ONCE = 256
+_BATCH_SIZE = 256
 _IN = "IN (SELECT value FROM json_each(?))"
 
 
@@ -198,7 +198,7 @@ def _content_checksums(
 
 def _digest(names: Sequence[bytes], rows: Iterator[tuple[object, ...]]) -> str:
     digest = hashlib.sha256()
-    while some := list(islice(rows, _ROWS_AT_ONCE)):  # a run of an hour has many events
+    while some := list(islice(rows, _BATCH_SIZE)):  # a run of an hour has many events
         digest.update(_octets(names, some))
     return digest.hexdigest()
 

@@ -82,7 +82,7 @@ class _Recovery:
         self._schemas = {name: _row_schema(db, table) for name, table in _TABLES.items()}
         self._of_leaves = [one for name, one in self._schemas.items() if name not in reader.keyed]
         self._of_indexes = [self._schemas[name] for name in _IDENTIFIED_BY_SCHEMA]
-        self._found = RecoveryStats()
+        self._stats = RecoveryStats()
         self._added_hashes: set[int] = set()  # of accepted rows; pages may yield a row again
         self._invalid_keys: set[tuple[str, str]] = set()  # table and key of such rows
 
@@ -93,20 +93,20 @@ class _Recovery:
                 self._read_tree(name)
         for page in self._reader.pages():
             if self._stop():
-                self._found.is_cut_short = True
+                self._stats.is_cut_short = True
                 break
             self._read_page(page)
         self._reassign_rows()
-        self._found.edits |= repair_keys(self._db, self._invalid_keys)
-        self._found.edits |= remove_damaged_versions(self._db)
+        self._stats.edits |= repair_keys(self._db, self._invalid_keys)
+        self._stats.edits |= remove_damaged_versions(self._db)
         self._db.execute("COMMIT")
-        return self._found
+        return self._stats
 
     def _read_tree(self, name: str) -> None:
         for row in self._reader.tree(name, self._roots[name]):
             match row:
                 case (str(program), int(number), int(_)) if name == EDITS_INDEX:
-                    self._found.edits.add((program, number))
+                    self._stats.edits.add((program, number))
                 case _ if name != EDITS_INDEX and not self._try_add(self._schemas[name], row):
                     self._add_with_invalid_key(self._schemas[name], row)
 

@@ -32,11 +32,11 @@ class Lessons(Repository):
 
     def of_classroom(self, classroom_id: str | None) -> list[LessonRow]:
         """Returns the lessons of a class, newest first; None for groups without a class."""
-        return self._found("classroom_id IS ? ORDER BY opened_at DESC, id DESC", classroom_id)
+        return self._select("classroom_id IS ? ORDER BY opened_at DESC, id DESC", classroom_id)
 
     def get(self, lesson_id: str) -> LessonRow:
         """Returns a lesson. Raises StoreError `lesson_not_found`."""
-        found = self._found("id = ?", lesson_id)
+        found = self._select("id = ?", lesson_id)
         if not found:
             raise not_found("lessons", lesson_id)
         return found[0]
@@ -139,9 +139,9 @@ class Lessons(Repository):
             self._database.write(write)
         return self.get(lesson_id)
 
-    def _found(self, which: str, value: str | None) -> list[LessonRow]:
+    def _select(self, condition: str, value: str | None) -> list[LessonRow]:
         with self._database.read_connection() as db:
-            rows = rows_of(db, f"{_SELECT} WHERE {which}", [value])
+            rows = rows_of(db, f"{_SELECT} WHERE {condition}", [value])
             by_part = roots(db)
         return [_lesson_row(row, by_part) for row in rows]
 

@@ -19,16 +19,16 @@ class Notes(Repository):
 
     def of_run(self, run_id: str) -> list[NoteRow]:
         """Returns the notes about a run, oldest first."""
-        return self._found("notes.run_id = ? ORDER BY notes.id", run_id)
+        return self._select("notes.run_id = ? ORDER BY notes.id", run_id)
 
     def of_group(self, group_id: str, *, unseen: bool = False) -> list[NoteRow]:
         """Returns the notes to a group, newest first; with `unseen` those that the group has not read yet."""
         more = " AND notes.seen_at IS NULL" if unseen else ""
-        return self._found(f"runs.group_id = ?{more} ORDER BY notes.id DESC", group_id)
+        return self._select(f"runs.group_id = ?{more} ORDER BY notes.id DESC", group_id)
 
     def get(self, note_id: str) -> NoteRow:
         """Returns a note. Raises StoreError `note_not_found`."""
-        found = self._found("notes.id = ?", note_id)
+        found = self._select("notes.id = ?", note_id)
         if not found:
             raise not_found("notes", note_id)
         return found[0]
@@ -65,8 +65,8 @@ class Notes(Repository):
         self._database.write(write)
         return self.get(note_id)
 
-    def _found(self, which: str, value: str) -> list[NoteRow]:
-        return [NoteRow(**dict(row)) for row in self._rows(f"{_SELECT} WHERE {which}", value)]
+    def _select(self, condition: str, value: str) -> list[NoteRow]:
+        return [NoteRow(**dict(row)) for row in self._rows(f"{_SELECT} WHERE {condition}", value)]
 
 
 def _clean(text: str) -> str:

@@ -39,18 +39,18 @@ def test_error_across_the_end_of_the_circle_is_small() -> None:
 
 def test_fine_tolerance_first_then_a_near_one_and_the_coarse_one_last() -> None:
     goal = GoalCheck(fine=0.001, near=0.004, coarse=0.01, settle_ticks=10)
-    assert not goal.arrived(0.003, STANDSTILL, ticks_past_end=10)
-    assert goal.arrived(0.003, STANDSTILL, ticks_past_end=11)
-    assert not goal.arrived(0.005, STANDSTILL, ticks_past_end=20)
-    assert goal.arrived(0.005, STANDSTILL, ticks_past_end=21)
-    assert not goal.arrived(0.02, STANDSTILL, ticks_past_end=1000)
+    assert not goal.is_reached(0.003, STANDSTILL, ticks_past_end=10)
+    assert goal.is_reached(0.003, STANDSTILL, ticks_past_end=11)
+    assert not goal.is_reached(0.005, STANDSTILL, ticks_past_end=20)
+    assert goal.is_reached(0.005, STANDSTILL, ticks_past_end=21)
+    assert not goal.is_reached(0.02, STANDSTILL, ticks_past_end=1000)
 
 
 def test_robot_that_still_drives_has_not_arrived_and_one_that_trembles_has_after_patience() -> None:
     goal, trembling = GoalCheck(fine=0.01, near=0.01, coarse=0.01), Twist2D(0.005, 0.01)
-    assert not goal.arrived(0.0, trembling, ticks_past_end=1)
-    assert goal.arrived(0.0, trembling, ticks_past_end=16)
-    assert not goal.arrived(0.0, Twist2D(0.1, 0.0), ticks_past_end=100)
+    assert not goal.is_reached(0.0, trembling, ticks_past_end=1)
+    assert goal.is_reached(0.0, trembling, ticks_past_end=16)
+    assert not goal.is_reached(0.0, Twist2D(0.1, 0.0), ticks_past_end=100)
 
 
 def test_trim_learns_from_the_way_beside_the_line_and_turns_against_it() -> None:
@@ -85,7 +85,7 @@ def test_robot_that_turns_on_the_spot_drives_towards_the_spot_when_it_is_ahead(y
 def test_robot_that_was_pushed_off_its_spot_only_creeps_back_and_may_arrive() -> None:
     creeping = Twist2D(hold_position(Pose2D(1.0, 0.0, 0.0), Pose2D(), Gains()), 0.0)
     assert creeping.v_mps > 0.0
-    assert GoalCheck(fine=0.01, near=0.01, coarse=0.01).arrived(0.0, creeping, ticks_past_end=16)
+    assert GoalCheck(fine=0.01, near=0.01, coarse=0.01).is_reached(0.0, creeping, ticks_past_end=16)
 
 
 def test_progress_counts_in_either_direction_and_stuck_is_only_after_patience() -> None:

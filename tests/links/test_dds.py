@@ -167,7 +167,7 @@ def test_a_robot_that_starts_late_is_found(
     connect: Callable[..., RobotLink],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(transport, "_FOUND_WITHIN_S", 60.0)  # its process may be slow to start
+    monkeypatch.setattr(transport, "_SEARCH_TIMEOUT_S", 60.0)  # its process may be slow to start
     started = threading.Timer(1.0, start_robot)
     started.start()
     assert connect().read().pose.x_m == 0.0

@@ -88,9 +88,9 @@ def test_a_robot_that_stands_beside_its_goal_gets_more_until_it_moves() -> None:
     assert min(added) == added[-1] == pytest.approx(-0.1)
     moving = STANDSTILL._replace(v_mps=-0.05)
     assert stuck.more(-0.02, moving, 60) == 0.0
-    assert not stuck.arrived(0.012, STANDSTILL, 100)
+    assert not stuck.is_reached(0.012, STANDSTILL, 100)
     assert stuck.more(0.012, STANDSTILL, 61) > 0.0
-    assert stuck.arrived(0.012, STANDSTILL, 101), "it went past its goal, and stands near enough"
+    assert stuck.is_reached(0.012, STANDSTILL, 101), "it went past its goal, and stands near enough"
 
 
 @pytest.mark.parametrize(

@@ -17,8 +17,8 @@ from pinel_desktop.links.bridge.http_server import (
 )
 from pinel_desktop.links.bridge.request_guard import RequestGuard
 from pinel_desktop.links.bridge.routes import (
+    AccessRule,
     BridgeHandler,
-    Door,
     Request,
     Response,
     Routes,
@@ -85,7 +85,7 @@ class PersistentBridge:
         self._idle = _Idle()
         callers = RequestGuard(profile, file_pages=file_pages)
         self._routes = Routes(self._idle, callers, on_batch_end)
-        self._routes.add({path: Door(route.method) for path, route in delegated.items()})
+        self._routes.add({path: AccessRule(route.method) for path, route in delegated.items()})
         self._server = BridgeHttpServer(profile.host, profile.port, self._respond, self._max_body)
         self.port = self._server.port
 
@@ -107,19 +107,19 @@ class PersistentBridge:
 
     def attach(self, handler: BridgeHandler) -> None:
         """Passes requests to `/bridge/*` to the handler of a run, until `detach`."""
-        self._routes.conversation = handler
+        self._routes.handler = handler
 
     def detach(self, handler: BridgeHandler) -> None:
         """Removes the handler of a run that has ended."""
-        if self._routes.conversation is handler:
-            self._routes.conversation = self._idle
+        if self._routes.handler is handler:
+            self._routes.handler = self._idle
 
     def _max_body(self, target: str) -> int:
         route = self._delegated.get(target.partition("?")[0])
         return route.max_body if route else MAX_BODY_BYTES
 
     def _respond(self, request: Request) -> ResponseOrFuture:
-        refused, shared = self._routes.enter(request)
+        refused, shared = self._routes.admit(request)
         if refused is not None:
             return refused
         if request.target.partition("?")[0] not in self._delegated:

@@ -98,7 +98,7 @@ class Batch:
 
 
 @dataclass(frozen=True, slots=True)
-class Door:
+class AccessRule:
     """Access rule of a route.
 
     Attributes:
@@ -114,7 +114,7 @@ class Routes:
     """Responds to requests to `/bridge/*`.
 
     Attributes:
-        conversation: handler of the robot's requests; replaced for each run.
+        handler: handler of the robot's requests; replaced for each run.
         batch: the flag of a block page.
     """
 
@@ -124,43 +124,43 @@ class Routes:
         callers: RequestGuard,
         on_batch_end: Callable[[], None] = lambda: None,
     ) -> None:
-        self.conversation, self.batch = handler, Batch(on_batch_end)
+        self.handler, self.batch = handler, Batch(on_batch_end)
         self._guard = callers
-        self._routes: dict[str, tuple[Door, Callable[[Request], dict[str, Any]]]] = {
-            "/bridge/cmd_vel": (Door("GET", for_robots=True), self._velocity),
-            "/bridge/pose": (Door("POST", for_robots=True), self._pose),
-            "/bridge/status": (Door("GET"), self._status),
-            "/bridge/run_start": (Door("POST"), lambda request: self.batch.begin()),
-            "/bridge/run_end": (Door("POST"), lambda request: self.batch.end()),
+        self._routes: dict[str, tuple[AccessRule, Callable[[Request], dict[str, Any]]]] = {
+            "/bridge/cmd_vel": (AccessRule("GET", for_robots=True), self._velocity),
+            "/bridge/pose": (AccessRule("POST", for_robots=True), self._pose),
+            "/bridge/status": (AccessRule("GET"), self._status),
+            "/bridge/run_start": (AccessRule("POST"), lambda request: self.batch.begin()),
+            "/bridge/run_end": (AccessRule("POST"), lambda request: self.batch.end()),
         }
-        self._doors = {path: door for path, (door, _) in self._routes.items()}
+        self._access_rules = {path: rule for path, (rule, _) in self._routes.items()}
 
-    def add(self, doors: Mapping[str, Door]) -> None:
+    def add(self, rules: Mapping[str, AccessRule]) -> None:
         """Adds access rules of further routes, to whose requests another process responds."""
-        self._doors |= doors
+        self._access_rules |= rules
 
-    def enter(self, request: Request) -> tuple[Response | None, dict[str, str]]:
+    def admit(self, request: Request) -> tuple[Response | None, dict[str, str]]:
         """Decides whether a request is admitted.
 
         Returns:
             The final response, or None if the request is admitted; and the CORS headers for its response.
         """
         path, _, query = request.target.partition("?")
-        door = self._doors.get(path)
+        rule = self._access_rules.get(path)
         try:
-            for_robots = door is not None and door.for_robots
+            for_robots = rule is not None and rule.for_robots
             origin = self._guard.page_origin(request.headers, for_robots=for_robots)
         except PinelError as error:
             return refusal(error), {}
         shared = _cors_headers(origin)
-        if request.method == "OPTIONS" and origin and door:
-            return Response(204, None, {**shared, **_preflight(door.method)}), {}
+        if request.method == "OPTIONS" and origin and rule:
+            return Response(204, None, {**shared, **_preflight(rule.method)}), {}
         try:
             self._guard.require_key(request.headers, query)
-            if door is None:
-                raise PinelError("bridge_path_unknown", path=path, known=list(self._doors))
-            if request.method != door.method:
-                allowed = door.method
+            if rule is None:
+                raise PinelError("bridge_path_unknown", path=path, known=list(self._access_rules))
+            if request.method != rule.method:
+                allowed = rule.method
                 raise PinelError("bridge_method_wrong", method=request.method, allowed=allowed)
         except PinelError as error:
             return with_headers(refusal(error), shared), {}
@@ -168,7 +168,7 @@ class Routes:
 
     def respond(self, request: Request) -> Response:
         """Returns the response to any request; a refused one gets a message with its remedy."""
-        refused, shared = self.enter(request)
+        refused, shared = self.admit(request)
         return refused or with_headers(self.reply(request), shared)
 
     def reply(self, request: Request) -> Response:
@@ -180,7 +180,7 @@ class Routes:
             return refusal(error)
 
     def _velocity(self, request: Request) -> dict[str, Any]:
-        return self.conversation.velocity(request.client)
+        return self.handler.velocity(request.client)
 
     def _pose(self, request: Request) -> dict[str, Any]:
         try:
@@ -188,13 +188,13 @@ class Routes:
         except PinelError:
             # the link counts it: it reports a robot that posts no valid pose
             with contextlib.suppress(PinelError):
-                self.conversation.handle_pose(request.client, None)
+                self.handler.handle_pose(request.client, None)
             raise
-        return self.conversation.handle_pose(request.client, document)
+        return self.handler.handle_pose(request.client, document)
 
     def _status(self, request: Request) -> dict[str, Any]:
         """Returns `active`: a run drives the robot, or the page has an open batch. Clients exit once it is false."""
-        status = self.conversation.status()
+        status = self.handler.status()
         return {"active": status["active"] or self.batch.number is not None}
 
 

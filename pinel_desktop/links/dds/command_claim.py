@@ -4,7 +4,7 @@ import uuid
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.dds.graph import Endpoint, Graph, Participant
-from pinel_desktop.links.ros2.node.drivers import WITHDRAWS_S, Claim, drivers
+from pinel_desktop.links.ros2.node.drivers import WITHDRAWAL_TIMEOUT_S, Claim, drivers
 
 
 class CommandClaim(Claim[Participant]):
@@ -20,7 +20,7 @@ class CommandClaim(Claim[Participant]):
         return min(there, key=lambda owner: owner.is_pinel, default=None)
 
     def withdraws_within_s(self, holder: Participant, *, is_newcomer: bool) -> float:
-        return WITHDRAWS_S if holder.is_pinel and is_newcomer else 0.0
+        return WITHDRAWAL_TIMEOUT_S if holder.is_pinel and is_newcomer else 0.0
 
     def problem(self) -> PinelError:
         holder = self.holder()

@@ -19,7 +19,7 @@ from cyclonedds.domain import DomainParticipant
 
 from pinel_desktop.links.dds.session import TOPIC_PREFIX, Session, this_machine
 
-_AT_ONCE = 200
+_MAX_SAMPLES = 200
 _PINEL = re.compile(r"pinel=([^;/]*)/(\d+)/([0-9a-f]+);")
 
 
@@ -64,9 +64,9 @@ class Graph:
     def __init__(self, session: Session) -> None:
         participant = session.participant
         self._own: uuid.UUID = participant.get_guid()
-        self._participants = _Collected(participant, BuiltinTopicDcpsParticipant)
-        self._publications = _Collected(participant, BuiltinTopicDcpsPublication)
-        self._subscriptions = _Collected(participant, BuiltinTopicDcpsSubscription)
+        self._participants = _AliveInstances(participant, BuiltinTopicDcpsParticipant)
+        self._publications = _AliveInstances(participant, BuiltinTopicDcpsPublication)
+        self._subscriptions = _AliveInstances(participant, BuiltinTopicDcpsSubscription)
 
     def publishers(self, topic: str = "") -> list[Endpoint]:
         """Returns the publishers of `topic`; without one, the publishers of all ROS topics."""
@@ -78,7 +78,7 @@ class Graph:
 
     def participant(self, key: uuid.UUID) -> Participant:
         """Returns the participant with that id."""
-        found = self._participants.now().get(key)
+        found = self._participants.snapshot().get(key)
         qos = found.qos if found is not None else Qos()
         pinel = _PINEL.search(_user_data(qos))
         if pinel is None:
@@ -87,8 +87,8 @@ class Graph:
         has_exited = machine == this_machine() and not psutil.pid_exists(int(pid))
         return Participant(host, is_pinel=True, has_exited=has_exited)
 
-    def _endpoints(self, collected: "_Collected", topic: str) -> Iterator[Endpoint]:
-        for found in collected.now().values():
+    def _endpoints(self, instances: "_AliveInstances", topic: str) -> Iterator[Endpoint]:
+        for found in instances.snapshot().values():
             name = found.topic_name
             if found.participant_key == self._own or not name.startswith(TOPIC_PREFIX):
                 continue
@@ -100,15 +100,15 @@ class Graph:
                 )
 
 
-class _Collected:
+class _AliveInstances:
     """The instances of a built-in topic in state `Alive`, by key."""
 
     def __init__(self, participant: DomainParticipant, topic: BuiltinTopic) -> None:
         self._reader = BuiltinDataReader(participant, topic)
         self._samples: dict[uuid.UUID, Any] = {}
 
-    def now(self) -> dict[uuid.UUID, Any]:
-        for sample in self._reader.take(_AT_ONCE):
+    def snapshot(self) -> dict[uuid.UUID, Any]:
+        for sample in self._reader.take(_MAX_SAMPLES):
             if sample.sample_info.instance_state == InstanceState.Alive:
                 self._samples[sample.key] = sample
             else:

@@ -22,11 +22,11 @@ from pinel_desktop.links.ros_sensors import LidarScan, RosSensors
 from pinel_desktop.links.transport import Odometry, Receiver
 from pinel_desktop.robot import Twist2D
 
-_WATCHED_EACH_S = 0.2
+_WATCH_INTERVAL_S = 0.2
 # Minimum time between two reads of a topic. Of faster messages only the newest counts.
 _MIN_INTERVAL_S = 0.005
 _NEW = SampleState.NotRead | ViewState.Any | InstanceState.Any
-_AT_ONCE = 4
+_MAX_SAMPLES = 4
 _MAX_WAIT = duration(milliseconds=100)
 
 _log = logging.getLogger(__name__)
@@ -115,7 +115,7 @@ class RobotSubscriber:
         watched_s = -math.inf
         while not self._ending.is_set():
             started_s = time.monotonic()
-            if started_s - watched_s >= _WATCHED_EACH_S:
+            if started_s - watched_s >= _WATCH_INTERVAL_S:
                 watched_s = started_s
                 self._guarded(self._watch)
             self._waitset.wait(_MAX_WAIT)
@@ -135,7 +135,7 @@ class RobotSubscriber:
             self._has_failed = True
 
     def _read_samples(self, reader: "DataReader[Any]", handle: Handler) -> None:
-        for sample in reader.take(_AT_ONCE):
+        for sample in reader.take(_MAX_SAMPLES):
             if not isinstance(sample, InvalidSample):
                 handle(sample)
 

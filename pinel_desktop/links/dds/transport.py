@@ -19,14 +19,14 @@ from pinel_desktop.links.dds.messages import Twist, TwistStamped, type_name
 from pinel_desktop.links.dds.robot_subscriber import RobotSubscriber
 from pinel_desktop.links.dds.session import Session, range_type
 from pinel_desktop.links.real import RealLink, real_link
-from pinel_desktop.links.ros2.node.drivers import LAST_S, LOST_TIMEOUT_S, UNMATCHED_TIMEOUT_S
+from pinel_desktop.links.ros2.node.drivers import FINAL_ZEROS_S, LOST_TIMEOUT_S, UNMATCHED_TIMEOUT_S
 from pinel_desktop.links.ros_sensors import RosSensors
 from pinel_desktop.links.transport import Cancelled, Receiver
 from pinel_desktop.robot import STANDSTILL, RobotModel, Sensors, SimulationConfig, Twist2D
 from pinel_desktop.robot.robot_profile import DdsProfile, RobotProfile
 
-_FOUND_WITHIN_S = 5.0
-_MATCHED_WITHIN_S = 5.0
+_SEARCH_TIMEOUT_S = 5.0
+_MATCH_TIMEOUT_S = 5.0
 _POLL_S = 0.05
 
 
@@ -48,12 +48,12 @@ class DdsTransport:
         self._unmatched_since_s: float | None = None
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        found = self._found(cancelled)
+        found = self._search(cancelled)
         if found is None:
             return
         session, graph, search = found
         self._claim = claim = CommandClaim(graph, self._command_topic, self._odometry_topic)
-        if not _wait(claim.is_free, cancelled, _FOUND_WITHIN_S):
+        if not _wait(claim.is_free, cancelled, _SEARCH_TIMEOUT_S):
             if cancelled():
                 return
             raise claim.problem()
@@ -76,12 +76,12 @@ class DdsTransport:
         claim.announce()
         _wait(claim.check_claim, cancelled, math.inf)
         subscriber.start()
-        if not _wait(self._is_matched, cancelled, _MATCHED_WITHIN_S) and not cancelled():
+        if not _wait(self._is_matched, cancelled, _MATCH_TIMEOUT_S) and not cancelled():
             raise self._unmatched_problem()
         self._is_open = True
 
     def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        found = self._found(cancelled)
+        found = self._search(cancelled)
         if found is None:
             return
         session, graph, search = found
@@ -94,7 +94,7 @@ class DdsTransport:
         self._subscriber = self._receive(session, graph, search, receiver, watch)
         self._subscriber.start()
 
-    def _found(self, cancelled: Cancelled) -> tuple[Session, Graph, EndpointSearch] | None:
+    def _search(self, cancelled: Cancelled) -> tuple[Session, Graph, EndpointSearch] | None:
         """Searches the robot; returns None if the search was cancelled."""
         peers = addresses(self._profile.peers, cancelled)
         if cancelled():
@@ -102,7 +102,7 @@ class DdsTransport:
         self._session = session = Session(self._profile.domain, peers)
         graph = Graph(session)
         search = EndpointSearch(graph, self._profile)
-        if _wait(search.is_complete, cancelled, _FOUND_WITHIN_S):
+        if _wait(search.is_complete, cancelled, _SEARCH_TIMEOUT_S):
             return session, graph, search
         if cancelled():
             return None
@@ -125,8 +125,8 @@ class DdsTransport:
             self._session.close()
 
     def _send_last_zeros(self) -> None:
-        """If the robot's odometry has stopped, sends zeros for up to `LAST_S`, in case the robot returns."""
-        due_s = time.monotonic() + LAST_S
+        """If the robot's odometry has stopped, sends zeros for up to `FINAL_ZEROS_S`, in case the robot returns."""
+        due_s = time.monotonic() + FINAL_ZEROS_S
         while self._is_lost() and time.monotonic() < due_s:
             self.send(STANDSTILL)
             time.sleep(_POLL_S)
@@ -148,10 +148,10 @@ class DdsTransport:
         watch: Callable[[], None],
     ) -> RobotSubscriber:
         """Returns a subscriber, not yet started, to the odometry and to all sensors, also to later ones."""
-        found = _Sensors(graph, self._profile)
+        found = _SensorTopics(graph, self._profile)
 
         def poll() -> None:
-            for topic, message in found.new():
+            for topic, message in found.newly_published():
                 subscriber.subscribe(topic, message)
             for message in found.unpublished():
                 subscriber.withdraw(message)
@@ -184,7 +184,7 @@ class DdsTransport:
         return PinelError("robot_deaf", topic=f"/{self._command_topic}")
 
 
-class _Sensors:
+class _SensorTopics:
     """The sensor topics of a profile; finds each topic once the robot publishes it."""
 
     def __init__(self, graph: Graph, profile: DdsProfile) -> None:
@@ -196,13 +196,13 @@ class _Sensors:
             (profile.bumper_topic, (messages.Bool,)),
             (profile.battery_topic, (messages.BatteryState,)),
         )
-        self._waiting = {profile.name_of(topic): kinds for topic, kinds in rows if topic}
-        self._found: dict[str, type[IdlStruct]] = {}
+        self._unfound = {profile.name_of(topic): kinds for topic, kinds in rows if topic}
+        self._types: dict[str, type[IdlStruct]] = {}
 
-    def new(self) -> list[tuple[str, type[IdlStruct]]]:
+    def newly_published(self) -> list[tuple[str, type[IdlStruct]]]:
         """Returns the topics and types that were found since the last call."""
         found: list[tuple[str, type[IdlStruct]]] = []
-        for topic, kinds in tuple(self._waiting.items()):
+        for topic, kinds in tuple(self._unfound.items()):
             for publisher in self._graph.publishers(topic):
                 kind = next(
                     (kind for kind in kinds if type_name(kind) == publisher.type_name), None
@@ -210,14 +210,14 @@ class _Sensors:
                 if kind is not None:
                     is_range = kind is messages.Range
                     found.append((topic, range_type(publisher.user_data) if is_range else kind))
-                    del self._waiting[topic]
+                    del self._unfound[topic]
                     break
-        self._found.update(found)
+        self._types.update(found)
         return found
 
     def unpublished(self) -> list[type[IdlStruct]]:
         """Returns the types of found topics that have no publisher now."""
-        return [kind for topic, kind in self._found.items() if not self._graph.publishers(topic)]
+        return [kind for topic, kind in self._types.items() if not self._graph.publishers(topic)]
 
 
 def _plain(twist: Twist2D) -> Twist:
@@ -252,7 +252,7 @@ def addresses(peers: tuple[str, ...], cancelled: Cancelled) -> list[str]:
 
     thread = threading.Thread(target=resolve, name="robot-peers", daemon=True)
     thread.start()
-    _wait(lambda: not thread.is_alive(), cancelled, _FOUND_WITHIN_S)
+    _wait(lambda: not thread.is_alive(), cancelled, _SEARCH_TIMEOUT_S)
     unknown = next((peer for peer in peers if peer not in found), None)
     if unknown is not None and not cancelled():
         raise PinelError("peer_unknown", peer=unknown)

@@ -63,7 +63,7 @@ class BlockEditor implements Editor {
   private readonly hint = new StartHint();
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
-  private readonly letFocusGo: () => void;
+  private readonly disposeFocusRestorer: () => void;
   private known = "";
   private level: Level;
   private offered: OfferedActions;
@@ -89,7 +89,7 @@ class BlockEditor implements Editor {
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
-    this.letFocusGo = restoreFocus(this.workspace);
+    this.disposeFocusRestorer = restoreFocus(this.workspace);
     this.measureAgainWithFont();
     this.workspace.addChangeListener((event) => this.onEvent(event));
     watchContent(this.workspace, () => this.onContent());
@@ -98,7 +98,7 @@ class BlockEditor implements Editor {
 
   load(saved: object | null): void {
     const workspace = saved && shownWorkspace(saved);
-    if (workspace) tried(workspace);
+    if (workspace) normalized(workspace);
     Blockly.hideChaff();
     this.running.show(null);
     this.clearDecorations();
@@ -201,7 +201,7 @@ class BlockEditor implements Editor {
   undoTo(saved: object | null): boolean {
     const workspace = shownWorkspace(saved ?? {});
     const isUnchanged = saved
-      ? JSON.stringify(tried(workspace)) === this.fingerprint()
+      ? JSON.stringify(normalized(workspace)) === this.fingerprint()
       : this.workspace.getAllBlocks(false).length <= 1;
     if (isUnchanged) return false;
     Blockly.hideChaff();
@@ -234,7 +234,7 @@ class BlockEditor implements Editor {
     this.zoomControls.remove();
     this.values?.dispose();
     this.minimap.dispose();
-    this.letFocusGo();
+    this.disposeFocusRestorer();
     this.workspace.dispose();
   }
 
@@ -287,9 +287,9 @@ class BlockEditor implements Editor {
   private pinFlyout(): void {
     const blocklyToolbox = this.workspace.getToolbox();
     const hasRoom = this.options.container.clientWidth >= MIN_WIDTH_WITH_FLYOUT_PX;
-    const isStaying = this.level === 1 && hasRoom && !this.workspace.isReadOnly();
-    this.options.container.classList.toggle("pinelPaletteStays", isStaying);
-    if (blocklyToolbox instanceof PinelToolbox) blocklyToolbox.setStaying(isStaying);
+    const isPinned = this.level === 1 && hasRoom && !this.workspace.isReadOnly();
+    this.options.container.classList.toggle("pinelPaletteStays", isPinned);
+    if (blocklyToolbox instanceof PinelToolbox) blocklyToolbox.setPinned(isPinned);
   }
 
   private clearDecorations(): void {
@@ -381,7 +381,7 @@ class BlockEditor implements Editor {
  * Loads the content into a scratch workspace; returns it as it would be saved. Throws if it cannot
  * be loaded.
  */
-function tried(workspace: object): object {
+function normalized(workspace: object): object {
   const trial = new Blockly.Workspace();
   try {
     withoutEvents(() => Blockly.serialization.workspaces.load(workspace, trial));

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import editorFile from "../../../pinel_desktop/messages/catalogue/pt-BR/page/editor.json";
 import type { Language } from "../api/model";
 import { textsOf } from ".";
-import { decimal, duration, headingDegrees, moment, when } from "./format";
+import { decimal, duration, headingDegrees, relativeDateAndTime, relativeTime } from "./format";
 import { LANGUAGES } from "./languages";
 
 import { reasonText } from "./reasons";
@@ -123,7 +123,7 @@ describe("figures", () => {
     const texts = textsOf("pt-BR");
     const now = new Date(2026, 10, 21, 15, 0, 0);
     const ago = (minutes: number) =>
-      when(new Date(now.getTime() - minutes * 60_000).toISOString(), now, "pt-BR", texts);
+      relativeTime(new Date(now.getTime() - minutes * 60_000).toISOString(), now, "pt-BR", texts);
     expect(ago(0)).toBe("agora");
     expect(ago(5)).toBe("há 5 min");
     expect(ago(120)).toMatch(/^hoje, /);
@@ -135,8 +135,8 @@ describe("figures", () => {
   test("of runs tell the time of day, however short ago they were", () => {
     const now = new Date(2026, 10, 21, 15, 0, 0);
     const at = new Date(2026, 10, 21, 14, 58, 0).toISOString();
-    expect(moment(at, now, "pt-BR", textsOf("pt-BR"))).toBe("hoje, 14:58");
-    expect(moment(at, now, "en", textsOf("en"))).toMatch(/^today, 2:58\sPM$/);
+    expect(relativeDateAndTime(at, now, "pt-BR", textsOf("pt-BR"))).toBe("hoje, 14:58");
+    expect(relativeDateAndTime(at, now, "en", textsOf("en"))).toMatch(/^today, 2:58\sPM$/);
   });
 });
 

@@ -62,15 +62,20 @@ export function duration(total: number, language: Language): string {
 }
 
 /** When something was, the way one would say it on that day: "há 5 min", "hoje, 14:06", "19 de nov., 14:06". */
-export function when(iso: string, now: Date, language: Language, texts: Texts): string {
+export function relativeTime(iso: string, now: Date, language: Language, texts: Texts): string {
   const minutes = Math.floor((now.getTime() - new Date(iso).getTime()) / 60_000);
   if (minutes >= 0 && minutes < 1) return texts.units.now;
   if (minutes >= 0 && minutes < 60) return texts.units.minutesAgo({ n: minutes });
-  return moment(iso, now, language, texts);
+  return relativeDateAndTime(iso, now, language, texts);
 }
 
-/** The date as `when` writes it, always with the time of day: for lists in which the time tells entries apart. */
-export function moment(iso: string, now: Date, language: Language, texts: Texts): string {
+/** The date as `relativeTime` writes it, always with the time of day: for lists in which the time tells entries apart. */
+export function relativeDateAndTime(
+  iso: string,
+  now: Date,
+  language: Language,
+  texts: Texts,
+): string {
   const then = new Date(iso);
   const time = whole(then.toLocaleTimeString(language, { timeStyle: "short" }));
   const days = dayNumber(now) - dayNumber(then);

@@ -1,7 +1,7 @@
 import { computed, signal } from "@preact/signals";
 import type { Language } from "../api/model";
 import { compile, type Part } from "./compile";
-import { FIRST, isLanguage, languageRow } from "./languages";
+import { isLanguage, languageRow, SOURCE_LANGUAGE } from "./languages";
 import type { Texts } from "./texts";
 
 type PartName = "start" | "lazy";
@@ -9,15 +9,15 @@ type PartName = "start" | "lazy";
 const START = new Map<Language, object>();
 const LAZY = new Map<Language, object>();
 /** The texts that the page needs of whatever language it speaks. */
-const needed = new Set<PartName>(["start"]);
+const neededParts = new Set<PartName>(["start"]);
 
 /** The server writes its language into the page, so that its texts arrive with the code. */
-const written = document.documentElement.lang;
+const initialTag = document.documentElement.lang;
 
 /** The language chosen; its texts are there. */
-export const language = signal<Language>(isLanguage(written) ? written : FIRST);
-let chosen = language.peek();
-const arrived = signal(0);
+export const language = signal<Language>(isLanguage(initialTag) ? initialTag : SOURCE_LANGUAGE);
+let latestChoice = language.peek();
+const textsVersion = signal(0);
 
 /** The texts of a language that has been fetched; those of lazy parts are missing before one is shown. */
 export function textsOf(language: Language): Texts {
@@ -26,16 +26,17 @@ export function textsOf(language: Language): Texts {
 
 /** The texts of the page in the language chosen. Reading `.value` in a component subscribes it. */
 export const texts = computed<Texts>(() => {
-  arrived.value;
+  textsVersion.value;
   return textsOf(language.value);
 });
 
 /** Fetches what the page needs of a language. Rejects where the server is gone. */
-export async function fetchTexts(wanted: Language): Promise<void> {
-  const row = languageRow(wanted);
-  if (!START.has(wanted)) START.set(wanted, compiled(await row.start(), wanted));
-  if (needed.has("lazy") && !LAZY.has(wanted)) LAZY.set(wanted, compiled(await row.lazy(), wanted));
-  arrived.value++;
+export async function fetchTexts(requested: Language): Promise<void> {
+  const row = languageRow(requested);
+  if (!START.has(requested)) START.set(requested, compiled(await row.start(), requested));
+  if (neededParts.has("lazy") && !LAZY.has(requested))
+    LAZY.set(requested, compiled(await row.lazy(), requested));
+  textsVersion.value++;
 }
 
 const compiled = ({ texts, messages }: Part, language: Language): object => ({
@@ -45,15 +46,15 @@ const compiled = ({ texts, messages }: Part, language: Language): object => ({
 
 /** Fetches the texts of the lazy parts in the language chosen. Each language chosen later is fetched with them. */
 export async function fetchLazyTexts(): Promise<void> {
-  needed.add("lazy");
+  neededParts.add("lazy");
   while (!LAZY.has(language.peek())) await fetchTexts(language.peek());
 }
 
 /** Makes the page speak a language as soon as its texts are there; of two choices the last one counts. */
-export async function speak(wanted: Language): Promise<void> {
-  chosen = wanted;
-  await fetchTexts(wanted);
-  if (chosen === wanted) language.value = wanted;
+export async function setLanguage(requested: Language): Promise<void> {
+  latestChoice = requested;
+  await fetchTexts(requested);
+  if (latestChoice === requested) language.value = requested;
 }
 
 export type { Language, Texts };

@@ -2,12 +2,12 @@ import { type LanguageRow, rows } from "virtual:languages";
 import type { Language } from "../api/model";
 
 /** The language that the others are translated from, and the one to fall back on. */
-export const FIRST: Language = "pt-BR";
+export const SOURCE_LANGUAGE: Language = "pt-BR";
 
 /** One for each folder of the catalogue, the first language first. */
 export const LANGUAGES = [
-  FIRST,
-  ...(Object.keys(rows) as Language[]).filter((tag) => tag !== FIRST),
+  SOURCE_LANGUAGE,
+  ...(Object.keys(rows) as Language[]).filter((tag) => tag !== SOURCE_LANGUAGE),
 ];
 
 export function languageRow(language: Language): LanguageRow {

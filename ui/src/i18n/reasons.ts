@@ -12,7 +12,11 @@ export function reasonText(
   params: Record<string, unknown>,
   language: Language,
 ): Message | null {
-  return filled(code === null ? undefined : textsOf(language).reasons[code], params, language);
+  return formatMessage(
+    code === null ? undefined : textsOf(language).reasons[code],
+    params,
+    language,
+  );
 }
 
 /** The name of a kind of real robot, and what it is as the remedy; null for that of a newer release. */
@@ -25,39 +29,39 @@ export function cameraProblemText(
   params: Record<string, unknown>,
   language: Language,
 ): Message | null {
-  return filled(textsOf(language).cameraProblems?.[code], params, language);
+  return formatMessage(textsOf(language).cameraProblems?.[code], params, language);
 }
 
 /** What a number of the review counts; null for that of a newer release. */
-export const figureText = (name: string, language: Language): Message | null =>
-  filled(textsOf(language).figures?.[`figure_${name}`], {}, language);
+export const knownMetricText = (name: string, language: Language): Message | null =>
+  formatMessage(textsOf(language).figures?.[`figure_${name}`], {}, language);
 
 /** Measured lengths, which are rounded to two decimals. Numbers of the program stay as they are written. */
 const MEASURED = new Set(["done", "away"]);
 /** Their sign says to which side the robot turned. */
 const SIDED = new Set(["done", "amount"]);
 
-function filled(
-  words: MessageEntry | undefined,
+function formatMessage(
+  entry: MessageEntry | undefined,
   params: Record<string, unknown>,
   language: Language,
 ): Message | null {
-  if (!words) return null;
+  if (!entry) return null;
   const side = "unit" in params && Number(params.amount) < 0 ? -1 : 1; // "77 of 90", not "−77 of −90"
   const fill = (text: string) =>
     text.replace(/\{\{(\w+)\}\}/g, (whole, name: string) => {
       if (!(name in params)) return whole;
       const { [name]: value } = params;
-      if (typeof value !== "number") return show(value, language);
+      if (typeof value !== "number") return formatValue(value, language);
       const size = SIDED.has(name) ? side * value : value;
-      return show(MEASURED.has(name) ? Math.round(size * 100) / 100 : size, language);
+      return formatValue(MEASURED.has(name) ? Math.round(size * 100) / 100 : size, language);
     });
-  const form = (part: keyof Message) => words[part] ?? counted(words, part, params, language);
+  const form = (part: keyof Message) => entry[part] ?? pluralOf(entry, part, params, language);
   return { message: fill(form("message")), remedy: fill(form("remedy")) };
 }
 
 /** The form of a plural for the first number in its general form, as `_form` of pinel_desktop/messages chooses it. */
-function counted(
+function pluralOf(
   words: MessageEntry,
   part: keyof Message,
   params: Record<string, unknown>,
@@ -68,8 +72,8 @@ function counted(
   return pluralForm({ ...words }, part, Number(count ?? Number.NaN), language);
 }
 
-function show(value: unknown, language: Language): string {
+function formatValue(value: unknown, language: Language): string {
   if (typeof value === "number") return formatNumber(value, language);
-  if (Array.isArray(value)) return value.map((item) => show(item, language)).join(", ");
+  if (Array.isArray(value)) return value.map((item) => formatValue(item, language)).join(", ");
   return typeof value === "string" ? value : JSON.stringify(value);
 }

@@ -19,7 +19,7 @@ export interface ReplayedRun {
 /** A sentence about the robot's action at the current tick. */
 export function ReplaySentence({ run, view }: ReplayedRun) {
   const sentence = useComputed<Sentence>(() => {
-    const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
+    const begin: Sentence = { text: texts.value.replay.begin, detail: "", tone: "calm" };
     // a run that was interrupted before its first tick has only an ending to show
     if (view.value.tick < 1 && isLive(view.value)) return begin;
     const voice = {

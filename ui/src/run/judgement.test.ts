@@ -6,7 +6,7 @@ import type { Sentence } from "./sentence";
 
 const ptBR = textsOf("pt-BR");
 
-const ended: Sentence = { text: "Terminou.", more: "Em 3 s.", tone: "done" };
+const ended: Sentence = { text: "Terminou.", detail: "Em 3 s.", tone: "done" };
 
 function judged(passed: boolean, missing: string | null): JudgedEvent {
   return {
@@ -34,23 +34,23 @@ test("a run that passed says so first", () => {
 test("a run that did not pass says what is missing, after how it ended", () => {
   const sentence = withVerdict(ended, "r", judged(false, "O robô termina no início."), ptBR);
   expect([sentence.text, sentence.tone]).toEqual(["Terminou.", "notice"]);
-  expect(sentence.more).toContain("O robô termina no início.");
-  expect(withVerdict(ended, "r", judged(false, null), ptBR).more).toBe(ptBR.activity.toTheEnd);
+  expect(sentence.detail).toContain("O robô termina no início.");
+  expect(withVerdict(ended, "r", judged(false, null), ptBR).detail).toBe(ptBR.activity.toTheEnd);
 });
 
 test("what to do about a run that failed is not replaced by that it is not judged", () => {
   const verdict = { ...judged(false, null), not_judged: "Não julgada." };
   const failed: Sentence = {
     text: "O robô não responde.",
-    more: "Ele está ligado?",
+    detail: "Ele está ligado?",
     tone: "fault",
   };
   expect(withVerdict(failed, "r", verdict, ptBR)).toBe(failed);
-  expect(withVerdict(ended, "r", verdict, ptBR).more).toBe("Não julgada.");
+  expect(withVerdict(ended, "r", verdict, ptBR).detail).toBe("Não julgada.");
 });
 
 test("of a run that PINEL lost it is said once what happened, with what to do", () => {
-  const lost: Sentence = { text: "O motor parou.", more: "Apertem Rodar.", tone: "fault" };
+  const lost: Sentence = { text: "O motor parou.", detail: "Apertem Rodar.", tone: "fault" };
   const verdict = judged(false, "O motor parou. Apertem Rodar.");
   expect(withVerdict(lost, "r", verdict, ptBR)).toBe(lost);
 });

@@ -10,15 +10,15 @@ export function withVerdict(
   { activity }: Texts,
 ): Sentence {
   if (!judged || judged.run !== run) return ended;
-  if (judged.passed) return { text: activity.passed, more: ended.text, tone: "done" };
+  if (judged.passed) return { text: activity.passed, detail: ended.text, tone: "done" };
   // a failed run keeps its reason and advice; the mission's card shows that it is not judged
   if (judged.not_judged)
-    return ended.tone === "fault" ? ended : { ...ended, more: judged.not_judged };
+    return ended.tone === "fault" ? ended : { ...ended, detail: judged.not_judged };
   // for a run that PINEL lost, `missing` is the same sentence as the ending, which already has advice
   if (judged.missing?.startsWith(ended.text)) return ended;
   const tone = ended.tone === "done" ? "notice" : ended.tone;
-  if (judged.missing) return { ...ended, tone, more: activity.missing({ what: judged.missing }) };
-  return { ...ended, tone, more: activity.toTheEnd };
+  if (judged.missing) return { ...ended, tone, detail: activity.missing({ what: judged.missing }) };
+  return { ...ended, tone, detail: activity.toTheEnd };
 }
 
 /** The check list of an activity: as evaluated in `run`, during and after it; else with all checks open. */

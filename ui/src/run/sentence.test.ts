@@ -94,8 +94,8 @@ describe("what the robot does, in words", () => {
   test("what was just said is in the sentence, for a while", () => {
     const line = { kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 } as const;
     const view = { ...moving("wait", 3, 1), output: { ...IDLE.output, talk: [line] } };
-    expect(sentenceOf({ ...view, tick: 60 }, context)?.more).toBe("Diz: “Olá!”");
-    expect(sentenceOf({ ...view, tick: 300 }, context)?.more).toBe("");
+    expect(sentenceOf({ ...view, tick: 60 }, context)?.detail).toBe("Diz: “Olá!”");
+    expect(sentenceOf({ ...view, tick: 300 }, context)?.detail).toBe("");
   });
 
   test.each([
@@ -111,8 +111,8 @@ describe("what the robot does, in words", () => {
       ...moving("wait", 3, 1),
       captured: { label, by, confidence, tick: 30, nextLine: 0 },
     };
-    expect(sentenceOf({ ...view, tick: 60 }, context)?.more).toBe(text);
-    expect(sentenceOf({ ...view, tick: 300 }, context)?.more).toBe("");
+    expect(sentenceOf({ ...view, tick: 60 }, context)?.detail).toBe(text);
+    expect(sentenceOf({ ...view, tick: 300 }, context)?.detail).toBe("");
     expect(
       sentenceOf({ ...over("finished", {}), ...view, phase: "finished", tick: 30 }, context),
     ).toMatchObject({ more: text });
@@ -124,10 +124,10 @@ describe("what the robot does, in words", () => {
     const view = { ...moving("wait", 3, 1), tick: 40, captured };
     // all in one tick, as when a program refuses a sign and asks again
     const outputWith = (number: number) => ({ ...IDLE.output, talk: [{ ...line, number }] });
-    expect(sentenceOf({ ...view, output: outputWith(0) }, context)?.more).toBe(
+    expect(sentenceOf({ ...view, output: outputWith(0) }, context)?.detail).toBe(
       "Vocês responderam B",
     );
-    expect(sentenceOf({ ...view, output: outputWith(1) }, context)?.more).toBe("Diz: “Olá!”");
+    expect(sentenceOf({ ...view, output: outputWith(1) }, context)?.detail).toBe("Diz: “Olá!”");
   });
 
   test("a beep is told beside what was said, and how many there were in a row", () => {
@@ -135,7 +135,7 @@ describe("what the robot does, in words", () => {
     const beeps = { count: 5, inRow: 2, tick: 35 };
     const view = { ...moving("wait", 3, 1), tick: 40 };
     const more = (output: object) =>
-      sentenceOf({ ...view, output: { ...IDLE.output, ...output } }, context)?.more;
+      sentenceOf({ ...view, output: { ...IDLE.output, ...output } }, context)?.detail;
     expect(more({ beeps })).toBe("Apito × 2");
     expect(more({ beeps, talk })).toBe("Diz: “Olá!” · Apito × 2");
     expect(more({ beeps: { ...beeps, tick: -60 } })).toBe("");
@@ -143,7 +143,7 @@ describe("what the robot does, in words", () => {
 
   test("a function that runs is named", () => {
     const output = { ...IDLE.output, calls: [{ function: "lado", block: "c" }] };
-    expect(sentenceOf({ ...moving("turn", 90, 1), output }, context)?.more).toBe(
+    expect(sentenceOf({ ...moving("turn", 90, 1), output }, context)?.detail).toBe(
       "na função “lado”",
     );
   });
@@ -157,8 +157,8 @@ describe("what the robot does, in words", () => {
       roundTick: 0,
     };
     const view = (round: number) => ({ ...moving("turn", 90, 1), stack: [{ ...loop, round }] });
-    expect(sentenceOf(view(7), context)?.more).toBe("volta 7");
-    expect(sentenceOf(view(Number.NaN), context)?.more).toBe("");
+    expect(sentenceOf(view(7), context)?.detail).toBe("volta 7");
+    expect(sentenceOf(view(Number.NaN), context)?.detail).toBe("");
   });
 
   test("a loop tells its round", () => {
@@ -171,7 +171,7 @@ describe("what the robot does, in words", () => {
       roundTick: 0,
     };
     const view = { ...moving("turn", 90, 1), stack: [loop] };
-    expect(sentenceOf(view, context)?.more).toBe("volta 2 de 4");
+    expect(sentenceOf(view, context)?.detail).toBe("volta 2 de 4");
   });
 
   test("an end tells how far from the start", () => {
@@ -182,7 +182,7 @@ describe("what the robot does, in words", () => {
     expect(sentenceText(over("finished", { pathLengthM: 0 }))).toBe("O programa terminou");
   });
 
-  const more = (view: RunView) => sentenceOf(view, context)?.more.replaceAll("\u00a0", " ");
+  const more = (view: RunView) => sentenceOf(view, context)?.detail.replaceAll("\u00a0", " ");
 
   test.each([
     [{ closingErrorM: 0.05, estimatedClosingErrorM: 1e-6 }, "parou a 0,05 m da partida", "voltou"],
@@ -215,7 +215,7 @@ describe("what the robot does, in words", () => {
     );
     expect(sentence?.tone).toBe("fault");
     expect(sentence?.text).toContain("3,78");
-    expect(sentence?.more).not.toBe("");
+    expect(sentence?.detail).not.toBe("");
   });
 
   test("an unknown reason still says something", () => {
@@ -236,7 +236,7 @@ describe("of a run that was", () => {
 
   test("no button is spoken of that is not there", () => {
     const stopped = over("stopped", { reason: "stopped_by_person" });
-    expect(sentenceOf(stopped, context)?.more).toContain("Rodar");
+    expect(sentenceOf(stopped, context)?.detail).toContain("Rodar");
     expect(past(stopped)).toEqual({ text: "O grupo parou o robô.", more: "", tone: "notice" });
     const held = { ...moving("wait", 3, 1), phase: "paused", next: "b" } as RunView;
     expect(past(held)).toEqual({ text: "A rodada estava em pausa.", more: "", tone: "notice" });
@@ -245,7 +245,7 @@ describe("of a run that was", () => {
   test("what is to be mended is said still", () => {
     const failed = over("failed", { reason: "division_by_zero", params: { operator: "/" } });
     expect(past(failed)).toEqual(sentenceOf(failed, context));
-    expect(past(failed)?.more).not.toBe("");
+    expect(past(failed)?.detail).not.toBe("");
   });
 });
 
@@ -272,7 +272,7 @@ describe("what a program did not do is said at its end, and not as a success", (
       more: "Há uma repetição vazia: ponham blocos dentro dela.",
     });
     const inside = { action: "conditional_execution", condition: true, else: [empty, empty] };
-    expect(end(stored([move, inside]))?.more).toContain("2 repetições vazias");
+    expect(end(stored([move, inside]))?.detail).toContain("2 repetições vazias");
   });
 
   test("loose blocks, each that is not a shadow", () => {
@@ -282,7 +282,7 @@ describe("what a program did not do is said at its end, and not as a success", (
       more: "Um bloco está solto e não rodou.",
     });
     const three = { ...one, next: { block: { ...one, next: { block: one } } } };
-    expect(end(stored([move], [three, { type: "function_def" }]))?.more).toContain("3 blocos");
+    expect(end(stored([move], [three, { type: "function_def" }]))?.detail).toContain("3 blocos");
   });
 
   test("a robot that stood still, unless the program only speaks", () => {

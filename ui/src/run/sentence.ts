@@ -10,10 +10,10 @@ import { localizeNumbers } from "./values";
 /** Tone of a sentence, for its colour and icon. */
 export type Tone = "calm" | "moving" | "done" | "notice" | "fault";
 
-/** The state of a run in one line: `text`, `more` with advice, `part` with the progress of the motion. */
+/** The state of a run in one line: `text`, `detail` with what else is to be said or done, `part` with the progress of the motion. */
 export interface Sentence {
   text: string;
-  more: string;
+  detail: string;
   tone: Tone;
   part?: number | null;
 }
@@ -52,16 +52,16 @@ export function sentenceOf(view: RunView, context: SentenceContext): Sentence | 
     case "idle":
       return null;
     case "starting":
-      return { text: status.starting, more: "", tone: "calm" };
+      return { text: status.starting, detail: "", tone: "calm" };
     case "paused":
-      if (context.past) return { text: context.texts.replay.paused, more: "", tone: "notice" };
+      if (context.past) return { text: context.texts.replay.paused, detail: "", tone: "notice" };
       return view.next === null
-        ? { text: status.paused, more: "", tone: "notice" }
-        : { text: status.held, more: status.heldHow, tone: "notice" };
+        ? { text: status.paused, detail: "", tone: "notice" }
+        : { text: status.held, detail: status.heldHow, tone: "notice" };
     case "running":
       return {
         text: doing(view, context),
-        more: around(view, context),
+        detail: around(view, context),
         tone: "moving",
         part: partOf(view.motion),
       };
@@ -190,9 +190,9 @@ function ending(view: RunView, context: SentenceContext): Sentence {
   const { reason = null, params = {} } = view.ending ?? {};
   const explanation = reasonText(reason, params, language);
   if (view.phase === "failed" || view.phase === "stopped") {
-    const more = past && RUN_AGAIN.has(reason ?? "") ? "" : explanation?.remedy;
+    const detail = past && RUN_AGAIN.has(reason ?? "") ? "" : explanation?.remedy;
     const tone = view.phase === "failed" ? "fault" : "notice";
-    return { text: explanation?.message ?? texts.status.failed, more: more ?? "", tone };
+    return { text: explanation?.message ?? texts.status.failed, detail: detail ?? "", tone };
   }
   return finishedSentence(view, context);
 }
@@ -211,8 +211,8 @@ function finishedSentence(view: RunView, context: SentenceContext): Sentence {
   ].filter((remark) => remark !== false);
   const text = isStill ? status.finishedStill : finished(view, context.texts, context.language);
   const estimate = isStill ? "" : estimated(view, context);
-  const more = [...remarks, estimate, answered(view, context)].filter(Boolean).join(" ");
-  return { text, more, tone: isStill || remarks.length > 0 ? "notice" : "done" };
+  const detail = [...remarks, estimate, answered(view, context)].filter(Boolean).join(" ");
+  return { text, detail, tone: isStill || remarks.length > 0 ? "notice" : "done" };
 }
 
 const NO_PROGRAM: StoredProgram = { document: null, workspace: null };

@@ -19,7 +19,7 @@ import type {
   StreamEvent,
   World,
 } from "../api/model";
-import { type Language, language, speak, texts } from "../i18n";
+import { type Language, language, setLanguage, texts } from "../i18n";
 import { isLanguage } from "../i18n/languages";
 import { reportTo } from "../kit/report";
 import { type Problem, problemOf } from "../kit/requests/problem";
@@ -104,7 +104,8 @@ export async function refreshStatus(): Promise<void> {
     const answer = await serverStatus();
     const isFirst = ["opening", "failed"].includes(connection.value);
     // if a person chose a language before the first response, the choice takes precedence
-    if (isFirst && !languageChosen && isLanguage(answer.language)) await speak(answer.language);
+    if (isFirst && !languageChosen && isLanguage(answer.language))
+      await setLanguage(answer.language);
     status.value = answer;
     // a notice that the stream sent meanwhile is newer than the response
     if (noticesBefore === notices) notice.value = answer.database.notice;
@@ -122,7 +123,7 @@ let languageChosen = false;
 export async function chooseLanguage(chosen: Language): Promise<void> {
   languageChosen = true;
   try {
-    await Promise.all([choose("pinel_language", chosen), speak(chosen)]);
+    await Promise.all([choose("pinel_language", chosen), setLanguage(chosen)]);
     if (notice.value) await refreshStatus();
   } catch (error) {
     report(error);

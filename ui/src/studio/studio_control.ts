@@ -317,33 +317,33 @@ export class StudioControl {
         parameterIn(this.documentThatRuns(), pointer, name),
       program: this.programThatRuns(),
     };
-    const calm = (text: string): Sentence => ({ text, more: "", tone: "calm" });
+    const calm = (text: string): Sentence => ({ text, detail: "", tone: "calm" });
     if (inspectedTick.value && this.mine.value) return pastSentence(context) ?? calm(status.ready);
     if (isLive(view) && view.run && !this.mine.value) {
-      return { text: run.other, more: "", tone: "notice" };
+      return { text: run.other, detail: "", tone: "notice" };
     }
     const { value: lacking } = this.lacking;
     if (view.phase === "starting" && activeRealLink.value) {
-      return lacking ?? { text: real.searching, more: real.searchingHow, tone: "calm" };
+      return lacking ?? { text: real.searching, detail: real.searchingHow, tone: "calm" };
     }
-    if (this.asksBefore.value) return { text: real.before.first, more: "", tone: "notice" };
+    if (this.asksBefore.value) return { text: real.before.first, detail: "", tone: "notice" };
     if (isLive(view)) {
       const now = sentenceOf(view, context) ?? calm(status.ready);
-      return this.edited.value ? { ...now, more: status.nextRun } : now;
+      return this.edited.value ? { ...now, detail: status.nextRun } : now;
     }
     if (this.open.autosave.state.value === "failed") {
-      return { text: status.unsaved, more: "", tone: "notice" };
+      return { text: status.unsaved, detail: "", tone: "notice" };
     }
     const { value: deleted } = this.open.deleted;
-    if (deleted) return { text: texts.value.trouble.deleted[deleted], more: "", tone: "notice" };
+    if (deleted) return { text: texts.value.trouble.deleted[deleted], detail: "", tone: "notice" };
     const faults = this.open.faults.value.length;
-    if (faults > 0) return { text: status.faults({ count: faults }), more: "", tone: "notice" };
+    if (faults > 0) return { text: status.faults({ count: faults }), detail: "", tone: "notice" };
     if (this.worlds.isFaulty.value) {
-      return { text: texts.value.world.faulty, more: "", tone: "notice" };
+      return { text: texts.value.world.faulty, detail: "", tone: "notice" };
     }
     if (this.open.isEmpty) {
       return this.asked.value
-        ? { text: status.emptyRun, more: "", tone: "notice" }
+        ? { text: status.emptyRun, detail: "", tone: "notice" }
         : calm(status.empty);
     }
     const ended = this.mine.value ? sentenceOf(view, context) : null;
@@ -373,8 +373,8 @@ export class StudioControl {
 function withReturnAdvice(sentence: Sentence): Sentence {
   const isReal = (robot.liveRun.value?.link ?? SIMULATOR) !== SIMULATOR;
   const { reason } = robot.live.value.ending ?? {};
-  const hasMore = sentence.more && reason !== "stopped_by_person";
-  return isReal && !hasMore ? { ...sentence, more: texts.value.robot.backToStart } : sentence;
+  const hasMore = sentence.detail && reason !== "stopped_by_person";
+  return isReal && !hasMore ? { ...sentence, detail: texts.value.robot.backToStart } : sentence;
 }
 
 /** The robot's action at the inspected tick, with its time. */
@@ -384,7 +384,7 @@ function pastSentence(context: SentenceContext): Sentence | null {
   if (!sentence || !history) return sentence;
   const time = (ticks: number) => duration(ticks / 30, context.language);
   const at = context.texts.replay.at({ now: time(tick), end: time(history.lastTick) });
-  return { ...sentence, more: [at, sentence.more].filter(Boolean).join(" · ") };
+  return { ...sentence, detail: [at, sentence.detail].filter(Boolean).join(" · ") };
 }
 
 /** Closes the shown problem once the run has ended for any reason. */

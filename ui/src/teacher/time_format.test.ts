@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { textsOf } from "../i18n";
-import { moment } from "../i18n/format";
+import { relativeDateAndTime } from "../i18n/format";
 import { LANGUAGES } from "../i18n/languages";
 import { dateAndTime, timeOfDay } from "./time_format";
 
@@ -10,6 +10,8 @@ test.each(LANGUAGES)("a time of day has one form on every screen: %s", (language
   const iso = now.toISOString();
   const plain = (text: string) => text.replace(/\s/g, " ");
   const time = `, ${plain(timeOfDay(iso, language))}`;
-  expect(plain(moment(iso, now, language, textsOf(language))).endsWith(time)).toBe(true);
+  expect(plain(relativeDateAndTime(iso, now, language, textsOf(language))).endsWith(time)).toBe(
+    true,
+  );
   expect(plain(dateAndTime(iso, language)).endsWith(time)).toBe(true);
 });

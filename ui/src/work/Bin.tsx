@@ -2,7 +2,7 @@ import { useSignal } from "@preact/signals";
 import { ChevronDown, ChevronUp, RotateCcw, Trash2 } from "lucide-preact";
 import type { Program } from "../api/model";
 import { language, texts } from "../i18n";
-import { when } from "../i18n/format";
+import { relativeTime } from "../i18n/format";
 import { changedText } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import type { ProgramCollection } from "./program_collection";
@@ -42,7 +42,7 @@ export function Bin({ collection }: { collection: ProgramCollection }) {
 
 function Thrown({ program, collection }: { program: Program; collection: ProgramCollection }) {
   const { archive, work } = texts.value;
-  const changed = when(program.updated_at, new Date(), language.value, texts.value);
+  const changed = relativeTime(program.updated_at, new Date(), language.value, texts.value);
   return (
     <li class="bin__program card row middle gap-3" data-testid="bin-program">
       <span class="grid grows shrinks">

@@ -1,7 +1,7 @@
 import { CircleCheck, CircleStop, CircleX, LoaderCircle } from "lucide-preact";
 import type { Run } from "../api/model";
 import { language, texts } from "../i18n";
-import { duration, moment } from "../i18n/format";
+import { duration, relativeDateAndTime } from "../i18n/format";
 import { RobotName } from "../run/real/RobotName";
 import { PathPicture } from "../scene/small/PathPicture";
 import { hashOf } from "../shell/route";
@@ -26,7 +26,7 @@ export function RunCard({ run }: { run: Run }) {
   const Icon = ICONS[run.state];
   const state = run.passed ? work.passed : work.states[run.state];
   const facts = [
-    moment(run.started_at, new Date(), language.value, texts.value),
+    relativeDateAndTime(run.started_at, new Date(), language.value, texts.value),
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ];
   return (

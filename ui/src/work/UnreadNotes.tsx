@@ -2,7 +2,7 @@ import { Check, Mail, Play } from "lucide-preact";
 import type { Note } from "../api/model";
 import { versionsApi } from "../api/versions";
 import { language, texts } from "../i18n";
-import { when } from "../i18n/format";
+import { relativeTime } from "../i18n/format";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { useLoaded } from "../kit/requests/useLoaded";
@@ -31,7 +31,7 @@ export function UnreadNotes({ groupId }: { groupId: string }) {
 function Letter({ note, onAcknowledge }: { note: Note; onAcknowledge(): Promise<void> }) {
   const { archive: labels, work } = texts.value;
   const about = labels.noteAbout({ program: note.program_name ?? work.noName });
-  const written = when(note.written_at, new Date(), language.value, texts.value);
+  const written = relativeTime(note.written_at, new Date(), language.value, texts.value);
   return (
     <article class="letter card" data-testid="note-card">
       <Mail class="icon letter__icon" aria-hidden="true" />

@@ -10,9 +10,9 @@ import { clean, FINE, GRID } from "./geometry";
 import { nameOf } from "./labels";
 import {
   type AreaObject,
+  type FloorPlan,
   isArea,
   ofKind,
-  type Plan,
   type Start,
   type Wall,
   type WorldObject,
@@ -24,7 +24,7 @@ const { MAX_NAME, MAX_FLOOR_M, MIN_MOVABLE_SIDE_M, MIN_MOVABLE_KG, MAX_MOVABLE_K
 
 interface PanelProps<T> {
   store: EditorStore;
-  plan: Plan;
+  plan: FloorPlan;
   object: T;
 }
 
@@ -255,7 +255,7 @@ function squared(object: Flat): Flat {
 const across = (size: number): Range => ({ min: -size / 2, max: size / 2, step: GRID });
 
 /** Properties of the start pose, in the world frame. All other objects have coordinates in the start frame. */
-export function StartPanel({ store, plan }: { store: EditorStore; plan: Plan }) {
+export function StartPanel({ store, plan }: { store: EditorStore; plan: FloorPlan }) {
   const labels = texts.value.world;
   const number = (key: keyof Start, label: string, range: Range) => (
     <NumberField

@@ -9,11 +9,11 @@ import { Select } from "../kit/Select";
 import { worlds } from "../shell/session";
 import type { EditorStore } from "./editor_store";
 import { GRID } from "./geometry";
-import type { Plan } from "./plan";
+import type { FloorPlan } from "./plan";
 
 interface WorldPanelProps {
   store: EditorStore;
-  plan: Plan;
+  plan: FloorPlan;
   /** Null while the program has no world of its own to delete. */
   onForget: (() => void) | null;
   onExport(): void;

@@ -1,6 +1,6 @@
 import type { World } from "../api/model";
 import { type Area, areaOf } from "../scene/areas";
-import { type Kind, newId, ofKind, type Plan, type WorldObject } from "./plan";
+import { type FloorPlan, type Kind, newId, ofKind, type WorldObject } from "./plan";
 
 /** Lists of the document and the kind of object in each, in drawing order. */
 export const LISTS = { walls: "wall", boxes: "box", zones: "zone", floor: "paint" } as const;
@@ -9,7 +9,7 @@ type Point = [number, number];
 type Shape = { center: Point; size?: Point; heading_deg?: number; radius?: number };
 
 /** Converts a document that the server sent or validated to a plan. */
-export function planOf(world: World): Plan {
+export function planOf(world: World): FloorPlan {
   const { start } = world;
   return {
     name: world.name,
@@ -55,7 +55,7 @@ function boxOf(box: World["boxes"][number]): WorldObject {
 const xy = ([x, y]: readonly number[]) => ({ x: x ?? 0, y: y ?? 0 });
 
 /** The document of a plan, without empty optional lists. */
-export function documentOf(plan: Plan): World {
+export function documentOf(plan: FloorPlan): World {
   const { start } = plan;
   const zones = ofKind(plan, "zone").map(entryOf);
   const floor = ofKind(plan, "paint").map(entryOf);
@@ -98,7 +98,7 @@ function shapeOf(area: Area): Shape {
 }
 
 /** The subject of a fault: an object's id, "start", or null for the world itself. */
-export function aboutOf(plan: Plan, pointer: string): string | null {
+export function aboutOf(plan: FloorPlan, pointer: string): string | null {
   const [, list = "", index = ""] = pointer.split("/");
   if (list === "start") return "start";
   const kind: Kind | undefined = LISTS[list as keyof typeof LISTS];

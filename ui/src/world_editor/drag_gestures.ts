@@ -16,13 +16,13 @@ import {
   snapEnd,
 } from "./geometry";
 import {
+  addObject,
+  type FloorPlan,
   isArea,
   newId,
   objectOf,
-  type Plan,
-  plusObject,
+  replaceObject,
   type WorldObject,
-  withObject,
 } from "./plan";
 
 /** Drawing tools. */
@@ -38,10 +38,10 @@ export interface NextObjectOptions {
 }
 
 /** Returns the plan for the pointer at a point. `free`: rounds to centimetres, without grid and snapping. */
-export type DragGesture = (point: XY, free: boolean) => Plan;
+export type DragGesture = (point: XY, free: boolean) => FloorPlan;
 
 /** Drags an object, or the start, by the point at which it was pressed. */
-export function moving(plan: Plan, id: string, grip: XY): DragGesture {
+export function moving(plan: FloorPlan, id: string, grip: XY): DragGesture {
   const object = objectOf(plan, id);
   const anchor = object ? anchorOf(object) : plan.start;
   return (point, free) => {
@@ -51,7 +51,7 @@ export function moving(plan: Plan, id: string, grip: XY): DragGesture {
       y: snap(anchor.y + point.y - grip.y, step),
     };
     if (!object) return { ...plan, start: placed(plan, plan.start, goal, true) };
-    return withObject(plan, shifted(plan, object, goal.x - anchor.x, goal.y - anchor.y));
+    return replaceObject(plan, shifted(plan, object, goal.x - anchor.x, goal.y - anchor.y));
   };
 }
 
@@ -65,20 +65,20 @@ function anchorOf(object: WorldObject): XY {
 }
 
 /** Drags a handle: "from" and "to" of a wall, "0" to "3" for a rectangle's corners, "radius", "turn". */
-export function pulling(plan: Plan, id: string, handle: string): DragGesture {
+export function pulling(plan: FloorPlan, id: string, handle: string): DragGesture {
   const object = objectOf(plan, id);
   return (point, free) => {
     if (!object) return turned(plan, point, free);
-    return withObject(plan, pulled(plan, object, handle, point, free));
+    return replaceObject(plan, pulled(plan, object, handle, point, free));
   };
 }
 
-function turned(plan: Plan, point: XY, free: boolean): Plan {
+function turned(plan: FloorPlan, point: XY, free: boolean): FloorPlan {
   return { ...plan, start: { ...plan.start, heading: headingTo(plan.start, point, free) } };
 }
 
 function pulled(
-  plan: Plan,
+  plan: FloorPlan,
   object: WorldObject,
   handle: string,
   point: XY,
@@ -95,19 +95,24 @@ function pulled(
 }
 
 /** Draws an object of the tool from the point at which the pointer was pressed. */
-export function drawing(plan: Plan, tool: Tool, from: XY, options: NextObjectOptions): DragGesture {
+export function drawing(
+  plan: FloorPlan,
+  tool: Tool,
+  from: XY,
+  options: NextObjectOptions,
+): DragGesture {
   const id = newId();
   if (tool === "start") return starting(plan, from);
   if (tool === "wall") return walling(plan, id, from);
   return (point, free) => {
     const rectangle = between(insideRoom(plan, from), insideRoom(plan, point), free);
     if (rectangle.width < MIN_SIZE_M || rectangle.depth < MIN_SIZE_M) return plan;
-    return plusObject(plan, made(tool, id, rectangle, options));
+    return addObject(plan, made(tool, id, rectangle, options));
   };
 }
 
 /** Sets the start to the pressed point, facing the pointer. */
-function starting(plan: Plan, from: XY): DragGesture {
+function starting(plan: FloorPlan, from: XY): DragGesture {
   return (point, free) => {
     const start = placed(plan, plan.start, from, free);
     const away = Math.hypot(point.x - from.x, point.y - from.y);
@@ -117,7 +122,7 @@ function starting(plan: Plan, from: XY): DragGesture {
 
 const AIM_M = 0.3;
 
-function walling(plan: Plan, id: string, from: XY): DragGesture {
+function walling(plan: FloorPlan, id: string, from: XY): DragGesture {
   return (point, free) => {
     const start = snapEnd(plan, from, id, null, free);
     const wall = {
@@ -126,7 +131,7 @@ function walling(plan: Plan, id: string, from: XY): DragGesture {
       from: start,
       to: snapEnd(plan, point, id, start, free),
     };
-    return lengthOf(wall) < MIN_SIZE_M ? plan : plusObject(plan, wall);
+    return lengthOf(wall) < MIN_SIZE_M ? plan : addObject(plan, wall);
   };
 }
 
@@ -148,7 +153,7 @@ function made(
 const TAPPED = { box: 0.6, zone: 1, paint: 1 } as const;
 
 /** Places an object at a point, for a tap or a key. */
-export function tapped(plan: Plan, tool: Tool, at: XY, options: NextObjectOptions): Plan {
+export function tapped(plan: FloorPlan, tool: Tool, at: XY, options: NextObjectOptions): FloorPlan {
   if (tool === "select") return plan;
   if (tool === "start") return { ...plan, start: placed(plan, plan.start, at, false) };
   if (tool === "wall") {
@@ -165,14 +170,14 @@ export function tapped(plan: Plan, tool: Tool, at: XY, options: NextObjectOption
 }
 
 /** Adds a copy beside an object. */
-export function doubled(plan: Plan, object: WorldObject): [Plan, string] {
+export function doubled(plan: FloorPlan, object: WorldObject): [FloorPlan, string] {
   const id = newId();
   const copy = shifted(plan, { ...object, id }, 2 * GRID, -2 * GRID);
-  return [plusObject(plan, copy), id];
+  return [addObject(plan, copy), id];
 }
 
 /** The first letter, else number, that no zone has as its name. */
-export function freeName(plan: Plan): string {
+export function freeName(plan: FloorPlan): string {
   const usedNames = new Set(
     plan.objects.map((object) => (object.kind === "zone" ? object.name : "")),
   );
@@ -185,9 +190,9 @@ export function freeName(plan: Plan): string {
 }
 
 /** Moves an object, or the start, by metres. */
-export function nudged(plan: Plan, id: string, dx: number, dy: number): Plan {
+export function nudged(plan: FloorPlan, id: string, dx: number, dy: number): FloorPlan {
   const object = objectOf(plan, id);
-  if (object) return withObject(plan, shifted(plan, object, dx, dy));
+  if (object) return replaceObject(plan, shifted(plan, object, dx, dy));
   const { start } = plan;
   const goal = { x: clean(start.x + dx), y: clean(start.y + dy) };
   return { ...plan, start: placed(plan, start, goal, true) };

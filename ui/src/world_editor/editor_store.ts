@@ -16,21 +16,21 @@ import {
 } from "./drag_gestures";
 import { History } from "./history";
 import {
+  type FloorPlan,
   isOuter,
   objectOf,
-  type Plan,
+  removeObject,
+  replaceObject,
   resized,
   type Start,
   type WorldObject,
-  withObject,
-  withoutObject,
 } from "./plan";
 
 /** State of the world editor: the plan, the selection, and the history for undo. */
 export class EditorStore {
-  private readonly plan = signal<Plan>(EMPTY);
+  private readonly plan = signal<FloorPlan>(EMPTY);
   /** Preview of the plan during a drag. */
-  private readonly draft = signal<Plan | null>(null);
+  private readonly draft = signal<FloorPlan | null>(null);
   readonly shown = computed(() => this.draft.value ?? this.plan.value);
   readonly world = computed<World>(() => documentOf(this.shown.value));
   readonly document = computed<World>(() => documentOf(this.plan.value));
@@ -44,7 +44,7 @@ export class EditorStore {
   private readonly changes = signal(0);
   readonly canUndo = computed(() => this.changes.value >= 0 && this.history.canUndo);
   readonly canRedo = computed(() => this.changes.value >= 0 && this.history.canRedo);
-  private readonly history = new History<Plan>();
+  private readonly history = new History<FloorPlan>();
   private gesture: DragGesture | null = null;
 
   /** `before` is the world that this one replaces; the first undo restores it. */
@@ -82,7 +82,7 @@ export class EditorStore {
   }
 
   /** Commits a changed plan; see History for `stroke`. */
-  change(plan: Plan, stroke: string | null = null): void {
+  change(plan: FloorPlan, stroke: string | null = null): void {
     if (plan === this.plan.value) return;
     this.history.push(this.plan.value, stroke);
     this.put(plan);
@@ -143,7 +143,7 @@ export class EditorStore {
   }
 
   /** Commits a plan and selects its new object. */
-  private settle(plan: Plan): void {
+  private settle(plan: FloorPlan): void {
     batch(() => {
       const before = this.plan.value;
       const last = plan.objects.at(-1);
@@ -161,7 +161,7 @@ export class EditorStore {
     const { value: id } = this.selected;
     if (!objectOf(this.plan.value, id) || !id) return;
     batch(() => {
-      this.change(withoutObject(this.plan.value, id));
+      this.change(removeObject(this.plan.value, id));
       this.selected.value = null;
     });
   }
@@ -181,7 +181,7 @@ export class EditorStore {
     const plan = this.plan.value;
     const object = objectOf(plan, this.selected.value);
     if (!object) return;
-    const { objects } = withoutObject(plan, object.id);
+    const { objects } = removeObject(plan, object.id);
     this.change({ ...plan, objects: top ? [...objects, object] : [object, ...objects] });
   }
 
@@ -190,13 +190,14 @@ export class EditorStore {
     const object = objectOf(this.plan.value, this.selected.value);
     batch(() => {
       this.color.value = color;
-      if (object?.kind === "paint") this.change(withObject(this.plan.value, { ...object, color }));
+      if (object?.kind === "paint")
+        this.change(replaceObject(this.plan.value, { ...object, color }));
     });
   }
 
   /** Replaces an object by a copy with other properties. */
   alter(object: WorldObject, stroke: string | null = null): void {
-    this.change(withObject(this.plan.value, object), stroke);
+    this.change(replaceObject(this.plan.value, object), stroke);
   }
 
   setStart(start: Start, stroke: string | null = null): void {
@@ -219,12 +220,12 @@ export class EditorStore {
     this.back(this.history.redo(this.plan.value));
   }
 
-  private back(plan: Plan): void {
+  private back(plan: FloorPlan): void {
     this.cancel();
     if (plan !== this.plan.value) this.put(plan);
   }
 
-  private put(plan: Plan): void {
+  private put(plan: FloorPlan): void {
     batch(() => {
       this.plan.value = plan;
       this.changes.value++;
@@ -243,7 +244,7 @@ export class EditorStore {
   }
 }
 
-const EMPTY: Plan = {
+const EMPTY: FloorPlan = {
   name: "",
   title: "",
   width: 8,

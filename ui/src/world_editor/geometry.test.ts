@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { cornersOf } from "../scene/areas";
 import { corneredTo, headingTo, reachingTo, shifted, snap, snapEnd } from "./geometry";
-import { type Box, type Paint, type Plan, resized, type Wall } from "./plan";
+import { type Box, type FloorPlan, type Paint, resized, type Wall } from "./plan";
 
 const wall = (from: [number, number], to: [number, number], id = "w"): Wall => ({
   id,
@@ -24,7 +24,7 @@ const box = (over: Partial<Box> = {}): Box => ({
   ...over,
 });
 
-const plan = (...objects: Plan["objects"]): Plan => ({
+const plan = (...objects: FloorPlan["objects"]): FloorPlan => ({
   name: "own",
   title: "",
   width: 8,

@@ -2,8 +2,8 @@ import { CORNERS, cornersOf } from "../scene/areas";
 import type { XY } from "../scene/frames";
 import {
   type AreaObject,
+  type FloorPlan,
   isArea,
-  type Plan,
   type Start,
   type Wall,
   type WorldObject,
@@ -31,7 +31,7 @@ export const snapPoint = ({ x, y }: XY, step: number): XY => ({
   y: snap(y, step),
 });
 
-export function insideRoom(plan: Plan, { x, y }: XY, margin = 0): XY {
+export function insideRoom(plan: FloorPlan, { x, y }: XY, margin = 0): XY {
   const hold = (value: number, size: number) => {
     const limit = Math.max(0, size / 2 - margin);
     return Math.min(limit, Math.max(-limit, value));
@@ -40,7 +40,13 @@ export function insideRoom(plan: Plan, { x, y }: XY, margin = 0): XY {
 }
 
 /** Snaps the end of a wall: to the end of another wall, to a straight line from its other end, or to the grid. */
-export function snapEnd(plan: Plan, point: XY, own: string, other: XY | null, free: boolean): XY {
+export function snapEnd(
+  plan: FloorPlan,
+  point: XY,
+  own: string,
+  other: XY | null,
+  free: boolean,
+): XY {
   const held = insideRoom(plan, point);
   if (free) return snapPoint(held, FINE);
   const end = nearestEnd(plan, held, own);
@@ -48,7 +54,7 @@ export function snapEnd(plan: Plan, point: XY, own: string, other: XY | null, fr
   return snapPoint(other ? straightened(held, other) : held, GRID);
 }
 
-function nearestEnd(plan: Plan, point: XY, own: string): XY | null {
+function nearestEnd(plan: FloorPlan, point: XY, own: string): XY | null {
   let best: XY | null = null;
   let minDistance = END_M;
   for (const object of plan.objects) {
@@ -95,7 +101,12 @@ export function pointsOf(object: WorldObject): XY[] {
 }
 
 /** Shifts an object by metres, up to the edge of the floor. */
-export function shifted<T extends WorldObject>(plan: Plan, object: T, dx: number, dy: number): T {
+export function shifted<T extends WorldObject>(
+  plan: FloorPlan,
+  object: T,
+  dx: number,
+  dy: number,
+): T {
   const points = pointsOf(object);
   const across = heldShift(
     points.map(({ x }) => x),
@@ -156,7 +167,7 @@ export function headingTo(middle: XY, point: XY, free: boolean): number {
   return snapped <= -180 ? 180 : snapped;
 }
 
-export const placed = (plan: Plan, start: Start, point: XY, free: boolean): Start => ({
+export const placed = (plan: FloorPlan, start: Start, point: XY, free: boolean): Start => ({
   ...start,
   ...snapPoint(insideRoom(plan, point, ROBOT_M), free ? FINE : GRID),
 });

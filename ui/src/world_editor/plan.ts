@@ -6,27 +6,27 @@ import type { XY } from "../scene/frames";
 export type WorldObject = Wall | Box | Zone | Paint;
 export type Kind = WorldObject["kind"];
 
-interface One<K extends string> {
+interface ObjectBase<K extends string> {
   readonly id: string;
   readonly kind: K;
 }
 
-export interface Wall extends One<"wall"> {
+export interface Wall extends ObjectBase<"wall"> {
   readonly from: XY;
   readonly to: XY;
 }
 
-export interface Box extends One<"box">, Area {
+export interface Box extends ObjectBase<"box">, Area {
   readonly radius: null;
   readonly movable: boolean;
   readonly mass: number | null;
 }
 
-export interface Zone extends One<"zone">, Area {
+export interface Zone extends ObjectBase<"zone">, Area {
   readonly name: string;
 }
 
-export interface Paint extends One<"paint">, Area {
+export interface Paint extends ObjectBase<"paint">, Area {
   readonly color: string;
 }
 
@@ -37,7 +37,7 @@ export interface Start extends XY {
 }
 
 /** Immutable state of a world in the editor. */
-export interface Plan {
+export interface FloorPlan {
   readonly name: string;
   readonly title: World["title"];
   readonly width: number;
@@ -50,25 +50,25 @@ let counted = 0;
 export const newId = () => `thing-${++counted}`;
 
 /** The object with an id; null if there is none. */
-export const objectOf = (plan: Plan, id: string | null): WorldObject | null =>
+export const objectOf = (plan: FloorPlan, id: string | null): WorldObject | null =>
   plan.objects.find((object) => object.id === id) ?? null;
 
 export const isArea = (one: WorldObject): one is AreaObject => one.kind !== "wall";
 
-export const ofKind = (plan: Plan, kind: Kind): readonly WorldObject[] =>
+export const ofKind = (plan: FloorPlan, kind: Kind): readonly WorldObject[] =>
   plan.objects.filter((object) => object.kind === kind);
 
-export function withObject(plan: Plan, changed: WorldObject): Plan {
+export function replaceObject(plan: FloorPlan, changed: WorldObject): FloorPlan {
   const objects = plan.objects.map((object) => (object.id === changed.id ? changed : object));
   return { ...plan, objects };
 }
 
-export const plusObject = (plan: Plan, object: WorldObject): Plan => ({
+export const addObject = (plan: FloorPlan, object: WorldObject): FloorPlan => ({
   ...plan,
   objects: [...plan.objects, object],
 });
 
-export const withoutObject = (plan: Plan, id: string): Plan => ({
+export const removeObject = (plan: FloorPlan, id: string): FloorPlan => ({
   ...plan,
   objects: plan.objects.filter((object) => object.id !== id),
 });
@@ -76,7 +76,7 @@ export const withoutObject = (plan: Plan, id: string): Plan => ({
 const EDGE_M = 0.01;
 
 /** Whether an object is an outer wall: it follows the floor's size and cannot be dragged. */
-export function isOuter(plan: Plan, object: WorldObject): boolean {
+export function isOuter(plan: FloorPlan, object: WorldObject): boolean {
   if (object.kind !== "wall") return false;
   const { from, to } = object;
   const along = (a: number, b: number, reach: number) => Math.abs(Math.abs(a - b) - reach) < EDGE_M;
@@ -89,7 +89,7 @@ export function isOuter(plan: Plan, object: WorldObject): boolean {
 }
 
 /** Resizes the floor and its outer walls. */
-export function resized(plan: Plan, width: number, depth: number): Plan {
+export function resized(plan: FloorPlan, width: number, depth: number): FloorPlan {
   const stretch = ({ x, y }: XY): XY => ({
     x: (Math.sign(x) * width) / 2,
     y: (Math.sign(y) * depth) / 2,

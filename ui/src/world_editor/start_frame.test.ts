@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
-import type { Plan } from "./plan";
+import type { FloorPlan } from "./plan";
 import { fromStart, onFloor, reach } from "./start_frame";
 
-const plan = (x: number, y: number, heading: number): Plan => ({
+const plan = (x: number, y: number, heading: number): FloorPlan => ({
   ...{ name: "own", title: null as never, width: 8, depth: 6, objects: [] },
   start: { x, y, heading },
 });

@@ -1,6 +1,6 @@
 import { type StartPose, toStart, toWorld, type XY } from "../scene/frames";
 import { clean } from "./geometry";
-import type { Plan, Start } from "./plan";
+import type { FloorPlan, Start } from "./plan";
 
 /** Range and step of a number field. */
 export interface Range {
@@ -27,7 +27,7 @@ export function onFloor(start: Start, counted: XY): XY {
 }
 
 /** Range of the floor along an axis of the start frame, metres. */
-export function reach({ start, width, depth }: Plan, axis: "x" | "y", step: number): Range {
+export function reach({ start, width, depth }: FloorPlan, axis: "x" | "y", step: number): Range {
   const corners = [-1, 1].flatMap((right) =>
     [-1, 1].map((up) => fromStart(start, { x: (right * width) / 2, y: (up * depth) / 2 })[axis]),
   );

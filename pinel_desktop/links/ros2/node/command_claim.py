@@ -4,7 +4,7 @@ import uuid
 from collections import namedtuple
 
 import rclpy
-from drivers import WITHDRAWS_S, Claim, drivers
+from drivers import WITHDRAWAL_TIMEOUT_S, Claim, drivers
 
 # Discovery may report a publisher this long before the name of its node.
 NAMED_S = 0.5
@@ -60,7 +60,7 @@ class CommandClaim(Claim):
         if self._is_nameless:
             return NAMED_S
         is_pinel = holder.startswith(PINEL) and holder != self._node.get_name()
-        return WITHDRAWS_S if is_newcomer and is_pinel else 0.0
+        return WITHDRAWAL_TIMEOUT_S if is_newcomer and is_pinel else 0.0
 
     def problem(self):
         return RefusalError("robot_held", topic=self._command_topic, holder=self.holder() or "?")

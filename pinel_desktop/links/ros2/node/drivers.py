@@ -14,13 +14,13 @@ _LISTENING_S = 1.0
 # pause of this PC, its last poll may be outdated.
 _CLAIM_S, _CLAIM_POLLS = 0.3, 6
 # Another PINEL that starts later withdraws by itself within this time.
-WITHDRAWS_S = 3.0
+WITHDRAWAL_TIMEOUT_S = 3.0
 # A robot whose program restarts subscribes again within this time.
 UNMATCHED_TIMEOUT_S = 1.0
 # A robot without odometry for this time may not receive commands either.
 LOST_TIMEOUT_S = 0.5
 # At the end, such a robot is sent zeros for this time, in case its connection returns.
-LAST_S = 1.5
+FINAL_ZEROS_S = 1.5
 
 
 def drivers(publish: AbstractSet[T], listen: AbstractSet[T], report: AbstractSet[T]) -> set[T]:

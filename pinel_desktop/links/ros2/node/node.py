@@ -29,7 +29,7 @@ import time
 import rclpy
 import sensor_msgs.msg
 from command_claim import PINEL, CommandClaim, RefusalError
-from drivers import LAST_S, LOST_TIMEOUT_S, UNMATCHED_TIMEOUT_S
+from drivers import FINAL_ZEROS_S, LOST_TIMEOUT_S, UNMATCHED_TIMEOUT_S
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from inbox import Inbox
 from nav_msgs.msg import Odometry
@@ -92,10 +92,10 @@ class RobotConnection:
         """Searches the robot's topics and connects with them. Raises RefusalError and EndedError."""
         if self._drives:
             self._wait(self._claim.is_free, self._claim.problem)
-        self._type = self._found(
+        self._type = self._message_type(
             self._command_topic, COMMANDS, self._node.get_subscriptions_info_by_topic
         )
-        odometry = self._found(
+        odometry = self._message_type(
             self._odometry_topic, ODOMETRIES, self._node.get_publishers_info_by_topic
         )
         messages = self._messages
@@ -121,7 +121,7 @@ class RobotConnection:
     def _has_subscriber(self):
         return self._publisher.get_subscription_count() > 0
 
-    def _found(self, topic, known, endpoints):
+    def _message_type(self, topic, known, endpoints):
         """Waits for a topic's endpoints and returns the message type that the robot uses."""
         self._wait(lambda: endpoints(topic), lambda: self._missing(topic))
         types = [endpoint.topic_type for endpoint in endpoints(topic)]
@@ -175,8 +175,8 @@ class RobotConnection:
         self._publisher.publish(message)
 
     def send_last_zeros(self):
-        """Sends the last zeros. If the odometry has stopped, continues for up to `LAST_S`."""
-        due_s, n_sent = time.monotonic() + LAST_S, 0
+        """Sends the last zeros. If the odometry has stopped, continues for up to `FINAL_ZEROS_S`."""
+        due_s, n_sent = time.monotonic() + FINAL_ZEROS_S, 0
         while n_sent < N_LAST_ZEROS or (self._is_lost() and time.monotonic() < due_s):
             self.send(0.0, 0.0)
             n_sent += 1
@@ -232,7 +232,7 @@ class Sensors:
             for field, sensor, kinds in self.KINDS
             if configuration.get(field)
         ]
-        self._found, self._withdrawn = {}, set()
+        self._topics, self._withdrawn = {}, set()
 
     def poll(self):
         """Subscribes to new sensor topics, and reports topics that have no publisher any more."""
@@ -241,10 +241,10 @@ class Sensors:
             kind = next((kind for kind in kinds if self._is_published(topic, kind)), None)
             if kind is not None:
                 self._waiting.remove(row)
-                self._found[sensor] = topic
+                self._topics[sensor] = topic
                 self._subscribe(topic, kind)
                 self._outbox.put("offered", sensor, sensor=sensor)
-        for sensor, topic in self._found.items():
+        for sensor, topic in self._topics.items():
             if self._node.get_publishers_info_by_topic(topic):
                 self._withdrawn.discard(sensor)
             elif sensor not in self._withdrawn:

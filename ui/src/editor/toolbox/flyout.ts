@@ -29,16 +29,16 @@ class PinelFlyout extends Blockly.VerticalFlyout {
 
 /** The toolbox. Its flyout closes after each block, or is pinned open beside the workspace. */
 export class PinelToolbox extends Blockly.Toolbox {
-  private staying = false;
+  private pinned = false;
 
   /** Pins the flyout open, starting with the first category, or lets it close again. */
-  setStaying(staying: boolean): void {
-    if (staying === this.staying) return;
-    this.staying = staying;
+  setPinned(isPinned: boolean): void {
+    if (isPinned === this.pinned) return;
+    this.pinned = isPinned;
     const flyout = this.getFlyout();
-    if (!staying) this.setSelectedItem(null);
-    if (flyout instanceof PinelFlyout) flyout.setAutoClose(!staying);
-    if (staying) this.open(null);
+    if (!isPinned) this.setSelectedItem(null);
+    if (flyout instanceof PinelFlyout) flyout.setAutoClose(!isPinned);
+    if (isPinned) this.open(null);
   }
 
   /** Opens the first category if no category is open. */
@@ -47,7 +47,7 @@ export class PinelToolbox extends Blockly.Toolbox {
   }
 
   override clearSelection(): void {
-    if (!this.staying) super.clearSelection();
+    if (!this.pinned) super.clearSelection();
   }
 
   /** Replaces the categories; the open category stays open. */
@@ -55,7 +55,7 @@ export class PinelToolbox extends Blockly.Toolbox {
     const before = this.getSelectedItem()?.getId() ?? null;
     this.setSelectedItem(null);
     super.render(toolboxDef);
-    if (this.staying) this.open(before);
+    if (this.pinned) this.open(before);
   }
 
   private open(id: string | null): void {

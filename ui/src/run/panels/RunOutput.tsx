@@ -1,7 +1,7 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { texts } from "../../i18n";
 import type { RunView } from "../reducer";
-import { Talk } from "./Talk";
+import { Dialogue } from "./Dialogue";
 import { Watch } from "./Watch";
 
 interface RunOutputProps {
@@ -27,7 +27,7 @@ export function RunOutput({ view, more }: RunOutputProps) {
   if (talk.value.length === 0 && rows.length === 0) return null;
   return (
     <div class="shown row rigid gap-2">
-      {talk.value.length > 0 && <Talk lines={talk.value} />}
+      {talk.value.length > 0 && <Dialogue lines={talk.value} />}
       {rows.length > 0 && <Watch rows={rows} />}
     </div>
   );

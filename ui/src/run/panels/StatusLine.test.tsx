@@ -9,6 +9,6 @@ test.each([
   ["O programa terminou", "volta 2", "O programa terminou. volta 2"],
   ["Tudo pronto. Apertem Rodar.", "", "Tudo pronto. Apertem Rodar."],
 ])("%s and %s are read aloud as sentences", async (text, more, announcement) => {
-  const { getByRole } = render(<StatusLine sentence={{ text, more, tone: "calm" }} />);
+  const { getByRole } = render(<StatusLine sentence={{ text, detail: more, tone: "calm" }} />);
   await waitFor(() => expect(getByRole("status").textContent).toBe(announcement));
 });

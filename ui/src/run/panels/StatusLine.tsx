@@ -24,9 +24,9 @@ export function StatusLine({ sentence }: { sentence: Sentence }) {
       data-tone={sentence.tone}
     >
       <Icon class="icon status__icon" aria-hidden="true" />
-      <p class="status__words column shrinks" title={`${sentence.text} ${sentence.more}`.trim()}>
+      <p class="status__words column shrinks" title={`${sentence.text} ${sentence.detail}`.trim()}>
         <span class="status__text">{sentence.text}</span>
-        {sentence.more && <span class="status__more">{sentence.more}</span>}
+        {sentence.detail && <span class="status__more">{sentence.detail}</span>}
       </p>
       {sentence.part != null && (
         <span
@@ -41,7 +41,7 @@ export function StatusLine({ sentence }: { sentence: Sentence }) {
 }
 
 /** Both parts as sentences. */
-const spoken = ({ text, more }: Sentence) =>
+const spoken = ({ text, detail: more }: Sentence) =>
   [/[.!?…]$/.test(text) ? text : `${text}.`, more].join(" ").trim();
 
 function Spoken({ text }: { text: string }) {

@@ -10,5 +10,5 @@ export function robotSentence(): Sentence | null {
   if (!state || (state.state === "connected" && !state.holder)) return null;
   const { spoken, tip } = stateText(state);
   const isTrouble = state.code !== null || state.holder !== null || state.state === "silent";
-  return { text: spoken, more: tip, tone: isTrouble ? "notice" : "calm" };
+  return { text: spoken, detail: tip, tone: isTrouble ? "notice" : "calm" };
 }

@@ -1,7 +1,7 @@
 import { act, cleanup, fireEvent, render, waitFor } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { changed, hand, sightOf } from "../../camera/testing/camera_events";
-import { speak } from "../../i18n";
+import { setLanguage } from "../../i18n";
 import { passesAxe } from "../../kit/testing/control";
 
 const cameraApi = { status: vi.fn(), choose: vi.fn(), warmUp: vi.fn() };
@@ -169,8 +169,8 @@ describe("a program that waits for a sign", () => {
     act(() => receive(changed("failed", "camera_missing")));
     const trouble = await findByTestId("camera-trouble");
     expect(trouble.textContent).toContain("A câmera 1 não foi encontrada.");
-    await act(() => speak("en"));
+    await act(() => setLanguage("en"));
     expect(trouble.textContent).toContain("Camera 1");
-    await act(() => speak("pt-BR"));
+    await act(() => setLanguage("pt-BR"));
   });
 });

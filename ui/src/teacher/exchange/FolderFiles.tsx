@@ -2,7 +2,7 @@ import { HardDrive, Usb } from "lucide-preact";
 import type { FileFound, Folder } from "../../api/model";
 
 import { language, texts } from "../../i18n";
-import { when } from "../../i18n/format";
+import { relativeTime } from "../../i18n/format";
 import { size } from "./size";
 
 interface FolderFilesProps {
@@ -62,7 +62,7 @@ function FileRow({ file, isChosen, onToggle }: FileRowProps) {
         <span class="exchange__about">
           {labels.file({
             size: size(file.size_bytes, language.value),
-            when: when(file.modified_at, new Date(), language.value, texts.value),
+            when: relativeTime(file.modified_at, new Date(), language.value, texts.value),
           })}
         </span>
       </label>

@@ -1,6 +1,6 @@
 import type { KnownComputerList } from "../../api/model";
 import { language, texts } from "../../i18n";
-import { when } from "../../i18n/format";
+import { relativeTime } from "../../i18n/format";
 import { usePolling } from "../../kit/usePolling";
 import { Unconfirmed } from "./Unconfirmed";
 
@@ -16,7 +16,7 @@ export function KnownComputers({ knownComputers, onAgain }: KnownComputersProps)
   usePolling(onAgain, { isOn: unconfirmed.waiting > 0 });
   const labels = texts.value.exchange;
   const now = new Date();
-  const at = (iso: string) => when(iso, now, language.value, texts.value);
+  const at = (iso: string) => relativeTime(iso, now, language.value, texts.value);
   return (
     <section class="panel card" aria-labelledby="exchange-heard">
       <h2 id="exchange-heard">{labels.heard}</h2>

@@ -1,6 +1,6 @@
 import type { KnownComputerList } from "../../api/model";
 import { language, texts } from "../../i18n";
-import { when } from "../../i18n/format";
+import { relativeTime } from "../../i18n/format";
 import { Button } from "../../kit/Button";
 import { counted } from "./outcome";
 
@@ -14,7 +14,7 @@ interface UndecidedProps {
 export function Undecided({ deletions, onAsk }: UndecidedProps) {
   const labels = texts.value.exchange;
   if (deletions.length === 0) return null;
-  const at = (iso: string) => when(iso, new Date(), language.value, texts.value);
+  const at = (iso: string) => relativeTime(iso, new Date(), language.value, texts.value);
   return (
     <div class="notice-box exchange__undecided" data-testid="undecided">
       <strong>{labels.undecided.title}</strong>

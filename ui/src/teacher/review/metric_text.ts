@@ -1,8 +1,8 @@
 import { language } from "../../i18n";
 import type { Message } from "../../i18n/message";
-import { figureText } from "../../i18n/reasons";
+import { knownMetricText } from "../../i18n/reasons";
 
 /** Text of a metric from the server's catalogue, which the exported table uses too. */
 export function metricText(name: string): Message {
-  return figureText(name, language.value) ?? { message: name, remedy: "" };
+  return knownMetricText(name, language.value) ?? { message: name, remedy: "" };
 }

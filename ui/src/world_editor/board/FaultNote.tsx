@@ -1,6 +1,6 @@
 import { TriangleAlert } from "lucide-preact";
 import type { EditorStore } from "../editor_store";
-import { objectOf, type Plan } from "../plan";
+import { type FloorPlan, objectOf } from "../plan";
 import type { View } from "./board_view";
 import { onBoard, spanOf } from "./outline";
 
@@ -37,7 +37,7 @@ export function FaultNote({ store, view }: { store: EditorStore; view: View }) {
   );
 }
 
-function startSpan(view: View, plan: Plan) {
+function startSpan(view: View, plan: FloorPlan) {
   const { x, y } = onBoard(view, plan.start);
   return { x, top: y, bottom: y };
 }

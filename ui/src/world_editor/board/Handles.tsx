@@ -2,7 +2,7 @@ import { cornersOf } from "../../scene/areas";
 import type { XY } from "../../scene/frames";
 import type { EditorStore } from "../editor_store";
 import { turnedBy } from "../geometry";
-import { type AreaObject, isArea, objectOf, type Plan, type WorldObject } from "../plan";
+import { type AreaObject, type FloorPlan, isArea, objectOf, type WorldObject } from "../plan";
 import type { View } from "./board_view";
 import { onBoard } from "./outline";
 
@@ -40,7 +40,7 @@ export function Handles({ store, view }: { store: EditorStore; view: View }) {
   );
 }
 
-function handlesOf(plan: Plan, selected: string | null, view: View): Handle[] {
+function handlesOf(plan: FloorPlan, selected: string | null, view: View): Handle[] {
   const object = objectOf(plan, selected);
   if (object) return handlesOfObject(object, view);
   if (selected !== "start") return [];

@@ -1,6 +1,6 @@
 import type { GroupReview } from "../../../api/model";
 import { texts } from "../../../i18n";
-import type { TimelineIndex } from "../marks/timeline_texts";
+import type { TimelineIndex } from "../timeline_events/timeline_texts";
 import { BlockChips } from "./BlockChips";
 import { HintsRead } from "./HintsRead";
 import { RunRow } from "./RunRow";

@@ -5,9 +5,9 @@ import { hintsRead } from "../../../i18n/phrases";
 import { Button } from "../../../kit/Button";
 import { rove } from "../../../kit/roving";
 import { roundDuration } from "../../time_format";
-import { hideTip, showTip } from "../marks/tip";
 import { metricText } from "../metric_text";
 import type { MetricName } from "../model";
+import { hideTip, showTip } from "../timeline_events/tip";
 
 export const METRICS: readonly MetricName[] = [
   "n_edits",

@@ -10,10 +10,15 @@ import { Loaded } from "../../../kit/requests/Loaded";
 import { useLoaded } from "../../../kit/requests/useLoaded";
 import { hashOf } from "../../../shell/route";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
-import { changeTexts, facts, runTitle, type TimelineIndex } from "../marks/timeline_texts";
-import { differenceOf } from "../marks/version_differences";
 import { outcomeOf } from "../model";
 import { OutcomeIcon } from "../OutcomeIcon";
+import {
+  changeTexts,
+  facts,
+  runTitle,
+  type TimelineIndex,
+} from "../timeline_events/timeline_texts";
+import { differenceOf } from "../timeline_events/version_differences";
 
 interface RunRowProps {
   mark: ReviewMark;

@@ -2,7 +2,7 @@ import { type Signal, useSignal } from "@preact/signals";
 import type { Note } from "../../../api/model";
 import { reviewApi } from "../../../api/review";
 import { language, texts } from "../../../i18n";
-import { when } from "../../../i18n/format";
+import { relativeTime } from "../../../i18n/format";
 import { report } from "../../../kit/report";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
 import { draftOf, storeDraft } from "./note_draft";
@@ -72,7 +72,9 @@ export function stateText({ note, text, state, changed }: NoteEditor): string {
   if (state.value === "deleted") return labels.deleted;
   if (!note.value) return labels.help;
   const read = note.value.seen_at
-    ? labels.seen({ when: when(note.value.seen_at, new Date(), language.value, texts.value) })
+    ? labels.seen({
+        when: relativeTime(note.value.seen_at, new Date(), language.value, texts.value),
+      })
     : labels.unseen;
   return `${labels.saved}. ${read}`;
 }

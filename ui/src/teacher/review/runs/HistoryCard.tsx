@@ -1,7 +1,7 @@
 import type { Signal } from "@preact/signals";
 import type { HistoryRun } from "../../../api/model";
 import { language, texts } from "../../../i18n";
-import { duration, moment } from "../../../i18n/format";
+import { duration, relativeDateAndTime } from "../../../i18n/format";
 import { GroupPicture } from "../../../kit/pictures/GroupPicture";
 import { RobotName } from "../../../run/real/RobotName";
 import { PathPicture } from "../../../scene/small/PathPicture";
@@ -34,7 +34,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
   const outcome = outcomeOf(run);
   const name = run.program_name ?? work.noName;
   const facts = [
-    moment(run.started_at, new Date(), language.value, texts.value),
+    relativeDateAndTime(run.started_at, new Date(), language.value, texts.value),
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ].filter(Boolean);
   const place = [worldLabel(run.world, texts.value, language.value), lesson]

@@ -5,11 +5,11 @@ import { rove } from "../../../kit/roving";
 import { hashOf } from "../../../shell/route";
 import { roundDuration, timeOfDay } from "../../time_format";
 import { shortDay } from "../days";
-import { type TimelineIndex, textOf } from "../marks/timeline_texts";
-import { hideTip, isTipOf, showTip, TIP_ID, tip } from "../marks/tip";
-import { differenceOf } from "../marks/version_differences";
 import { outcomeOf } from "../model";
 import { OutcomeIcon } from "../OutcomeIcon";
+import { type TimelineIndex, textOf } from "../timeline_events/timeline_texts";
+import { hideTip, isTipOf, showTip, TIP_ID, tip } from "../timeline_events/tip";
+import { differenceOf } from "../timeline_events/version_differences";
 import { barHeight, type PlacedEvent, type Tick, type TimelineLayout } from "./timeline_layout";
 
 /** Vertical position of the base line, and total height; pixels, as in lesson.css. */

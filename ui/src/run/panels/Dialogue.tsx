@@ -16,7 +16,7 @@ const ICONS = {
 const AT_END_PX = 48;
 
 /** The dialogue: messages and questions of the robot, answers of the group; the newest line is in view. */
-export function Talk({ lines }: { lines: readonly Line[] }) {
+export function Dialogue({ lines }: { lines: readonly Line[] }) {
   const { show } = texts.value;
   const list = useRef<HTMLDivElement>(null);
   const atEnd = useRef(true);
@@ -45,14 +45,14 @@ export function Talk({ lines }: { lines: readonly Line[] }) {
     >
       <ol>
         {lines.map((line) => (
-          <TalkLine key={line.number} line={line} />
+          <DialogueLine key={line.number} line={line} />
         ))}
       </ol>
     </div>
   );
 }
 
-function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
+function DialogueLine({ line: { kind, text, tick } }: { line: Line }) {
   const Icon = ICONS[kind];
   return (
     <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid="talk-line">
