@@ -2,6 +2,7 @@
 
 The catalogue has the form of i18next JSON v4: `{{name}}` is a placeholder, `runs_one` and `runs_other` are the forms of
 a plural. Portuguese is the source. Every language needs its keys, its placeholders, and the plural forms of its rule.
+Every key must be used by the code.
 """
 
 import json
@@ -16,13 +17,17 @@ from pinel_desktop import messages
 _ROOT = Path(__file__).parents[1]
 _CATALOGUE = _ROOT / "pinel_desktop" / "messages" / "catalogue"
 _TYPES = _ROOT / "ui" / "src" / "i18n" / "catalogue_types.ts"
+_SOURCES = ("pinel_desktop", "storage", "sim", "ui/src")
 _PLACEHOLDER = re.compile(r"\{\{(\w+)(?:, number)?\}\}")
+# Words, and the beginnings and ends of keys that a string contains: "check_{kind}", "_too_many".
+_WORD = re.compile(r"""(?<=[}"`])_\w+|\w+_(?=[{"`$])|\b[^\W_]\w*""")
 _PLURAL = re.compile(r"(.+)_(zero|one|two|few|many|other)")
 
 
 def main() -> int:
-    """Returns 1 if a language lacks something, after it has printed what."""
+    """Returns 1 if a language lacks something or a key is unused, after it has printed what."""
     found = [fault for language in messages.LANGUAGES for fault in faults(language)]
+    found += [f"“{key}” is used nowhere" for key in unused()]
     print("\n".join(found), file=sys.stderr, end="\n" if found else "")
     types = _typescript()
     if not _TYPES.exists() or _TYPES.read_text("utf-8") != types:
@@ -46,6 +51,47 @@ def faults(language: str, folder: Path = _CATALOGUE) -> list[str]:
         )
         found += [f"{language}/{name}: {fault}" for fault in _differences(wanted, given, language)]
     return found
+
+
+def unused(folder: Path = _CATALOGUE) -> list[str]:
+    """Returns the keys of the source language whose name no source file contains.
+
+    A key that the code builds counts as used if a string has its beginning or its end: "check_{kind}" or "_too_many".
+    """
+    source, words = folder / messages.SOURCE_LANGUAGE, _words_of_sources()
+    paths = [
+        (file, path)
+        for file in (*source.glob("*.json"), *source.glob("page/*.json"))
+        if file.name != "language.json"
+        for path in (_forms(_read(file)) if file.parent.name == "page" else _read(file))
+    ]
+    found = [(file, path) for file, path in paths if not _names(path) & words]
+    return sorted(f"{file.relative_to(source).as_posix()}: {path}" for file, path in found)
+
+
+def _words_of_sources() -> set[str]:
+    files = [path for top in _SOURCES for path in (_ROOT / top).rglob("*.*")]
+    code = [
+        path
+        for path in files
+        if (path.suffix in {".py", ".ts", ".tsx"} or path.parent.name == "worlds")
+        and not path.name.endswith((".test.ts", ".test.tsx"))
+        and path not in {_TYPES, _ROOT / "ui" / "src" / "api" / "types.ts"}
+    ]
+    return {word for path in code for word in _WORD.findall(path.read_text("utf-8"))}
+
+
+def _names(path: str) -> set[str]:
+    """Returns the words of which one stands in the code if it uses the key."""
+    part, *_, name = [path, *(step for step in path.split(".") if not step.isdigit())]
+    if part.startswith("editor."):  # Blockly's own keys
+        return {"Blockly"}
+    if part.startswith("blocks."):  # "COLOUR_BLUE" belongs to blue, "MOVE_TIP" to move
+        whole = name.removesuffix("_TIP")
+        return {name, whole.lower(), whole.partition("_")[2].lower()}
+    cuts = [at for at, letter in enumerate(name) if letter == "_"]
+    built = {name[: at + 1] for at in cuts} | {name[at:] for at in cuts}
+    return {name, name.removesuffix("Help"), *built} - {"_", ""}
 
 
 def _differences(

@@ -64,3 +64,25 @@ def test_each_key_of_the_page_is_in_one_file(language: str) -> None:
     ]
     keys = [key for area in areas for key in area]
     assert sorted(keys) == sorted(set(keys))
+
+
+def test_every_key_is_used() -> None:
+    assert catalogue.unused() == []
+
+
+def test_an_unused_key_is_named(folder: Path) -> None:
+    for name, text in (
+        ("run.json", '"unneeded_words": {},'),
+        ("page/page.json", '"unneeded": "",'),
+    ):
+        file = folder / "pt-BR" / name
+        file.write_text(file.read_text("utf-8").replace("{", "{" + text, 1), "utf-8")
+    assert catalogue.unused(folder) == ["page/page.json: unneeded", "run.json: unneeded_words"]
+
+
+def test_every_search_term_belongs_to_a_block() -> None:
+    blocks, terms = (
+        json.loads((FOLDER / "pt-BR" / "page" / name).read_text("utf-8"))
+        for name in ("blocks.json", "search_terms.json")
+    )
+    assert {kind.upper() for kind in terms["searchTerms"]} <= set(blocks["blocks"])

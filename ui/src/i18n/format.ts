@@ -18,6 +18,12 @@ export function decimal(value: number, digits: number, language: Language): stri
   return format.format(value).replace("-", "\u2212");
 }
 
+/** What separates the decimals of a number. */
+export const decimalPoint = (language: Language) => decimal(0.5, 1, language).charAt(1);
+
+/** What separates numbers in a list or a table: a semicolon where numbers have a decimal comma. */
+export const listSeparator = (language: Language) => (decimalPoint(language) === "," ? ";" : ",");
+
 /** A number as people of the language write it, without trailing zeros and without the digits that no pupil measures. */
 export function formatNumber(value: number, language: Language): string {
   const digits = { ...sensibleDigits(value), useGrouping: false };

@@ -1,4 +1,5 @@
 import type { Language, Texts } from "../i18n";
+import { decimalPoint, listSeparator } from "../i18n/format";
 import type { Samples } from "../run/samples";
 import { linesOf, TIME_PLOTS, times } from "./plots";
 
@@ -12,13 +13,13 @@ interface TableColumn {
 }
 
 /**
- * The measurements of a run as CSV, which a spreadsheet opens with a double click. Spreadsheets in
- * Portuguese and Spanish expect decimal commas and semicolons between columns; in English, points
- * and commas. One row per sample, 30 per second, in metres, degrees and seconds, as on blocks.
+ * The measurements of a run as CSV, which a spreadsheet opens with a double click. Spreadsheets
+ * expect the decimal point and the list separator of the language. One row per sample, 30 per
+ * second, in metres, degrees and seconds, as on blocks.
  */
 export function csvOf(samples: Samples, texts: Texts, language: Language): string {
-  const comma = language === "en" ? "," : ";";
-  const point = language === "en" ? "." : ",";
+  const comma = listSeparator(language);
+  const point = decimalPoint(language);
   const columns = tableOf(samples, texts);
   const cell = ({ values, digits }: TableColumn, row: number) => {
     const value = values[row] ?? Number.NaN;

@@ -1,5 +1,5 @@
 import type { Language, Texts } from "../i18n";
-import { formatNumber } from "../i18n/format";
+import { formatNumber, listSeparator } from "../i18n/format";
 
 const NUMBER = /^-?\d+(\.\d+)?(e[-+]?\d+)?$/;
 const NUMBER_INSIDE = /(^|[^\p{L}\d.,])(-?\d+\.\d+(?:e[-+]?\d+)?)(?![\p{L}\d]|[.,]\d)/gu;
@@ -26,7 +26,7 @@ export function localizeNumbers(text: string, language: Language): string {
 const isWrittenByProgram = (text: string) =>
   NUMBER.test(text) && (text.includes("e") || String(Number(text)) === text);
 
-const separatorIn = (language: Language) => (language === "en" ? ", " : "; ");
+const separatorIn = (language: Language) => `${listSeparator(language)} `;
 
 /** Formats a program's value for the watch panel: texts in quotes, numbers in the language's format. */
 export function valueText(value: unknown, texts: Texts, language: Language): string {
