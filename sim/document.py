@@ -60,7 +60,7 @@ class _Part(BaseModel):
 
 
 class Languages(_Part):
-    """One text in Portuguese, English and Spanish, and in any further language by its tag."""
+    """One text in Portuguese, and in any further language by its tag."""
 
     model_config = ConfigDict(
         extra="allow", json_schema_extra={"propertyNames": {"pattern": _TAG.pattern}}
@@ -68,8 +68,6 @@ class Languages(_Part):
 
     __pydantic_extra__: dict[LanguageTag, _Text] = Field(init=False)
     pt_br: Annotated[_Text, Field(alias="pt-BR")]
-    en: _Text
-    es: _Text
 
 
 class Start(_Part):

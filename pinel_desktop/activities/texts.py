@@ -17,7 +17,7 @@ class Model(BaseModel):
 
 
 class Title(Model):
-    """A title in each language."""
+    """A title in Portuguese, and in further languages by their tags."""
 
     model_config = ConfigDict(extra="allow", populate_by_name=True)
 
@@ -25,8 +25,6 @@ class Title(Model):
         init=False
     )
     pt_br: Annotated[str, Field(alias="pt-BR", max_length=_MAX_TITLE)]
-    en: Annotated[str, Field(max_length=_MAX_TITLE)]
-    es: Annotated[str, Field(max_length=_MAX_TITLE)]
 
     def of(self, language: str) -> str:
         """Returns the text in a language; in Portuguese if the language is missing."""
@@ -35,11 +33,9 @@ class Title(Model):
 
 
 class Texts(Title):
-    """A text in each language."""
+    """A text in Portuguese, and in further languages by their tags."""
 
     __pydantic_extra__: dict[LanguageTag, Annotated[str, Field(max_length=_MAX_TEXT)]] = Field(
         init=False
     )
     pt_br: Annotated[str, Field(alias="pt-BR", max_length=_MAX_TEXT)]
-    en: Annotated[str, Field(max_length=_MAX_TEXT)]
-    es: Annotated[str, Field(max_length=_MAX_TEXT)]

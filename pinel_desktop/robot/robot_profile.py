@@ -11,6 +11,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import LANGUAGES, describe
 from pinel_desktop.robot.geometry import Pose2D
 from pinel_desktop.robot.models import RobotModel
 
@@ -55,7 +56,7 @@ class Room(BaseModel):
         return {
             "pinel_world": 1,
             "name": ROOM,
-            "title": {"pt-BR": "Sala de verdade", "en": "Real room", "es": "Sala real"},
+            "title": {tag: describe("review_room", {}, tag).message for tag in LANGUAGES},
             "size_m": [self.width_m, self.depth_m],
             "start": {"x_m": self.x_m, "y_m": self.y_m, "heading_deg": self.heading_deg},
             "walls": [{"from": a, "to": b} for a, b in edges],

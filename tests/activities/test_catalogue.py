@@ -76,7 +76,7 @@ def test_there_are_twenty_five_in_four_paths_and_the_game() -> None:
 @pytest.mark.parametrize("name", activity_names())
 def test_it_stands_in_the_docs_with_its_place(name: str) -> None:
     one = choose_activity(name)
-    row = f"| {one.number} | `{name}` | {one.title.en} | `{one.world}` | {one.level} | {len(one.cases)} |"
+    row = f"| {one.number} | `{name}` | {one.title.of('en')} | `{one.world}` | {one.level} | {len(one.cases)} |"
     assert row in DOCS.read_text("utf-8")
 
 
@@ -93,7 +93,9 @@ def test_it_tells_all_that_a_group_needs_in_every_language(name: str) -> None:
     for localized in (activity.story, activity.criteria, activity.question, *activity.hints):
         assert localized is not None
         assert set(localized.model_dump(by_alias=True)) == set(LANGUAGES)
-        assert not any('"' in text or "'" in text for text in (localized.pt_br, localized.es))
+        assert not any(
+            '"' in text or "'" in text for text in (localized.of("pt-BR"), localized.of("es"))
+        )
 
 
 @pytest.mark.parametrize("name", activity_names())

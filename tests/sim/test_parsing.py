@@ -52,7 +52,7 @@ def test_every_world_that_ships_is_read_without_faults(document: dict[str, Any])
 def test_a_document_is_read_into_walls_boxes_zones_and_paint() -> None:
     reading = read(
         world(
-            title={"pt-BR": "Sala", "en": "Room", "es": "Sala", "fr": "Salle"},
+            title={"pt-BR": "Sala", "fr": "Salle"},
             walls=[wall(-1, 1, 1, 1)],
             boxes=[{**BOX, "heading_deg": 90, "movable": True, "mass_kg": 3}],
             zones=[{"name": "A", **DISC}],

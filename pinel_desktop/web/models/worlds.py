@@ -11,14 +11,12 @@ Metres2 = tuple[float, float]
 
 
 class Title(ResponseModel):
-    """A title in each language."""
+    """A title in Portuguese, and in further languages by their tags."""
 
     model_config = ConfigDict(extra="allow", populate_by_name=True)
 
     __pydantic_extra__: dict[str, str] = Field(init=False)
     pt_br: Annotated[str, Field(alias="pt-BR")]
-    en: str
-    es: str
 
 
 class Start(ResponseModel):
