@@ -9,7 +9,7 @@ const TEXTS = /^\0virtual:texts\/([\w-]+)\/(start|lazy)$/;
 /** Areas of the page that are fetched with the first part that is loaded lazily. All others are needed at the start. */
 const LAZY = ["camera", "exchange", "help", "plan", "review", "teacher"];
 /** Files with messages of the server that the page needs too, by their properties in `Texts`. */
-const MESSAGES = {
+const SERVER_MESSAGES = {
   start: { reasons: ["program", "robots", "run"] },
   lazy: { cameraProblems: ["camera", "gestures"], figures: ["review"] },
 };
@@ -61,7 +61,7 @@ function moduleOf(tag: string, part: "start" | "lazy"): string {
   const names = readdirSync(`${CATALOGUE}/${tag}/page`).map((file) => file.replace(/\.json$/, ""));
   const areas = names.filter((name) => LAZY.includes(name) === (part === "lazy"));
   const { editor, ...texts } = merged(areas.map((area) => `${tag}/page/${area}`));
-  const messages = Object.entries(MESSAGES[part]).map(([name, files]) => {
+  const messages = Object.entries(SERVER_MESSAGES[part]).map(([name, files]) => {
     const content = merged(files.map((file) => `${tag}/${file}`));
     return `${name}: ${JSON.stringify(content)}`;
   });

@@ -65,6 +65,7 @@ export function Scene({ world, robot, view, poseAt, whole, companion, hold, play
       effect(() => scene.setView(view.value, whole?.value)),
       effect(() => {
         theme.value;
+        language.value; // of the names of places
         scene.setTheme();
       }),
       effect(() => scene.setMovable(hold?.grip.value.isAtStart ?? false)),

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import type { World } from "../api/model";
+import { setLanguage } from "../i18n";
 import type { Colours } from "./colours";
 import { drawPaint, drawZones } from "./ground";
 import { contrast, paintOf } from "./paints";
@@ -103,6 +104,29 @@ test("the name of a small area is as high as can be read, and does not meet the 
   expect(heights(zone("biblioteca", 0), zone("escola", 0, 3))).toEqual([13, 13]);
   expect(heights(zone("biblioteca", 0), zone("escola", 1))).toEqual([5, 9]);
 });
+
+test("a place has its name in every language, and below it what that means", async () => {
+  const lines = () => {
+    const written: string[] = [];
+    const ctx = new Proxy({} as Record<string, unknown>, {
+      get: (_, key: string) => {
+        if (key === "measureText") return () => ({ width: 20 });
+        return (text: string) => key === "fillText" && written.push(text);
+      },
+      set: () => true,
+    });
+    const zones = [zoneNamed("padaria"), zoneNamed("A1")];
+    const world = { zones } as unknown as World;
+    drawZones(ctx as unknown as CanvasRenderingContext2D, world, COLOURS, 0.01);
+    return written;
+  };
+  expect(lines()).toEqual(["padaria", "A1"]);
+  await setLanguage("en");
+  expect(lines()).toEqual(["padaria", "bakery", "A1"]);
+  await setLanguage("pt-BR");
+});
+
+const zoneNamed = (name: string) => ({ name, center: [0, 0], size: [1, 1], radius: null });
 
 /** Height in px of the letters of each name, rounded. */
 function letterHeights(zones: object[], pixel: number): number[] {

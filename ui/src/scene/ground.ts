@@ -1,4 +1,5 @@
 import type { World } from "../api/model";
+import { texts } from "../i18n";
 import { areaOf, trace } from "./areas";
 import type { Colours } from "./colours";
 import { edgeOf, paintOf } from "./paints";
@@ -39,7 +40,10 @@ function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
   return layers;
 }
 
-/** Draws zones as dashed outlines with the name in the centre, legible on any paint. */
+/**
+ * Draws zones as dashed outlines with the name in the centre, legible on any paint. Programs use the name, so it stands
+ * there in every language; a translation that the catalogue has stands below it.
+ */
 export function drawZones(ctx: Ctx, world: World | null, colours: Colours, pixel: number): void {
   const zones = world?.zones ?? [];
   ctx.save();
@@ -64,6 +68,9 @@ const READABLE_PX = 13;
 /** Width of the halo around the letters of a name, in the floor's colour, as a fraction of their height. */
 const HALO_PART = 0.12;
 
+/** Height of a line of text, as a fraction of the letters' height. */
+const LINE_PART = 1.1;
+
 type Zone = World["zones"][number];
 
 /** Maximum width of a name, in metres, without overlapping the name of a neighbouring zone. */
@@ -75,9 +82,26 @@ function widthBeside(zone: Zone, zones: readonly Zone[]): number {
   return NAME_PART * Math.min(...gaps, Number.MAX_VALUE);
 }
 
-function drawName(
+function drawName(ctx: Ctx, zone: Zone, maxWidth: number, colours: Colours, pixel: number): void {
+  const lines = [zone.name, ...translation(zone.name)];
+  lines.forEach((line, index) => {
+    const below = index - (lines.length - 1) / 2;
+    drawLine(ctx, line, zone, below, maxWidth, colours, pixel);
+  });
+}
+
+/** The name of a place in the language of the page, if it is another word. */
+function translation(name: string): readonly string[] {
+  const known = new Map<string, string>(Object.entries(texts.peek().places)).get(name) ?? name;
+  return known === name ? [] : [known];
+}
+
+/** Draws a line of text in a zone's centre, `below` line heights below it. */
+function drawLine(
   ctx: Ctx,
+  line: string,
   zone: Zone,
+  below: number,
   maxWidth: number,
   { font, ink, tile }: Colours,
   pixel: number,
@@ -86,18 +110,19 @@ function drawName(
   ctx.save();
   ctx.translate(x, y);
   ctx.scale(0.01, -0.01); // fonts below one pixel render badly
-  ctx.font = `700 ${NAME_M * 100}px ${font}`;
-  const width = ctx.measureText(zone.name).width / 100;
+  ctx.font = `${below > 0 ? 400 : 700} ${NAME_M * 100}px ${font}`;
+  const width = ctx.measureText(line).width / 100;
   const inside = Math.min(1, (NAME_PART * areaOf(zone).width) / width);
   const readable = Math.min((READABLE_PX * pixel) / NAME_M, maxWidth / width);
   const fit = Math.max(inside, readable);
   ctx.scale(fit, fit);
+  const down = below * LINE_PART * NAME_M * 100;
   // no ink contrasts enough with all paints of a theme, but the ink contrasts with the floor
   ctx.strokeStyle = tile;
   ctx.lineWidth = 2 * HALO_PART * NAME_M * 100;
   ctx.lineJoin = "round";
-  ctx.strokeText(zone.name, 0, 0);
+  ctx.strokeText(line, 0, down);
   ctx.fillStyle = ink;
-  ctx.fillText(zone.name, 0, 0);
+  ctx.fillText(line, 0, down);
   ctx.restore();
 }
