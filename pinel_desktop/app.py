@@ -345,7 +345,8 @@ class App:
     def _publish_notice(self, problem: Problem | None, well_again: str) -> None:
         code, params = (problem.code, problem.params) if problem else (well_again, {})
         text = describe(code, params, self._settings.language)
-        self._hub.publish(Notice(code=code, message=text.message, remedy=text.remedy).to_wire())
+        event = Notice(code=code, message=text.message, remedy=text.remedy, details=text.details)
+        self._hub.publish(event.to_wire())
 
 
 def _read_document(document: dict[str, object] | list[object]) -> "ParseResult":

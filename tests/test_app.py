@@ -129,7 +129,7 @@ def test_the_app_starts_with_a_damaged_database_and_says_so(
     found = status_of(app)["database"]
     assert (found["writable"], found["notice"]["code"]) == (True, "database_set_aside")
     (aside,) = database.parent.glob("pinel.damaged-*.db")
-    assert aside.name in found["notice"]["remedy"]
+    assert aside.name in found["notice"]["details"]
 
 
 def test_the_app_starts_without_a_usable_database_and_keeps_nothing(

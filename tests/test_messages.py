@@ -194,6 +194,21 @@ def test_pupils_are_spoken_to_as_a_group(language: str) -> None:
     assert [text for text in remedies if TO_ONE[language].search(text)] == []
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_only_a_technician_can_do_stands_apart(language: str) -> None:
+    told = {
+        code: part(texts, "remedy")
+        for code, texts in catalogue(language).items()
+        if "details" in texts
+    }
+    assert len(told) > 20
+    technical = re.compile(r"\{\{(?:path|folder|name|problem)\}\}|--|\bpinel [a-z]")
+    assert {code: text for code, text in told.items() if technical.search(text)} == {}
+    full = describe("disk_full", {"path": "/a/b.db"}, language)
+    assert "/a/b.db" in full.details
+    assert full.line == f"{full.message} {full.remedy} {full.details}"
+
+
 def test_every_code_that_the_program_raises_has_words() -> None:
     raised = re.compile(
         r"(?:PinelError|RunFailureError|StoreError|WorldError|Fault|PydanticCustomError|_add)\(\s*\"(\w+)\""

@@ -54,8 +54,8 @@ def _print(finding: HealthCheckResult, language: str) -> None:
     text = explain(finding, language)
     mark = describe(f"doctor_{finding.level}", {}, language).message
     click.echo(click.style(f"[{mark}]", fg=_COLOURS[finding.level]) + f" {text.message}")
-    if text.remedy:
-        click.echo(f"    {text.remedy}")
+    if text.full_remedy:
+        click.echo(f"    {text.full_remedy}")
 
 
 def _as_object(finding: HealthCheckResult, language: str) -> dict[str, Any]:
@@ -65,6 +65,6 @@ def _as_object(finding: HealthCheckResult, language: str) -> dict[str, Any]:
         "level": finding.level,
         "code": finding.code,
         "message": text.message,
-        "remedy": text.remedy,
+        "remedy": text.full_remedy,
         "params": dict(finding.params),
     }

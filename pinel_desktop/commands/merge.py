@@ -117,7 +117,7 @@ def _as_text(outcome: _Outcome) -> str:
     report, error = outcome.report, outcome.error
     if error is not None:
         text = explain(error)
-        return f"{text.message}\n{text.remedy}"
+        return f"{text.message}\n{text.full_remedy}"
     assert report is not None
     params: dict[str, Any] = {"file": outcome.file.name, "computer": report.info.computer_name}
     for table in ("groups", "programs", "versions", "runs"):
@@ -147,7 +147,7 @@ def _would_delete(pending: PendingDeletion) -> list[str]:
         for one in pending.work
         if one.is_newer
     ]
-    return [text.message, *newer, text.remedy]
+    return [text.message, *newer, text.full_remedy]
 
 
 def _about(code: str, one: PendingWork) -> str:
@@ -170,7 +170,11 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
     if report is None:
         assert error is not None
         explanation = explain(error)
-        text = {"code": error.code, "message": explanation.message, "remedy": explanation.remedy}
+        text = {
+            "code": error.code,
+            "message": explanation.message,
+            "remedy": explanation.full_remedy,
+        }
         detail = error.params.get("problem")  # text of the library or the check, untranslated
         return {"file": str(outcome.file), "error": {**text, "detail": detail}}
     counts = {name: getattr(report, name) for name in ("added", "changed", "skipped", "removed")}

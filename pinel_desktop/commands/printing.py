@@ -16,7 +16,7 @@ class Failure(click.ClickException):
 
     def __init__(self, problem: Problem) -> None:
         text = explain(problem)
-        super().__init__(f"{text.message}\n{text.remedy}")
+        super().__init__(f"{text.message}\n{text.full_remedy}")
 
     def show(self, file: IO[Any] | None = None) -> None:
         click.echo(self.message, file=file, err=file is None)

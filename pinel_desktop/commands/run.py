@@ -200,7 +200,7 @@ def _fault_object(fault: Fault, language: str) -> dict[str, Any]:
         "pointer": fault.pointer,
         "block": fault.block,
         "message": text.message,
-        "remedy": text.remedy,
+        "remedy": text.full_remedy,
         "params": fault.params,
     }
 

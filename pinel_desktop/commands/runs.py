@@ -93,7 +93,7 @@ def verify(ctx: click.Context, run: str, as_json: bool) -> None:
         click.echo(f"{row.id}  {verdict.outcome}\n{text.message}")
         for part in verdict.parts:
             click.echo(f"- {explain(part, language).message}")
-        click.echo(text.remedy)
+        click.echo(text.full_remedy)
     ctx.exit(1 if verdict.outcome in ("different", "altered") else 0)
 
 
@@ -129,7 +129,7 @@ def _as_object(row: RunRow) -> dict[str, Any]:
         **asdict(row),
         "estimated_closing_error_m": row.estimated_closing_error_m,
         "message": text and text.message,
-        "remedy": text and text.remedy,
+        "remedy": text and text.full_remedy,
     }
 
 

@@ -78,7 +78,7 @@ def check(database: Path | None) -> Json:
 
 def _as_text(code: str, params: Mapping[str, object]) -> Json:
     text = describe(code, params, language_of_system())
-    return {"code": code, "message": text.message, "remedy": text.remedy}
+    return {"code": code, "message": text.message, "remedy": text.full_remedy}
 
 
 def _is_well(result: Json) -> bool:

@@ -29,12 +29,14 @@ class Notice(StreamEvent):
         code: code of the message.
         message: what has happened.
         remedy: what to do.
+        details: what only a technician can do; mostly empty.
     """
 
     type: ClassVar[str] = "notice"
     code: str
     message: str
     remedy: str
+    details: str
 
 
 class CheckProgress(TypedDict):

@@ -45,15 +45,27 @@ _MAX_PATH_LENGTH = 1000
 
 @dataclass(frozen=True, slots=True)
 class LocalizedMessage:
-    """A message in one language: what went wrong, and what to do about it."""
+    """A message in one language.
+
+    Attributes:
+        message: what went wrong.
+        remedy: what a person can do about it.
+        details: what only a technician can do about it, with paths and options; mostly empty.
+    """
 
     message: str
     remedy: str
+    details: str = ""
+
+    @property
+    def full_remedy(self) -> str:
+        """Remedy and details on one line, for the command line."""
+        return f"{self.remedy} {self.details}".strip()
 
     @property
     def line(self) -> str:
-        """Message and remedy on one line."""
-        return f"{self.message} {self.remedy}".strip()
+        """Message, remedy and details on one line."""
+        return f"{self.message} {self.full_remedy}".strip()
 
 
 class Problem(Protocol):
@@ -119,6 +131,7 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Localize
     return LocalizedMessage(
         message=_PLACEHOLDER.sub(fill, _form(texts, "message", params, language)),
         remedy=_PLACEHOLDER.sub(fill, _form(texts, "remedy", params, language)),
+        details=_PLACEHOLDER.sub(fill, _form(texts, "details", params, language)),
     )
 
 

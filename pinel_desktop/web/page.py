@@ -36,7 +36,7 @@ def message_page(code: str, params: dict[str, object], language: str, status: in
     """Returns an HTML page with a message and its remedy."""
     text = describe(code, params, language)
     html = _MESSAGE.format(
-        language=escape(language), message=escape(text.message), remedy=escape(text.remedy)
+        language=escape(language), message=escape(text.message), remedy=escape(text.full_remedy)
     )
     return Response(html, status=status, mimetype="text/html")
 

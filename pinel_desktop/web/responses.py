@@ -121,7 +121,7 @@ def json_safe(value: object) -> Any:
 def notice(code: str, params: Mapping[str, object], language: str) -> Notice:
     """Returns a message for a person, in the given language."""
     text = describe(code, json_safe(params), language)
-    return Notice(code=code, message=text.message, remedy=text.remedy)
+    return Notice(code=code, message=text.message, remedy=text.remedy, details=text.details)
 
 
 def describe_faults(problems: Iterable[Any], language: str) -> list[Fault]:
@@ -176,6 +176,7 @@ def error_body(
         code=code,
         message=text.message,
         remedy=text.remedy,
+        details=text.details,
         params=shown,
         faults=list(faults),
     )

@@ -15,19 +15,21 @@ class Fault(ResponseModel):
 
 
 class Notice(ResponseModel):
-    """A message for a person, and its remedy."""
+    """A message for a person, its remedy, and what only a technician can do about it."""
 
     code: str
     message: str
     remedy: str
+    details: str
 
 
 class ErrorBody(ResponseModel):
-    """An error; `faults` is empty unless a document has faults."""
+    """An error; `faults` is empty unless a document has faults. `details` is for a technician, mostly empty."""
 
     code: str
     message: str
     remedy: str
+    details: str
     params: Json
     faults: list[Fault]
 

@@ -4,6 +4,7 @@ import type { ErrorBody, Fault } from "./model";
 export class ApiError extends Error {
   readonly code: string;
   readonly remedy: string;
+  readonly details: string;
   readonly faults: Fault[];
   readonly params: Record<string, unknown>;
 
@@ -15,6 +16,7 @@ export class ApiError extends Error {
     this.name = "ApiError";
     this.code = body.code ?? `http_${status}`;
     this.remedy = body.remedy ?? "";
+    this.details = body.details ?? "";
     this.faults = body.faults ?? [];
     this.params = body.params ?? {};
   }

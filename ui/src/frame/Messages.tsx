@@ -6,7 +6,7 @@ import type { Notice } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { type Problem, problemOf } from "../kit/requests/problem";
-import { Unbroken } from "../kit/requests/Unbroken";
+import { Remedy } from "../kit/requests/Remedy";
 import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/save_file";
 import { connection, notice, problem } from "../shell/session";
@@ -81,10 +81,10 @@ function Unsaved() {
   const { autosave: save } = open;
   if (save.state.value !== "failed") return null;
   const { saved } = texts.value;
-  const { message, remedy } = problemOf(save.problem.value);
+  const { remedy, ...why } = problemOf(save.problem.value);
   // waiting may free space on a full disk, but does not make a read-only database writable
   const waitHint = isCode(save.problem.value, "database_read_only") ? "" : saved.failedRemedy;
-  const text = { message, remedy: `${remedy} ${waitHint}`.trim() };
+  const text = { ...why, remedy: `${remedy} ${waitHint}`.trim() };
   return <MessageLine text={text} fault testId="unsaved" icon={<Save class="icon" />} />;
 }
 
@@ -125,15 +125,12 @@ interface MessageLineProps {
 
 function MessageLine({ text, icon, testId, fault = false, children }: MessageLineProps) {
   return (
-    <p class={`line-message ${fault ? "line-message--fault" : ""}`} data-testid={testId}>
+    <div class={`line-message ${fault ? "line-message--fault" : ""}`} data-testid={testId}>
       {icon}
-      <span>
-        <strong>
-          <Unbroken text={text.message} />
-        </strong>{" "}
-        <Unbroken text={text.remedy} />
-      </span>
+      <div>
+        <Remedy of={text} />
+      </div>
       {children}
-    </p>
+    </div>
   );
 }

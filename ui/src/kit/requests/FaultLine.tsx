@@ -1,5 +1,5 @@
 import type { Problem } from "./problem";
-import { Unbroken } from "./Unbroken";
+import { Remedy } from "./Remedy";
 
 interface FaultLineProps {
   fault: Problem | null;
@@ -9,8 +9,8 @@ interface FaultLineProps {
 export function FaultLine({ fault }: FaultLineProps) {
   if (!fault) return null;
   return (
-    <p class="fault-line" role="alert">
-      <strong>{fault.message}</strong> <Unbroken text={fault.remedy} />
-    </p>
+    <div class="fault-line" role="alert">
+      <Remedy of={fault} />
+    </div>
   );
 }

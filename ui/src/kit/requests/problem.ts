@@ -1,10 +1,11 @@
 import { ApiError, ServerUnreachable } from "../../api/errors";
 import { texts } from "../../i18n";
 
-/** Text of a failure: message and remedy. */
+/** Text of a failure: message and remedy; `details` is for a technician. */
 export interface Problem {
   message: string;
   remedy: string;
+  details?: string;
 }
 
 /** An action refused by the page, with its text. */
@@ -21,7 +22,7 @@ export class Refused extends Error {
 export function problemOf(error: unknown): Problem {
   if (error instanceof Refused) return { message: error.message, remedy: error.remedy };
   if (error instanceof ApiError && error.message) {
-    return { message: error.message, remedy: error.remedy };
+    return { message: error.message, remedy: error.remedy, details: error.details };
   }
   const { trouble } = texts.value;
   if (error instanceof ServerUnreachable)

@@ -1,0 +1,21 @@
+import { texts } from "../../i18n";
+import type { Problem } from "./problem";
+import { Unbroken } from "./Unbroken";
+
+/** A message and what to do now. What only a technician can do, with its paths and options, opens with a click. */
+export function Remedy({ of: { message, remedy, details } }: { of: Problem }) {
+  return (
+    <>
+      <strong>
+        <Unbroken text={message} />
+      </strong>{" "}
+      <Unbroken text={remedy} />
+      {details && (
+        <details class="remedy-details">
+          <summary>{texts.value.trouble.details}</summary>
+          <Unbroken text={details} />
+        </details>
+      )}
+    </>
+  );
+}
