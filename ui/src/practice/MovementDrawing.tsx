@@ -10,6 +10,7 @@ interface MissingLetter {
 
 /** The letters that the camera recognises only after teaching. */
 export const MISSING_LETTERS: readonly MissingLetter[] = [
+  { letter: "Ç", moves: true, path: "M3 12q2.25-6 4.5 0t4.5 0 4.5 0 4.5 0" }, // a C that trembles
   { letter: "H", moves: true, path: "M5 15a7 5 0 1 1 14 0M19 15l-3-2M19 15l2-3" },
   { letter: "J", moves: true, path: "M15 4v10a5 5 0 0 1-9 2M6 16l-1 4M6 16l4 1" },
   { letter: "X", moves: true, path: "M4 10L19 15M19 15l-4 1M19 15l-2-4" },

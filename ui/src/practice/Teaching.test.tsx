@@ -110,6 +110,9 @@ describe("teaching a sign", () => {
     fireEvent.click(screen.getByRole("button", { name: "Se mexe (experimental)" }));
     fireEvent.click(screen.getByTestId("teach-record"));
     await waitFor(() => expect(signsApi.recordMoving).toHaveBeenCalledWith("c", "Y"));
+    fireEvent.click(screen.getByRole("button", { name: "Ç" }));
+    fireEvent.click(screen.getByTestId("teach-record"));
+    await waitFor(() => expect(signsApi.recordMoving).toHaveBeenCalledWith("c", "Ç"));
   });
 
   test("says why it was given up", async () => {
