@@ -84,14 +84,14 @@ def test_stop_reaches_the_run_of_another_program(studio: Studio, open_studio: Op
 
 
 def test_pause_holds_and_resume_goes_on(studio: Studio) -> None:
-    enter_made_group(studio, [("move_forward", 0.5)])
+    enter_made_group(studio, [("move_forward", 2.5)])
     studio.run()
     expect(studio["run"]).to_have_attribute("data-does", "pause", timeout=RUN_MS)
     studio["run"].click()
     studio.wait_for_phase("paused")
     studio["run"].click()
     studio.wait_for_phase("finished")
-    studio.expect_number("pose-x", pytest.approx(0.5, abs=0.001))
+    studio.expect_number("pose-x", pytest.approx(2.5, abs=0.001))
 
 
 def test_a_block_with_a_fault_says_so_until_it_is_mended(studio: Studio) -> None:

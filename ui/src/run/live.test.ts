@@ -162,6 +162,15 @@ describe("Stop", () => {
   });
 });
 
+test("a command to a run that has ended just now is no error, and its end is shown", async () => {
+  page.receive(running("other"));
+  await settled();
+  stored = [running("other"), ended("other", 1)];
+  api.command.mockRejectedValueOnce(conflict("run_not_live"));
+  expect(await page.command({ do: "pause" })).toBeNull();
+  expect(page.live.value.phase).toBe("stopped");
+});
+
 describe("a start", () => {
   test("refused because another run is live shows that run", async () => {
     stored = [running("other")];

@@ -186,12 +186,19 @@ export async function resync(runId: string | null): Promise<void> {
 
 export type { RunOptions };
 
-/** Sends a command to the live run; resolves to null if no run is live. */
+/** Sends a command to the live run; resolves to null if no run is live, or if it has just ended. */
 export async function command(liveCommand: LiveCommand): Promise<CommandAnswer | null> {
   if (liveCommand.do === "speed") motion.setSpeed(liveCommand.factor);
   if (liveCommand.do === "subscribe" && liveCommand.sensors.length === 0) ranges.value = null;
   const view = newest();
-  return view.run && isLive(view) ? api.command(view.run, liveCommand) : null;
+  if (view.run === null || !isLive(view)) return null;
+  try {
+    return await api.command(view.run, liveCommand);
+  } catch (error) {
+    if (!isCode(error, "run_not_live")) throw error;
+    await adoptServerRun(false);
+    return null;
+  }
 }
 
 /** Stops the robot, even if another client started the run and this page does not know the run yet. */
