@@ -131,8 +131,8 @@ def not_found(table: str, key: str) -> StoreError:
 
 def insert(db: sqlite3.Connection, table: str, row: Mapping[str, object]) -> None:
     """Adds a row; columns that it lacks get their default."""
-    marks = ", ".join(f":{name}" for name in row)
-    db.execute(f"INSERT INTO {table} ({', '.join(row)}) VALUES ({marks})", row)
+    placeholders = ", ".join(f":{name}" for name in row)
+    db.execute(f"INSERT INTO {table} ({', '.join(row)}) VALUES ({placeholders})", row)
 
 
 def update_row(

@@ -52,8 +52,8 @@ def _verdict(findings: list[HealthCheckResult]) -> str:
 
 def _print(finding: HealthCheckResult, language: str) -> None:
     text = explain(finding, language)
-    mark = describe(f"doctor_{finding.level}", {}, language).message
-    click.echo(click.style(f"[{mark}]", fg=_COLOURS[finding.level]) + f" {text.message}")
+    level = describe(f"doctor_{finding.level}", {}, language).message
+    click.echo(click.style(f"[{level}]", fg=_COLOURS[finding.level]) + f" {text.message}")
     if text.full_remedy:
         click.echo(f"    {text.full_remedy}")
 

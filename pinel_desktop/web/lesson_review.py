@@ -68,7 +68,7 @@ class LessonReport:
             shapes.GroupReview(
                 group=heads[group.id],
                 need=found.needs[group.id],
-                marks=[_timeline_entry(mark, self.history, texts) for mark in group.timeline],
+                entries=[_timeline_entry(entry, self.history, texts) for entry in group.timeline],
                 figures=shapes.Figures.of(group.metrics),
                 blocks=_blocks(group.blocks),
                 hints=[self._hints(name, n) for name, n in group.hints.items()],
@@ -189,23 +189,23 @@ def _reasons(lines: LessonHistory, language: str) -> dict[str, str]:
 
 
 def _timeline_entry(
-    mark: TimelineEntry, lines: LessonHistory, texts: dict[str, str]
-) -> shapes.ReviewMark:
-    run, changes = mark.run, mark.changes
-    return shapes.ReviewMark(
+    entry: TimelineEntry, lines: LessonHistory, texts: dict[str, str]
+) -> shapes.TimelineEntry:
+    run, changes = entry.run, entry.changes
+    return shapes.TimelineEntry(
         kind="run" if run else "edit",
-        at=mark.at,
-        until=mark.until,
-        computer=lines.computers.get(mark.computer_id or ""),
-        program_id=mark.program_id,
-        program_name=mark.program_name,
-        version_id=mark.version_id,
-        number=mark.number,
-        n_edits=None if run else mark.n_edits,
-        since=mark.since,
+        at=entry.at,
+        until=entry.until,
+        computer=lines.computers.get(entry.computer_id or ""),
+        program_id=entry.program_id,
+        program_name=entry.program_name,
+        version_id=entry.version_id,
+        number=entry.number,
+        n_edits=None if run else entry.n_edits,
+        since=entry.since,
         changes=None if changes is None else shapes.ChangeCounts.of(changes),
         **_of_run(run, texts),
-        repairs=mark.repairs,
+        repairs=entry.repairs,
     )
 
 

@@ -59,34 +59,34 @@ def timeline_csv(
     def text(code: str) -> str:
         return describe(f"review_{code}", {}, language).message
 
-    def row(name: str, mark: TimelineEntry, begins: Mapping[str, str]) -> list[Cell]:
-        run, changes = mark.run, mark.changes
+    def row(name: str, entry: TimelineEntry, begins: Mapping[str, str]) -> list[Cell]:
+        run, changes = entry.run, entry.changes
         counts = changes or Counts()
         changed = (counts.added, counts.removed, counts.changed, counts.moved)
         return [
             name,
-            computers.get(mark.computer_id or ""),
-            _local(mark.at),
-            text(f"kind_{mark.kind}"),
-            mark.program_name,
-            mark.number,
-            None if run else mark.n_edits,
+            computers.get(entry.computer_id or ""),
+            _local(entry.at),
+            text(f"kind_{entry.kind}"),
+            entry.program_name,
+            entry.number,
+            None if run else entry.n_edits,
             *(None if changes is None else count for count in changed),
             text(f"state_{run.state}") if run else None,
             reasons.get(run.id) if run else None,
             titles.get(run.activity, run.activity) if run and run.activity else None,
             None if run is None or run.passed is None else text(_YES_NO[run.passed]),
             run.duration_s if run else None,
-            begins.get(mark.repairs or ""),
+            begins.get(entry.repairs or ""),
             _robot(run.link, language) if run else None,
-            lessons.get(mark.lesson_id or ""),
+            lessons.get(entry.lesson_id or ""),
             worlds.get(run.world, run.world) if run and run.world else None,
         ]
 
     rows = [
-        row(group.name, mark, {one.run.id: _local(one.at) for one in group.timeline if one.run})
+        row(group.name, entry, {one.run.id: _local(one.at) for one in group.timeline if one.run})
         for group in review.groups
-        for mark in group.timeline
+        for entry in group.timeline
     ]
     return spreadsheet([text(f"column_{name}") for name in _COLUMNS], rows, language)
 

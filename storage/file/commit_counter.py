@@ -71,9 +71,9 @@ class CommitCounter:
 
 def write_counter(database: Path, n_saves: int, at: str) -> None:
     """Writes the commit counter of a database that is not open."""
-    mark = CommitCounter(database)
-    mark.write(n_saves, at)
-    mark.close()
+    counter = CommitCounter(database)
+    counter.write(n_saves, at)
+    counter.close()
 
 
 def ensure_counter(database: Path, n_saves: int, at: str) -> None:

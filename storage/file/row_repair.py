@@ -82,8 +82,8 @@ def _put(db: sqlite3.Connection, table: str, key: str, names: Sequence[str], row
         db.execute(
             f"DELETE FROM {table} WHERE run_id = ? OR run_id NOT IN (SELECT id FROM runs)", [key]
         )
-    marks = ", ".join("?" for _ in names)
-    db.executemany(f"INSERT INTO {table} ({', '.join(names)}) VALUES ({marks})", rows)
+    placeholders = ", ".join("?" for _ in names)
+    db.executemany(f"INSERT INTO {table} ({', '.join(names)}) VALUES ({placeholders})", rows)
 
 
 def _remove_stray(db: sqlite3.Connection, table: str, right: Mapping[str, object]) -> None:

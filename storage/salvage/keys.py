@@ -75,9 +75,10 @@ def _named(table: str) -> str:
 def _one_bit_neighbours(db: sqlite3.Connection, table: str, key: str) -> list[str]:
     """Returns the keys of rows that differ from a key by one bit."""
     keys = tuple(_one_bit_away(key))
-    marks = ", ".join("?" * len(keys))
+    placeholders = ", ".join("?" * len(keys))
     return [
-        str(row[0]) for row in tuples(db, f"SELECT id FROM {table} WHERE id IN ({marks})", keys)
+        str(row[0])
+        for row in tuples(db, f"SELECT id FROM {table} WHERE id IN ({placeholders})", keys)
     ]
 
 

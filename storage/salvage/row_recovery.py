@@ -141,10 +141,10 @@ class _Recovery:
             self._add(shape, row)
 
     def _add(self, shape: _RowSchema, row: Row) -> None:
-        marks = ", ".join("?" * len(row))
+        placeholders = ", ".join("?" * len(row))
         with suppress(sqlite3.IntegrityError):
             self._db.execute(
-                f"INSERT OR IGNORE INTO {shape.name} ({', '.join(shape.columns)}) VALUES ({marks})",
+                f"INSERT OR IGNORE INTO {shape.name} ({', '.join(shape.columns)}) VALUES ({placeholders})",
                 row,
             )
 

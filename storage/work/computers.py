@@ -59,8 +59,12 @@ def this_computer(db: sqlite3.Connection, now: str) -> tuple[str, str]:
 
 def find_computer(db: sqlite3.Connection) -> tuple[str, str] | None:
     """Returns key and name of this PC, None if it has none in this file yet."""
-    key, mark, this = read_setting(db, _KEY), read_setting(db, _MACHINE), machine.machine_id_hash()
-    if key is None or (mark and this and mark != this):
+    key, stored_machine, this = (
+        read_setting(db, _KEY),
+        read_setting(db, _MACHINE),
+        machine.machine_id_hash(),
+    )
+    if key is None or (stored_machine and this and stored_machine != this):
         return None
     named = rows_of(db, "SELECT name FROM computers WHERE id = ?", [key])
     return (key, str(named[0]["name"])) if named else None

@@ -52,8 +52,8 @@ def set_open_lesson(
     now: Timestamp,
 ) -> None:
     """Stores which lesson of the class is open on this PC and used now, None for none."""
-    mark = {"computer": computer_id, "lesson": lesson_id, "used": now}
-    write_setting(db, _name(classroom_id), mark)
+    lesson = {"computer": computer_id, "lesson": lesson_id, "used": now}
+    write_setting(db, _name(classroom_id), lesson)
 
 
 def _stored_open_lesson(

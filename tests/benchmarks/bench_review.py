@@ -76,7 +76,7 @@ def test_the_review_of_a_long_lesson_takes_a_few_times_what_reading_its_parts_ta
             work(store, classroom, f"Grupo {number}")
         place = f"/api/lessons/{lesson}/review"
         groups = teacher.get(place).data["groups"]
-        marks = [mark for group in groups for mark in group["marks"]]
+        marks = [mark for group in groups for mark in group["entries"]]
         assert len(groups) == N_GROUPS
         assert sum(group["figures"]["n_edits"] for group in groups) == N_GROUPS * N_VERSIONS
         version_ids = {mark["version_id"] for mark in marks}

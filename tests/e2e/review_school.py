@@ -67,7 +67,7 @@ class Teacher:
         return self.page.locator(f"[data-testid=review-group][data-name='{name}']")
 
     def marks(self, name: str) -> list[str]:
-        marks = self.row(name).get_by_test_id("review-mark").all()
+        marks = self.row(name).get_by_test_id("review-entry").all()
         return [
             one.get_attribute("data-outcome") or one.get_attribute("data-kind") or ""
             for one in marks

@@ -19,7 +19,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 _SHOWN = {
     "start": "group-card",
     "studio": "run",
-    "lesson": "review-mark",
+    "lesson": "review-entry",
     "compare": "replay-slider",
     "differences": "difference",
     "run": "replay-slider",

@@ -229,7 +229,7 @@ def read_the_lesson(pc: Studio) -> None:
     pc.expect_each(groups, "data-name", at_work + passed)
 
     def runs(name: str) -> Locator:
-        marks = group(name).get_by_test_id("review-mark")
+        marks = group(name).get_by_test_id("review-entry")
         return marks.and_(pc.page.locator("[data-kind=run]"))
 
     def group(name: str) -> Locator:

@@ -78,7 +78,7 @@ def test_lessons_that_were_joined_name_their_days_and_activities(
     page = studio["lesson-page"]
     expect(page).to_contain_text("19 de novembro e 21 de novembro de 2026")
     expect(page).to_contain_text("Atividades: Um quadrado de 1 m e ")
-    edits = studio["review-mark"]
+    edits = studio["review-entry"]
     expect(edits).to_have_count(3)
     folds = page.locator(".line__fold text")
     expect(folds).to_have_text(["13 min", re.compile(r"^21\sde\snov")])

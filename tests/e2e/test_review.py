@@ -48,7 +48,7 @@ def test_each_group_is_a_line_of_what_it_did(teacher: Teacher) -> None:
     assert teacher.marks(LONG_NAME) == ["edit", "failed", "stopped", "edit", "passed"]
     repaired = row.locator("[data-repairs]")
     expect(repaired).to_have_attribute("data-outcome", "passed")
-    lefts = [box_of(one)["x"] for one in row.get_by_test_id("review-mark").all()]
+    lefts = [box_of(one)["x"] for one in row.get_by_test_id("review-entry").all()]
     assert lefts == sorted(lefts)
     figures = {
         one.get_attribute("data-name"): one.get_attribute("data-value")
@@ -71,7 +71,7 @@ def test_a_number_says_what_it_counts(teacher: Teacher) -> None:
 
 def test_a_mark_says_what_it_is_and_opens_its_replay(teacher: Teacher) -> None:
     teacher.open_lesson()
-    marks = teacher.row(LONG_NAME).get_by_test_id("review-mark")
+    marks = teacher.row(LONG_NAME).get_by_test_id("review-entry")
     marks.first.focus()
     marks.first.press("ArrowRight")
     expect(marks.nth(1)).to_be_focused()
@@ -111,7 +111,7 @@ def test_a_group_opens_to_its_runs_in_words(teacher: Teacher) -> None:
 def test_lines_on_the_clock_have_the_time_on_the_wall(teacher: Teacher) -> None:
     teacher.open_lesson()
     row = teacher.row(LONG_NAME)
-    first = row.get_by_test_id("review-mark").first
+    first = row.get_by_test_id("review-entry").first
     teacher.studio.wait_for_screen(first)
     own = box_of(first)["x"]
     teacher.page.locator("[data-testid=lesson-time][data-value=clock]").click()
@@ -171,7 +171,7 @@ def test_screens_of_the_review_have_names_and_contrast(teacher: Teacher) -> None
     teacher.open_lesson()
     teacher["review-open"].nth(1).click()
     expect(teacher["review-run"].first).to_be_visible()
-    teacher["review-mark"].nth(2).focus()
+    teacher["review-entry"].nth(2).focus()
     found["lesson"] = violations(teacher.studio, "review-run")
     teacher.go("runs")
     teacher["compare-choose"].nth(0).check()

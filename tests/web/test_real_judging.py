@@ -105,7 +105,7 @@ def test_a_square_driven_on_the_robot_passes_by_what_the_robot_measured(lesson: 
     assert here.tried() == {"square": True}
     review = here.review()
     assert review["summary"]["n_passed"] == 1
-    marks = [mark for mark in review["groups"][0]["marks"] if mark["kind"] == "run"]
+    marks = [mark for mark in review["groups"][0]["entries"] if mark["kind"] == "run"]
     assert [(mark["link"], mark["passed"]) for mark in marks] == [("bridge", True)]
 
 

@@ -98,7 +98,7 @@ def test_the_review_of_a_lesson_tells_what_each_group_did(
     assert [one["group"]["name"] for one in found["groups"]] == ["Abelhas", "Os Robôs"]
     robots = found["groups"][1]
     assert robots["group"] == {key: pupils.group[key] for key in ("id", "name", "color", "picture")}
-    marks = robots["marks"]
+    marks = robots["entries"]
     assert [(mark["kind"], mark["version_id"], mark["number"]) for mark in marks] == [
         ("edit", first, 2),
         ("run", first, 2),
@@ -133,7 +133,7 @@ def test_another_world_speed_or_hint_is_no_change_of_blocks(
     hint = pupils.edit(move(metres=2), setup={**setup, "n_hints": 3})
     assert pupils.edit(move(metres=2), setup={**setup, "n_hints": 3}, world=OWN) != hint
     found = teacher.get(f"/api/lessons/{lesson['id']}/review").data["groups"][0]
-    assert [(mark["kind"], mark["n_edits"]) for mark in found["marks"]] == [
+    assert [(mark["kind"], mark["n_edits"]) for mark in found["entries"]] == [
         ("edit", 2),
         ("run", None),
     ]
@@ -250,7 +250,7 @@ def test_the_review_says_who_needs_what_and_which_hints_were_read(
     (hints,) = mine["hints"]
     assert (hints["title"], hints["n"]) == ("Um quadrado de 1 m", 2)
     assert hints["texts"][0] == "Quantos cantos o quadrado tem?"
-    messages = [mark["message"] for mark in mine["marks"] if mark["kind"] == "run"]
+    messages = [mark["message"] for mark in mine["entries"] if mark["kind"] == "run"]
     assert messages[0] == "Vejam o giro."
     assert messages[1] != messages[0]
 

@@ -101,8 +101,8 @@ def _may_be_a_file(headers: Mapping[str, str]) -> bool:
 
 def _origin_of(address: str) -> str:
     """Returns scheme, host and port of a URL; "" without a scheme."""
-    scheme, mark, rest = address.partition("://")
-    return f"{scheme}{mark}{rest.partition('/')[0]}" if mark else ""
+    scheme, separator, rest = address.partition("://")
+    return f"{scheme}{separator}{rest.partition('/')[0]}" if separator else ""
 
 
 def _key_in(query: str) -> bytes:

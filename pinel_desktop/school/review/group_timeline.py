@@ -58,23 +58,23 @@ class TimelineEntry:
 
 def timeline_of(work: GroupWork) -> tuple[TimelineEntry, ...]:
     """Returns the entries in chronological order, without `changes`; includes bursts without a change of blocks."""
-    marks: list[TimelineEntry] = []
+    entries: list[TimelineEntry] = []
     latest: dict[str, str] = {}  # program -> its latest version so far
     for line in timelines_of(work):
-        marks.extend(_entries_of(line, latest))
-    return tuple(_with_repairs(marks))
+        entries.extend(_entries_of(line, latest))
+    return tuple(_with_repairs(entries))
 
 
-def with_changes(mark: TimelineEntry, known: Mapping[str, FlatWorkspace]) -> TimelineEntry:
+def with_changes(entry: TimelineEntry, known: Mapping[str, FlatWorkspace]) -> TimelineEntry:
     """Returns the entry with its `changes` if both versions are in `known`, which must contain `NOTHING`."""
     if (
-        mark.since is None
-        or mark.version_id is None
-        or not {mark.since, mark.version_id} <= known.keys()
+        entry.since is None
+        or entry.version_id is None
+        or not {entry.since, entry.version_id} <= known.keys()
     ):
-        return mark
-    changes = difference_of_flat(known[mark.since], known[mark.version_id]).summary
-    return replace(mark, changes=changes)
+        return entry
+    changes = difference_of_flat(known[entry.since], known[entry.version_id]).summary
+    return replace(entry, changes=changes)
 
 
 def is_failing(run: Run) -> bool:
@@ -118,8 +118,8 @@ def _burst(edits: list[Edit], latest: dict[str, str]) -> TimelineEntry:
     latest[last.program_id] = last.version_id
     of_blocks = [edit for edit in edits if not edit.setup_only]
     shown = of_blocks or edits
-    mark = _entry(last, shown[0].at, shown[-1].at)
-    return replace(mark, n_edits=len(of_blocks), since=since)
+    entry = _entry(last, shown[0].at, shown[-1].at)
+    return replace(entry, n_edits=len(of_blocks), since=since)
 
 
 def _run(run: Run) -> TimelineEntry:
@@ -139,18 +139,18 @@ def _entry(of: Edit | Run, at: str, until: str | None) -> TimelineEntry:
     )
 
 
-def _with_repairs(marks: Iterable[TimelineEntry]) -> Iterator[TimelineEntry]:
+def _with_repairs(entries: Iterable[TimelineEntry]) -> Iterator[TimelineEntry]:
     """Sets `repairs` on the first good run of a program after a failed one, to the last failed run before it."""
     failing: dict[str, Run] = {}
-    for mark in marks:
-        run, program = mark.run, mark.program_id or ""
+    for entry in entries:
+        run, program = entry.run, entry.program_id or ""
         if run is None:
-            yield mark
+            yield entry
         elif is_failing(run):
             failing[program] = run
-            yield mark
+            yield entry
         elif program in failing and is_repair(run, failing[program]):
             repaired = failing.pop(program)
-            yield replace(mark, repairs=repaired.id, since=repaired.version_id)
+            yield replace(entry, repairs=repaired.id, since=repaired.version_id)
         else:
-            yield mark
+            yield entry

@@ -73,10 +73,10 @@ class LessonReview:
 
 def versions_needed(work: GroupWork) -> frozenset[str]:
     """Ids of the versions whose workspaces `review_group` needs: before and after each burst, and the last ones."""
-    marks = timeline_of(work)
-    differing = (mark for mark in marks if mark.is_shown and mark.since is not None)
-    compared = {key for mark in differing for key in _compared(mark)}
-    return frozenset(compared.union(_last_versions(marks)) - {NOTHING})
+    entries = timeline_of(work)
+    differing = (entry for entry in entries if entry.is_shown and entry.since is not None)
+    compared = {key for entry in differing for key in _compared(entry)}
+    return frozenset(compared.union(_last_versions(entries)) - {NOTHING})
 
 
 def review_group(
@@ -89,11 +89,11 @@ def review_group(
         activity: the activity of the lesson, None without one.
     """
     flat = {NOTHING: FlatWorkspace(), **{key: flatten(one) for key, one in workspaces.items()}}
-    all_marks = timeline_of(work)
-    uses = [blocks_in_flat(flat[key]) for key in _last_versions(all_marks) if key in flat]
-    marks = tuple(with_changes(mark, flat) for mark in all_marks if mark.is_shown)
-    figures, blocks = _metrics(work, marks, activity), _sum(uses)
-    return GroupReview(work.id, work.name, marks, figures, blocks, _opened_hints(work.edits))
+    all_entries = timeline_of(work)
+    uses = [blocks_in_flat(flat[key]) for key in _last_versions(all_entries) if key in flat]
+    entries = tuple(with_changes(entry, flat) for entry in all_entries if entry.is_shown)
+    figures, blocks = _metrics(work, entries, activity), _sum(uses)
+    return GroupReview(work.id, work.name, entries, figures, blocks, _opened_hints(work.edits))
 
 
 def review_lesson(groups: Iterable[GroupReview]) -> LessonReview:
@@ -108,13 +108,15 @@ def _by_name(name: str) -> list[tuple[int, str]]:
     return [(int(part) if re.fullmatch("[0-9]{1,18}", part) else 0, part) for part in parts]
 
 
-def _compared(mark: TimelineEntry) -> tuple[str, str]:
-    return mark.since or NOTHING, mark.version_id or NOTHING
+def _compared(entry: TimelineEntry) -> tuple[str, str]:
+    return entry.since or NOTHING, entry.version_id or NOTHING
 
 
-def _last_versions(marks: Iterable[TimelineEntry]) -> list[str]:
+def _last_versions(entries: Iterable[TimelineEntry]) -> list[str]:
     """Id of the last version of each program."""
-    return list({mark.program_id: mark.version_id for mark in marks if mark.version_id}.values())
+    return list(
+        {entry.program_id: entry.version_id for entry in entries if entry.version_id}.values()
+    )
 
 
 def _sum(uses: Iterable[BlocksInUse]) -> BlocksInUse:
@@ -127,36 +129,36 @@ def _sum(uses: Iterable[BlocksInUse]) -> BlocksInUse:
 
 
 def _metrics(
-    work: GroupWork, marks: tuple[TimelineEntry, ...], activity: str | None
+    work: GroupWork, entries: tuple[TimelineEntry, ...], activity: str | None
 ) -> GroupMetrics:
-    runs = [mark.run for mark in marks if mark.run]
+    runs = [entry.run for entry in entries if entry.run]
     return GroupMetrics(
-        n_edits=sum(mark.n_edits for mark in marks),
+        n_edits=sum(entry.n_edits for entry in entries),
         n_runs=len(runs),
         n_failed=sum(run.state == "failed" for run in runs),
-        time_to_first_run_s=_time_to_first_run(marks),
+        time_to_first_run_s=_time_to_first_run(entries),
         attempts_until_passed=_attempts(runs, activity),
         n_hints=_hints(work.edits),
         active_s=sum(map(_active, timelines_of(work))),
     )
 
 
-def _time_to_first_run(marks: tuple[TimelineEntry, ...]) -> float | None:
-    first_run = next((mark for mark in marks if mark.run), None)
-    if first_run is None or first_run is marks[0]:
+def _time_to_first_run(entries: tuple[TimelineEntry, ...]) -> float | None:
+    first_run = next((entry for entry in entries if entry.run), None)
+    if first_run is None or first_run is entries[0]:
         return None
-    before = marks[: marks.index(first_run)]
-    time_s = seconds_of(first_run.at) - seconds_of(marks[0].at)
-    same_clock = first_run.computer_id == marks[0].computer_id
+    before = entries[: entries.index(first_run)]
+    time_s = seconds_of(first_run.at) - seconds_of(entries[0].at)
+    same_clock = first_run.computer_id == entries[0].computer_id
     return time_s - _away(before, first_run) if same_clock and time_s >= 0.0 else None
 
 
 def _away(before: tuple[TimelineEntry, ...], first_run: TimelineEntry) -> float:
     """Seconds in which the group was absent: joined lessons may be days apart."""
     pauses = (
-        seconds_of(after.at) - seconds_of(mark.until or mark.at)
-        for mark, after in pairwise((*before, first_run))
-        if mark.computer_id == after.computer_id == first_run.computer_id
+        seconds_of(after.at) - seconds_of(entry.until or entry.at)
+        for entry, after in pairwise((*before, first_run))
+        if entry.computer_id == after.computer_id == first_run.computer_id
     )
     return sum(pause for pause in pauses if pause > AWAY_S)
 

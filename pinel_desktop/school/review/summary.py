@@ -50,7 +50,7 @@ class Summary:
 
 def summary(review: LessonReview, activity: str | None) -> Summary:
     """Returns the summary of a lesson; `activity` is the lesson's, None without one."""
-    groups = {one.id: [mark.run for mark in one.timeline if mark.run] for one in review.groups}
+    groups = {one.id: [entry.run for entry in one.timeline if entry.run] for one in review.groups}
     needs = {key: _need(runs, activity) for key, runs in groups.items()}
     return Summary(
         n_groups=len(review.groups),

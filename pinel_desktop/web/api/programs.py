@@ -21,8 +21,8 @@ from pinel_desktop.web.models.work import (
     Version,
     VersionLabel,
     VersionLine,
-    VersionMark,
     VersionPage,
+    VersionSummary,
     WhichVersion,
 )
 from pinel_desktop.web.models.worlds import World
@@ -41,8 +41,8 @@ def list_programs(path: IdPath) -> Response:
     return _programs(services().store.programs.of_group(path.id))
 
 
-def _version_summary(row: VersionSummaryRow) -> VersionMark:
-    return VersionMark.of(row, setup=_readable_setup(row.setup))
+def _version_summary(row: VersionSummaryRow) -> VersionSummary:
+    return VersionSummary.of(row, setup=_readable_setup(row.setup))
 
 
 def _programs(rows: list[ProgramRow]) -> Response:
@@ -150,9 +150,9 @@ def list_versions(path: IdPath, query: VersionPage) -> Response:
     rows = store.versions.history_of(
         store.programs.get(path.id).id, before=query.before, limit=query.limit
     )
-    marks = [_version_summary(row) for row in rows]
-    after = marks[-1].id if len(marks) == query.limit else None
-    return json_response(VersionLine(versions=marks, next=after))
+    summaries = [_version_summary(row) for row in rows]
+    after = summaries[-1].id if len(summaries) == query.limit else None
+    return json_response(VersionLine(versions=summaries, next=after))
 
 
 @api.put("/versions/<id>/label", responses=responses(Empty, "version_not_found", *WRITES))

@@ -29,7 +29,7 @@ class ChangeCounts(ResponseModel):
     moved: int
 
 
-class ReviewMark(ResponseModel):
+class TimelineEntry(ResponseModel):
     """A timeline entry: a burst of edits between two runs, or a run; times are by the clock of its PC.
 
     `changes` counts differences from version `since` to `version_id`. For edits, `since` is the version before the
@@ -97,7 +97,7 @@ class GroupReview(ResponseModel):
         Literal["help", "working", "passed"],
         Field(description="`help` if the last three runs or more did not succeed"),
     ]
-    marks: list[ReviewMark]
+    entries: list[TimelineEntry]
     figures: Figures
     blocks: list[BlockCount]
     hints: list[OpenedHints]

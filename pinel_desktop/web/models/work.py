@@ -112,7 +112,7 @@ class Version(ResponseModel):
     setup: Setup | None
 
 
-class VersionMark(ResponseModel):
+class VersionSummary(ResponseModel):
     """A version in the history of its program; `parent_id` is the version that was edited.
 
     `setup_only` is true if its blocks equal the blocks of `parent_id`: only its setup or the group's own world changed.
@@ -141,13 +141,13 @@ class ProgramWithVersion(Program):
     """
 
     version: Version | None
-    elsewhere: VersionMark | None
+    elsewhere: VersionSummary | None
 
 
 class VersionLine(ResponseModel):
     """Versions, newest first; `next` is the value of `before` for the next page, null at the end."""
 
-    versions: list[VersionMark]
+    versions: list[VersionSummary]
     next: Id | None
 
 

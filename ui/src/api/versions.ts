@@ -1,5 +1,5 @@
 import { api, del, get, of, post, put } from "./client";
-import type { EditorContent, VersionLine, VersionMark } from "./model";
+import type { EditorContent, VersionLine, VersionSummary } from "./model";
 import { reviewApi } from "./review";
 
 const PAGE = 200;
@@ -12,8 +12,8 @@ function page(id: string, limit: number, before: string | null) {
 /** Requests about work that is never lost: versions, the bin, notes of the teacher. */
 export const versionsApi = {
   /** All versions of a program, the oldest first. */
-  line: async (program: string): Promise<VersionMark[]> => {
-    const newestFirst: VersionMark[] = [];
+  line: async (program: string): Promise<VersionSummary[]> => {
+    const newestFirst: VersionSummary[] = [];
     let before: string | null = null;
     do {
       const { versions, next }: VersionLine = await page(program, PAGE, before);

@@ -23,12 +23,12 @@ function judged(passed: boolean, missing: string | null): JudgedEvent {
 
 test("a run on a real robot that was not judged is neither a failure nor a success", () => {
   const notJudged = { ...judged(false, null), passed: null, not_judged: "Não julgada." };
-  expect(withVerdict(ended, "r", notJudged, ptBR)).toEqual({ ...ended, more: "Não julgada." });
+  expect(withVerdict(ended, "r", notJudged, ptBR)).toEqual({ ...ended, detail: "Não julgada." });
 });
 
 test("a run that passed says so first", () => {
   const sentence = withVerdict(ended, "r", judged(true, null), ptBR);
-  expect(sentence).toEqual({ text: ptBR.activity.passed, more: "Terminou.", tone: "done" });
+  expect(sentence).toEqual({ text: ptBR.activity.passed, detail: "Terminou.", tone: "done" });
 });
 
 test("a run that did not pass says what is missing, after how it ended", () => {

@@ -115,7 +115,7 @@ describe("what the robot does, in words", () => {
     expect(sentenceOf({ ...view, tick: 300 }, context)?.detail).toBe("");
     expect(
       sentenceOf({ ...over("finished", {}), ...view, phase: "finished", tick: 30 }, context),
-    ).toMatchObject({ more: text });
+    ).toMatchObject({ detail: text });
   });
 
   test("of what was said and what was answered, the newest is told", () => {
@@ -134,11 +134,11 @@ describe("what the robot does, in words", () => {
     const talk = [{ kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 }] as const;
     const beeps = { count: 5, inRow: 2, tick: 35 };
     const view = { ...moving("wait", 3, 1), tick: 40 };
-    const more = (output: object) =>
+    const detail = (output: object) =>
       sentenceOf({ ...view, output: { ...IDLE.output, ...output } }, context)?.detail;
-    expect(more({ beeps })).toBe("Apito × 2");
-    expect(more({ beeps, talk })).toBe("Diz: “Olá!” · Apito × 2");
-    expect(more({ beeps: { ...beeps, tick: -60 } })).toBe("");
+    expect(detail({ beeps })).toBe("Apito × 2");
+    expect(detail({ beeps, talk })).toBe("Diz: “Olá!” · Apito × 2");
+    expect(detail({ beeps: { ...beeps, tick: -60 } })).toBe("");
   });
 
   test("a function that runs is named", () => {
@@ -182,7 +182,7 @@ describe("what the robot does, in words", () => {
     expect(sentenceText(over("finished", { pathLengthM: 0 }))).toBe("O programa terminou");
   });
 
-  const more = (view: RunView) => sentenceOf(view, context)?.detail.replaceAll("\u00a0", " ");
+  const detail = (view: RunView) => sentenceOf(view, context)?.detail.replaceAll("\u00a0", " ");
 
   test.each([
     [{ closingErrorM: 0.05, estimatedClosingErrorM: 1e-6 }, "parou a 0,05 m da partida", "voltou"],
@@ -191,13 +191,13 @@ describe("what the robot does, in words", () => {
   ])("an end tells the truth, and what the robot believes instead: %#", (ending, text, belief) => {
     const view = over("finished", ending);
     expect(sentenceText(view)).toContain(text);
-    expect(more(view)).toContain("O robô pensa que");
-    expect(more(view)).toContain(belief);
+    expect(detail(view)).toContain("O robô pensa que");
+    expect(detail(view)).toContain(belief);
   });
 
   test("a robot that is about where it believes is not said to be wrong", () => {
     const ending = { closingErrorM: 0.502, estimatedClosingErrorM: 0.5 };
-    expect(more(over("finished", ending))).toBe("");
+    expect(detail(over("finished", ending))).toBe("");
   });
 
   test.each([
@@ -205,7 +205,7 @@ describe("what the robot does, in words", () => {
     [0.25, "Pelas medidas do robô, ele parou a 0,25 m da partida."],
   ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, expected) => {
     const view = over("finished", { closingErrorM: null, estimatedClosingErrorM });
-    expect([sentenceText(view), more(view)]).toEqual(["O programa terminou", expected]);
+    expect([sentenceText(view), detail(view)]).toEqual(["O programa terminou", expected]);
   });
 
   test("a failure has the server's words and remedy", () => {
@@ -237,9 +237,9 @@ describe("of a run that was", () => {
   test("no button is spoken of that is not there", () => {
     const stopped = over("stopped", { reason: "stopped_by_person" });
     expect(sentenceOf(stopped, context)?.detail).toContain("Rodar");
-    expect(past(stopped)).toEqual({ text: "O grupo parou o robô.", more: "", tone: "notice" });
+    expect(past(stopped)).toEqual({ text: "O grupo parou o robô.", detail: "", tone: "notice" });
     const held = { ...moving("wait", 3, 1), phase: "paused", next: "b" } as RunView;
-    expect(past(held)).toEqual({ text: "A rodada estava em pausa.", more: "", tone: "notice" });
+    expect(past(held)).toEqual({ text: "A rodada estava em pausa.", detail: "", tone: "notice" });
   });
 
   test("what is to be mended is said still", () => {
@@ -262,14 +262,14 @@ describe("what a program did not do is said at its end, and not as a success", (
 
   test("a program without such parts ends well", () => {
     const program = stored([{ action: "repeat", times: 4, commands: [move] }]);
-    expect(end(program)).toMatchObject({ tone: "done", more: "" });
+    expect(end(program)).toMatchObject({ tone: "done", detail: "" });
   });
 
   test("an empty loop, wherever it is", () => {
     const empty = { action: "repeat", times: 4, commands: [] };
     expect(end(stored([move, empty]))).toMatchObject({
       tone: "notice",
-      more: "Há uma repetição vazia: ponham blocos dentro dela.",
+      detail: "Há uma repetição vazia: ponham blocos dentro dela.",
     });
     const inside = { action: "conditional_execution", condition: true, else: [empty, empty] };
     expect(end(stored([move, inside]))?.detail).toContain("2 repetições vazias");
@@ -279,7 +279,7 @@ describe("what a program did not do is said at its end, and not as a success", (
     const one = { type: "turn", inputs: { ANGLE: { shadow: { type: "number" } } } };
     expect(end(stored([move], [one]))).toMatchObject({
       tone: "notice",
-      more: "Um bloco está solto e não rodou.",
+      detail: "Um bloco está solto e não rodou.",
     });
     const three = { ...one, next: { block: { ...one, next: { block: one } } } };
     expect(end(stored([move], [three, { type: "function_def" }]))?.detail).toContain("3 blocos");

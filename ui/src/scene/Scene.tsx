@@ -64,8 +64,7 @@ export function Scene({ world, robot, view, poseAt, whole, companion, hold, play
     const stops = [
       effect(() => scene.setView(view.value, whole?.value)),
       effect(() => {
-        theme.value;
-        language.value; // of the names of places
+        for (const one of [theme, language]) one.value;
         scene.setTheme();
       }),
       effect(() => scene.setMovable(hold?.grip.value.isAtStart ?? false)),

@@ -1,5 +1,5 @@
 import { useComputed } from "@preact/signals";
-import type { VersionMark } from "../api/model";
+import type { VersionSummary } from "../api/model";
 import { language, texts } from "../i18n";
 import { Select } from "../kit/Select";
 import { go } from "../shell/route";
@@ -24,7 +24,7 @@ export function SideChoice({ side, compared, programId }: SideChoiceProps) {
         .flatMap((item) =>
           item.kind === "step" ? [item] : item.branches.flatMap(({ steps }) => steps),
         )
-        .flatMap((step): VersionMark[] => {
+        .flatMap((step): VersionSummary[] => {
           const inner = step.versions.find(({ id }) => id === shown.id);
           const face = faceOf(step);
           return inner && inner !== face ? [inner, face] : [face];

@@ -10,7 +10,7 @@ import {
   SlidersHorizontal,
 } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import type { VersionMark } from "../api/model";
+import type { VersionSummary } from "../api/model";
 
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
@@ -153,7 +153,7 @@ function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
 }
 
 interface VersionRowProps {
-  version: VersionMark;
+  version: VersionSummary;
   step: Step;
   history: VersionHistory;
   inner?: boolean;
@@ -208,7 +208,7 @@ function iconOf(step: Step) {
   return changesIn(step) > 0 ? Pencil : SlidersHorizontal;
 }
 
-function toneOf({ label, n_passed, n_runs }: VersionMark): string {
+function toneOf({ label, n_passed, n_runs }: VersionSummary): string {
   if (n_passed > 0) return "passed";
   if (label) return "named";
   return n_runs > 0 ? "ran" : "plain";

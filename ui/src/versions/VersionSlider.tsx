@@ -1,5 +1,5 @@
 import { ChevronLeft, ChevronRight, CircleCheck, Flag } from "lucide-preact";
-import type { VersionMark } from "../api/model";
+import type { VersionSummary } from "../api/model";
 
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
@@ -88,7 +88,7 @@ function Stretches({ history, named = false }: { history: VersionHistory; named?
   );
 }
 
-function MarkAt({ version, at }: { version: VersionMark; at: number }) {
+function MarkAt({ version, at }: { version: VersionSummary; at: number }) {
   const { label, n_passed, n_runs } = version;
   if (!label && n_runs === 0) return null;
   const Icon = n_passed > 0 ? CircleCheck : Flag;

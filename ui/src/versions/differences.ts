@@ -1,4 +1,4 @@
-import type { VersionDifference, VersionMark, VersionOfProgram } from "../api/model";
+import type { VersionDifference, VersionOfProgram, VersionSummary } from "../api/model";
 import type { Difference } from "../editor/reader/difference_badge";
 
 type Change = VersionDifference["changed"][number]["what"][number];
@@ -12,7 +12,7 @@ export interface ComparedWorkspaces {
 
 /** Two versions and their difference. */
 export interface Compared extends ComparedWorkspaces {
-  line: readonly VersionMark[];
+  line: readonly VersionSummary[];
   before: VersionOfProgram;
   after: VersionOfProgram;
   difference: VersionDifference;

@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { VersionMark, VersionOfProgram } from "../api/model";
+import type { VersionOfProgram, VersionSummary } from "../api/model";
 import { versionsApi } from "../api/versions";
 import { VersionHistory } from "./history";
 
 /** Three edits in a burst, a run, and one more edit based on the first. */
-function line(): VersionMark[] {
+function line(): VersionSummary[] {
   return [1, 2, 3, 4, 5].map((number) => ({
     id: `v${number}`,
     number,

@@ -1,5 +1,5 @@
 import { computed, effect, signal } from "@preact/signals";
-import type { VersionMark, VersionOfProgram } from "../api/model";
+import type { VersionOfProgram, VersionSummary } from "../api/model";
 import { versionsApi } from "../api/versions";
 import { faceOf, type Section, type Step, sectionsOf } from "./line";
 
@@ -9,14 +9,14 @@ const MAX_CACHED = 40;
 
 /** State of the versions page: the versions of a program and the selected one. */
 export class VersionHistory {
-  readonly line = signal<VersionMark[]>([]);
+  readonly line = signal<VersionSummary[]>([]);
   readonly position = signal(0);
   /** The displayed version; it can lag behind `position` while it loads. */
   readonly shown = signal<VersionOfProgram | null>(null);
   /** Steps that are expanded to single versions, by the id of their first version. */
   readonly unfolded = signal<ReadonlySet<string>>(new Set());
   readonly sections = computed<Section[]>(() => sectionsOf(this.line.value));
-  readonly chosen = computed<VersionMark | null>(
+  readonly chosen = computed<VersionSummary | null>(
     () => this.line.value[this.position.value] ?? null,
   );
   private readonly stored = new Map<string, Promise<VersionOfProgram>>();
@@ -24,7 +24,7 @@ export class VersionHistory {
   private timer = 0;
 
   constructor(
-    line: VersionMark[],
+    line: VersionSummary[],
     versionId: string | null,
     private readonly onError: (error: unknown) => void,
   ) {
@@ -48,14 +48,14 @@ export class VersionHistory {
   });
 
   /** The parent version; if it is unknown or not in the line, the version before. */
-  madeFrom({ id, parent_id }: VersionOfProgram): VersionMark | null {
+  madeFrom({ id, parent_id }: VersionOfProgram): VersionSummary | null {
     const line = this.line.peek();
     const parent = line.find((one) => one.id === parent_id);
     return parent ?? line[line.findIndex((one) => one.id === id) - 1] ?? null;
   }
 
   /** The version directly before another in the line, even if it is not the parent. */
-  lineBefore({ id }: VersionMark): VersionMark | undefined {
+  lineBefore({ id }: VersionSummary): VersionSummary | undefined {
     const line = this.line.value;
     return line[line.findIndex((one) => one.id === id) - 1];
   }
@@ -68,7 +68,7 @@ export class VersionHistory {
     this.go(this.position.peek() + by);
   }
 
-  choose(version: VersionMark): void {
+  choose(version: VersionSummary): void {
     this.go(this.line.peek().findIndex(({ id }) => id === version.id));
   }
 
@@ -100,7 +100,7 @@ export class VersionHistory {
   }
 
   /** The version to compare with the selected version: the newest, or for the newest the step before it. */
-  get counterpart(): VersionMark | null {
+  get counterpart(): VersionSummary | null {
     const line = this.line.value;
     if (!this.isNewest) return line.at(-1) ?? null;
     const steps = this.sections.value.flatMap(({ items }) =>

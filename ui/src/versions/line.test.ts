@@ -1,12 +1,16 @@
 import { describe, expect, test } from "vitest";
-import type { VersionMark } from "../api/model";
+import type { VersionSummary } from "../api/model";
 
 import { type Fork, faceOf, type Step, sectionsOf, versionsIn } from "./line";
 
 const BEGIN = Date.UTC(2026, 9, 5, 15);
 
 /** A version with a number, created `seconds` after the first. */
-function version(number: number, seconds: number, more: Partial<VersionMark> = {}): VersionMark {
+function version(
+  number: number,
+  seconds: number,
+  more: Partial<VersionSummary> = {},
+): VersionSummary {
   return {
     id: `${more.computer ?? ""}${number}`,
     number,

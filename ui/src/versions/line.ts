@@ -1,9 +1,9 @@
-import type { VersionMark } from "../api/model";
+import type { VersionSummary } from "../api/model";
 
 /** The versions of one entry: a burst of edits, or one notable version. The last version represents the step. */
 export interface Step {
   readonly kind: "step";
-  readonly versions: readonly VersionMark[];
+  readonly versions: readonly VersionSummary[];
 }
 
 /** Parallel branches: versions that several PCs made from one version, without knowing of each other. */
@@ -28,7 +28,7 @@ export interface Section {
 const PAUSE_MS = 90_000;
 
 /** Groups the versions of a program, oldest first, into sections. */
-export function sectionsOf(line: readonly VersionMark[]): Section[] {
+export function sectionsOf(line: readonly VersionSummary[]): Section[] {
   const sections: Section[] = [];
   for (const stretch of stretches(line)) {
     for (const part of stretch.forked ? [stretch.versions] : byLesson(stretch.versions)) {
@@ -45,12 +45,12 @@ export function sectionsOf(line: readonly VersionMark[]): Section[] {
 }
 
 /** The version that represents a step: its last. */
-export function faceOf({ versions }: Step): VersionMark {
-  return versions[versions.length - 1] as VersionMark;
+export function faceOf({ versions }: Step): VersionSummary {
+  return versions[versions.length - 1] as VersionSummary;
 }
 
 /** All versions of a section, in the order of the line. */
-export function versionsIn({ items }: Section): VersionMark[] {
+export function versionsIn({ items }: Section): VersionSummary[] {
   return items.flatMap((item) =>
     item.kind === "step"
       ? item.versions
@@ -58,21 +58,21 @@ export function versionsIn({ items }: Section): VersionMark[] {
   );
 }
 
-function joined(section: Section, items: readonly (Step | Fork)[], end: VersionMark): Section {
+function joined(section: Section, items: readonly (Step | Fork)[], end: VersionSummary): Section {
   return { ...section, to: end.created_at, items: [...section.items, ...items] };
 }
 
-function lastOf(section: Section): VersionMark {
-  return versionsIn(section).at(-1) as VersionMark;
+function lastOf(section: Section): VersionSummary {
+  return versionsIn(section).at(-1) as VersionSummary;
 }
 
 interface Stretch {
   forked: boolean;
-  versions: VersionMark[];
+  versions: VersionSummary[];
 }
 
 /** Splits the line into parts with unique version numbers and parts with repeated numbers. */
-function stretches(line: readonly VersionMark[]): Stretch[] {
+function stretches(line: readonly VersionSummary[]): Stretch[] {
   const count = new Map<number, number>();
   for (const { number } of line) count.set(number, (count.get(number) ?? 0) + 1);
   const found: Stretch[] = [];
@@ -85,7 +85,7 @@ function stretches(line: readonly VersionMark[]): Stretch[] {
   return found;
 }
 
-function forkOf(versions: readonly VersionMark[]): Fork {
+function forkOf(versions: readonly VersionSummary[]): Fork {
   const computers = new Set(versions.map(({ computer }) => computer));
   const branches = computers.size > 1 ? byComputer(versions) : byParent(versions);
   return {
@@ -97,8 +97,8 @@ function forkOf(versions: readonly VersionMark[]): Fork {
   };
 }
 
-function byComputer(versions: readonly VersionMark[]): VersionMark[][] {
-  const branches = new Map<string | null, VersionMark[]>();
+function byComputer(versions: readonly VersionSummary[]): VersionSummary[][] {
+  const branches = new Map<string | null, VersionSummary[]>();
   for (const version of versions) {
     const branch = branches.get(version.computer);
     if (branch) branch.push(version);
@@ -108,9 +108,9 @@ function byComputer(versions: readonly VersionMark[]): VersionMark[][] {
 }
 
 /** Splits by parent version, for PCs without names or with the same name. */
-function byParent(versions: readonly VersionMark[]): VersionMark[][] {
-  const branches: VersionMark[][] = [];
-  const home = new Map<string, VersionMark[]>();
+function byParent(versions: readonly VersionSummary[]): VersionSummary[][] {
+  const branches: VersionSummary[][] = [];
+  const home = new Map<string, VersionSummary[]>();
   for (const version of versions) {
     let branch = version.parent_id === null ? undefined : home.get(version.parent_id);
     if (!branch || branch.at(-1)?.number === version.number) {
@@ -123,37 +123,37 @@ function byParent(versions: readonly VersionMark[]): VersionMark[][] {
   return branches;
 }
 
-function byLesson(versions: readonly VersionMark[]): VersionMark[][] {
+function byLesson(versions: readonly VersionSummary[]): VersionSummary[][] {
   return split(versions, follows);
 }
 
-function follows(before: VersionMark, version: VersionMark): boolean {
+function follows(before: VersionSummary, version: VersionSummary): boolean {
   return before.lesson_id === version.lesson_id && day(before) === day(version);
 }
 
-function day({ created_at }: VersionMark): string {
+function day({ created_at }: VersionSummary): string {
   return new Date(created_at).toDateString();
 }
 
-function foldedInto(versions: readonly VersionMark[]): Step[] {
+function foldedInto(versions: readonly VersionSummary[]): Step[] {
   return split(versions, isOneBurst).map((burst) => ({ kind: "step", versions: burst }));
 }
 
-function isOneBurst(before: VersionMark, version: VersionMark): boolean {
+function isOneBurst(before: VersionSummary, version: VersionSummary): boolean {
   const gapMs = Math.abs(Date.parse(version.created_at) - Date.parse(before.created_at));
   return isPlain(before) && isPlain(version) && gapMs < PAUSE_MS;
 }
 
-function isPlain({ label, n_runs }: VersionMark): boolean {
+function isPlain({ label, n_runs }: VersionSummary): boolean {
   return !label && n_runs === 0;
 }
 
 function split(
-  versions: readonly VersionMark[],
-  belong: (before: VersionMark, version: VersionMark) => boolean,
-): VersionMark[][] {
-  const parts: VersionMark[][] = [];
-  let before: VersionMark | undefined;
+  versions: readonly VersionSummary[],
+  belong: (before: VersionSummary, version: VersionSummary) => boolean,
+): VersionSummary[][] {
+  const parts: VersionSummary[][] = [];
+  let before: VersionSummary | undefined;
   for (const version of versions) {
     if (before && belong(before, version)) parts.at(-1)?.push(version);
     else parts.push([version]);

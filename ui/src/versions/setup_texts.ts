@@ -1,4 +1,4 @@
-import { OWN_WORLD, type Setup, type VersionMark, worldTitle } from "../api/model";
+import { OWN_WORLD, type Setup, type VersionSummary, worldTitle } from "../api/model";
 import type { Language, Texts } from "../i18n";
 import { decimal } from "../i18n/format";
 import { ROOM_WORLD } from "../run/real/real_robot";
@@ -29,8 +29,8 @@ export function setupChanges(
 
 /** What a step changed besides blocks: "Mundo: Labirinto", "Dica 2 aberta". */
 export function setupFacts(
-  before: VersionMark,
-  after: VersionMark,
+  before: VersionSummary,
+  after: VersionSummary,
   texts: Texts,
   language: Language,
 ): string[] {
@@ -44,7 +44,7 @@ export function setupFacts(
 }
 
 /** Of a version with other setup and equal blocks, where no named part differs. */
-function unnamed({ setup }: VersionMark, { archive, run, world }: Texts): string {
+function unnamed({ setup }: VersionSummary, { archive, run, world }: Texts): string {
   return setup?.world === OWN_WORLD
     ? archive.setupFact({ what: run.world, now: world.own })
     : archive.setup;

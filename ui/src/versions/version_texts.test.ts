@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { OWN_WORLD, type Setup, type VersionMark, type World } from "../api/model";
+import { OWN_WORLD, type Setup, type VersionSummary, type World } from "../api/model";
 import { textsOf } from "../i18n";
 import { worlds } from "../shell/session";
 import { setupOf } from "../studio/program/setup";
@@ -14,7 +14,7 @@ worlds.value = [
   { name: "maze", title: { "pt-BR": "Labirinto" } },
 ] as unknown as World[];
 
-function version(setup: Partial<Setup>, more: Partial<VersionMark> = {}): VersionMark {
+function version(setup: Partial<Setup>, more: Partial<VersionSummary> = {}): VersionSummary {
   return {
     id: "v",
     number: 2,
@@ -32,8 +32,8 @@ function version(setup: Partial<Setup>, more: Partial<VersionMark> = {}): Versio
   };
 }
 
-function stepTextOf(versions: VersionMark[], before = version({})) {
-  const last = versions[versions.length - 1] as VersionMark;
+function stepTextOf(versions: VersionSummary[], before = version({})) {
+  const last = versions[versions.length - 1] as VersionSummary;
   const setup = setupFacts(before, last, PT, "pt-BR");
   return stepText({ kind: "step", versions }, setup, PT);
 }

@@ -1,10 +1,10 @@
-import type { VersionMark } from "../api/model";
+import type { VersionSummary } from "../api/model";
 
 import type { Language, Texts } from "../i18n";
 import { faceOf, type Section, type Step } from "./line";
 
 /** Facts about a version besides its time, the most important first. */
-export function factsOf(version: VersionMark, texts: Texts): string[] {
+export function factsOf(version: VersionSummary, texts: Texts): string[] {
   const { archive, work } = texts;
   const facts: string[] = [];
   if (version.n_passed > 0) facts.push(archive.passed);
@@ -76,13 +76,17 @@ function midnight(date: Date): number {
 }
 
 /** Creation time of a version, such as "hoje, 10:32" or "19 de novembro, 10:32". */
-export function createdText({ created_at }: VersionMark, language: Language, texts: Texts): string {
+export function createdText(
+  { created_at }: VersionSummary,
+  language: Language,
+  texts: Texts,
+): string {
   const alone = { from: created_at, to: created_at, items: [] };
   return sectionText(alone, new Date(), language, texts);
 }
 
 /** Text of a version in one line, for lists of options. */
-export function versionLine(version: VersionMark, language: Language, texts: Texts): string {
+export function versionLine(version: VersionSummary, language: Language, texts: Texts): string {
   const about = version.label || factsOf(version, texts)[0];
   const made = createdText(version, language, texts);
   return [texts.archive.version({ n: version.number }), about, made].filter(Boolean).join(" · ");

@@ -1,11 +1,11 @@
 import { signal } from "@preact/signals";
-import type { VersionMark } from "../../api/model";
+import type { VersionSummary } from "../../api/model";
 
 /** A restored version, and the version that it replaced. */
 export interface RestoredFrom {
   program: string;
-  from: VersionMark;
-  instead: VersionMark;
+  from: VersionSummary;
+  instead: VersionSummary;
 }
 
 /** The last restore, until its program is closed. */

@@ -4,7 +4,7 @@ import type { Language } from "../../i18n";
 /** The days on which the groups worked, by this PC's calendar, in order. */
 export function daysOf(groups: readonly GroupReview[]): Date[] {
   const days = new Set(
-    groups.flatMap(({ marks }) => marks.map(({ at }) => dayOf(Date.parse(at) / 1000))),
+    groups.flatMap(({ entries }) => entries.map(({ at }) => dayOf(Date.parse(at) / 1000))),
   );
   return [...days].sort((a, b) => a - b).map((day) => new Date(day * 1000));
 }

@@ -1,4 +1,4 @@
-import type { Figures, ReviewMark } from "../../api/model";
+import type { Figures, TimelineEntry } from "../../api/model";
 
 export type MetricName = keyof Figures;
 
@@ -7,7 +7,7 @@ export type Outcome = "passed" | "finished" | "notyet" | "stopped" | "failed" | 
 
 /** Recorded end of a run. */
 export interface Ended {
-  readonly state: ReviewMark["state"];
+  readonly state: TimelineEntry["state"];
   readonly passed: boolean | null;
 }
 

@@ -1,7 +1,7 @@
 import type { BlockCount } from "../../../api/model";
 import { language, texts } from "../../../i18n";
-import { categoryOfType, hueOf } from "../timeline_events/block_kinds";
-import { blockName } from "../timeline_events/difference_texts";
+import { categoryOfType, hueOf } from "../timeline_entries/block_kinds";
+import { blockName } from "../timeline_entries/difference_texts";
 
 interface BlockChipsProps {
   blocks: readonly BlockCount[];

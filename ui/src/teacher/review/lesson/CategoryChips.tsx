@@ -1,7 +1,7 @@
 import type { BlockCount } from "../../../api/model";
 import type { Category } from "../../../blocks/categories";
 import { language, texts } from "../../../i18n";
-import { categoryName, categoryOfType, hueOf } from "../timeline_events/block_kinds";
+import { categoryName, categoryOfType, hueOf } from "../timeline_entries/block_kinds";
 
 /** Maximum number of categories whose names fit. */
 const FEW = 2;

@@ -1,6 +1,6 @@
 import type { GroupReview } from "../../../api/model";
 import { texts } from "../../../i18n";
-import type { TimelineIndex } from "../timeline_events/timeline_texts";
+import type { TimelineIndex } from "../timeline_entries/timeline_texts";
 import { BlockChips } from "./BlockChips";
 import { HintsRead } from "./HintsRead";
 import { RunRow } from "./RunRow";
@@ -14,15 +14,15 @@ interface GroupDetailProps {
 /** The runs of a group as text, and the blocks that it used. */
 export function GroupDetail({ review, book, onAccepted }: GroupDetailProps) {
   const { detail } = texts.value.review;
-  const runs = review.marks.filter(({ kind }) => kind === "run");
+  const runs = review.entries.filter(({ kind }) => kind === "run");
   return (
     <div class="detail" data-testid="review-detail">
       <div>
         <h2 class="detail__title">{detail.runs}</h2>
         {runs.length === 0 && <p class="detail__none">{detail.noRuns}</p>}
         <ol>
-          {runs.map((mark) => (
-            <RunRow key={mark.run_id} mark={mark} book={book} onAccepted={onAccepted} />
+          {runs.map((entry) => (
+            <RunRow key={entry.run_id} entry={entry} book={book} onAccepted={onAccepted} />
           ))}
         </ol>
       </div>

@@ -6,7 +6,7 @@ import { Button } from "../../../kit/Button";
 import { GroupPicture } from "../../../kit/pictures/GroupPicture";
 import { GroupTimeline } from "../timeline/GroupTimeline";
 import type { TimelineLayout } from "../timeline/timeline_layout";
-import { TimelineIndex } from "../timeline_events/timeline_texts";
+import { TimelineIndex } from "../timeline_entries/timeline_texts";
 import { CategoryChips } from "./CategoryChips";
 import { GroupDetail } from "./GroupDetail";
 import { MetricRow } from "./MetricRow";
@@ -27,9 +27,9 @@ export const rowOf = (group: string) => document.getElementById(`group-${group}`
 /** A group: its name, timeline and metrics; when opened, its runs as text. */
 export function GroupRow(props: GroupRowProps) {
   const { review, layout, withDays, open, onToggle, onAccepted } = props;
-  const { group, marks, figures, blocks, hints } = review;
+  const { group, entries, figures, blocks, hints } = review;
   const { lesson, detail } = texts.value.review;
-  const book = useMemo(() => new TimelineIndex(marks, withDays), [marks, withDays]);
+  const book = useMemo(() => new TimelineIndex(entries, withDays), [entries, withDays]);
   return (
     <li
       id={`group-${group.id}`}
@@ -55,7 +55,7 @@ export function GroupRow(props: GroupRowProps) {
         <CategoryChips blocks={blocks} />
       </div>
       <div class="group-row__work">
-        {marks.length === 0 ? (
+        {entries.length === 0 ? (
           <p class="group-row__nothing">{lesson.nothing}</p>
         ) : (
           <div class="group-row__line">

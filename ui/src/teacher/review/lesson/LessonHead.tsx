@@ -73,7 +73,7 @@ const inList = (names: readonly string[]) =>
   new Intl.ListFormat(language.value, { type: "conjunction" }).format(names);
 
 function computersOf({ lesson, groups }: LessonReview): string[] {
-  const names = groups.flatMap(({ marks }) => marks.map(({ computer }) => computer));
+  const names = groups.flatMap(({ entries }) => entries.map(({ computer }) => computer));
   const known = new Set([...names, lesson.computer].filter((one) => one !== null));
   return [...known].sort((a, b) => a.localeCompare(b, language.value, { numeric: true }));
 }

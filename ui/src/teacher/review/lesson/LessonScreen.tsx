@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
-import type { ReviewMark } from "../../../api/model";
+import type { TimelineEntry } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { valueIn } from "../../../kit/requests/load_state";
@@ -11,7 +11,7 @@ import { RequireTeacher } from "../../sign_in/RequireTeacher";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { EmptyList } from "../EmptyList";
 import { Refresh } from "../Refresh";
-import { TipBubble } from "../timeline_events/TipBubble";
+import { TipBubble } from "../timeline_entries/TipBubble";
 import { Explanations } from "./Explanations";
 import { GroupList } from "./GroupList";
 import { Legend } from "./Legend";
@@ -30,7 +30,8 @@ export function LessonScreen({ lesson }: ParametersOf<"lesson">) {
 
 function LoadedLesson({ lessonId }: { lessonId: string }) {
   const page = useTeacherLoaded(`${lessonId} ${language.value}`, () => loadLesson(lessonId));
-  const isWaiting = valueIn(page)?.review.groups.some(({ marks }) => marks.some(waits)) ?? false;
+  const isWaiting =
+    valueIn(page)?.review.groups.some(({ entries }) => entries.some(waits)) ?? false;
   // reloads without a loading state, so that open rows do not move; after a failure, the next poll tries again
   const reload = () => loadLesson(lessonId).then(page.set, () => {});
   usePolling(reload, { isOn: isWaiting });
@@ -54,7 +55,7 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
 }
 
 /** Whether a merged run awaits re-verification on this PC. */
-const waits = ({ unconfirmed }: ReviewMark) => unconfirmed === "waiting";
+const waits = ({ unconfirmed }: TimelineEntry) => unconfirmed === "waiting";
 
 interface LessonProps {
   page: LessonPage;

@@ -55,7 +55,7 @@ export function LessonSummary({ review: { summary, groups }, viewState }: Lesson
 /** Texts about merged runs that await re-verification or that differed from their file. */
 function unconfirmedTexts(groups: readonly GroupReview[]): string[] {
   const { unconfirmed: labels } = texts.value.exchange;
-  const found = groups.flatMap(({ marks }) => marks.map(({ unconfirmed }) => unconfirmed));
+  const found = groups.flatMap(({ entries }) => entries.map(({ unconfirmed }) => unconfirmed));
   const waiting = found.filter((one) => one === "waiting").length;
   const wrong = found.filter((one) => one === "differs" || one === "not_passed").length;
   const notRepeatable = found.filter((one) => one === "not_repeatable").length;

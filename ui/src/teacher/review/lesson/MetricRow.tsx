@@ -7,7 +7,7 @@ import { rove } from "../../../kit/roving";
 import { roundDuration } from "../../time_format";
 import { metricText } from "../metric_text";
 import type { MetricName } from "../model";
-import { hideTip, showTip } from "../timeline_events/tip";
+import { hideTip, showTip } from "../timeline_entries/tip";
 
 export const METRICS: readonly MetricName[] = [
   "n_edits",

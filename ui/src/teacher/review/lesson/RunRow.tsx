@@ -1,5 +1,5 @@
 import { GitCompareArrows, Play } from "lucide-preact";
-import type { ReviewMark } from "../../../api/model";
+import type { TimelineEntry } from "../../../api/model";
 import { reviewApi } from "../../../api/review";
 import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
@@ -17,45 +17,45 @@ import {
   facts,
   runTitle,
   type TimelineIndex,
-} from "../timeline_events/timeline_texts";
-import { differenceOf } from "../timeline_events/version_differences";
+} from "../timeline_entries/timeline_texts";
+import { differenceOf } from "../timeline_entries/version_differences";
 
 interface RunRowProps {
-  mark: ReviewMark;
+  entry: TimelineEntry;
   book: TimelineIndex;
   /** Called after the teacher has accepted the run. */
   onAccepted(): unknown;
 }
 
 /** A run as text: outcome, changes that repaired another run, notes, and links to its views. */
-export function RunRow({ mark, book, onAccepted }: RunRowProps) {
+export function RunRow({ entry, book, onAccepted }: RunRowProps) {
   const { detail } = texts.value.review;
-  const outcome = outcomeOf(mark);
-  if (!mark.run_id) return null;
+  const outcome = outcomeOf(entry);
+  if (!entry.run_id) return null;
   return (
     <li class="run-line row top gap-3" data-testid="review-run" data-outcome={outcome}>
       <OutcomeIcon outcome={outcome} />
       <div class="run-line__words">
         <p>
-          <b>{runTitle(mark, book)}</b> <span class="run-line__facts">{facts(mark, book)}</span>
+          <b>{runTitle(entry, book)}</b> <span class="run-line__facts">{facts(entry, book)}</span>
         </p>
-        {mark.unconfirmed && <p>{detail.unconfirmed[mark.unconfirmed]}</p>}
-        {mark.message && outcome !== "stopped" && <p>{mark.message}</p>}
-        <Repair mark={mark} book={book} />
-        <Notes run={mark.run_id} />
+        {entry.unconfirmed && <p>{detail.unconfirmed[entry.unconfirmed]}</p>}
+        {entry.message && outcome !== "stopped" && <p>{entry.message}</p>}
+        <Repair entry={entry} book={book} />
+        <Notes run={entry.run_id} />
       </div>
       <div class="run-line__links row rigid gap-2">
-        {mark.unconfirmed === "not_repeatable" && (
-          <Accept run={mark.run_id} title={runTitle(mark, book)} onAccepted={onAccepted} />
+        {entry.unconfirmed === "not_repeatable" && (
+          <Accept run={entry.run_id} title={runTitle(entry, book)} onAccepted={onAccepted} />
         )}
-        {mark.repairs && (
+        {entry.repairs && (
           <LinkButton
             icon={GitCompareArrows}
-            label={detail.compare({ n: book.numberOf(mark.repairs) })}
-            href={hashOf({ screen: "compare", first: mark.repairs, second: mark.run_id })}
+            label={detail.compare({ n: book.numberOf(entry.repairs) })}
+            href={hashOf({ screen: "compare", first: entry.repairs, second: entry.run_id })}
           />
         )}
-        <LinkButton icon={Play} href={hashOf({ screen: "replay", run: mark.run_id })}>
+        <LinkButton icon={Play} href={hashOf({ screen: "replay", run: entry.run_id })}>
           {detail.replay}
         </LinkButton>
       </div>
@@ -90,13 +90,13 @@ function Accept({ run, title, onAccepted }: AcceptProps) {
 }
 
 /** Changes between the failed run and this one. */
-function Repair({ mark, book }: Omit<RunRowProps, "onAccepted">) {
+function Repair({ entry, book }: Omit<RunRowProps, "onAccepted">) {
   const { line } = texts.value.review;
-  if (!mark.repairs) return null;
-  const changes = changeTexts(mark, differenceOf(mark));
+  if (!entry.repairs) return null;
+  const changes = changeTexts(entry, differenceOf(entry));
   return (
     <p class="run-line__repair" data-testid="review-repair">
-      {line.repairs({ n: book.numberOf(mark.repairs) })}{" "}
+      {line.repairs({ n: book.numberOf(entry.repairs) })}{" "}
       {changes.length > 0 && `${line.between} ${changes.join("; ")}.`}
     </p>
   );

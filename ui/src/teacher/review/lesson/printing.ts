@@ -1,6 +1,6 @@
 import { options } from "preact";
 import { listen } from "../../../kit/listen";
-import { hideTip } from "../timeline_events/tip";
+import { hideTip } from "../timeline_entries/tip";
 
 /** Width of a timeline on A4 beside the name of its group, in pixels, as in print.css. */
 export const PRINT_TIMELINE_PX = 556;

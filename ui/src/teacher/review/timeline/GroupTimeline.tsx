@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import type { ReviewMark } from "../../../api/model";
+import type { TimelineEntry } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { rove } from "../../../kit/roving";
 import { hashOf } from "../../../shell/route";
@@ -7,9 +7,9 @@ import { roundDuration, timeOfDay } from "../../time_format";
 import { shortDay } from "../days";
 import { outcomeOf } from "../model";
 import { OutcomeIcon } from "../OutcomeIcon";
-import { type TimelineIndex, textOf } from "../timeline_events/timeline_texts";
-import { hideTip, isTipOf, showTip, TIP_ID, tip } from "../timeline_events/tip";
-import { differenceOf } from "../timeline_events/version_differences";
+import { type TimelineIndex, textOf } from "../timeline_entries/timeline_texts";
+import { hideTip, isTipOf, showTip, TIP_ID, tip } from "../timeline_entries/tip";
+import { differenceOf } from "../timeline_entries/version_differences";
 import { barHeight, type PlacedEvent, type Tick, type TimelineLayout } from "./timeline_layout";
 
 /** Vertical position of the base line, and total height; pixels, as in lesson.css. */
@@ -29,10 +29,10 @@ export function GroupTimeline({ group, book, layout }: GroupTimelineProps) {
     <div class="line" style={{ width: `${layout.width}px`, "--line-width": layout.width }}>
       <Ground layout={layout} />
       <ol aria-label={`${line.label({ group })}. ${line.keys}`} onKeyDown={rove}>
-        {layout.marks.map((placed) => (
+        {layout.entries.map((placed) => (
           <li
-            key={placed.mark.run_id ?? `${placed.mark.version_id}/${placed.index}`}
-            class={`line__place line__place--${placed.mark.kind}`}
+            key={placed.entry.run_id ?? `${placed.entry.version_id}/${placed.index}`}
+            class={`line__place line__place--${placed.entry.kind}`}
             style={{
               left: `${placed.x}px`,
               width: `${placed.width}px`,
@@ -48,35 +48,35 @@ export function GroupTimeline({ group, book, layout }: GroupTimelineProps) {
 }
 
 function TimelineEvent({
-  placed: { mark, index },
+  placed: { entry, index },
   book,
 }: {
   placed: PlacedEvent;
   book: TimelineIndex;
 }) {
   const touched = useRef(false);
-  const plain = textOf(mark, book, null);
-  const outcome = outcomeOf(mark);
-  const isRun = mark.kind === "run";
+  const plain = textOf(entry, book, null);
+  const outcome = outcomeOf(entry);
+  const isRun = entry.kind === "run";
   const show = (event: { currentTarget: HTMLElement }) =>
     showTip(event.currentTarget, () => {
-      const text = textOf(mark, book, differenceOf(book.changeOf(mark)));
+      const text = textOf(entry, book, differenceOf(book.changeOf(entry)));
       return touched.current
         ? { ...text, lines: [...text.lines, texts.value.review.line.tapAgain] }
         : text;
     });
   return (
     <a
-      class={`review-mark review-mark--${isRun ? "run" : "edit"}`}
-      href={addressOf(mark)}
+      class={`review-entry review-entry--${isRun ? "run" : "edit"}`}
+      href={addressOf(entry)}
       tabIndex={index === 0 ? 0 : -1}
       data-rove
-      data-testid="review-mark"
-      data-kind={mark.kind}
+      data-testid="review-entry"
+      data-kind={entry.kind}
       data-outcome={isRun ? outcome : undefined}
-      data-repairs={mark.repairs ?? undefined}
+      data-repairs={entry.repairs ?? undefined}
       aria-label={`${plain.title}. ${plain.lines.join(" ")}`}
-      aria-describedby={tip.value && isShown(mark) ? TIP_ID : undefined}
+      aria-describedby={tip.value && isShown(entry) ? TIP_ID : undefined}
       onPointerDown={(event) => {
         touched.current = event.pointerType === "touch" && !isTipOf(event.currentTarget);
       }}
@@ -91,17 +91,18 @@ function TimelineEvent({
       onMouseLeave={(event) => hideTip(event.currentTarget)}
       onBlur={(event) => hideTip(event.currentTarget)}
     >
-      {isRun ? <OutcomeIcon outcome={outcome} /> : <span class="review-mark__bar" />}
+      {isRun ? <OutcomeIcon outcome={outcome} /> : <span class="review-entry__bar" />}
     </a>
   );
 }
 
-const isShown = (mark: ReviewMark) => tip.value?.anchor.getAttribute("href") === addressOf(mark);
+const isShown = (entry: TimelineEntry) =>
+  tip.value?.anchor.getAttribute("href") === addressOf(entry);
 
 /** The address that an event opens: the replay of a run, or the two versions of a burst of edits. */
-export function addressOf(mark: ReviewMark): string {
-  if (mark.run_id) return hashOf({ screen: "replay", run: mark.run_id });
-  const { program_id, since, version_id } = mark;
+export function addressOf(entry: TimelineEntry): string {
+  if (entry.run_id) return hashOf({ screen: "replay", run: entry.run_id });
+  const { program_id, since, version_id } = entry;
   if (!program_id || !version_id) return hashOf({ screen: "runs" });
   return since
     ? hashOf({ screen: "differences", program: program_id, before: since, after: version_id })
@@ -111,9 +112,9 @@ export function addressOf(mark: ReviewMark): string {
 /** Base line, ruler, folded pauses, and arcs from failed runs to their repairs. */
 function Ground({ layout }: { layout: TimelineLayout }) {
   const { line } = texts.value.review;
-  const { width, ticks, folds, arcs, marks, lengths } = layout;
-  const end = Math.max(...marks.map(({ x, width: wide }) => x + wide / 2), 0);
-  const round = marks.find(({ mark }) => mark.kind === "run")?.height ?? barHeight(1);
+  const { width, ticks, folds, arcs, entries, lengths } = layout;
+  const end = Math.max(...entries.map(({ x, width: wide }) => x + wide / 2), 0);
+  const round = entries.find(({ entry }) => entry.kind === "run")?.height ?? barHeight(1);
   return (
     <svg class="line__ground" width={width} height={HEIGHT} aria-hidden="true">
       <path class="line__rest" d={`M0 ${BASE}H${Math.max(end, layout.end)}`} />

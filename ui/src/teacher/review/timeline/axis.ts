@@ -73,10 +73,10 @@ interface Timed {
  * Begin and end of each timeline event, in seconds since 1970. The events are in their true order. If
  * the PC's clock was set back in between, later times are shifted so that the order stays.
  */
-export function spansOf(marks: readonly Timed[]): Span[] {
+export function spansOf(entries: readonly Timed[]): Span[] {
   let shift = 0;
   let last = Number.NEGATIVE_INFINITY;
-  return marks.map(({ at, until, duration_s }) => {
+  return entries.map(({ at, until, duration_s }) => {
     const start = Date.parse(at) / 1000;
     if (start + shift < last) shift = last - start;
     const took = until ? Math.max(0, Date.parse(until) / 1000 - start) : (duration_s ?? 0);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { ReviewMark } from "../../../api/model";
+import type { TimelineEntry } from "../../../api/model";
 import { Axis, FOLDED_S, spansOf, stepFor } from "./axis";
 import { between, GAP, minWidthFor, spread } from "./label_placement";
 import { stretch } from "./stretch";
@@ -7,11 +7,11 @@ import { barHeight, layOut, ROUND } from "./timeline_layout";
 
 const NOON = Date.UTC(2026, 10, 21, 12) / 1000;
 
-function mark(
-  kind: ReviewMark["kind"],
+function entry(
+  kind: TimelineEntry["kind"],
   second: number,
-  more: Partial<ReviewMark> = {},
-): ReviewMark {
+  more: Partial<TimelineEntry> = {},
+): TimelineEntry {
   const at = new Date((NOON + second) * 1000).toISOString();
   return {
     kind,
@@ -39,11 +39,14 @@ function mark(
   };
 }
 
-function lineOf(marks: ReviewMark[], { width = 1000, byClock = false, withDays = false } = {}) {
-  const spans = spansOf(marks);
+function lineOf(
+  entries: TimelineEntry[],
+  { width = 1000, byClock = false, withDays = false } = {},
+) {
+  const spans = spansOf(entries);
   const axis = new Axis(spans);
   const scale = (width - 8) / Math.max(1, axis.length);
-  return layOut({ marks, spans, axis, width, scale, byClock, withDays });
+  return layOut({ entries, spans, axis, width, scale, byClock, withDays });
 }
 
 describe("time on a line", () => {
@@ -78,8 +81,8 @@ describe("time on a line", () => {
   });
 
   test("never goes back, whatever the clock does", () => {
-    const marks = [mark("edit", 0), mark("run", 600), mark("run", -3600), mark("run", -3500)];
-    expect(spansOf(marks).map(({ from }) => from - NOON)).toEqual([0, 600, 600, 700]);
+    const entries = [entry("edit", 0), entry("run", 600), entry("run", -3600), entry("run", -3500)];
+    expect(spansOf(entries).map(({ from }) => from - NOON)).toEqual([0, 600, 600, 700]);
   });
 
   test("has a ruler of whole minutes", () => {
@@ -141,42 +144,42 @@ describe("one scale for many lines", () => {
     }
   });
 
-  test("gets longer than its room before marks overlap", () => {
+  test("gets longer than its room before entries overlap", () => {
     expect(stretch([dense], 30).end).toBe(80);
   });
 });
 
 describe("a line", () => {
   test("has bars of edits and round runs in their order", () => {
-    const { marks } = lineOf([
-      mark("edit", 0, { until: new Date((NOON + 60) * 1000).toISOString(), n_edits: 9 }),
-      mark("run", 70),
-      mark("run", 300),
+    const { entries } = lineOf([
+      entry("edit", 0, { until: new Date((NOON + 60) * 1000).toISOString(), n_edits: 9 }),
+      entry("run", 70),
+      entry("run", 300),
     ]);
-    expect(marks.map(({ width }) => Math.round(width))).toEqual([198, ROUND, ROUND]);
-    expect(marks.map(({ x }) => x)).toEqual([...marks.map(({ x }) => x)].sort((a, b) => a - b));
+    expect(entries.map(({ width }) => Math.round(width))).toEqual([198, ROUND, ROUND]);
+    expect(entries.map(({ x }) => x)).toEqual([...entries.map(({ x }) => x)].sort((a, b) => a - b));
   });
 
   test("joins a failing run and the one that made it good", () => {
-    const { arcs, marks } = lineOf([
-      mark("run", 0),
-      mark("run", 100),
-      mark("run", 200, { repairs: "run-0" }),
+    const { arcs, entries } = lineOf([
+      entry("run", 0),
+      entry("run", 100),
+      entry("run", 200, { repairs: "run-0" }),
     ]);
-    expect(arcs).toEqual([{ from: marks[0]?.x, to: marks[2]?.x }]);
+    expect(arcs).toEqual([{ from: entries[0]?.x, to: entries[2]?.x }]);
   });
 
-  test("makes marks smaller before it grows beyond its room", () => {
-    const some = Array.from({ length: 45 }, (_, n) => mark("run", n * 60));
-    const many = Array.from({ length: 150 }, (_, n) => mark("run", n * 20));
+  test("makes entries smaller before it grows beyond its room", () => {
+    const some = Array.from({ length: 45 }, (_, n) => entry("run", n * 60));
+    const many = Array.from({ length: 150 }, (_, n) => entry("run", n * 20));
     expect(lineOf(some).width).toBe(1000);
-    expect(lineOf(some).marks[0]?.width).toBeLessThan(ROUND);
+    expect(lineOf(some).entries[0]?.width).toBeLessThan(ROUND);
     expect(lineOf(many).width).toBeGreaterThan(1000);
   });
 
   test("does not overlap, however dense", () => {
-    const marks = Array.from({ length: 60 }, (_, n) => mark(n % 2 ? "run" : "edit", n * 3));
-    const placed = lineOf(marks).marks;
+    const entries = Array.from({ length: 60 }, (_, n) => entry(n % 2 ? "run" : "edit", n * 3));
+    const placed = lineOf(entries).entries;
     placed.slice(1).forEach((one, index) => {
       const before = placed[index];
       if (!before) return;
@@ -185,7 +188,7 @@ describe("a line", () => {
   });
 
   test("numbers the time, but not inside of a folded pause", () => {
-    const { ticks, folds } = lineOf([mark("edit", 0), mark("run", 60), mark("run", 3660)]);
+    const { ticks, folds } = lineOf([entry("edit", 0), entry("run", 60), entry("run", 3660)]);
     expect(folds.map(({ fold }) => fold.seconds)).toEqual([3600]);
     const minutes = ticks.map(({ time }) => (time - NOON) / 60);
     expect(minutes.every((minute) => minute <= 1 || minute >= 61)).toBe(true);
@@ -193,14 +196,14 @@ describe("a line", () => {
 
   test("counts each day from its own beginning, and no minute of a night", () => {
     const TWO_DAYS = 2 * 86_400;
-    const marks = [0, 300, TWO_DAYS, TWO_DAYS + 300].map((second) => mark("run", second));
-    const own = lineOf(marks, { withDays: true });
+    const entries = [0, 300, TWO_DAYS, TWO_DAYS + 300].map((second) => entry("run", second));
+    const own = lineOf(entries, { withDays: true });
     expect(own.folds.map(({ isNight }) => isNight)).toEqual([true]);
     expect(own.ticks[0]).toMatchObject({ labelKind: "day", time: NOON });
     const minutes = own.ticks.slice(1).map(({ time, from }) => (time - from) / 60);
     expect(minutes.length).toBeGreaterThan(2);
     expect(Math.max(...minutes)).toBeLessThanOrEqual(5);
-    const clock = lineOf(marks, { withDays: true, byClock: true });
+    const clock = lineOf(entries, { withDays: true, byClock: true });
     const times = clock.ticks.slice(1).map(({ time }) => time - NOON);
     expect(times.every((time) => time <= 300 || time >= TWO_DAYS)).toBe(true);
     expect(times.some((time) => time >= TWO_DAYS)).toBe(true);
@@ -211,22 +214,26 @@ describe("a line", () => {
 
   test("says days before pauses where there is no room for both", () => {
     const NIGHT = 86_400;
-    const marks = [0, 360, 900, NIGHT].map((second) => mark("edit", second));
+    const entries = [0, 360, 900, NIGHT].map((second) => entry("edit", second));
     const labelled = (width: number) =>
-      lineOf(marks, { width, withDays: true }).folds.map(({ isLabelled }) => isLabelled);
+      lineOf(entries, { width, withDays: true }).folds.map(({ isLabelled }) => isLabelled);
     expect(labelled(1000)).toEqual([true, true, true]);
     expect(labelled(120)).toEqual([false, false, true]);
   });
 
   test("lasts as long as its last run does, and no number stands beyond its end", () => {
-    const line = lineOf([mark("edit", 0), mark("run", 60, { duration_s: 188 }), mark("run", 300)]);
-    const [edit, long, short] = line.marks.map(({ x }) => x);
+    const line = lineOf([
+      entry("edit", 0),
+      entry("run", 60, { duration_s: 188 }),
+      entry("run", 300),
+    ]);
+    const [edit, long, short] = line.entries.map(({ x }) => x);
     expect(line.lengths).toHaveLength(1);
     const [length] = line.lengths;
     expect(length?.from).toBe(long);
     expect(length?.to).toBeGreaterThan(((edit ?? 0) + (short ?? 0)) / 2);
     expect(length?.to).toBeLessThan(short ?? 0);
-    const only = lineOf([mark("edit", 0), mark("run", 60, { duration_s: 188 })]);
+    const only = lineOf([entry("edit", 0), entry("run", 60, { duration_s: 188 })]);
     expect(only.lengths[0]?.to).toBe(only.end);
     expect(only.ticks.every(({ x }) => x <= only.end)).toBe(true);
   });
@@ -238,6 +245,6 @@ describe("a line", () => {
   });
 
   test("of a group that did nothing is empty", () => {
-    expect(lineOf([]).marks).toEqual([]);
+    expect(lineOf([]).entries).toEqual([]);
   });
 });

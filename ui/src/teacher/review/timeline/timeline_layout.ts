@@ -1,4 +1,4 @@
-import type { ReviewMark } from "../../../api/model";
+import type { TimelineEntry } from "../../../api/model";
 import { dayOf } from "../days";
 import { type Axis, type Fold, type Span, stepFor } from "./axis";
 import { between, GAP, minWidthFor, spread } from "./label_placement";
@@ -21,7 +21,7 @@ const FOLD_SPACING = 56;
 const EDGE = 4;
 
 export interface PlacedEvent {
-  readonly mark: ReviewMark;
+  readonly entry: TimelineEntry;
   readonly index: number;
   /** Centre and size, in pixels. */
   readonly x: number;
@@ -55,7 +55,7 @@ export interface PlacedFold {
 
 export interface TimelineLayout {
   readonly width: number;
-  readonly marks: readonly PlacedEvent[];
+  readonly entries: readonly PlacedEvent[];
   /** Arcs from each failed run to the run that repaired it. */
   readonly arcs: readonly Arc[];
   readonly ticks: readonly Tick[];
@@ -75,7 +75,7 @@ export interface Common {
 }
 
 interface TimelineInput {
-  marks: readonly ReviewMark[];
+  entries: readonly TimelineEntry[];
   spans: readonly Span[];
   axis: Axis;
   /** Width of the timeline in pixels, and pixels per second. */
@@ -91,12 +91,12 @@ interface TimelineInput {
 
 /** The points in time of a timeline: one for each run, and the begin and end of each burst of edits. */
 export function pointsOf(
-  marks: readonly ReviewMark[],
+  entries: readonly TimelineEntry[],
   spans: readonly Span[],
   axis: Axis,
 ): TimePoint[] {
   let right = 0;
-  return marks.flatMap(({ kind }, index): TimePoint[] => {
+  return entries.flatMap(({ kind }, index): TimePoint[] => {
     const { from, to } = spans[index] ?? { from: 0, to: 0 };
     const before = right;
     right = kind === "run" ? DENSE / 2 : 0;
@@ -110,21 +110,21 @@ export function pointsOf(
 
 /** The layout of a timeline that shares its scale with others. */
 function layOutCommon(line: TimelineInput, common: Common): TimelineLayout {
-  const { marks, axis, width, scale } = line;
+  const { entries, axis, width, scale } = line;
   let next = 0;
   const nextPosition = () => EDGE + (common.positions[next++] ?? 0);
-  const placed = marks.map((mark, index): PlacedEvent => {
+  const placed = entries.map((entry, index): PlacedEvent => {
     const from = nextPosition();
-    if (mark.kind === "run") return { mark, index, x: from, width: DENSE, height: DENSE };
+    if (entry.kind === "run") return { entry, index, x: from, width: DENSE, height: DENSE };
     const to = nextPosition();
-    const height = barHeight(mark.n_edits ?? 1);
-    return { mark, index, x: (from + to) / 2, width: to - from, height };
+    const height = barHeight(entry.n_edits ?? 1);
+    return { entry, index, x: (from + to) / 2, width: to - from, height };
   });
   const place = (time: number) => EDGE + between(common.knots, axis.at(time), scale);
   const room = Math.max(width - 2 * EDGE, common.end + DENSE / 2);
   return {
     width: room + 2 * EDGE,
-    marks: placed,
+    entries: placed,
     arcs: arcsOf(placed),
     ...rulerOf(line, placed, place, room),
   };
@@ -132,13 +132,13 @@ function layOutCommon(line: TimelineInput, common: Common): TimelineLayout {
 
 /** The layout of a timeline. Where events are moved to avoid overlaps, the ruler is stretched with them. */
 export function layOut(line: TimelineInput): TimelineLayout {
-  const { marks, spans, axis, width, scale, common } = line;
+  const { entries, spans, axis, width, scale, common } = line;
   if (common) return layOutCommon(line, common);
   const inner = width - 2 * EDGE;
   const begin = (index: number) => axis.at(spans[index]?.from ?? 0) * scale;
   const end = (index: number) => axis.at(spans[index]?.to ?? 0) * scale;
-  const round = roundFor(marks, inner);
-  const preferred = marks.map(({ kind }, index) => {
+  const round = roundFor(entries, inner);
+  const preferred = entries.map(({ kind }, index) => {
     const wide = Math.max(MIN_BAR_WIDTH * (round / ROUND), end(index) - begin(index));
     return kind === "run"
       ? { middle: begin(index), width: round }
@@ -146,22 +146,22 @@ export function layOut(line: TimelineInput): TimelineLayout {
   });
   const tight = minWidthFor(preferred) > inner;
   const fitted = tight
-    ? preferred.map((position, index) => narrow(position, marks[index], round))
+    ? preferred.map((position, index) => narrow(position, entries[index], round))
     : preferred;
   const room = Math.max(inner, minWidthFor(fitted));
   const places = spread(fitted, room);
-  const placed = marks.map((mark, index) => ({
-    mark,
+  const placed = entries.map((entry, index) => ({
+    entry,
     index,
     x: EDGE + (places[index] ?? 0),
     width: fitted[index]?.width ?? round,
-    height: mark.kind === "run" ? round : barHeight(mark.n_edits ?? 1),
+    height: entry.kind === "run" ? round : barHeight(entry.n_edits ?? 1),
   }));
-  const knots = knotsOf(placed, marks, begin, end);
+  const knots = knotsOf(placed, entries, begin, end);
   const place = (time: number) => EDGE + between(knots, axis.at(time) * scale, scale);
   return {
     width: room + 2 * EDGE,
-    marks: placed,
+    entries: placed,
     arcs: arcsOf(placed),
     ...rulerOf(line, placed, place, room),
   };
@@ -173,8 +173,8 @@ export function barHeight(edits: number): number {
 }
 
 /** Diameter of round icons: smaller if they would not fit on the timeline. */
-function roundFor(marks: readonly ReviewMark[], room: number): number {
-  const parts = marks.reduce(
+function roundFor(entries: readonly TimelineEntry[], room: number): number {
+  const parts = entries.reduce(
     (sum, { kind }) => sum + (kind === "run" ? 1 : MIN_BAR_WIDTH / ROUND),
     0,
   );
@@ -183,10 +183,10 @@ function roundFor(marks: readonly ReviewMark[], room: number): number {
 
 function narrow(
   position: { middle: number; width: number },
-  mark: ReviewMark | undefined,
+  entry: TimelineEntry | undefined,
   round: number,
 ): { middle: number; width: number } {
-  return mark?.kind === "run" ? position : { ...position, width: (MIN_BAR_WIDTH * round) / ROUND };
+  return entry?.kind === "run" ? position : { ...position, width: (MIN_BAR_WIDTH * round) / ROUND };
 }
 
 type At = (index: number) => number;
@@ -194,13 +194,13 @@ type At = (index: number) => number;
 /** Increasing pairs of time (in pixels of a linear scale) and position. */
 function knotsOf(
   placed: readonly PlacedEvent[],
-  marks: readonly ReviewMark[],
+  entries: readonly TimelineEntry[],
   begin: At,
   end: At,
 ): (readonly [number, number])[] {
   const knots: (readonly [number, number])[] = [];
   placed.forEach(({ x, width }, index) => {
-    const isRun = marks[index]?.kind === "run";
+    const isRun = entries[index]?.kind === "run";
     const middle = x - EDGE;
     const pairs = isRun
       ? [[begin(index), middle] as const]
@@ -211,9 +211,9 @@ function knotsOf(
 }
 
 function arcsOf(placed: readonly PlacedEvent[]): Arc[] {
-  const places = new Map(placed.map(({ mark, x }) => [mark.run_id, x]));
-  return placed.flatMap(({ mark, x }) => {
-    const from = mark.repairs ? places.get(mark.repairs) : undefined;
+  const places = new Map(placed.map(({ entry, x }) => [entry.run_id, x]));
+  return placed.flatMap(({ entry, x }) => {
+    const from = entry.repairs ? places.get(entry.repairs) : undefined;
     return from === undefined ? [] : [{ from, to: x }];
   });
 }
@@ -233,9 +233,9 @@ function rulerOf(
   return {
     ticks: withoutOverlaps(folds, ticksOf(line, place, room)),
     folds,
-    lengths: placed.flatMap(({ mark, index, x, width }) => {
+    lengths: placed.flatMap(({ entry, index, x, width }) => {
       const to = within(spans[index]?.to ?? 0);
-      return mark.kind === "run" && to > x + width / 2 ? [{ from: x, to }] : [];
+      return entry.kind === "run" && to > x + width / 2 ? [{ from: x, to }] : [];
     }),
     end: within(axis.to),
   };

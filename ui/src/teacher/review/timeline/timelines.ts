@@ -16,7 +16,7 @@ export function timelinesOf(
   timeOf: TimeOf,
   width: number,
 ): TimelineLayout[] {
-  const spans = groups.map(({ marks }) => spansOf(marks));
+  const spans = groups.map(({ entries }) => spansOf(entries));
   const common = new Axis(spans.flat());
   const axes = spans.map((own) => (timeOf === "clock" ? common : new Axis(own)));
   const maxLength = Math.max(MIN_LENGTH_S, ...axes.map((axis) => axis.length));
@@ -24,9 +24,9 @@ export function timelinesOf(
   const scale = Math.max(1, width - 40) / maxLength;
   const withDays = daysOf(groups).length > 1;
   const stretched = timeOf === "clock" ? stretchAll(groups, spans, common, width) : null;
-  return groups.map(({ marks }, index) => {
+  return groups.map(({ entries }, index) => {
     return layOut({
-      marks,
+      entries,
       spans: spans[index] ?? [],
       axis: axes[index] ?? common,
       width,
@@ -46,6 +46,6 @@ function stretchAll(
   common: Axis,
   width: number,
 ): Stretched {
-  const points = groups.map(({ marks }, index) => pointsOf(marks, spans[index] ?? [], common));
+  const points = groups.map(({ entries }, index) => pointsOf(entries, spans[index] ?? [], common));
   return stretch(points, width - 40);
 }

@@ -1,4 +1,4 @@
-import type { ReviewMark, VersionDifference } from "../../../api/model";
+import type { TimelineEntry, VersionDifference } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { duration } from "../../../i18n/format";
 import { robotLabel } from "../../../run/real/RobotName";
@@ -11,16 +11,16 @@ import { countTexts, differenceTexts } from "./difference_texts";
 /** Index of a group's timeline events: numbers of runs, and the repairs between runs. */
 export class TimelineIndex {
   private readonly numbers = new Map<string, number>();
-  private readonly repairedBy = new Map<string, ReviewMark>();
+  private readonly repairedBy = new Map<string, TimelineEntry>();
 
   /** `withDays`: whether the lesson lasted several days, so that times need their day. */
   constructor(
-    readonly marks: readonly ReviewMark[],
+    readonly entries: readonly TimelineEntry[],
     readonly withDays = false,
   ) {
-    for (const mark of marks) {
-      if (mark.run_id) this.numbers.set(mark.run_id, this.numbers.size + 1);
-      if (mark.repairs) this.repairedBy.set(mark.repairs, mark);
+    for (const entry of entries) {
+      if (entry.run_id) this.numbers.set(entry.run_id, this.numbers.size + 1);
+      if (entry.repairs) this.repairedBy.set(entry.repairs, entry);
     }
   }
 
@@ -30,13 +30,13 @@ export class TimelineIndex {
   }
 
   /** The run that repaired a failed run, if there is one. */
-  repairOf(mark: ReviewMark): ReviewMark | null {
-    return (mark.run_id && this.repairedBy.get(mark.run_id)) || null;
+  repairOf(entry: TimelineEntry): TimelineEntry | null {
+    return (entry.run_id && this.repairedBy.get(entry.run_id)) || null;
   }
 
   /** The event whose versions show the change: for a repaired run, the run that repaired it. */
-  changeOf(mark: ReviewMark): ReviewMark | null {
-    const changed = this.repairOf(mark) ?? mark;
+  changeOf(entry: TimelineEntry): TimelineEntry | null {
+    const changed = this.repairOf(entry) ?? entry;
     return changed.changes ? changed : null;
   }
 }
@@ -47,67 +47,67 @@ export interface TimelineEventText {
   readonly lines: readonly string[];
 }
 
-/** `difference`: the difference between the versions of `book.changeOf(mark)`; null while unknown. */
+/** `difference`: the difference between the versions of `book.changeOf(entry)`; null while unknown. */
 export function textOf(
-  mark: ReviewMark,
+  entry: TimelineEntry,
   book: TimelineIndex,
   difference: VersionDifference | null,
 ): TimelineEventText {
-  const isRun = mark.kind === "run";
-  const changed = book.changeOf(mark);
+  const isRun = entry.kind === "run";
+  const changed = book.changeOf(entry);
   const changes = changed ? changeTexts(changed, difference).join("; ") : "";
   const begin = `${texts.value.review.line.between} `;
   return {
-    title: isRun ? runTitle(mark, book) : editsTitle(mark),
+    title: isRun ? runTitle(entry, book) : editsTitle(entry),
     lines: [
-      ...(isRun ? aboutRun(mark, book) : [facts(mark, book)]),
+      ...(isRun ? aboutRun(entry, book) : [facts(entry, book)]),
       changes && `${isRun ? begin + changes : capital(changes)}.`,
     ].filter(Boolean),
   };
 }
 
 /** Number and outcome of a run. */
-export function runTitle(mark: ReviewMark, book: TimelineIndex): string {
+export function runTitle(entry: TimelineEntry, book: TimelineIndex): string {
   const { line, outcomes } = texts.value.review;
-  return `${line.run({ n: book.numberOf(mark.run_id) })}: ${outcomes[outcomeOf(mark)]}`;
+  return `${line.run({ n: book.numberOf(entry.run_id) })}: ${outcomes[outcomeOf(entry)]}`;
 }
 
-function editsTitle(mark: ReviewMark): string {
+function editsTitle(entry: TimelineEntry): string {
   const { line } = texts.value.review;
-  const took = mark.until ? (Date.parse(mark.until) - Date.parse(mark.at)) / 1000 : 0;
-  const edits = line.edits({ count: mark.n_edits ?? 0 });
+  const took = entry.until ? (Date.parse(entry.until) - Date.parse(entry.at)) / 1000 : 0;
+  const edits = line.edits({ count: entry.n_edits ?? 0 });
   return took >= 1
     ? `${edits} ${line.within({ time: roundDuration(took, language.value) })}`
     : edits;
 }
 
-function aboutRun(mark: ReviewMark, book: TimelineIndex): string[] {
+function aboutRun(entry: TimelineEntry, book: TimelineIndex): string[] {
   const { line } = texts.value.review;
-  const repair = book.repairOf(mark);
+  const repair = book.repairOf(entry);
   return [
-    mark.message ?? "",
-    facts(mark, book),
-    mark.repairs ? line.repairs({ n: book.numberOf(mark.repairs) }) : "",
+    entry.message ?? "",
+    facts(entry, book),
+    entry.repairs ? line.repairs({ n: book.numberOf(entry.repairs) }) : "",
     repair ? line.repairedBy({ n: book.numberOf(repair.run_id) }) : "",
   ];
 }
 
 /** Program, time, and duration of the run. */
-export function facts(mark: ReviewMark, book: TimelineIndex): string {
-  const time = texts.value.review.detail.at({ time: timeOfDay(mark.at, language.value) });
-  const day = shortDay(Date.parse(mark.at) / 1000, language.value);
+export function facts(entry: TimelineEntry, book: TimelineIndex): string {
+  const time = texts.value.review.detail.at({ time: timeOfDay(entry.at, language.value) });
+  const day = shortDay(Date.parse(entry.at) / 1000, language.value);
   return [
-    mark.program_name,
+    entry.program_name,
     book.withDays ? `${day} ${time}` : time,
-    mark.duration_s ? duration(mark.duration_s, language.value) : null,
-    ...onRobot(mark),
+    entry.duration_s ? duration(entry.duration_s, language.value) : null,
+    ...onRobot(entry),
   ]
     .filter(Boolean)
     .join(" · ");
 }
 
 /** For a run on a real robot: the robot's name, and whether the run was judged for its activity. */
-function onRobot({ link, activity, passed, state }: ReviewMark): string[] {
+function onRobot({ link, activity, passed, state }: TimelineEntry): string[] {
   if (!link || link === SIMULATOR) return [];
   const { inReview } = texts.value.robot;
   const isJudged = passed === null ? inReview.notJudged : inReview.judged;
@@ -115,10 +115,10 @@ function onRobot({ link, activity, passed, state }: ReviewMark): string[] {
 }
 
 /** Changes before an event: block by block if `difference` is known, else the number of blocks. */
-export function changeTexts(mark: ReviewMark, difference: VersionDifference | null): string[] {
+export function changeTexts(entry: TimelineEntry, difference: VersionDifference | null): string[] {
   const { review } = texts.value;
-  if (difference && mark.since) return differenceTexts(difference, review, language.value);
-  return mark.changes ? countTexts(mark.changes, review) : [];
+  if (difference && entry.since) return differenceTexts(difference, review, language.value);
+  return entry.changes ? countTexts(entry.changes, review) : [];
 }
 
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,13 +1,13 @@
 import { type Signal, signal } from "@preact/signals";
-import type { ReviewMark, VersionDifference } from "../../../api/model";
+import type { TimelineEntry, VersionDifference } from "../../../api/model";
 import { reviewApi } from "../../../api/review";
 import { report } from "../../../kit/report";
 
 const cache = new Map<string, Signal<VersionDifference | null>>();
 
 /** Changes up to a timeline event; null without changes and before the response. */
-export function differenceOf(mark: ReviewMark | null): VersionDifference | null {
-  return mark?.since && mark.version_id ? between(mark.since, mark.version_id).value : null;
+export function differenceOf(entry: TimelineEntry | null): VersionDifference | null {
+  return entry?.since && entry.version_id ? between(entry.since, entry.version_id).value : null;
 }
 
 /** The difference between two versions, cached, because versions never change. */
