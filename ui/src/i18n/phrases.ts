@@ -1,4 +1,9 @@
+import { texts } from ".";
 import type { Texts } from "./texts";
+
+/** A label and its value: "Robô: pronto", in French with a space before the colon. */
+export const labelled = (label: string | number, value: string): string =>
+  texts.value.units.labelled({ label, value });
 
 /** What a sign is called: a letter, or any other name that a class gave it. */
 export const namedSign = (sign: string, { sign: texts }: Texts): string =>

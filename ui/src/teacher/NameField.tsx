@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { STORE_LIMITS } from "../api/declared";
 import { texts } from "../i18n";
+import { labelled } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";
 import { useAction } from "../kit/requests/action";
@@ -41,7 +42,7 @@ export function NameField({ name, label, testId, onRename, children }: NameField
         <Button
           kind="plain"
           icon={Pencil}
-          label={`${label}: ${name}`}
+          label={labelled(label, name)}
           tip={label}
           testId={testId}
           onPress={() => setDraft(name)}

@@ -1,5 +1,6 @@
 import { useLayoutEffect } from "preact/hooks";
 import { texts } from "../i18n";
+import { labelled } from "../i18n/phrases";
 import { useInstance } from "../kit/instance";
 import { listenForKeys } from "../kit/listen";
 import { ComparedBlocks } from "./compared_blocks";
@@ -24,7 +25,7 @@ export function Differences({ compared, programId }: DifferencesProps) {
       <section class="blocks">
         <SideChoice side="before" compared={compared} programId={programId} />
         <ReadBlocks
-          label={`${labels.before}: ${labels.version({ n: compared.before.number })}`}
+          label={labelled(labels.before, labels.version({ n: compared.before.number }))}
           onReader={(made) => {
             sides.before.value = made;
           }}
@@ -33,7 +34,7 @@ export function Differences({ compared, programId }: DifferencesProps) {
       <section class="blocks">
         <SideChoice side="after" compared={compared} programId={programId} />
         <ReadBlocks
-          label={`${labels.after}: ${labels.version({ n: compared.after.number })}`}
+          label={labelled(labels.after, labels.version({ n: compared.after.number }))}
           onReader={(made) => {
             sides.after.value = made;
           }}

@@ -1,5 +1,6 @@
 import type { BlocksViewer } from "../editor/reader/viewer";
 import type { Texts } from "../i18n";
+import { labelled } from "../i18n/phrases";
 import { commentText, type Differing, hiddenChange } from "./differences";
 
 /** Describes a difference with the blocks' texts, such as "andar para frente 1 m → andar para frente 2 m". */
@@ -20,5 +21,5 @@ export function differenceText(
   const [first, then] = [comment.before, comment.after].map(
     (stored) => commentText(stored) || archive.nothing,
   );
-  return `${is} (${archive.comment}: ${archive.became({ before: first ?? "", after: then ?? "" })})`;
+  return `${is} (${labelled(archive.comment, archive.became({ before: first ?? "", after: then ?? "" }))})`;
 }

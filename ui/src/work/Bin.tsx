@@ -3,7 +3,7 @@ import { ChevronDown, ChevronUp, RotateCcw, Trash2 } from "lucide-preact";
 import type { Program } from "../api/model";
 import { language, texts } from "../i18n";
 import { relativeTime } from "../i18n/format";
-import { changedText } from "../i18n/phrases";
+import { changedText, labelled } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import type { ProgramCollection } from "./program_collection";
 
@@ -53,7 +53,7 @@ function Thrown({ program, collection }: { program: Program; collection: Program
       </span>
       <Button
         icon={RotateCcw}
-        label={`${archive.takeBack}: ${program.name}`}
+        label={labelled(archive.takeBack, program.name)}
         testId="take-back"
         onPress={() => collection.restore(program)}
       >

@@ -2,7 +2,7 @@ import { History, Trash2 } from "lucide-preact";
 import type { Program } from "../api/model";
 import { language, texts } from "../i18n";
 import { relativeTime } from "../i18n/format";
-import { changedText } from "../i18n/phrases";
+import { changedText, labelled } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { PathPicture } from "../scene/small/PathPicture";
@@ -19,7 +19,7 @@ interface ProgramCardProps {
 export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
   const { work, archive } = texts.value;
   const changed = relativeTime(program.updated_at, new Date(), language.value, texts.value);
-  const about = (label: string) => `${label}: ${program.name}`;
+  const about = (label: string) => labelled(label, program.name);
   return (
     <div class="program-card card column shrinks">
       <a

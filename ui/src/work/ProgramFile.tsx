@@ -3,6 +3,7 @@ import { NO_CLASS } from "../api/classes";
 import { exchange } from "../api/exchange";
 import type { Program } from "../api/model";
 import { texts } from "../i18n";
+import { labelled } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import { FileButton } from "../kit/Field";
 import { setClassroom } from "../shell/classroom";
@@ -24,7 +25,7 @@ export function ExportProgram({ program }: { program: Program }) {
     <Button
       kind="plain"
       icon={Download}
-      label={`${programFile.takeAlong}: ${program.name}`}
+      label={labelled(programFile.takeAlong, program.name)}
       tip={programFile.takeAlongHint}
       testId="program-file"
       onPress={exportFile}

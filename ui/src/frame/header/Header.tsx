@@ -13,6 +13,7 @@ import { useRef } from "preact/hooks";
 import { hasCapture } from "../../camera/expected";
 import { language, texts } from "../../i18n";
 import { LANGUAGES, languageRow } from "../../i18n/languages";
+import { labelled } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
 import { GroupPicture } from "../../kit/pictures/GroupPicture";
@@ -78,7 +79,7 @@ function GroupChip() {
     <a
       class="header__group tinted row middle gap-2"
       href="#/"
-      title={`${texts.value.header.group}: ${now.name}. ${texts.value.header.home}`}
+      title={`${labelled(texts.value.header.group, now.name)}. ${texts.value.header.home}`}
       data-testid="header-group"
       style={{ "--group": now.color }}
     >

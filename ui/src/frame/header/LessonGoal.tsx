@@ -2,6 +2,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { GoalPicture as Goal } from "../../api/model";
 import { texts } from "../../i18n";
+import { labelled } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
 import { lazy } from "../../shell/lazy";
@@ -33,7 +34,7 @@ export function LessonGoal({ activity, goal }: LessonGoalProps) {
       <Button
         kind="bare"
         class="lesson-goal-chip__button"
-        label={`${showGoal}: ${activity}`}
+        label={labelled(showGoal, activity)}
         open={open.value}
         testId="show-goal"
         onPress={() => {

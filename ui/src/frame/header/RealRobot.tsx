@@ -1,6 +1,7 @@
 import { OctagonX } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { texts } from "../../i18n";
+import { labelled } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
 import { robotLabel } from "../../run/real/RobotName";
@@ -24,7 +25,7 @@ export function RealRobot() {
   return (
     <section
       class="real-robot row middle rigid shrinks gap-2"
-      aria-label={`${robot.real}: ${robotLabel(link)}`}
+      aria-label={labelled(robot.real, robotLabel(link))}
       data-testid="real-robot"
     >
       <span class="real-robot__words column">

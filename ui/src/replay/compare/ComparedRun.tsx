@@ -2,7 +2,7 @@ import { Lightbulb } from "lucide-preact";
 import type { Group } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { duration } from "../../i18n/format";
-import { hintsRead } from "../../i18n/phrases";
+import { hintsRead, labelled } from "../../i18n/phrases";
 import { GroupPicture } from "../../kit/pictures/GroupPicture";
 import { Readout } from "../../run/panels/Readout";
 import { RobotName } from "../../run/real/RobotName";
@@ -33,7 +33,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
     <section
       class={`compare__side shrinks shrinks-down compare__side--${number} tinted`}
       style={group ? { "--group": group.color } : {}}
-      aria-label={`${number}: ${title}`}
+      aria-label={labelled(number, title)}
       data-testid="compare-side"
       data-phase={side.view.value.phase}
       data-tick={side.view.value.tick}
@@ -57,7 +57,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
           side={side}
           number={number}
           blocks={blocks}
-          label={compare.blocksOf({ name: `${number}: ${title}` })}
+          label={compare.blocksOf({ name: labelled(number, title) })}
         />
       </div>
       <div class="floor__foot card" title={compare.pathOf({ name: title })}>

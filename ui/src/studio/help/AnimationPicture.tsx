@@ -1,6 +1,7 @@
 import { Play } from "lucide-preact";
 import { useMemo } from "preact/hooks";
 import { texts } from "../../i18n";
+import { labelled } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
 import { GroundPicture, ObjectsPicture } from "../../scene/small/GroundPicture";
 import { HEIGHT, viewportOfGoal, WIDTH } from "../../scene/small/goal_viewport";
@@ -36,7 +37,7 @@ export function AnimationPicture({ animation, label }: AnimationPictureProps) {
       kind="bare"
       class="help__film"
       elementRef={place}
-      label={`${texts.value.help.playFilm}: ${label}`}
+      label={labelled(texts.value.help.playFilm, label)}
       tip={texts.value.help.playFilm}
       testId="help-film"
       data-part={part.toFixed(2)}

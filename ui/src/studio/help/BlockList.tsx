@@ -3,6 +3,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import type { TextKey } from "../../blocks/texts";
 import type { BlockDrawing } from "../../editor/block_drawings";
 import { texts } from "../../i18n";
+import { labelled } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
 import { AnimationPicture } from "./AnimationPicture";
 import { animationOf } from "./animation";
@@ -43,7 +44,7 @@ function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
         />
         <Button
           icon={Plus}
-          label={`${help.tryIt}: ${label}`}
+          label={labelled(help.tryIt, label)}
           tip={help.tryItHelp}
           testId="help-try"
           onPress={({ currentTarget }) => {

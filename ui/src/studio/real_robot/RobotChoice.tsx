@@ -1,5 +1,6 @@
 import { Bot } from "lucide-preact";
 import { texts } from "../../i18n";
+import { labelled } from "../../i18n/phrases";
 import { Select } from "../../kit/Select";
 import * as robot from "../../run/live";
 import { robotLabel } from "../../run/real/RobotName";
@@ -19,7 +20,7 @@ export function RobotChoice() {
       icon={Bot}
       label={labels.choice}
       tip={
-        chosen ? `${labels.choice}: ${stateText(robotStates.value[chosen]).short}` : labels.choice
+        chosen ? labelled(labels.choice, stateText(robotStates.value[chosen]).short) : labels.choice
       }
       testId="robot-choice"
       value={chosen ?? SIMULATOR}

@@ -1,6 +1,7 @@
 import { Bot, Dices, Gauge } from "lucide-preact";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
+import { labelled } from "../../i18n/phrases";
 import { Select } from "../../kit/Select";
 import { clear } from "../../run/live";
 import { activeRealLink } from "../../run/real/real_robot";
@@ -63,7 +64,7 @@ function ModelChoice({ open }: { open: OpenProgram }) {
       class="debug-bar__model"
       icon={Bot}
       label={debug.model}
-      tip={`${debug.model}: ${robotOf(model)?.title ?? model}`}
+      tip={labelled(debug.model, robotOf(model)?.title ?? model)}
       testId="robot-model"
       value={model}
       options={robotModels.value.map(({ name, title }) => [name, title])}

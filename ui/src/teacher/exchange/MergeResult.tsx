@@ -2,6 +2,7 @@ import { CircleCheck, TriangleAlert } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
 import type { Merged } from "../../api/model";
 import { texts } from "../../i18n";
+import { labelled } from "../../i18n/phrases";
 import { DeletedOnOtherPc } from "./DeletedOnOtherPc";
 import { FilesLeft } from "./FilesLeft";
 import { outcome } from "./outcome";
@@ -59,5 +60,5 @@ export function MergeResult({ merged, isLesson, onDelete, onDecline }: MergeResu
 
 /** Names the file unless the message does. */
 function refusal(name: string, message: string): string {
-  return message.includes(name) ? message : `${name}: ${message}`;
+  return message.includes(name) ? message : labelled(name, message);
 }

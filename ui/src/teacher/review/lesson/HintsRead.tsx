@@ -1,6 +1,6 @@
 import type { OpenedHints } from "../../../api/model";
 import { texts } from "../../../i18n";
-import { hintsRead } from "../../../i18n/phrases";
+import { hintsRead, labelled } from "../../../i18n/phrases";
 
 interface HintsReadProps {
   hints: readonly OpenedHints[];
@@ -15,7 +15,7 @@ export function HintsRead({ hints }: HintsReadProps) {
       <h2 class="detail__title">{detail.hints}</h2>
       {hints.map(({ title, n, texts: read }) => (
         <section key={title}>
-          <h3 class="detail__activity">{`${title}: ${hintsRead(n, texts.value)}`}</h3>
+          <h3 class="detail__activity">{labelled(title, hintsRead(n, texts.value))}</h3>
           <ol>
             {read.map((hint) => (
               <li key={hint}>{hint}</li>

@@ -1,7 +1,7 @@
 import { CircleQuestionMark } from "lucide-preact";
 import type { Figures, OpenedHints } from "../../../api/model";
 import { language, texts } from "../../../i18n";
-import { hintsRead } from "../../../i18n/phrases";
+import { hintsRead, labelled } from "../../../i18n/phrases";
 import { Button } from "../../../kit/Button";
 import { rove } from "../../../kit/roving";
 import { roundDuration } from "../../time_format";
@@ -85,7 +85,7 @@ function Metric({ name, value, first, more }: MetricProps) {
 
 /** Lines about the opened hints of each activity. */
 function hintLines(hints: readonly OpenedHints[]): string[] {
-  return hints.map(({ title, n }) => `${title}: ${hintsRead(n, texts.value)}.`);
+  return hints.map(({ title, n }) => `${labelled(title, hintsRead(n, texts.value))}.`);
 }
 
 function valueText(name: MetricName, value: number): string {

@@ -1,6 +1,7 @@
 import type { TimelineEntry, VersionDifference } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { duration } from "../../../i18n/format";
+import { labelled } from "../../../i18n/phrases";
 import { robotLabel } from "../../../run/real/RobotName";
 import { SIMULATOR } from "../../../run/real/real_robot";
 import { roundDuration, timeOfDay } from "../../time_format";
@@ -69,7 +70,7 @@ export function textOf(
 /** Number and outcome of a run. */
 export function runTitle(entry: TimelineEntry, book: TimelineIndex): string {
   const { line, outcomes } = texts.value.review;
-  return `${line.run({ n: book.numberOf(entry.run_id) })}: ${outcomes[outcomeOf(entry)]}`;
+  return labelled(line.run({ n: book.numberOf(entry.run_id) }), outcomes[outcomeOf(entry)]);
 }
 
 function editsTitle(entry: TimelineEntry): string {
