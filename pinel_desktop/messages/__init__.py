@@ -9,9 +9,9 @@ the general form (`other`) chooses among them:
 
     "merged": {"message_one": "{{count}} run came.", "message_other": "{{count}} runs came.", "remedy": ""},
 
-`language.json` has the language's name and its plural rule; `page/` has the texts of the page, which reads the messages
-too. The folders of `catalogue` define which languages exist. Placeholders are replaced one by one, never by a format
-string, because their values come from pupils' programs.
+`language.json` has the language's name, its plural rule and its words for Python's keywords; `page/` has the texts of
+the page, which reads the messages too. The folders of `catalogue` define which languages exist. Placeholders are
+replaced one by one, never by a format string, because their values come from pupils' programs.
 """
 
 import gettext
@@ -22,7 +22,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
-from typing import Protocol
+from typing import Any, Protocol
 
 _CATALOGUE = resources.files(__name__) / "catalogue"
 # the other languages are translated from it; it is the fallback for a missing code
@@ -94,9 +94,25 @@ def plural_rules(language: str) -> dict[str, Callable[[int], int]]:
 
     The conditions are C expressions of `n`, as in gettext's files; a test compares them with the browser's rules.
     """
-    file = _CATALOGUE / language / "language.json"
-    conditions: dict[str, str] = json.loads(file.read_text("utf-8"))["plural"]
+    conditions: dict[str, str] = _language_file(language)["plural"]
     return {form: gettext.c2py(condition) for form, condition in conditions.items()}
+
+
+def python_keywords() -> dict[str, str]:
+    """What pupils may type for a keyword of Python, in every language: word -> keyword."""
+    return {
+        word: keyword
+        for language in LANGUAGES
+        for keyword, words in _language_file(language)["python"].items()
+        for word in words
+    }
+
+
+def _language_file(language: str) -> dict[str, Any]:
+    content: dict[str, Any] = json.loads(
+        (_CATALOGUE / language / "language.json").read_text("utf-8")
+    )
+    return content
 
 
 def language_of_system() -> str:

@@ -117,6 +117,7 @@ ONE_FAULT: list[tuple[str, int, int, str]] = [
     ("if x =< 1:\n    pass", 1, 7, "python_turned_round"),
     ("If x == 1:\n    pass", 1, 4, "python_word"),
     ("enquanto x == 1:\n    break", 1, 10, "python_word"),
+    ("sinon:\n    pass", 1, 6, "python_word"),
     ("robot.move_forward(1,5)", 1, 20, "python_decimal_comma"),
     ("robot.arc(-1,5, 90)", 1, 11, "python_decimal_comma"),
     ("x = " + "(" * 100 + ")" * 100, 1, 85, "nesting_too_deep"),

@@ -1,6 +1,9 @@
 """Explains common mistakes that Python reports only as invalid syntax."""
 
 import re
+from functools import cache
+
+from pinel_desktop.messages import python_keywords
 
 _MAX_LENGTH = 300  # longer lines were not typed by hand
 _ELSE_IF = re.compile(r"\s*else\s+if\b")
@@ -20,18 +23,6 @@ _KEYWORDS = (
     "pass",
     "global",
 )
-_MEANT = {
-    **{keyword: keyword for keyword in _KEYWORDS},
-    **dict.fromkeys(("se", "si"), "if"),
-    **dict.fromkeys(("senão", "senao", "sino"), "else"),
-    **dict.fromkeys(("senãose", "elseif", "elsif"), "elif"),
-    **dict.fromkeys(("enquanto", "mientras"), "while"),
-    **dict.fromkeys(("até", "ate", "hasta", "until"), "while not"),
-    **dict.fromkeys(("repita", "repetir", "repite", "repeat"), "for _ in range(4):"),
-    **dict.fromkeys(("para", "foreach"), "for"),
-    **dict.fromkeys(("função", "funcao", "función", "funcion", "function", "func"), "def"),
-    **dict.fromkeys(("retorne", "retorna", "devuelve"), "return"),
-}
 
 
 def common_mistake(line: str) -> tuple[str, dict[str, object]] | None:
@@ -47,7 +38,13 @@ def common_mistake(line: str) -> tuple[str, dict[str, object]] | None:
     if turned:
         return "python_turned_round", {"value": turned[0], "instead": turned[0][::-1]}
     token = _FIRST_TOKEN.match(line)
-    meant = _MEANT.get(token[1].lower()) if token else None
+    meant = _keywords().get(token[1].lower()) if token else None
     if token and meant and token[1] != meant:
         return "python_word", {"value": token[1], "instead": meant}
     return None
+
+
+@cache
+def _keywords() -> dict[str, str]:
+    """What may be meant by a word: a keyword in other case, or its translation."""
+    return {**{keyword: keyword for keyword in _KEYWORDS}, **python_keywords()}
