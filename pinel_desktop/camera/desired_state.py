@@ -31,7 +31,7 @@ class DesiredState:
     record_moving: bool = False
 
     def as_message(self) -> Message:
-        return {"type": "want", **asdict(self)}
+        return {"type": "desired_state", **asdict(self)}
 
     @classmethod
     def of(cls, message: dict[str, Any]) -> "DesiredState":

@@ -251,7 +251,7 @@ def _handle(session: _Session, order: Message) -> None:
     try:
         session.handle(order)
     except (KeyError, TypeError):
-        _log.warning("what the app wants is not understood: %.200s", order, exc_info=True)
+        _log.warning("the order of the app is not valid: %.200s", order, exc_info=True)
 
 
 def _frame_prediction(

@@ -65,14 +65,14 @@ class JudgeRequest:
             "activity": self.activity,
             "document": dict(self.document),
             "world": self.world,
-            "seen": self.observed.as_message() if self.observed else None,
+            "observed": self.observed.as_message() if self.observed else None,
             "language": self.language,
         }
 
     @classmethod
     def from_message(cls, message: Mapping[str, Any]) -> "JudgeRequest":
         """Reads the request from plain data."""
-        observed = ObservedRun.from_message(message["seen"]) if message["seen"] else None
+        observed = ObservedRun.from_message(message["observed"]) if message["observed"] else None
         activity, document = message["activity"], message["document"]
         return cls(activity, document, message["world"], observed, message["language"])
 
@@ -144,7 +144,7 @@ class RunUpdate:
         events = [dict(event) for event in self.events]
         return {
             "follow": self.run,
-            "begun": start_info,
+            "start_info": start_info,
             "events": events,
             "language": self.language,
         }
@@ -152,7 +152,7 @@ class RunUpdate:
     @classmethod
     def from_message(cls, message: Mapping[str, Any]) -> "RunUpdate":
         """Reads the update from plain data."""
-        start_info = RunStartInfo(**message["begun"]) if message["begun"] else None
+        start_info = RunStartInfo(**message["start_info"]) if message["start_info"] else None
         return cls(message["follow"], start_info, message["events"], message["language"])
 
 

@@ -259,7 +259,12 @@ def test_an_order_that_is_none_is_passed_over(harness: Harness) -> None:
     harness.camera.switch_on()
     harness.until("on")
     pid = harness.camera.pid
-    for order in ({}, {"type": "want"}, {"type": "signs"}, {"type": "signs", "signs": [{}]}):
+    for order in (
+        {},
+        {"type": "desired_state"},
+        {"type": "signs"},
+        {"type": "signs", "signs": [{}]},
+    ):
         harness.camera._process.send(order)
     harness.event("capture_started")
     assert harness.answers.get(timeout=WAIT_S)[1].label == "B"

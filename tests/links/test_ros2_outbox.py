@@ -14,7 +14,7 @@ outbox.put("battery", level=0.5)
 time.sleep(0.3)
 outbox.put("battery", level=0.4)  # pending for a second
 outbox.drop("battery")
-outbox.put("gone", "battery", sensor="battery")
+outbox.put("withdrawn", "battery", sensor="battery")
 outbox.close()
 """
 
@@ -28,5 +28,5 @@ def test_a_pending_battery_level_is_not_sent_after_the_battery_was_removed() -> 
     )
     assert [json.loads(line) for line in done.stdout.splitlines()] == [
         {"type": "battery", "level": 0.5},
-        {"type": "gone", "sensor": "battery"},
+        {"type": "withdrawn", "sensor": "battery"},
     ]

@@ -152,16 +152,16 @@ class Ros2Transport:
         elif kind == "problem":
             self._report(PinelError(message["code"], **message["params"]), receiver)
         elif message.get("sensor") == "battery":
-            if kind == "gone":
+            if kind == "withdrawn":
                 receiver.on_battery(math.nan)
         else:
             self._handle_sensor(kind, message)
 
     def _handle_sensor(self, kind: str, message: Message) -> None:
         sensors = self._sensors
-        if kind == "offered":
+        if kind == "published":
             sensors.offer(message["sensor"])
-        elif kind == "gone":
+        elif kind == "withdrawn":
             sensors.withdraw(message["sensor"])
         elif kind == "scan":
             min_range_m, max_range_m = message["bounds"]

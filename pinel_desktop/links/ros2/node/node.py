@@ -13,10 +13,10 @@ CONFIGURATION is a JSON object:
 Standard input has JSON lines `{"twist": [m/s, rad/s]}`. If no line arrives for 0.3 s, or at its end, the node sends
 zeros. If the input ends during the search for the robot, the node exits at once.
 
-Standard output has JSON lines, each with a `type`: `begun` (rclpy was imported), `ready`, `odometry`, `scan`, `range`,
-`points`, `bumper`, `battery`, `offered` and `gone` (with the name of a sensor), `problem` (with code and params). A
-node that only listens also writes `holder` (name of the node that drives the robot, or null). An app that does not
-read blocks nothing: of each type only the newest line is queued.
+Standard output has JSON lines, each with a `type`: `imported` (rclpy), `ready`, `odometry`, `scan`, `range`,
+`points`, `bumper`, `battery`, `published` and `withdrawn` (with the name of a sensor), `problem` (with code and
+params). A node that only listens also writes `holder` (name of the node that drives the robot, or null). An app that
+does not read blocks nothing: of each type only the newest line is queued.
 
 The node uses only the standard library and rclpy. It must work with Python 3.8, the version of ROS 2 Foxy.
 """
@@ -243,14 +243,14 @@ class Sensors:
                 self._waiting.remove(row)
                 self._topics[sensor] = topic
                 self._subscribe(topic, kind)
-                self._outbox.put("offered", sensor, sensor=sensor)
+                self._outbox.put("published", sensor, sensor=sensor)
         for sensor, topic in self._topics.items():
             if self._node.get_publishers_info_by_topic(topic):
                 self._withdrawn.discard(sensor)
             elif sensor not in self._withdrawn:
                 self._withdrawn.add(sensor)
                 self._outbox.drop(sensor)  # else a queued battery level would follow this line
-                self._outbox.put("gone", sensor, sensor=sensor)
+                self._outbox.put("withdrawn", sensor, sensor=sensor)
 
     def _is_published(self, topic, kind):
         types = {endpoint.topic_type for endpoint in self._node.get_publishers_info_by_topic(topic)}
@@ -353,7 +353,7 @@ def run(configuration, context, outbox, inbox):
 
 def main():
     outbox, inbox = Outbox(), Inbox()
-    outbox.put("begun")
+    outbox.put("imported")
     configuration = json.loads(sys.argv[1])
     context = Context()
     rclpy.init(context=context, domain_id=configuration["domain"])
