@@ -179,7 +179,7 @@ def test_an_activity_of_format_2_has_all_that_a_group_reads() -> None:
         ({"level": 4}, "activity_value_wrong", "/level"),
         ({"blocks": ["fly"]}, "unknown_action", "/blocks/0"),
         ({"blocks": ["move_forward"], "hints": [TURN_HINT]}, "activity_hint_block", "/hints/0"),
-        ({"story": {"pt-BR": "x", "en": "x"}}, "missing_parameter", "/story"),
+        ({"story": {"en": "x", "es": "x"}}, "missing_parameter", "/story"),
         ({"story": TITLE | {"en": "x" * 1001}}, "text_too_long", "/story/en"),
         ({"hints": [TITLE] * 4}, "activity_value_wrong", "/hints"),
         ({"cases": [{"start": {"x_m": 0}}]}, "missing_parameter", "/cases/0/start"),

@@ -114,7 +114,7 @@ def test_what_is_no_world_at_all_is_one_fault(source: Any, code: str) -> None:
         ({"title": "x" * 61}, "text_too_long", "/title"),
         ({"title": "  "}, "world_text_blank", "/title"),
         ({"title": "\ud800"}, "text_not_unicode", "/title"),
-        ({"title": {"pt-BR": "Sala", "en": "Room"}}, "missing_parameter", "/title"),
+        ({"title": {"en": "Room", "es": "Sala"}}, "missing_parameter", "/title"),
         (
             {"title": {"pt-BR": "Sala", "en": "Room", "es": "Sala", "PT_br": "Sala"}},
             "world_unknown_key",

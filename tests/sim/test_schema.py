@@ -33,7 +33,7 @@ def test_worlds_and_their_normal_forms_keep_to_the_schema(
         {"boxes": [{**BOX, "movable": True, "mass_kg": 21}]},
         {"boxes": [{**BOX, "movable": True, "size": [0.4, 0.04]}]},
         {"title": 7},
-        {"title": {"pt-BR": "Sala", "en": "Room"}},
+        {"title": {"en": "Room", "es": "Sala"}},
         {"title": {"pt-BR": "Sala", "en": "Room", "es": "Sala", "PT_br": "Sala"}},
         {"size_m": [6]},
         {"colour": "red"},
