@@ -19,7 +19,7 @@ def check_shape(answer: ApiResponse, status: int, code: str) -> dict[str, Any]:
     assert answer.headers["Content-Type"] == "application/json"
     assert set(answer.data) == {"error"}
     error = answer.error
-    assert set(error) == {"code", "message", "remedy", "params", "faults"}
+    assert set(error) == {"code", "message", "remedy", "details", "params", "faults"}
     assert error["code"] == code
     assert error["message"]
     assert error["message"] != code
