@@ -50,7 +50,7 @@ def test_a_folder_that_is_away_is_named_and_nothing_is_begun_in_its_place(
     with served(path) as app:
         notice = app.database["notice"]
         assert (notice["code"], app.database["writable"]) == ("database_place_missing", False)
-        assert str(stick) in notice["remedy"]
+        assert str(stick) in notice["details"]
         refused = app.browser.post("/api/groups", {"name": "A"})
         assert (refused.status, refused.error["code"]) == (503, "database_place_missing")
         assert app.end() == 0
