@@ -20,7 +20,7 @@ _TYPES = _ROOT / "ui" / "src" / "i18n" / "catalogue_types.ts"
 _SOURCES = ("pinel_desktop", "storage", "sim", "ui/src")
 _PLACEHOLDER = re.compile(r"\{\{(\w+)(?:, number)?\}\}")
 # Words, and the beginnings and ends of keys that a string contains: "check_{kind}", "_too_many".
-_WORD = re.compile(r"""(?<=[}"`])_\w+|\w+_(?=[{"`$])|\b[^\W_]\w*""")
+_TOKEN = re.compile(r"""(?<=[}"`])_\w+|\w+_(?=[{"`$])|\b[^\W_]\w*""")
 _PLURAL = re.compile(r"(.+)_(zero|one|two|few|many|other)")
 
 
@@ -58,18 +58,18 @@ def unused(folder: Path = _CATALOGUE) -> list[str]:
 
     A key that the code builds counts as used if a string has its beginning or its end: "check_{kind}" or "_too_many".
     """
-    source, words = folder / messages.SOURCE_LANGUAGE, _words_of_sources()
+    source, tokens = folder / messages.SOURCE_LANGUAGE, _tokens_of_sources()
     paths = [
         (file, path)
         for file in (*source.glob("*.json"), *source.glob("page/*.json"))
         if file.name != "language.json"
         for path in (_forms(_read(file)) if file.parent.name == "page" else _read(file))
     ]
-    found = [(file, path) for file, path in paths if not _names(path) & words]
+    found = [(file, path) for file, path in paths if not _names(path) & tokens]
     return sorted(f"{file.relative_to(source).as_posix()}: {path}" for file, path in found)
 
 
-def _words_of_sources() -> set[str]:
+def _tokens_of_sources() -> set[str]:
     files = [path for top in _SOURCES for path in (_ROOT / top).rglob("*.*")]
     code = [
         path
@@ -78,11 +78,11 @@ def _words_of_sources() -> set[str]:
         and not path.name.endswith((".test.ts", ".test.tsx"))
         and path not in {_TYPES, _ROOT / "ui" / "src" / "api" / "types.ts"}
     ]
-    return {word for path in code for word in _WORD.findall(path.read_text("utf-8"))}
+    return {token for path in code for token in _TOKEN.findall(path.read_text("utf-8"))}
 
 
 def _names(path: str) -> set[str]:
-    """Returns the words of which one stands in the code if it uses the key."""
+    """Returns the names of which one is in the code if it uses the key."""
     part, *_, name = [path, *(step for step in path.split(".") if not step.isdigit())]
     if part.startswith("editor."):  # Blockly's own keys
         return {"Blockly"}

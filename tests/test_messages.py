@@ -196,14 +196,14 @@ def test_pupils_are_spoken_to_as_a_group(language: str) -> None:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_what_only_a_technician_can_do_stands_apart(language: str) -> None:
-    told = {
+    remedies = {
         code: part(texts, "remedy")
         for code, texts in catalogue(language).items()
         if "details" in texts
     }
-    assert len(told) > 20
+    assert len(remedies) > 20
     technical = re.compile(r"\{\{(?:path|folder|name|problem)\}\}|--|\bpinel [a-z]")
-    assert {code: text for code, text in told.items() if technical.search(text)} == {}
+    assert {code: text for code, text in remedies.items() if technical.search(text)} == {}
     full = describe("disk_full", {"path": "/a/b.db"}, language)
     assert "/a/b.db" in full.details
     assert full.line == f"{full.message} {full.remedy} {full.details}"

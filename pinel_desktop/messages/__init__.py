@@ -99,12 +99,12 @@ def plural_rules(language: str) -> dict[str, Callable[[int], int]]:
 
 
 def python_keywords() -> dict[str, str]:
-    """What pupils may type for a keyword of Python, in every language: word -> keyword."""
+    """What pupils may type for a keyword of Python, in every language: translation -> keyword."""
     return {
-        word: keyword
+        translation: keyword
         for language in LANGUAGES
-        for keyword, words in _language_file(language)["python"].items()
-        for word in words
+        for keyword, translations in _language_file(language)["python"].items()
+        for translation in translations
     }
 
 

@@ -64,9 +64,9 @@ class Graph:
     def __init__(self, session: Session) -> None:
         participant = session.participant
         self._own: uuid.UUID = participant.get_guid()
-        self._participants = _AliveInstances(participant, BuiltinTopicDcpsParticipant)
-        self._publications = _AliveInstances(participant, BuiltinTopicDcpsPublication)
-        self._subscriptions = _AliveInstances(participant, BuiltinTopicDcpsSubscription)
+        self._participants = _CurrentInstances(participant, BuiltinTopicDcpsParticipant)
+        self._publications = _CurrentInstances(participant, BuiltinTopicDcpsPublication)
+        self._subscriptions = _CurrentInstances(participant, BuiltinTopicDcpsSubscription)
 
     def publishers(self, topic: str = "") -> list[Endpoint]:
         """Returns the publishers of `topic`; without one, the publishers of all ROS topics."""
@@ -87,7 +87,7 @@ class Graph:
         has_exited = machine == this_machine() and not psutil.pid_exists(int(pid))
         return Participant(host, is_pinel=True, has_exited=has_exited)
 
-    def _endpoints(self, instances: "_AliveInstances", topic: str) -> Iterator[Endpoint]:
+    def _endpoints(self, instances: "_CurrentInstances", topic: str) -> Iterator[Endpoint]:
         for found in instances.snapshot().values():
             name = found.topic_name
             if found.participant_key == self._own or not name.startswith(TOPIC_PREFIX):
@@ -100,7 +100,7 @@ class Graph:
                 )
 
 
-class _AliveInstances:
+class _CurrentInstances:
     """The instances of a built-in topic in state `Alive`, by key."""
 
     def __init__(self, participant: DomainParticipant, topic: BuiltinTopic) -> None:
