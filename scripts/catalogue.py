@@ -45,6 +45,8 @@ def faults(language: str, folder: Path = _CATALOGUE) -> list[str]:
     }
     found = [f"{language}: the file {name} is missing" for name in sorted(names - own)]
     found += [f"{language}: the file {name} is unknown" for name in sorted(own - names)]
+    lacking = _read(source / "language.json").keys() - _read(folder / language / "language.json")
+    found += [f"{language}/language.json: “{key}” is missing" for key in sorted(lacking)]
     for name in sorted((names & own) - {"language.json"}):
         wanted, given = (
             _forms(_read(folder / tag / name)) for tag in (messages.SOURCE_LANGUAGE, language)
@@ -83,10 +85,10 @@ def _tokens_of_sources() -> set[str]:
 
 def _names(path: str) -> set[str]:
     """Returns the names of which one is in the code if it uses the key."""
-    part, *_, name = [path, *(step for step in path.split(".") if not step.isdigit())]
-    if part.startswith("editor."):  # Blockly's own keys
+    name = [step for step in path.split(".") if not step.isdigit()][-1]
+    if path.startswith("editor."):  # Blockly's own keys
         return {"Blockly"}
-    if part.startswith("blocks."):  # "COLOUR_BLUE" belongs to blue, "MOVE_TIP" to move
+    if path.startswith("blocks."):  # "COLOUR_BLUE" belongs to blue, "MOVE_TIP" to move
         whole = name.removesuffix("_TIP")
         return {name, whole.lower(), whole.partition("_")[2].lower()}
     cuts = [at for at, letter in enumerate(name) if letter == "_"]

@@ -195,7 +195,7 @@ def test_pupils_are_spoken_to_as_a_group(language: str) -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_what_only_a_technician_can_do_stands_apart(language: str) -> None:
+def test_paths_and_commands_are_in_the_details_and_not_in_the_remedy(language: str) -> None:
     remedies = {
         code: part(texts, "remedy")
         for code, texts in catalogue(language).items()

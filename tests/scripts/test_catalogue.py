@@ -66,6 +66,11 @@ def test_each_key_of_the_page_is_in_one_file(language: str) -> None:
     assert sorted(keys) == sorted(set(keys))
 
 
+def test_what_the_file_of_a_language_lacks_is_named(folder: Path) -> None:
+    (folder / "fr" / "language.json").write_text('{"name": "Français", "plural": {}}', "utf-8")
+    assert catalogue.faults("fr", folder)[:1] == ["fr/language.json: “python” is missing"]
+
+
 def test_every_key_is_used() -> None:
     assert catalogue.unused() == []
 

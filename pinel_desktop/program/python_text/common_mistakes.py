@@ -38,13 +38,13 @@ def common_mistake(line: str) -> tuple[str, dict[str, object]] | None:
     if turned:
         return "python_turned_round", {"value": turned[0], "instead": turned[0][::-1]}
     token = _FIRST_TOKEN.match(line)
-    meant = _keywords().get(token[1].lower()) if token else None
+    meant = _meanings().get(token[1].lower()) if token else None
     if token and meant and token[1] != meant:
         return "python_word", {"value": token[1], "instead": meant}
     return None
 
 
 @cache
-def _keywords() -> dict[str, str]:
-    """What may be meant by a word: a keyword in other case, or its translation."""
+def _meanings() -> dict[str, str]:
+    """The keyword that is meant: by itself in other case, or by a translation."""
     return {**{keyword: keyword for keyword in _KEYWORDS}, **python_keywords()}

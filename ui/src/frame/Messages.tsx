@@ -5,8 +5,8 @@ import { ApiError } from "../api/errors";
 import type { Notice } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
+import { ProblemText } from "../kit/requests/ProblemText";
 import { type Problem, problemOf } from "../kit/requests/problem";
-import { Remedy } from "../kit/requests/Remedy";
 import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/save_file";
 import { connection, notice, problem } from "../shell/session";
@@ -128,7 +128,7 @@ function MessageLine({ text, icon, testId, fault = false, children }: MessageLin
     <div class={`line-message ${fault ? "line-message--fault" : ""}`} data-testid={testId}>
       {icon}
       <div>
-        <Remedy of={text} />
+        <ProblemText of={text} />
       </div>
       {children}
     </div>

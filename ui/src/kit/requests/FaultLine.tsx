@@ -1,5 +1,5 @@
+import { ProblemText } from "./ProblemText";
 import type { Problem } from "./problem";
-import { Remedy } from "./Remedy";
 
 interface FaultLineProps {
   fault: Problem | null;
@@ -10,7 +10,7 @@ export function FaultLine({ fault }: FaultLineProps) {
   if (!fault) return null;
   return (
     <div class="fault-line" role="alert">
-      <Remedy of={fault} />
+      <ProblemText of={fault} />
     </div>
   );
 }

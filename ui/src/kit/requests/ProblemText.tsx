@@ -3,7 +3,7 @@ import type { Problem } from "./problem";
 import { Unbroken } from "./Unbroken";
 
 /** A message and what to do now. What only a technician can do, with its paths and options, opens with a click. */
-export function Remedy({ of: { message, remedy, details } }: { of: Problem }) {
+export function ProblemText({ of: { message, remedy, details } }: { of: Problem }) {
   return (
     <>
       <strong>
@@ -11,7 +11,7 @@ export function Remedy({ of: { message, remedy, details } }: { of: Problem }) {
       </strong>{" "}
       <Unbroken text={remedy} />
       {details && (
-        <details class="remedy-details">
+        <details class="problem-details">
           <summary>{texts.value.trouble.details}</summary>
           <Unbroken text={details} />
         </details>
