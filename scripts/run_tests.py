@@ -144,7 +144,7 @@ STEPS = (
 
 
 @dataclass
-class Outcome:
+class StepResult:
     step: Step
     status: int
     seconds: float
@@ -162,12 +162,12 @@ class Outcome:
         return self.status != 0 or (self.step.counts and not _COUNT.search(self.closing))
 
 
-def run_all(steps: Sequence[Step]) -> list[Outcome]:
+def run_all(steps: Sequence[Step]) -> list[StepResult]:
     """Runs the steps in their order; steps that only read the code run in pairs, because most use one core."""
     reading = [step for step in steps if step.group == "lint"]
     with ThreadPoolExecutor(2) as pool:
         outcomes = list(pool.map(lambda step: run(step, is_live=False), reading))
-        aside: dict[str, Future[Outcome]] = {}
+        aside: dict[str, Future[StepResult]] = {}
         for step in (step for step in steps if step not in reading):
             if step.is_aside:
                 aside[step.group] = pool.submit(run, step, is_live=False)
@@ -190,7 +190,7 @@ def busy_loops(n: int) -> Iterator[None]:
             loop.wait()
 
 
-def run(step: Step, *, is_live: bool = True) -> Outcome:
+def run(step: Step, *, is_live: bool = True) -> StepResult:
     """Runs one step; shows its output, live or at its end, and writes it to the log."""
     title = f"\n--- {step.name}: {' '.join(step.command[-4:])}"
     if is_live:
@@ -220,10 +220,10 @@ def run(step: Step, *, is_live: bool = True) -> Outcome:
         print(title, "".join(lines), sep="\n", end="", flush=True)
     output = _COLOURS.sub("", "".join(lines))
     (LOGS / f"{step.name}.log").write_text(output, "utf-8")
-    return Outcome(step, process.returncode, time.monotonic() - started, output)
+    return StepResult(step, process.returncode, time.monotonic() - started, output)
 
 
-def totals(outcomes: Sequence[Outcome]) -> dict[str, int]:
+def totals(outcomes: Sequence[StepResult]) -> dict[str, int]:
     """Returns the tests passed, failed and skipped over all runners; an aborted step counts as one failure."""
     total = {"passed": 0, "failed": 0, "skipped": 0}
     for outcome in outcomes:
@@ -236,13 +236,13 @@ def totals(outcomes: Sequence[Outcome]) -> dict[str, int]:
     return total
 
 
-def by_duration(outcomes: Sequence[Outcome]) -> list[tuple[float, str]]:
+def by_duration(outcomes: Sequence[StepResult]) -> list[tuple[float, str]]:
     """Returns seconds and names of the slowest tests of all pytest steps, the slowest first."""
     found = [hit for outcome in outcomes for hit in _DURATION.findall(outcome.output)]
     return sorted(((float(seconds), name) for seconds, name in found), reverse=True)[:N_DURATIONS]
 
 
-def report(outcomes: Sequence[Outcome], seconds: float) -> None:
+def report(outcomes: Sequence[StepResult], seconds: float) -> None:
     """Prints the slowest tests, one line per step, then the totals; `seconds` is the duration of all steps."""
     print("\n--- slowest tests")
     for duration, name in by_duration(outcomes):

@@ -15,7 +15,7 @@ from storage.file.notices import Notice, SalvageResult
 from storage.file.opening import connect, prepare, prepare_reading
 from storage.runs.confirmation import Unconfirmed
 from storage.runs.grading import GradingResults
-from storage.runs.history import History
+from storage.runs.history import RunHistory
 from storage.runs.runs import Batch, Runs, close_runs, write_batch
 from storage.sql import Stop, exists
 from storage.sqlite import sqlite3
@@ -66,7 +66,7 @@ class Store:
         self.grading_results = GradingResults(database)
         self.unconfirmed = Unconfirmed(database)
         self.notes = Notes(database)
-        self.history = History(database)
+        self.history = RunHistory(database)
         self.lesson_histories = LessonHistories(database)
         self.settings = Settings(database)
         self.backup_share = BackupShare(database)

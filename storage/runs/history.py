@@ -58,7 +58,7 @@ class HistoryEntry(NamedTuple):
     group: GroupSummary | None
 
 
-class History(Repository):
+class RunHistory(Repository):
     """The runs of the file, newest first."""
 
     def page(

@@ -108,7 +108,7 @@ def read_error(day: Day) -> str | None:
     return None
 
 
-class Outcome(NamedTuple):
+class DamageOutcome(NamedTuple):
     """One damaged file of many: what was done, what was said, and how many of its edits are there as they were."""
 
     turn: int
@@ -124,7 +124,7 @@ class Outcome(NamedTuple):
         return self.n_retained == self.n_edits or self.code is not None
 
 
-def outcome_of(turn: int, folder: Path) -> Outcome:
+def outcome_of(turn: int, folder: Path) -> DamageOutcome:
     """Damages a file, in ways that depend on the number alone, and opens it."""
     chance = random.Random(turn)
     day = a_day(folder, n_edits=60, n_backed_up=chance.choice([30, 999]), n_in_log=20)
@@ -139,7 +139,7 @@ def outcome_of(turn: int, folder: Path) -> Outcome:
     n_reported = (
         sum(int(str(notice.params.get(k) or 0)) for k in ("n_edits", "n_unread")) if notice else 0
     )
-    return Outcome(
+    return DamageOutcome(
         turn, f"{method.__name__} {target.name}", code, n_retained, len(day.edits), n_reported
     )
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pinel_desktop.program.python_text import Line, read_python, write_python
+from pinel_desktop.program.python_text import TextLine, read_python, write_python
 from pinel_desktop.program.python_text.write_expressions import number_text, string_literal
 
 
@@ -79,8 +79,8 @@ def test_each_line_with_a_command_has_its_pointer_and_block() -> None:
     written = write_python({"name": "a", "commands": [loop]})
     assert written.text.splitlines()[4] == "for _ in range(2):"
     assert written.lines == {
-        5: Line("/commands/0", "r"),
-        6: Line("/commands/0/commands/0", "s"),
+        5: TextLine("/commands/0", "r"),
+        6: TextLine("/commands/0/commands/0", "s"),
     }
 
 

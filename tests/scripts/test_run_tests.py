@@ -15,7 +15,7 @@ LINT = run_tests.Step("ruff", "lint", ("ruff",))
 
 
 def outcome(step: object, output: str, status: int = 0) -> object:
-    return run_tests.Outcome(step, status, 1.0, output)
+    return run_tests.StepResult(step, status, 1.0, output)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from typing import Any
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.python_text.comments import Anchor
 from pinel_desktop.program.python_text.scanning import MAX_FAULTS, SyntaxProblem, TextPosition
-from pinel_desktop.program.python_text.writing import Line
+from pinel_desktop.program.python_text.writing import TextLine
 
 Positioned = ast.stmt | ast.expr | ast.arg | ast.keyword
 
@@ -27,7 +27,7 @@ class Diagnostics:
         self._is_too_deep = False
         self.anchors: list[Anchor] = []
         self.nodes: dict[str, Positioned] = {}
-        self.lines: dict[int, Line] = {}
+        self.lines: dict[int, TextLine] = {}
 
     def position(self, node: Positioned) -> TextPosition:
         """Returns the start of a node of Python's syntax tree, whose own columns count bytes."""
@@ -94,4 +94,4 @@ class Diagnostics:
 
     def line(self, node: ast.stmt, pointer: str) -> None:
         """Records the command of a line; of several, the first."""
-        self.lines.setdefault(node.lineno, Line(pointer))
+        self.lines.setdefault(node.lineno, TextLine(pointer))

@@ -14,7 +14,7 @@ from pinel_desktop.program.python_text.names import program_name
 from pinel_desktop.program.python_text.parsing import Parsed, parse
 from pinel_desktop.program.python_text.read_expressions import ExpressionReader
 from pinel_desktop.program.python_text.read_statements import Statements, docstring_of
-from pinel_desktop.program.python_text.writing import Line
+from pinel_desktop.program.python_text.writing import TextLine
 from pinel_desktop.program.reading import ParseResult, read_document
 
 # faults that may be consequences of lines that cannot be read
@@ -46,7 +46,7 @@ class PythonParseResult:
     """
 
     result: ParseResult
-    lines: Mapping[int, Line] = field(default_factory=dict)
+    lines: Mapping[int, TextLine] = field(default_factory=dict)
 
     @property
     def faults(self) -> tuple[Fault, ...]:

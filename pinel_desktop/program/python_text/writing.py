@@ -18,7 +18,7 @@ from pinel_desktop.program.python_text.write_expressions import (
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class TextLine:
     """The content of a line: a command, or the head of a function."""
 
     pointer: str
@@ -30,7 +30,7 @@ class PythonText:
     """A program as Python text; `lines` has the command of each line, counted from 1."""
 
     text: str
-    lines: Mapping[int, Line]
+    lines: Mapping[int, TextLine]
 
 
 def write_python(document: Mapping[str, Any]) -> PythonText:
@@ -58,7 +58,7 @@ class _Writer:
     def __init__(self, signatures: Signatures) -> None:
         self._signatures = signatures
         self._text: list[str] = []
-        self.lines: dict[int, Line] = {}
+        self.lines: dict[int, TextLine] = {}
 
     def text(self) -> list[str]:
         """The lines, without empty ones at the end."""
@@ -101,7 +101,7 @@ class _Writer:
         for line in () if comment is None else comment.split("\n"):
             self.write(f"# {comment_text(line)}" if line else "#", depth)
         self.write(text, depth)
-        self.lines[len(self._text)] = Line(pointer, command.get("block"))
+        self.lines[len(self._text)] = TextLine(pointer, command.get("block"))
 
     def _command(self, command: Mapping[str, Any], pointer: str, depth: int) -> None:
         self._begin(command, self._heading(command), pointer, depth)

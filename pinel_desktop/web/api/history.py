@@ -6,7 +6,7 @@ from flask import Response
 
 from pinel_desktop.web.api import TEACHER, Resource, responses
 from pinel_desktop.web.api.runs import run_model
-from pinel_desktop.web.models.review import GroupHead, History, HistoryPage, HistoryRun
+from pinel_desktop.web.models.review import GroupHead, HistoryPage, HistoryRun, RunHistoryResponse
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
@@ -18,13 +18,13 @@ api = Resource("history", "Runs of all groups.", __name__)
 _FIRST_YEAR, _LAST_YEAR = 1971, 2200
 
 
-@api.get("/runs", responses=responses(History, *TEACHER))
+@api.get("/runs", responses=responses(RunHistoryResponse, *TEACHER))
 def list_history(query: HistoryPage) -> Response:
     """Runs of all groups, newest first, a page at a time. For the teacher."""
     require_teacher()
     lines = services().store.history.page(_filter(query), before=query.before, limit=query.limit)
     after = lines[-1].run.id if len(lines) == query.limit else None
-    return json_response(History(runs=[_model(line) for line in lines], next=after))
+    return json_response(RunHistoryResponse(runs=[_model(line) for line in lines], next=after))
 
 
 def _filter(query: HistoryPage) -> RunFilter:

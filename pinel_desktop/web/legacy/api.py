@@ -17,7 +17,7 @@ from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.legacy import open_run
 from pinel_desktop.web.legacy.execute_responses import for_each
-from pinel_desktop.web.legacy.open_run import Event, OpenRun, Outcome
+from pinel_desktop.web.legacy.open_run import Event, ExecuteOutcome, OpenRun
 from pinel_desktop.web.legacy.run_store import Commands, LegacyRunStore
 from pinel_desktop.web.legacy.streams import STREAM_S, Streams
 from pinel_desktop.web.responses import describe_faults, error_body, json_safe, plain, status_of
@@ -172,7 +172,7 @@ class LegacyApi:
 
     def _call(
         self, commands: Commands, message: Message, withdrawn: threading.Event
-    ) -> Outcome | None:
+    ) -> ExecuteOutcome | None:
         """Executes a call and returns its outcome.
 
         If a stream has already started a capture, a call of one capture gets the outcome of that capture.
@@ -187,7 +187,7 @@ class LegacyApi:
             return ended
         return self._run.call(commands, withdrawn)
 
-    def _ended_in(self, batch: int | None) -> Outcome | None:
+    def _ended_in(self, batch: int | None) -> ExecuteOutcome | None:
         """Returns the reason why the rest of a page's batch is not executed; None to execute it.
 
         The original's page sends the next command of its batch even after a Stop.
@@ -196,7 +196,7 @@ class LegacyApi:
         if batch is None or batch != self._batch:
             self._batch, self._run.cut_short = batch, None
         elif ended is not None:
-            return Outcome(ended.state, 0, ended.code, ended.params)
+            return ExecuteOutcome(ended.state, 0, ended.code, ended.params)
         return None
 
     def _last_result(self, message: Message, withdrawn: threading.Event) -> Message:
@@ -262,7 +262,7 @@ class LegacyApi:
     def _invalid(self, faults: Any) -> InvalidProgramError:
         return InvalidProgramError(describe_faults(faults, self._parts.settings.language))
 
-    def _report(self, outcome: Outcome | None) -> dict[str, Any]:
+    def _report(self, outcome: ExecuteOutcome | None) -> dict[str, Any]:
         """Returns the body of a call's response; empty if the caller has disconnected."""
         if outcome is None:
             return {}

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from pinel_desktop.web.legacy.open_run import Outcome
+from pinel_desktop.web.legacy.open_run import ExecuteOutcome
 
 _CAPTURES = ("classify_gestures", "classificar_gestos")
 _SETTER = "set_gesture_result"
@@ -11,7 +11,7 @@ _BODIES = ("commands", "else", "elif")
 
 
 def for_each(
-    sent: list[dict[str, Any]], outcome: Outcome, error: Mapping[str, Any] | None
+    sent: list[dict[str, Any]], outcome: ExecuteOutcome, error: Mapping[str, Any] | None
 ) -> list[dict[str, Any]]:
     """Returns one object for each command of the request, as the original's backend answers its page.
 

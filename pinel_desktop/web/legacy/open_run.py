@@ -28,7 +28,7 @@ _END_S = 10.0
 _POLL_S = 0.2
 
 
-class Outcome(NamedTuple):
+class ExecuteOutcome(NamedTuple):
     """Outcome of a call.
 
     Attributes:
@@ -75,12 +75,12 @@ class OpenRun:
         schedule: Callable[[float, Callable[[], None]], Cancel] = by_timer,
     ) -> None:
         self.result: str | None = None
-        self.cut_short: Outcome | None = None
+        self.cut_short: ExecuteOutcome | None = None
         self._engine, self._store = engine, store
         self._make_spec, self._check, self._schedule = make_spec, check, schedule
         self._changed = threading.Condition()
         self._state: Literal["idle", "busy", "waiting", "ending"] = "idle"
-        self._outcome: Outcome | None = None
+        self._outcome: ExecuteOutcome | None = None
         self._caller_left = False
         self._cancel_end: Cancel = _nothing
         self._run: str | None = None
@@ -97,14 +97,14 @@ class OpenRun:
             self._state == "busy" and not self._caller_left
         )
 
-    def call(self, commands: Commands, withdrawn: threading.Event) -> Outcome | None:
+    def call(self, commands: Commands, withdrawn: threading.Event) -> ExecuteOutcome | None:
         """Executes the commands. If the caller disconnects meanwhile, stops the robot and returns None.
 
         Raises:
             PinelError, StoreError: as `begin`.
         """
         if not commands:
-            return Outcome("ok", 0)
+            return ExecuteOutcome("ok", 0)
         self.begin(commands)
         return self.wait(withdrawn.is_set)
 
@@ -196,7 +196,7 @@ class OpenRun:
             self._store.discard(run)
             raise
 
-    def wait(self, has_left: Callable[[], bool]) -> Outcome | None:
+    def wait(self, has_left: Callable[[], bool]) -> ExecuteOutcome | None:
         """Returns the outcome of the call that `begin` started.
 
         If the caller disconnects, stops the robot and returns None.
@@ -224,7 +224,7 @@ class OpenRun:
             if event["result"] != self._run_result:  # a command has set it; no event reported it
                 self.result = self._run_result = event["result"]
             n_executed = event["n_executed"] - self._n_executed
-            self._outcome = Outcome("ok", n_executed, results=self._results)
+            self._outcome = ExecuteOutcome("ok", n_executed, results=self._results)
             self._n_executed = event["n_executed"]
             self._await_next_call()
             self._changed.notify_all()
@@ -271,12 +271,14 @@ class OpenRun:
             self._state, self._outcome = "idle", outcome
             self._changed.notify_all()
 
-    def _outcome_of(self, event: Event) -> Outcome:
+    def _outcome_of(self, event: Event) -> ExecuteOutcome:
         n_executed = (event["n_executed"] or self._n_executed) - self._n_executed
         if event["state"] == "failed":
             reason = event["reason"], event["params"]
-            return Outcome("failed", n_executed, *reason, results=self._results)
-        return Outcome("stopped", n_executed, event["reason"] or BY_PERSON, results=self._results)
+            return ExecuteOutcome("failed", n_executed, *reason, results=self._results)
+        return ExecuteOutcome(
+            "stopped", n_executed, event["reason"] or BY_PERSON, results=self._results
+        )
 
     def _forget(self) -> None:
         self._run, self._commands = None, []

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from pinel_desktop.camera.client import CameraClient
 from pinel_desktop.errors import PinelError
-from pinel_desktop.web.legacy.open_run import OpenRun, Outcome
+from pinel_desktop.web.legacy.open_run import ExecuteOutcome, OpenRun
 from pinel_desktop.web.legacy.pictures import Pictures
 from pinel_desktop.web.legacy.run_store import Commands
 
@@ -43,7 +43,7 @@ class _Capture:
     n_waiting: int = 0
     result_s: float | None = None
     has_camera: bool = True
-    outcome: Outcome | None = None
+    outcome: ExecuteOutcome | None = None
     over: threading.Event = field(default_factory=threading.Event)
 
 

@@ -200,7 +200,7 @@ class HistoryRun(Run):
     group: GroupHead | None
 
 
-class History(ResponseModel):
+class RunHistoryResponse(ResponseModel):
     """Runs, newest first; `next` is the value of `before` for the next page, null at the end."""
 
     runs: list[HistoryRun]

@@ -30,15 +30,15 @@ export function adaptMenus(): void {
 type Scope = Blockly.ContextMenuRegistry.Scope;
 
 /** A menu entry with an action; separators have none of these members. */
-interface Entry {
+interface MenuEntry {
   displayText: (scope: Scope) => string;
   preconditionFn: (scope: Scope, event: Event) => string;
   callback: (scope: Scope, ...rest: unknown[]) => void;
 }
 
-function adapt(id: string, change: (entry: Entry) => void): void {
+function adapt(id: string, change: (entry: MenuEntry) => void): void {
   const item = Blockly.ContextMenuRegistry.registry.getItem(id);
-  if (item) change(item as unknown as Entry);
+  if (item) change(item as unknown as MenuEntry);
 }
 
 /**

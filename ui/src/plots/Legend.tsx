@@ -10,7 +10,7 @@ import { DASHES, type PlotStyle, WIDTHS } from "./plot_style";
 import { linesOf, type PlotName, type Role, TIME_PLOTS } from "./plots";
 
 /** A legend entry: one line of a plot in words. */
-export interface Entry {
+export interface LegendEntry {
   readonly role: Role;
   readonly ink: keyof Pick<PlotStyle, "x" | "y" | "only" | "soft">;
   readonly name: string;
@@ -24,7 +24,7 @@ export function entriesOf(
   samples: Samples,
   { plots }: Texts,
   language: Language,
-): Entry[] {
+): LegendEntry[] {
   if (plotName === "path") {
     return pathRoles(samples).map((role) => ({
       role,

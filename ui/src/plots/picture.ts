@@ -4,7 +4,7 @@ import type { Language, Texts } from "../i18n";
 import type { Stretch } from "../run/playback";
 import type { Samples } from "../run/samples";
 import { chartOf, titlesOf } from "./ChartBox";
-import { categoryLabel, type Entry, entriesOf } from "./Legend";
+import { categoryLabel, entriesOf, type LegendEntry } from "./Legend";
 import { DASHES, type PlotStyle, paperStyle, WIDTHS } from "./plot_style";
 import type { PlotName } from "./plots";
 
@@ -83,7 +83,7 @@ function drawTitle(ctx: CanvasRenderingContext2D, about: About, style: PlotStyle
 
 function drawLines(
   ctx: CanvasRenderingContext2D,
-  entries: readonly Entry[],
+  entries: readonly LegendEntry[],
   y: number,
   style: PlotStyle,
 ): void {

@@ -11,7 +11,7 @@ export type PlotName = (typeof PLOTS)[number];
  */
 export type Role = "obtained" | "desired" | "true" | "commanded" | "measured";
 
-export interface Line {
+export interface PlotLine {
   /** Key of the line's colour. */
   readonly ink: "x" | "y" | "only" | "soft";
   /** Letter of the quantity. */
@@ -22,7 +22,7 @@ export interface Line {
 
 export interface TimePlot {
   readonly unit: "m" | "°" | "m/s" | "°/s";
-  readonly lines: readonly Line[];
+  readonly lines: readonly PlotLine[];
   /** Minimum span of the vertical axis, so that noise does not look like motion. */
   readonly span: number;
 }
@@ -34,7 +34,7 @@ const plain = (name: Column) => (samples: Samples) => samples.column(name);
 const inDegrees = (name: Column) => (samples: Samples) =>
   samples.column(name).map((value) => (value * 180) / Math.PI);
 
-const position = (letter: "x" | "y"): Line[] => [
+const position = (letter: "x" | "y"): PlotLine[] => [
   { ink: letter, letter, role: "obtained", values: plain(`${letter}_m`) },
   { ink: letter, letter, role: "desired", values: plain(`goal_${letter}_m`) },
   { ink: letter, letter, role: "true", values: plain(`true_${letter}_m`) },
@@ -73,7 +73,7 @@ export const TIME_PLOTS: Readonly<Record<Exclude<PlotName, "path">, TimePlot>> =
  * The lines of a plot. The true pose is included only if it is known and differs from the estimated
  * one.
  */
-export function linesOf(name: Exclude<PlotName, "path">, samples: Samples): readonly Line[] {
+export function linesOf(name: Exclude<PlotName, "path">, samples: Samples): readonly PlotLine[] {
   const withTruth = hasTruth(samples);
   return TIME_PLOTS[name].lines.filter((line) => line.role !== "true" || withTruth);
 }

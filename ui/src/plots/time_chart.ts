@@ -12,7 +12,7 @@ import {
   type PlotInput,
 } from "./chart";
 import { DASHES, type PlotStyle, WIDTHS } from "./plot_style";
-import { type Line, linesOf, type PlotName, rangeOf, TIME_PLOTS, times } from "./plots";
+import { linesOf, type PlotLine, type PlotName, rangeOf, TIME_PLOTS, times } from "./plots";
 
 /**
  * Height in pixels of the coloured band that shows the blocks, and opacity of the tint above it.
@@ -28,7 +28,7 @@ type TimePlotName = Exclude<PlotName, "path">;
 /** Chart of quantities over time, with the running blocks as a coloured band. */
 export class TimeChart implements Chart {
   readonly plot: uPlot;
-  private lines: readonly Line[] = [];
+  private lines: readonly PlotLine[] = [];
   private stretches: readonly Stretch[] = [];
   private ticks: Float32Array = new Float32Array(0);
   private selectedTick: number | null = null;
@@ -95,7 +95,7 @@ export class TimeChart implements Chart {
   }
 
   /** Rebuilds the series if their number changed, for instance when the true pose becomes known. */
-  private setLines(lines: readonly Line[]): void {
+  private setLines(lines: readonly PlotLine[]): void {
     const same = lines.length === this.lines.length;
     this.lines = lines;
     if (same) return;
@@ -108,7 +108,7 @@ export class TimeChart implements Chart {
   }
 }
 
-function seriesOf({ ink, role }: Line, style: PlotStyle): uPlot.Series {
+function seriesOf({ ink, role }: PlotLine, style: PlotStyle): uPlot.Series {
   return {
     stroke: style[ink],
     width: WIDTHS[role],
@@ -142,7 +142,7 @@ function drawBands(
 }
 
 /** Draws the letter of each quantity at its line's end: colour alone must not distinguish lines. */
-function drawLetters(plot: uPlot, lines: readonly Line[], style: PlotStyle): void {
+function drawLetters(plot: uPlot, lines: readonly PlotLine[], style: PlotStyle): void {
   const { ctx } = plot;
   const last = plot.data[0].length - 1;
   const time = plot.data[0][last];

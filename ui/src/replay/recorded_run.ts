@@ -2,8 +2,8 @@ import { signal } from "@preact/signals";
 import { api } from "../api/client";
 import type { RunEvent, RunWithVersion } from "../api/model";
 import type { PlotSource } from "../plots/plot_source";
-import { History } from "../run/history";
 import { Playback, type Stretch, stretches } from "../run/playback";
+import { RecordedStates } from "../run/recorded_states";
 import { Samples } from "../run/samples";
 import { decodeTelemetry, type Telemetry } from "../run/telemetry";
 
@@ -27,7 +27,7 @@ export async function loadRecordedRun(runId: string): Promise<RecordedRun> {
 
 function assemble(run: RunWithVersion, events: RunEvent[], samples: ArrayBuffer): RecordedRun {
   const telemetry = decodeTelemetry(samples);
-  const history = new History(run.id, events, telemetry);
+  const history = new RecordedStates(run.id, events, telemetry);
   const playback = new Playback(history);
   const blocks = stretches(events, history.lastTick);
   return { run, playback, stretches: blocks, plots: plotsOf(run, playback, telemetry, blocks) };

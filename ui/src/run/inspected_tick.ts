@@ -1,19 +1,19 @@
 import { computed, signal } from "@preact/signals";
-import type { History } from "./history";
 import { live, livePose } from "./live";
 import { record } from "./live_record";
+import type { RecordedStates } from "./recorded_states";
 import { isLive, type Pose, type RunView } from "./reducer";
 
 /** A tick of the last run, shown in place of the end of the run. */
 interface InspectedTick {
-  readonly history: History;
+  readonly history: RecordedStates;
   readonly tick: number;
   /** The live view at the end of that run. When `live` changes, the tick is no longer shown. */
   readonly end: RunView;
 }
 
 const chosen = signal<InspectedTick | null>(null);
-const histories = new WeakMap<RunView, History>();
+const histories = new WeakMap<RunView, RecordedStates>();
 
 /** The inspected tick of the last run; null at the end of the run and while a run is live. */
 export const inspectedTick = computed(() =>
@@ -43,7 +43,7 @@ export function inspectTick(tick: number | null): void {
 }
 
 /** Built when the first tick of the run is inspected: a run that nobody inspects costs nothing. */
-function historyOf(end: RunView): History {
+function historyOf(end: RunView): RecordedStates {
   const history = histories.get(end) ?? record.historyOf(end.run ?? "");
   histories.set(end, history);
   return history;

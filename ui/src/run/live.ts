@@ -10,9 +10,9 @@ import type {
   RunOptions,
   RunWithVersion,
 } from "../api/model";
-import { History } from "./history";
 import { record } from "./live_record";
 import { MotionBuffer } from "./motion_buffer";
+import { RecordedStates } from "./recorded_states";
 import { IDLE, isLive, type Pose, type RunView, reduce, starting } from "./reducer";
 import { beep } from "./sound";
 import { decodeTelemetry, NO_TELEMETRY } from "./telemetry";
@@ -152,7 +152,7 @@ export function follow(runId: string): Promise<void> {
       api.runTelemetry(runId).then(decodeTelemetry, () => NO_TELEMETRY),
     ]);
     if (request !== newestRequest) return;
-    const { end } = new History(runId, events, telemetry);
+    const { end } = new RecordedStates(runId, events, telemetry);
     batch(() => {
       liveRun.value = run;
       show(end.phase === "idle" ? starting(runId) : end);

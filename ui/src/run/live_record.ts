@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import type { RunEvent } from "../api/model";
-import { History } from "./history";
 import { type Stretch, Timeline } from "./playback";
+import { RecordedStates } from "./recorded_states";
 import { Samples } from "./samples";
 import type { Telemetry } from "./telemetry";
 
@@ -38,8 +38,8 @@ export class LiveRecord {
   }
 
   /** All states of the run. */
-  historyOf(run: string): History {
-    return new History(run, this.events ?? [], this.samples.telemetry);
+  historyOf(run: string): RecordedStates {
+    return new RecordedStates(run, this.events ?? [], this.samples.telemetry);
   }
 
   begin(): void {

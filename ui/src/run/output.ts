@@ -2,7 +2,7 @@ import type { RunEvent } from "../api/model";
 import { EMPTY_TRAIL, extend, lastPoint, type Point, type Trail } from "./trail";
 
 /** A line of the dialogue between the program and the group. */
-export interface Line {
+export interface DialogueLine {
   readonly kind: "said" | "asked" | "answered" | "beeped";
   /** A number if the group's answer can be read as one; for beeps, the number of consecutive beeps. */
   readonly text: string | number;
@@ -49,7 +49,7 @@ export interface Beeps {
 /** All outputs of a program besides motion, with its variables and calls. */
 export interface Output {
   /** The newest lines, oldest first. */
-  readonly talk: readonly Line[];
+  readonly talk: readonly DialogueLine[];
   readonly marks: readonly FloorMark[];
   /** Finished strokes. */
   readonly strokes: readonly Stroke[];
@@ -124,11 +124,11 @@ const isNamed = (call: { function: string | null; block: string | null }): call 
 
 function addLine(
   { talk }: Output,
-  kind: Line["kind"],
-  text: Line["text"],
+  kind: DialogueLine["kind"],
+  text: DialogueLine["text"],
   block: string | null,
   tick: number,
-): readonly Line[] {
+): readonly DialogueLine[] {
   const number = (talk.at(-1)?.number ?? -1) + 1;
   return newest(talk, { kind, text, block, tick, number }, MAX_LINES);
 }

@@ -1,7 +1,7 @@
 import { computed, signal } from "@preact/signals";
 import type { RunEvent } from "../api/model";
 import { categoryOf } from "../blocks/definitions";
-import type { History } from "./history";
+import type { RecordedStates } from "./recorded_states";
 import type { Pose } from "./reducer";
 
 /** Speeds of a replay, as factors of real time. */
@@ -22,7 +22,7 @@ export class Playback {
   /** Tick of the slider before somebody pointed at another tick; null while nobody does. */
   private pointedFrom: number | null = null;
 
-  constructor(readonly history: History) {}
+  constructor(readonly history: RecordedStates) {}
 
   get end(): number {
     return this.history.lastTick;

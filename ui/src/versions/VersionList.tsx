@@ -18,7 +18,7 @@ import { LinkButton } from "../kit/LinkButton";
 import { hashOf } from "../shell/route";
 import { program } from "../shell/session";
 import type { VersionHistory } from "./history";
-import { type Fork, faceOf, type Section, type Step } from "./line";
+import { type Fork, faceOf, type Section, type VersionStep } from "./line";
 import { setupFacts } from "./setup_texts";
 import { changesIn, sectionText, spanOf, stepText } from "./version_texts";
 
@@ -113,7 +113,7 @@ function CompareBranches({ fork }: { fork: Fork }) {
   );
 }
 
-function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
+function StepOf({ step, history }: { step: VersionStep; history: VersionHistory }) {
   const labels = texts.value.archive;
   const face = faceOf(step);
   const { versions } = step;
@@ -154,7 +154,7 @@ function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
 
 interface VersionRowProps {
   version: VersionSummary;
-  step: Step;
+  step: VersionStep;
   history: VersionHistory;
   inner?: boolean;
 }
@@ -200,7 +200,7 @@ function VersionButton({
   );
 }
 
-function iconOf(step: Step) {
+function iconOf(step: VersionStep) {
   const { label, n_passed, n_runs } = faceOf(step);
   if (n_passed > 0) return CircleCheck;
   if (label) return Flag;

@@ -1,7 +1,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import type { VersionOfProgram, VersionSummary } from "../api/model";
 import { versionsApi } from "../api/versions";
-import { faceOf, type Section, type Step, sectionsOf } from "./line";
+import { faceOf, type Section, sectionsOf, type VersionStep } from "./line";
 
 /** Delay before a version is loaded, so that fast stepping loads only the last one; and the size of the cache. */
 const LOAD_DELAY_MS = 40;
@@ -72,18 +72,18 @@ export class VersionHistory {
     this.go(this.line.peek().findIndex(({ id }) => id === version.id));
   }
 
-  isUnfolded({ versions: [first] }: Step): boolean {
+  isUnfolded({ versions: [first] }: VersionStep): boolean {
     return first !== undefined && this.unfolded.value.has(first.id);
   }
 
-  fold({ versions: [first] }: Step): void {
+  fold({ versions: [first] }: VersionStep): void {
     if (!first) return;
     const unfolded = new Set(this.unfolded.peek());
     if (!unfolded.delete(first.id)) unfolded.add(first.id);
     this.unfolded.value = unfolded;
   }
 
-  holdsChosen(step: Step): boolean {
+  holdsChosen(step: VersionStep): boolean {
     const id = this.chosen.value?.id;
     return step.versions.some((one) => one.id === id);
   }

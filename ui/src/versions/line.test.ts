@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { VersionSummary } from "../api/model";
 
-import { type Fork, faceOf, type Step, sectionsOf, versionsIn } from "./line";
+import { type Fork, faceOf, sectionsOf, type VersionStep, versionsIn } from "./line";
 
 const BEGIN = Date.UTC(2026, 9, 5, 15);
 
@@ -28,7 +28,7 @@ function version(
   };
 }
 
-const numbers = (item: Step | Fork | undefined) =>
+const numbers = (item: VersionStep | Fork | undefined) =>
   item?.kind === "step" ? item.versions.map((one) => one.number) : [];
 
 describe("the line of versions", () => {
@@ -36,7 +36,7 @@ describe("the line of versions", () => {
     const line = [version(1, 0), version(2, 5), version(3, 9), version(4, 300)];
     const [section] = sectionsOf(line);
     expect(section?.items.map(numbers)).toEqual([[1, 2, 3], [4]]);
-    expect(faceOf(section?.items[0] as Step).number).toBe(3);
+    expect(faceOf(section?.items[0] as VersionStep).number).toBe(3);
   });
 
   test("shows what ran and what has a name by itself", () => {

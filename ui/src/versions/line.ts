@@ -1,7 +1,7 @@
 import type { VersionSummary } from "../api/model";
 
 /** The versions of one entry: a burst of edits, or one notable version. The last version represents the step. */
-export interface Step {
+export interface VersionStep {
   readonly kind: "step";
   readonly versions: readonly VersionSummary[];
 }
@@ -14,14 +14,14 @@ export interface Fork {
 
 export interface Branch {
   readonly computer: string | null;
-  readonly steps: readonly Step[];
+  readonly steps: readonly VersionStep[];
 }
 
 /** The versions of one day in one lesson. */
 export interface Section {
   readonly from: string;
   readonly to: string;
-  readonly items: readonly (Step | Fork)[];
+  readonly items: readonly (VersionStep | Fork)[];
 }
 
 /** Pause that ends a burst of edits. */
@@ -45,7 +45,7 @@ export function sectionsOf(line: readonly VersionSummary[]): Section[] {
 }
 
 /** The version that represents a step: its last. */
-export function faceOf({ versions }: Step): VersionSummary {
+export function faceOf({ versions }: VersionStep): VersionSummary {
   return versions[versions.length - 1] as VersionSummary;
 }
 
@@ -58,7 +58,11 @@ export function versionsIn({ items }: Section): VersionSummary[] {
   );
 }
 
-function joined(section: Section, items: readonly (Step | Fork)[], end: VersionSummary): Section {
+function joined(
+  section: Section,
+  items: readonly (VersionStep | Fork)[],
+  end: VersionSummary,
+): Section {
   return { ...section, to: end.created_at, items: [...section.items, ...items] };
 }
 
@@ -135,7 +139,7 @@ function day({ created_at }: VersionSummary): string {
   return new Date(created_at).toDateString();
 }
 
-function foldedInto(versions: readonly VersionSummary[]): Step[] {
+function foldedInto(versions: readonly VersionSummary[]): VersionStep[] {
   return split(versions, isOneBurst).map((burst) => ({ kind: "step", versions: burst }));
 }
 

@@ -1,7 +1,7 @@
 import type { VersionSummary } from "../api/model";
 
 import type { Language, Texts } from "../i18n";
-import { faceOf, type Section, type Step } from "./line";
+import { faceOf, type Section, type VersionStep } from "./line";
 
 /** Facts about a version besides its time, the most important first. */
 export function factsOf(version: VersionSummary, texts: Texts): string[] {
@@ -18,7 +18,7 @@ export function factsOf(version: VersionSummary, texts: Texts): string[] {
  *
  * @param setup Changes of the step besides blocks; the label of a step that changed no blocks.
  */
-export function stepText(step: Step, setup: readonly string[], texts: Texts) {
+export function stepText(step: VersionStep, setup: readonly string[], texts: Texts) {
   const face = faceOf(step);
   const [fact] = factsOf({ ...face, can_run: true }, texts);
   const known = face.label || fact;
@@ -29,7 +29,7 @@ export function stepText(step: Step, setup: readonly string[], texts: Texts) {
 }
 
 /** Number of versions of a step that changed blocks. */
-export function changesIn({ versions }: Step): number {
+export function changesIn({ versions }: VersionStep): number {
   return versions.filter(({ setup_only }) => !setup_only).length;
 }
 

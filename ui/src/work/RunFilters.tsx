@@ -3,7 +3,7 @@ import type { Program } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Select } from "../kit/Select";
-import { OUTCOMES, type RunList } from "./run_list";
+import { END_STATES, type RunList } from "./run_list";
 
 const ICONS = { finished: CircleCheck, stopped: CircleStop, failed: CircleX } as const;
 
@@ -15,7 +15,7 @@ export function RunFilters({ list, programs }: { list: RunList; programs: readon
   return (
     <fieldset class="run-filters row wrap middle gap-2">
       <legend class="visually-hidden">{archive.filters}</legend>
-      {([null, ...OUTCOMES] as const).map((one) => (
+      {([null, ...END_STATES] as const).map((one) => (
         <Button
           key={one}
           icon={one && ICONS[one]}

@@ -2,8 +2,8 @@ import { computed, signal } from "@preact/signals";
 import { api } from "../api/client";
 import type { Run } from "../api/model";
 
-export const OUTCOMES = ["finished", "stopped", "failed"] as const;
-export type Outcome = (typeof OUTCOMES)[number];
+export const END_STATES = ["finished", "stopped", "failed"] as const;
+export type EndState = (typeof END_STATES)[number];
 
 /** Maximum number of pages per request for a filter with few matches; the person can request more. */
 const PAGES_AT_ONCE = 8;
@@ -13,7 +13,7 @@ export class RunList {
   readonly runs = signal<Run[]>([]);
   /** Cursor of the next page; null at the end. */
   readonly next = signal<string | null>(null);
-  readonly outcome = signal<Outcome | null>(null);
+  readonly outcome = signal<EndState | null>(null);
   readonly program = signal<string | null>(null);
   readonly shown = computed(() =>
     this.runs.value.filter(
@@ -48,7 +48,7 @@ export class RunList {
   }
 
   /** Sets the filter; loads older runs if none matches yet. */
-  async choose(outcome: Outcome | null, program: string | null): Promise<void> {
+  async choose(outcome: EndState | null, program: string | null): Promise<void> {
     this.outcome.value = outcome;
     this.program.value = program;
     if (this.shown.peek().length === 0) await this.older();

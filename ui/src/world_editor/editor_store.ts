@@ -14,7 +14,6 @@ import {
   type Tool,
   tapped,
 } from "./drag_gestures";
-import { History } from "./history";
 import {
   type FloorPlan,
   isOuter,
@@ -25,6 +24,7 @@ import {
   type Start,
   type WorldObject,
 } from "./plan";
+import { UndoHistory } from "./undo_history";
 
 /** State of the world editor: the plan, the selection, and the history for undo. */
 export class EditorStore {
@@ -44,7 +44,7 @@ export class EditorStore {
   private readonly changes = signal(0);
   readonly canUndo = computed(() => this.changes.value >= 0 && this.history.canUndo);
   readonly canRedo = computed(() => this.changes.value >= 0 && this.history.canRedo);
-  private readonly history = new History<FloorPlan>();
+  private readonly history = new UndoHistory<FloorPlan>();
   private gesture: DragGesture | null = null;
 
   /** `before` is the world that this one replaces; the first undo restores it. */
@@ -81,7 +81,7 @@ export class EditorStore {
     this.history.rest();
   }
 
-  /** Commits a changed plan; see History for `stroke`. */
+  /** Commits a changed plan; see UndoHistory for `stroke`. */
   change(plan: FloorPlan, stroke: string | null = null): void {
     if (plan === this.plan.value) return;
     this.history.push(this.plan.value, stroke);

@@ -2,7 +2,7 @@ import { BellRing, CircleQuestionMark, MessageCircle, Reply } from "lucide-preac
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { language, texts } from "../../i18n";
 import { formatNumber, seconds } from "../../i18n/format";
-import type { Line } from "../output";
+import type { DialogueLine } from "../output";
 import { localizeNumbers } from "../values";
 
 const ICONS = {
@@ -16,7 +16,7 @@ const ICONS = {
 const AT_END_PX = 48;
 
 /** The dialogue: messages and questions of the robot, answers of the group; the newest line is in view. */
-export function Dialogue({ lines }: { lines: readonly Line[] }) {
+export function Dialogue({ lines }: { lines: readonly DialogueLine[] }) {
   const { show } = texts.value;
   const list = useRef<HTMLDivElement>(null);
   const atEnd = useRef(true);
@@ -45,14 +45,14 @@ export function Dialogue({ lines }: { lines: readonly Line[] }) {
     >
       <ol>
         {lines.map((line) => (
-          <DialogueLine key={line.number} line={line} />
+          <LineView key={line.number} line={line} />
         ))}
       </ol>
     </div>
   );
 }
 
-function DialogueLine({ line: { kind, text, tick } }: { line: Line }) {
+function LineView({ line: { kind, text, tick } }: { line: DialogueLine }) {
   const Icon = ICONS[kind];
   return (
     <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid="talk-line">
@@ -64,7 +64,7 @@ function DialogueLine({ line: { kind, text, tick } }: { line: Line }) {
   );
 }
 
-function lineText(kind: Line["kind"], text: Line["text"]): string {
+function lineText(kind: DialogueLine["kind"], text: DialogueLine["text"]): string {
   if (kind === "beeped") return texts.value.show.beeps({ count: Number(text) });
   if (typeof text === "number") return formatNumber(text, language.value);
   return kind === "answered" ? text : localizeNumbers(text, language.value);

@@ -6,7 +6,7 @@ import { Button } from "../../kit/Button";
 import { useInstance } from "../../kit/instance";
 import { beginActivity } from "../../shell/begin_activity";
 import type { StudioControl } from "../studio_control";
-import { type Progress, STEPS, type Step } from "./steps";
+import { type Progress, STEPS, type TourStep } from "./steps";
 import { useTargets } from "./targets";
 import { Tour } from "./tour";
 
@@ -68,7 +68,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
 }
 
 /** Focuses the balloon at each step, for keyboard users, unless another element has the focus. */
-function useFocus(balloon: { readonly current: HTMLElement | null }, step: Step): void {
+function useFocus(balloon: { readonly current: HTMLElement | null }, step: TourStep): void {
   useEffect(() => {
     if (document.activeElement !== document.body) return;
     const { current: element } = balloon;
@@ -102,7 +102,7 @@ function blockName(key: TextKey): string {
   return texts.value.blocks[key].replace(/^%1 /, "").replace(/ ?%.*/, "");
 }
 
-function Ticks({ step }: { step: Step }) {
+function Ticks({ step }: { step: TourStep }) {
   const now = STEPS.indexOf(step);
   return (
     <p class="row gap-1">
@@ -118,7 +118,7 @@ function Ticks({ step }: { step: Step }) {
   );
 }
 
-function Buttons({ tour, step, control }: { tour: Tour; step: Step; control: StudioControl }) {
+function Buttons({ tour, step, control }: { tour: Tour; step: TourStep; control: StudioControl }) {
   const labels = texts.value.help.tour;
   const group = control.open.program.group_id;
   if (step === "end") {

@@ -1,7 +1,7 @@
 /** The steps of the guided first drive, in order. */
 export const STEPS = ["hello", "move", "run", "watch", "turn", "again", "end"] as const;
 
-export type Step = (typeof STEPS)[number];
+export type TourStep = (typeof STEPS)[number];
 
 /** The pupils' progress so far, as far as the studio knows it. */
 export interface StudioState {
@@ -13,7 +13,7 @@ export interface StudioState {
 }
 
 export interface Progress {
-  readonly step: Step;
+  readonly step: TourStep;
   /** Whether the pupils added another block than the step asked for. */
   readonly isOther: boolean;
   /** The commands at the start of the step, and the last run before the run that the step asks for. */
@@ -24,16 +24,17 @@ export interface Progress {
  * Progress at the start of the tour, or at the stored step after a reload of the page. A reload
  * ends the step `watch`, so the run is repeated.
  */
-export const beginning = ({ actions, run }: StudioState, step: Step = "hello"): Progress => ({
+export const beginning = ({ actions, run }: StudioState, step: TourStep = "hello"): Progress => ({
   step: step === "watch" ? "run" : step,
   isOther: false,
   since: { actions, run },
 });
 
-export const isStep = (name: string | null): name is Step => STEPS.some((step) => step === name);
+export const isStep = (name: string | null): name is TourStep =>
+  STEPS.some((step) => step === name);
 
 /** The command that a step asks for. */
-const EXPECTED_ACTIONS: Partial<Record<Step, string>> = { move: "move_forward", turn: "turn" };
+const EXPECTED_ACTIONS: Partial<Record<TourStep, string>> = { move: "move_forward", turn: "turn" };
 
 /** The commands of `now` that are not in `before`. */
 function put(before: readonly string[], now: readonly string[]): string[] {

@@ -3,7 +3,7 @@ import { usePolling } from "../../kit/usePolling";
 import * as robot from "../../run/live";
 import type { StudioControl } from "../studio_control";
 import { type Box, placeBeside, ringOf, shared } from "./places";
-import type { Step } from "./steps";
+import type { TourStep } from "./steps";
 
 /** Floor, flyout and blocks move without an event, so their positions are polled at this interval. */
 const POLL_INTERVAL_MS = 200;
@@ -23,7 +23,7 @@ const NOWHERE: Targets = { rings: [], corner: { x: -9999, y: 0 }, drag: null };
 
 /** Current positions of the rings, the balloon and the hand of a step. */
 export function useTargets(
-  step: Step,
+  step: TourStep,
   control: StudioControl,
   balloon: { readonly current: HTMLElement | null },
 ): Targets {
@@ -37,7 +37,7 @@ export function useTargets(
   return targets;
 }
 
-function targetsOf(step: Step, control: StudioControl, balloon: HTMLElement | null): Targets {
+function targetsOf(step: TourStep, control: StudioControl, balloon: HTMLElement | null): Targets {
   if (!balloon) return NOWHERE;
   const { rings, beside, drag = null } = partsOf(step, control);
   const last = beside ?? rings.at(-1);
@@ -58,7 +58,7 @@ interface Parts {
   drag?: Targets["drag"];
 }
 
-function partsOf(step: Step, control: StudioControl): Parts {
+function partsOf(step: TourStep, control: StudioControl): Parts {
   switch (step) {
     case "hello":
       return { rings: boxes(byId("scene")) };

@@ -18,13 +18,13 @@ type OutcomeTexts = Pick<
   | "heldBackRest"
   | "kept"
 >;
-type Outcome = Pick<
+type MergedCounts = Pick<
   Merged,
   "computer" | "name" | "added" | "anonymous" | "held_back" | "kept" | "nothing_new" | "removed"
 >;
 
 /** Summary of one merge: rows added, rows already deleted here, rows deleted now. */
-export function outcome(merged: Outcome, texts: OutcomeTexts): string {
+export function outcome(merged: MergedCounts, texts: OutcomeTexts): string {
   const { removed, held_back: heldBack } = merged;
   const sentences = [
     removed &&
@@ -49,7 +49,7 @@ export function counted(numbers: Partial<Merged["added"]>, texts: OutcomeTexts):
     .join(", ");
 }
 
-function came(merged: Outcome, texts: OutcomeTexts): string[] {
+function came(merged: MergedCounts, texts: OutcomeTexts): string[] {
   const { computer, name, added, anonymous } = merged;
   const who = computer ?? name;
   const parts = counted(added, texts);

@@ -1,7 +1,7 @@
-import type { Outcome } from "./model";
+import type { RunOutcome } from "./model";
 
 /** Icons by outcome: shape and symbol carry the meaning, colour only repeats it. */
-const ICONS: Record<Outcome, preact.JSX.Element> = {
+const ICONS: Record<RunOutcome, preact.JSX.Element> = {
   passed: (
     <>
       <circle class="sign__full" cx="12" cy="12" r="11" />
@@ -44,7 +44,7 @@ const ICONS: Record<Outcome, preact.JSX.Element> = {
 };
 
 interface OutcomeIconProps {
-  outcome: Outcome;
+  outcome: RunOutcome;
 }
 
 /** Icon of a run's outcome. */

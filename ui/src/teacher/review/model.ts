@@ -3,7 +3,7 @@ import type { Figures, TimelineEntry } from "../../api/model";
 export type MetricName = keyof Figures;
 
 /** Outcome of a run, as its icon shows it. */
-export type Outcome = "passed" | "finished" | "notyet" | "stopped" | "failed" | "running";
+export type RunOutcome = "passed" | "finished" | "notyet" | "stopped" | "failed" | "running";
 
 /** Recorded end of a run. */
 export interface Ended {
@@ -12,7 +12,7 @@ export interface Ended {
 }
 
 /** A passed run counts as passed even if it was stopped after reaching the goal. */
-export function outcomeOf({ state, passed }: Ended): Outcome {
+export function outcomeOf({ state, passed }: Ended): RunOutcome {
   if (passed) return "passed";
   if (state === "finished" && passed === false) return "notyet";
   return state ?? "running";

@@ -7,18 +7,19 @@ import { RobotName } from "../../../run/real/RobotName";
 import { PathPicture } from "../../../scene/small/PathPicture";
 import { hashOf } from "../../../shell/route";
 import { worldLabel } from "../../../versions/setup_texts";
-import { type Outcome, outcomeOf } from "../model";
+import { outcomeOf, type RunOutcome } from "../model";
 import { OutcomeIcon } from "../OutcomeIcon";
 
 /** Outcomes with a shorter text on cards. */
-const SHORT: Partial<Record<Outcome, "passed" | "not_passed" | "finished" | "stopped" | "failed">> =
-  {
-    passed: "passed",
-    notyet: "not_passed",
-    finished: "finished",
-    stopped: "stopped",
-    failed: "failed",
-  };
+const SHORT: Partial<
+  Record<RunOutcome, "passed" | "not_passed" | "finished" | "stopped" | "failed">
+> = {
+  passed: "passed",
+  notyet: "not_passed",
+  finished: "finished",
+  stopped: "stopped",
+  failed: "failed",
+};
 
 interface HistoryCardProps {
   run: HistoryRun;

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { RunEvent } from "../api/model";
-import { History } from "./history";
 import { Playback, stepFrom, stretches } from "./playback";
+import { RecordedStates } from "./recorded_states";
 import { activeBlockId } from "./reducer";
 import type { Telemetry } from "./telemetry";
 
@@ -61,7 +61,7 @@ function recorded(): [RunEvent[], Telemetry] {
 
 describe("a recorded run", () => {
   const [events, telemetry] = recorded();
-  const history = new History(RUN, events, telemetry);
+  const history = new RecordedStates(RUN, events, telemetry);
 
   test("has the state of any moment, forwards and backwards", () => {
     expect(activeBlockId(history.at(30))).toBe("b0");
@@ -123,7 +123,7 @@ describe("a recorded run", () => {
   });
 
   test("is the same whether played on or opened at a moment", () => {
-    const opened = new History(RUN, events, telemetry);
+    const opened = new RecordedStates(RUN, events, telemetry);
     for (let tick = 0; tick <= LAST; tick++) history.at(tick);
     expect(history.at(LAST)).toEqual(opened.at(LAST));
     expect(history.at(45)).toEqual(opened.at(45));

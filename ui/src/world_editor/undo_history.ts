@@ -1,5 +1,5 @@
 /** Undo and redo stacks of immutable states. */
-export class History<T> {
+export class UndoHistory<T> {
   private past: T[] = [];
   private future: T[] = [];
   private stroke: string | null = null;

@@ -31,7 +31,7 @@ interface Checkpoint {
 }
 
 /** All states of a recorded run, at any tick. Built with the same reducer as a live run. */
-export class History {
+export class RecordedStates {
   private readonly ordered: RunEvent[];
   private readonly checkpoints: Checkpoint[] = [];
   /** Cache of the last result, because a replay requests increasing ticks. */
