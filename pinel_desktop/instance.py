@@ -9,6 +9,7 @@ import contextlib
 import errno
 import json
 import os
+import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,10 +19,10 @@ from pinel_desktop.database_locations import is_location_missing
 from pinel_desktop.errors import PinelError
 from pinel_desktop.paths import read_regular
 
-try:
+if sys.platform == "win32":  # where a folder cannot be locked
+    fcntl = None
+else:
     import fcntl
-except ImportError:  # Windows, where a folder cannot be locked
-    fcntl = None  # type: ignore[assignment]
 
 if TYPE_CHECKING:
     from filelock import FileLock

@@ -53,36 +53,41 @@ class _Workers:
         self._activity, self._files = activity, files
         self._waiting = list(reversed(range(len(files))))
         self._context = multiprocessing.get_context("spawn")
-        self._busy: dict[Connection, tuple[_Worker, int]] = {}
+        self._busy: dict[_Worker, int] = {}
         for _ in range(min(n_requested, len(files))):
             self._assign(_Worker(self._context, self._activity))
 
     def reports(self) -> Iterator[tuple[int, Report]]:
         """Yields (index of the file, report) in order of completion."""
         while self._busy:
-            for ready in wait(list(self._busy)):
-                assert isinstance(ready, Connection)
-                worker, index = self._busy.pop(ready)
+            for worker in self._ready():
+                index = self._busy.pop(worker)
                 report = worker.report()
-                if report is None:
-                    worker.end()
-                    report = _lost_process_report(self._files[index], worker.exit_code)
-                    if self._waiting:
-                        worker = _Worker(self._context, self._activity)
-                self._assign(worker)
-                yield index, report
+                if report is not None:
+                    self._assign(worker)
+                    yield index, report
+                    continue
+                worker.end()
+                if self._waiting:
+                    self._assign(_Worker(self._context, self._activity))
+                yield index, _lost_process_report(self._files[index], worker.exit_code)
 
     def _assign(self, worker: "_Worker") -> None:
         if not self._waiting:
             worker.end()
             return
         index = self._waiting.pop()
-        self._busy[worker.connection] = worker, index
+        self._busy[worker] = index
         worker.begin(self._files[index])
+
+    def _ready(self) -> "list[_Worker]":
+        """Waits until a process has finished a program or has exited; returns all such processes."""
+        ready = wait([worker.connection for worker in self._busy])
+        return [worker for worker in self._busy if worker.connection in ready]
 
     def end(self) -> None:
         """Kills the busy processes."""
-        for worker, _ in self._busy.values():
+        for worker in self._busy:
             worker.end()
 
 

@@ -20,7 +20,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, Any, BinaryIO, TextIO
 
 import click
 
@@ -28,6 +28,7 @@ from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import InstanceLock
 from pinel_desktop.paths import database_path
+from pinel_desktop.processes.standard_streams import take_output
 from pinel_desktop.settings import Settings
 from pinel_desktop.web.early_server import EarlyServer
 
@@ -48,11 +49,8 @@ def command(db: str, camera: str | None) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The end of the desktop session sends SIGTERM to all processes: exit as at the end of the pipe.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit())
-    # Standard output goes to standard error: prints of libraries must not corrupt the messages.
-    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)
-    with answers:
-        _serve(db, camera, _messages(sys.stdin), _sender(answers))
+    with os.fdopen(take_output(), "w", encoding="utf-8") as answers:
+        _serve(db, camera, _messages(sys.stdin.buffer), _sender(answers))
 
 
 def _serve(
@@ -123,7 +121,7 @@ def _print_notice(app: "App") -> None:
         print_problem(app.notice, app.language)
 
 
-def _messages(lines: TextIO) -> Iterator[Message]:
+def _messages(lines: BinaryIO) -> Iterator[Message]:
     for line in lines:
         yield json.loads(line)
 

@@ -6,6 +6,7 @@ import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from pinel_desktop.desktop.backends import Pc
 from pinel_desktop.errors import PinelError
 
 _TIMEOUT_S = 20
@@ -49,7 +50,7 @@ def virtual_screen(width: int = 1366, height: int = 768) -> Iterator[str]:
 @contextmanager
 def any_screen() -> Iterator[bool]:
     """Uses the PC's display, or a virtual one during the context; yields True if it is virtual."""
-    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
+    if Pc().has_screen:
         yield False
         return
     with virtual_screen() as display:

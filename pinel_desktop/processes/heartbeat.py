@@ -83,7 +83,11 @@ class ProcessSampler:
             return "traced"
         if status == psutil.STATUS_STOPPED:
             return "nothing"
-        works = status in (psutil.STATUS_RUNNING, psutil.STATUS_DISK_SLEEP)
+        # Windows calls every process running that is not stopped
+        works = not psutil.WINDOWS and status in (
+            psutil.STATUS_RUNNING,
+            psutil.STATUS_DISK_SLEEP,
+        )
         return "something" if works or used_s > self._used_s else "nothing"
 
 

@@ -3,6 +3,7 @@
 import contextlib
 import os
 import stat
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -19,7 +20,7 @@ def restrict_permissions(path: Path, *, is_own_folder: bool) -> None:
         path: the database.
         is_own_folder: whether it is in the folder that PINEL chooses by default.
     """
-    if os.name != "posix":
+    if sys.platform == "win32":
         return
     with contextlib.suppress(OSError):
         folder = path.parent

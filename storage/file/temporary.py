@@ -3,15 +3,16 @@
 import contextlib
 import os
 import shutil
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
-try:
+if sys.platform == "win32":  # where an open file cannot be deleted
+    fcntl = None
+else:
     import fcntl
-except ImportError:  # Windows, where an open file cannot be deleted
-    fcntl = None  # type: ignore[assignment]
 
 _PREFIX = "pinel-bundle-"
 _LOCK = "lock"

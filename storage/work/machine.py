@@ -40,7 +40,7 @@ def _windows_id() -> str:
         with winreg.OpenKey(
             winreg.HKEY_LOCAL_MACHINE,
             r"SOFTWARE\Microsoft\Cryptography",
-            database=winreg.KEY_READ | winreg.KEY_WOW64_64KEY,
+            access=winreg.KEY_READ | winreg.KEY_WOW64_64KEY,
         ) as key:
             return str(winreg.QueryValueEx(key, "MachineGuid")[0])
     except OSError:

@@ -1,12 +1,20 @@
 """A process that hangs is ended; one that computes, one that a debugger holds, and a PC that sleeps are left alone."""
 
+import subprocess
 import sys
 import time
 from pathlib import Path
 
+import psutil
 import pytest
 
-from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts, ResponseTimer, is_hung
+from pinel_desktop.processes.heartbeat import (
+    TIMEOUTS,
+    HangTimeouts,
+    ProcessSampler,
+    ResponseTimer,
+    is_hung,
+)
 from pinel_desktop.processes.supervisor import Supervisor
 
 BEAT_S = 0.5
@@ -56,6 +64,21 @@ def test_time_out_depends_on_what_the_process_does(
     unresponsive_s: float, is_ready: bool, doing: str, is_ended: bool
 ) -> None:
     assert is_hung(unresponsive_s, TIMEOUTS, is_ready=is_ready, doing=doing) == is_ended  # type: ignore[arg-type] # a table
+
+
+@pytest.mark.parametrize(("is_windows", "expected"), [(False, "something"), (True, "nothing")])
+def test_on_windows_the_status_of_a_process_says_nothing(
+    is_windows: bool, expected: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # there every process that is not suspended is "running", also one that waits for ever
+    monkeypatch.setattr(psutil, "WINDOWS", is_windows)
+    monkeypatch.setattr(psutil.Process, "status", lambda process: psutil.STATUS_RUNNING)
+    with subprocess.Popen(["sleep", "60"]) as process:
+        sampler = ProcessSampler()
+        sampler.sample(process.pid)
+        found = sampler.sample(process.pid)
+        process.kill()
+    assert found == expected
 
 
 def test_a_process_that_computes_and_answers_late_is_the_same_afterwards(tmp_path: Path) -> None:

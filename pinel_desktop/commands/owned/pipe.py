@@ -8,17 +8,16 @@ import sys
 from collections.abc import Iterator
 from typing import BinaryIO
 
+from pinel_desktop.processes.standard_streams import take_output
+
 
 @contextlib.contextmanager
 def pipes() -> Iterator[tuple[BinaryIO, BinaryIO]]:
     """Yields the input pipe with the app's messages, and the output pipe for responses. Call it before anything prints.
 
-    Ctrl+C in a terminal reaches the whole process group; the app ends this process by closing its pipe. Standard
-    output goes to standard error, so that prints of libraries do not corrupt the responses.
+    Ctrl+C in a terminal reaches the whole process group; the app ends this process by closing its pipe.
     """
-    logging.basicConfig(stream=sys.stderr, level=logging.INFO)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
-    with answers:
+    with os.fdopen(take_output(), "wb") as answers:
+        logging.basicConfig(stream=sys.stderr, level=logging.INFO)
         yield sys.stdin.buffer, answers
