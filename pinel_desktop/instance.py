@@ -206,6 +206,7 @@ class _FolderLock:
 
     def acquire(self) -> bool:
         """Returns False if another process has the lock. If the folder cannot be locked at all, returns True."""
+        assert fcntl is not None  # see `_try_folder_lock`
         try:
             self._handle = os.open(self._folder, os.O_RDONLY)
             fcntl.flock(self._handle, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -4,6 +4,7 @@ Response timeouts are counted in beats of the app's own thread, not by the clock
 the app was stopped, or the cores are overloaded. It is no evidence about the process, so the count restarts.
 """
 
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -11,6 +12,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 BEAT_S = 0.5
+# Windows calls every process running that is not stopped
+_HAS_STATUS = sys.platform != "win32"
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,11 +86,8 @@ class ProcessSampler:
             return "traced"
         if status == psutil.STATUS_STOPPED:
             return "nothing"
-        # Windows calls every process running that is not stopped
-        works = not psutil.WINDOWS and status in (
-            psutil.STATUS_RUNNING,
-            psutil.STATUS_DISK_SLEEP,
-        )
+        is_working = status in (psutil.STATUS_RUNNING, psutil.STATUS_DISK_SLEEP)
+        works = _HAS_STATUS and is_working
         return "something" if works or used_s > self._used_s else "nothing"
 
 

@@ -41,7 +41,8 @@ def _restrict(path: Path, mode: int) -> None:
     with contextlib.suppress(OSError):
         found = path.lstat()
         if (
-            found.st_uid == os.getuid()
+            sys.platform != "win32"
+            and found.st_uid == os.getuid()
             and found.st_mode & 0o077
             and not stat.S_ISLNK(found.st_mode)
         ):

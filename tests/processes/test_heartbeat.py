@@ -8,6 +8,7 @@ from pathlib import Path
 import psutil
 import pytest
 
+from pinel_desktop.processes import heartbeat
 from pinel_desktop.processes.heartbeat import (
     TIMEOUTS,
     HangTimeouts,
@@ -66,12 +67,12 @@ def test_time_out_depends_on_what_the_process_does(
     assert is_hung(unresponsive_s, TIMEOUTS, is_ready=is_ready, doing=doing) == is_ended  # type: ignore[arg-type] # a table
 
 
-@pytest.mark.parametrize(("is_windows", "expected"), [(False, "something"), (True, "nothing")])
+@pytest.mark.parametrize(("has_status", "expected"), [(True, "something"), (False, "nothing")])
 def test_on_windows_the_status_of_a_process_says_nothing(
-    is_windows: bool, expected: str, monkeypatch: pytest.MonkeyPatch
+    has_status: bool, expected: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # there every process that is not suspended is "running", also one that waits for ever
-    monkeypatch.setattr(psutil, "WINDOWS", is_windows)
+    monkeypatch.setattr(heartbeat, "_HAS_STATUS", has_status)
     monkeypatch.setattr(psutil.Process, "status", lambda process: psutil.STATUS_RUNNING)
     with subprocess.Popen(["sleep", "60"]) as process:
         sampler = ProcessSampler()
