@@ -34,7 +34,7 @@ ifneq ($(shell $(PYTHON) -c 'import pip' 2>/dev/null && cat $(VENV_RUN) 2>/dev/n
 $(shell rm -f $(VENV_RUN) $(VENV_DEV))
 endif
 
-.PHONY: help setup run test nightly lint format figures api bench package smoke wheel lock clean system-run system-test
+.PHONY: help setup run test nightly lint format figures api bench package smoke deb portable stick wheel lock clean system-run system-test
 
 help:  ## this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "  make %-9s %s\n", $$1, $$2 }'
@@ -47,7 +47,7 @@ setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE) $(PAGE_TYPES) $(HANDS)  #
 test: setup $(ROS)  ## lint, types, unit and end-to-end tests, wheel, package and smoke test
 	@$(PYTHON) scripts/run_tests.py
 
-nightly: setup $(ROS)  ## the long tests, the package in other systems and the benchmarks too
+nightly: setup $(ROS) deb portable  ## the long tests, the package in other systems and the benchmarks too
 	@sh scripts/system-packages.sh nightly
 	@$(PYTHON) scripts/run_tests.py --nightly
 
@@ -71,6 +71,16 @@ package: setup $(PACKAGE)  ## the program as a folder that needs no Python (dist
 
 smoke: package  ## try the package as an ordinary user in a bare environment
 	@$(PYTHON) packaging/smoke.py
+
+deb: package  ## the package for Debian and Ubuntu (dist/*.deb)
+	@$(PYTHON) packaging/deb.py
+
+portable: package  ## the program with a folder for the work beside it (dist/*.tar.xz)
+	@$(PYTHON) packaging/portable.py
+
+stick: deb portable  ## the folder for a USB stick, with all that a PC without internet needs (dist/stick; as root)
+	@sh scripts/system-packages.sh nightly
+	@$(PYTHON) packaging/stick.py
 
 wheel: $(VENV_DEV) $(PAGE) $(HANDS)  ## the Python wheel, page included (dist/*.whl)
 	@mkdir -p build && $(PYTHON) -m build --no-isolation --outdir dist >build/wheel.log 2>&1 || { cat build/wheel.log; exit 1; }
@@ -155,4 +165,4 @@ $(HANDS): requirements-models.lock $(wildcard scripts/hand_models/*.py) pinel_de
 
 $(PACKAGE): $(PROGRAM_SOURCES) $(PAGE) $(HANDS) $(VENV_DEV)
 	@sh scripts/system-packages.sh package
-	@$(PYTHON) packaging/build.py
+	@$(PYTHON) packaging/freeze.py

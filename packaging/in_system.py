@@ -1,9 +1,9 @@
-"""Runs the package in another system's folder, as an ordinary user without network, and prints the results as JSON.
+"""Installs the package in another system's folder, tries it as an ordinary user without network, and removes it.
 
-    unshare --mount --net --ipc --pid --fork --kill-child python3 packaging/in_system.py SYSTEM PACKAGE SCREENSHOT
+    unshare --mount --net --ipc --pid --fork --kill-child python3 packaging/in_system.py SYSTEM STICK SCREENSHOT
 
-systems.py calls it as root. It imports everything before the root folder changes, because the new root folder has
-another Python, or none.
+trial.py calls it as root; it prints the results as JSON. It imports everything before the root folder changes, because
+the new root folder has another Python, or none.
 """
 
 import contextlib
@@ -11,6 +11,7 @@ import fcntl
 import json
 import mmap
 import os
+import pwd  # noqa: F401 - Popen(user=...) imports it
 import socket
 import struct
 import subprocess
@@ -21,24 +22,27 @@ from pathlib import Path
 
 _USER = 1000
 _HOME = Path("/home/aluna")
-_PROGRAM = Path("/opt/Laboratório de Robótica 1/PINEL (cópia)/pinel")
+_DATA = _HOME / ".local" / "share" / "pinel"
+_STICK = Path("/media/aluna/PEN DRIVE/PINEL 1º ano")
+_PROGRAM = "/usr/bin/pinel"
 _SIZE = "1366x768x24"
 _TIMEOUT_S = 240
 _PERIOD_S = 0.5
+_AS_ROOT = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "LANG": "pt_BR.UTF-8"}
 # The app's first page has 2,600 colours, its header alone 340; a screen without a window has one.
 MIN_COLOURS = 1000
 
 
-def enter(system: Path, package: Path) -> None:
-    """Makes `system` the root folder, with the package mounted read-only, and switches to an ordinary user."""
-    program = system / _PROGRAM.parent.relative_to("/")
-    program.mkdir(parents=True, exist_ok=True)
+def enter(system: Path, stick: Path) -> None:
+    """Makes `system` the root folder, with the stick mounted read-only."""
+    mounted = system / _STICK.relative_to("/")
+    mounted.mkdir(parents=True, exist_ok=True)
     for command in (
         ("mount", "-t", "proc", "proc", str(system / "proc")),
         ("mount", "-t", "tmpfs", "-o", "mode=1777", "tmpfs", str(system / "dev" / "shm")),
         ("mount", "-t", "tmpfs", "-o", "mode=1777", "tmpfs", str(system / "tmp")),
-        ("mount", "--bind", str(package), str(program)),
-        ("mount", "-o", "remount,bind,ro", str(program)),
+        ("mount", "--bind", str(stick), str(mounted)),
+        ("mount", "-o", "remount,bind,ro", str(mounted)),
     ):
         subprocess.run(command, check=True)
     _bring_loopback_up()
@@ -46,16 +50,28 @@ def enter(system: Path, package: Path) -> None:
     home.mkdir(mode=0o700, exist_ok=True)
     os.chown(home, _USER, _USER)
     os.chroot(system)
-    os.chdir(_HOME)
-    os.setgroups([])
-    os.setgid(_USER)
-    os.setuid(_USER)
+    os.chdir("/")
 
 
 def _bring_loopback_up() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
         request = struct.pack("16sh", b"lo", 0x1)  # the flag IFF_UP
         fcntl.ioctl(any_socket, 0x8914, request)  # SIOCSIFFLAGS
+
+
+def as_root(*command: str) -> tuple[int, str]:
+    """Runs a command as the technician does; returns its exit status and what it printed."""
+    done = subprocess.run(
+        command,
+        env=_AS_ROOT,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        encoding="utf-8",
+        check=False,
+    )
+    return done.returncode, done.stdout
 
 
 @contextlib.contextmanager
@@ -67,6 +83,9 @@ def screen() -> Iterator[str]:
         [*command, "-nolisten", "tcp", "-fbdir", str(_HOME)],
         pass_fds=[writing],
         stderr=subprocess.DEVNULL,
+        user=_USER,
+        group=_USER,
+        extra_groups=[],
     ) as process:
         os.close(writing)
         try:
@@ -77,14 +96,18 @@ def screen() -> Iterator[str]:
 
 
 def run(display: str, *arguments: str) -> "subprocess.Popen[str]":
-    """Starts the packaged program in an environment with only home, language and screen."""
+    """Starts the installed program as an ordinary user, in an environment with only home, language and screen."""
     return subprocess.Popen(
-        [str(_PROGRAM), *arguments],
+        [_PROGRAM, *arguments],
+        cwd=_HOME,
         env={"HOME": str(_HOME), "LANG": "pt_BR.UTF-8", "DISPLAY": display},
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         text=True,
         encoding="utf-8",
+        user=_USER,
+        group=_USER,
+        extra_groups=[],
     )
 
 
@@ -115,22 +138,32 @@ def shown(display: str) -> tuple[int, bytes]:
         before = n_colours
         with contextlib.suppress(subprocess.TimeoutExpired):
             program.wait(_PERIOD_S)
-    program.kill()  # the end of this process namespace ends its other processes
+    program.terminate()
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        program.wait(_TIMEOUT_S)
     return n_colours, data
 
 
 def main() -> None:
-    system, package, screenshot = map(Path, sys.argv[1:])
-    found: dict[str, object]
+    system, stick, screenshot = map(Path, sys.argv[1:])
+    found: dict[str, object] = {}
     with screenshot.open("wb") as file:
-        enter(system, package)
+        enter(system, stick)
+        started = time.monotonic()
+        found["install_status"], found["install"] = as_root("sh", f"{_STICK}/instalar.sh")
+        found["install_s"] = round(time.monotonic() - started, 1)
         with screen() as display:
-            found = {"doctor": output_of(display, "doctor", "--json")}
+            found["doctor"] = output_of(display, "doctor", "--json")
             started = time.monotonic()
             found["check"] = output_of(display, "--self-check")
             found["check_s"] = round(time.monotonic() - started, 1)
             found["n_colours"], data = shown(display)
         file.write(data)
+        found["remove_status"], found["remove"] = as_root(
+            "apt-get", "-q", "-y", "remove", "pinel-desktop"
+        )
+        found["is_gone"] = not Path("/usr/lib/pinel-desktop").exists()
+        found["kept"] = sorted(path.name for path in _DATA.glob("*.db"))
     print(json.dumps(found))
 
 

@@ -10,7 +10,7 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-from pinel_desktop.paths import default_folder, is_in_default_folder, read_regular
+from pinel_desktop.paths import default_folder, is_in_default_folder, portable_folder, read_regular
 
 _MAX_LOCATIONS = 20
 
@@ -21,7 +21,15 @@ def record_location(database: Path) -> None:
 
     known = _known()
     is_temporary = database.is_relative_to(os.path.realpath(tempfile.gettempdir()))
-    if is_temporary or is_in_default_folder(database) or known[-1:] == [str(database)]:
+    is_portable = (
+        database.parent == portable_folder()
+    )  # it is missing only together with the program
+    if (
+        is_temporary
+        or is_portable
+        or is_in_default_folder(database)
+        or known[-1:] == [str(database)]
+    ):
         return
     others = [place for place in known if place != str(database)]
     _write([*others[1 - _MAX_LOCATIONS :], str(database)])

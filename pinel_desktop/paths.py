@@ -1,20 +1,35 @@
-"""Paths of the user's data: `--db FILE`, else the folder PINEL_HOME, else the system's data folder for users."""
+"""Paths of the user's data.
+
+In this order: `--db FILE`; the folder PINEL_HOME; the folder beside the portable program; the system's data folder for
+users.
+"""
 
 import os
 import stat
+import sys
 from pathlib import Path
 
 import platformdirs
 
 DATABASE_NAME = "pinel.db"
+# the folder beside the folder of the portable program, such as on a USB stick
+PORTABLE_DATA = "pinel-data"
 
 
 def data_folder() -> Path:
-    """Returns PINEL_HOME, or the default folder; it need not exist."""
+    """Returns PINEL_HOME, the folder of the portable program, or the default folder; it need not exist."""
     home = os.environ.get("PINEL_HOME")
     if home:
         return Path(home).expanduser()
-    return default_folder()
+    return portable_folder() or default_folder()
+
+
+def portable_folder() -> Path | None:
+    """Returns the folder for data beside the packaged program's folder; None if nobody has made it."""
+    if not getattr(sys, "frozen", False):
+        return None
+    folder = Path(os.path.realpath(sys.executable)).parents[1] / PORTABLE_DATA
+    return folder if folder.is_dir() else None
 
 
 def is_in_default_folder(database: Path) -> bool:

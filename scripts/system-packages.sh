@@ -24,7 +24,8 @@ xz-utils|packs the package|comprime o pacote|comprime el paquete'
 BROWSER='|browser for tests|navegador para os testes|navegador para las pruebas'
 DDS_PACKAGES='g++|builds a robot for tests|compila um robô para os testes|compila un robot para las pruebas
 libfastrtps-dev|the network of that robot|a rede desse robô|la red de ese robot'
-NIGHTLY_PACKAGES='debootstrap|makes other systems to try the package in|cria outros sistemas para testar o pacote|crea otros sistemas para probar el paquete'
+NIGHTLY_PACKAGES='dpkg-dev|lists the packages of the stick|lista os pacotes do pendrive|lista los paquetes de la memoria USB
+debootstrap|makes other systems to try the package in|cria outros sistemas para testar o pacote|crea otros sistemas para probar el paquete'
 
 wanted() {
     case "$1" in

@@ -28,7 +28,7 @@ from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import InstanceLock
 from pinel_desktop.paths import database_path
-from pinel_desktop.processes.standard_streams import take_output
+from pinel_desktop.processes.standard_streams import reserve_output
 from pinel_desktop.settings import Settings
 from pinel_desktop.web.early_server import EarlyServer
 
@@ -49,7 +49,7 @@ def command(db: str, camera: str | None) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The end of the desktop session sends SIGTERM to all processes: exit as at the end of the pipe.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit())
-    with os.fdopen(take_output(), "w", encoding="utf-8") as answers:
+    with os.fdopen(reserve_output(), "w", encoding="utf-8") as answers:
         _serve(db, camera, _messages(sys.stdin.buffer), _sender(answers))
 
 

@@ -4,7 +4,7 @@ import os
 import sys
 
 
-def take_output() -> int:
+def reserve_output() -> int:
     """Returns a descriptor of the standard output, and sends what libraries print to the standard error instead.
 
     Call it before anything prints. A process whose parent has no standard error to give, such as the windowed program

@@ -37,7 +37,7 @@ def sources_in(folder: Path) -> Path:
 
 def package_of(folder: Path) -> dict[str, str]:
     """Builds the package in a folder; returns the checksum of each of its files, or where it leads, by name."""
-    subprocess.run([sys.executable, "packaging/build.py"], cwd=folder, check=True)
+    subprocess.run([sys.executable, "packaging/freeze.py"], cwd=folder, check=True)
     package = folder / "dist" / "pinel-desktop"
     return {
         str(file.relative_to(package)): _content_of(file)

@@ -7,8 +7,8 @@ import pytest
 
 CHILD = """
 import os, sys
-from pinel_desktop.processes.standard_streams import take_output
-output = take_output()
+from pinel_desktop.processes.standard_streams import reserve_output
+output = reserve_output()
 print("a library prints")
 print("a library complains", file=sys.stderr, flush=True)
 os.system("echo a program prints")

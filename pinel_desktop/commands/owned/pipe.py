@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from typing import BinaryIO
 
-from pinel_desktop.processes.standard_streams import take_output
+from pinel_desktop.processes.standard_streams import reserve_output
 
 
 @contextlib.contextmanager
@@ -18,6 +18,6 @@ def pipes() -> Iterator[tuple[BinaryIO, BinaryIO]]:
     Ctrl+C in a terminal reaches the whole process group; the app ends this process by closing its pipe.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    with os.fdopen(take_output(), "wb") as answers:
+    with os.fdopen(reserve_output(), "wb") as answers:
         logging.basicConfig(stream=sys.stderr, level=logging.INFO)
         yield sys.stdin.buffer, answers

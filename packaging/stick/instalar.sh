@@ -1,0 +1,76 @@
+#!/bin/sh
+# Installs PINEL Desktop on this PC without internet, from the folder of this script.
+#
+#   sudo sh instalar.sh
+#
+# apt reads only this folder, so the PC's own sources stay as they are. Exits with apt's status.
+set -eu
+
+say() {
+    case "${LC_ALL:-${LANG:-pt}}" in
+        en*) echo "$2" ;;
+        es*) echo "$3" ;;
+        fr*) echo "$4" ;;
+        *) echo "$1" ;;
+    esac
+}
+
+fail() {
+    say "$@" >&2
+    exit 1
+}
+
+# Prints a path as an address for apt: each byte but the slash as %XX, because a path may have spaces and accents.
+address() {
+    printf %s "$1" | od -An -v -tx1 | tr -d ' \n' | sed 's/../%&/g; s|%2f|/|g'
+}
+
+[ "$(id -u)" -eq 0 ] || fail \
+    "Para instalar é preciso ser administrador. Digite: sudo sh \"$0\"" \
+    "Installing needs the administrator. Type: sudo sh \"$0\"" \
+    "Para instalar hace falta ser administrador. Escriba: sudo sh \"$0\"" \
+    "Il faut être administrateur pour installer. Tapez : sudo sh \"$0\""
+command -v apt-get >/dev/null || fail \
+    "Este sistema não tem o apt-get (Debian, Ubuntu). Use a versão portátil, o arquivo .tar.xz." \
+    "This system has no apt-get (Debian, Ubuntu). Use the portable version, the file .tar.xz." \
+    "Este sistema no tiene apt-get (Debian, Ubuntu). Use la versión portátil, el archivo .tar.xz." \
+    "Ce système n'a pas apt-get (Debian, Ubuntu). Utilisez la version portable, le fichier .tar.xz."
+
+folder=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+if ! (cd "$folder" && sha256sum --quiet -c SHA256SUMS); then
+    fail "Um arquivo do pendrive está danificado ou falta. Copie a pasta de novo." \
+        "A file on the stick is damaged or missing. Copy the folder again." \
+        "Un archivo de la memoria USB está dañado o falta. Copie la carpeta de nuevo." \
+        "Un fichier de la clé est abîmé ou manque. Copiez le dossier à nouveau."
+fi
+
+# Derived systems, such as Linux Mint, name the Debian or Ubuntu release that they build on.
+codename=$(. /etc/os-release && echo "${DEBIAN_CODENAME:-${UBUNTU_CODENAME:-${VERSION_CODENAME:-}}}")
+private=$(mktemp -d)
+trap 'rm -rf "$private"' EXIT
+mkdir -p "$private/lists/partial"
+chmod -R a+rX "$private"
+echo "deb [trusted=yes] file:$(address "$folder") ./" >"$private/sources.list"
+if [ -n "$codename" ] && [ -d "$folder/$codename" ]; then
+    echo "deb [trusted=yes] file:$(address "$folder/$codename") ./" >>"$private/sources.list"
+else
+    say "O pendrive não tem pacotes para este sistema ($codename): uso só o que já está no computador." \
+        "The stick has no packages for this system ($codename): only what is on the PC is used." \
+        "La memoria USB no tiene paquetes para este sistema ($codename): uso solo lo que ya está en la computadora." \
+        "La clé n'a pas de paquets pour ce système ($codename) : seul ce qui est déjà sur l'ordinateur sert."
+fi
+
+apt() {
+    DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends -o Dpkg::Use-Pty=0 \
+        -o DPkg::Lock::Timeout=120 -o APT::Sandbox::User=root -o Dir::Etc::SourceList="$private/sources.list" \
+        -o Dir::Etc::SourceParts=/dev/null -o Dir::State::Lists="$private/lists" "$@"
+}
+
+apt update
+apt install pinel-desktop || fail \
+    "A instalação não terminou. As linhas acima dizem por quê; nada dos grupos foi mexido." \
+    "The installation did not finish. The lines above say why; nothing of the groups was touched." \
+    "La instalación no terminó. Las líneas de arriba dicen por qué; nada de los grupos se tocó." \
+    "L'installation n'est pas terminée. Les lignes au-dessus disent pourquoi ; rien des groupes n'a été touché."
+say "Pronto. O PINEL está no menu, em Educação." "Done. PINEL is in the menu, under Education." \
+    "Listo. PINEL está en el menú, en Educación." "C'est fait. PINEL est dans le menu, sous Éducation."

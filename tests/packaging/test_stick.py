@@ -1,0 +1,111 @@
+"""The script that installs from a USB stick, with a program in place of apt-get that writes down how it was called."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tests.packaging.loading import ROOT, load
+
+stick = load("packaging/stick.py")
+
+_FAKE_APT = """#!/bin/sh
+for one in "$@"; do echo "argument $one" >>"$CALLS"; done
+for one in "$@"; do case "$one" in
+    Dir::Etc::SourceList=*) cat "${one#*=}" >>"$CALLS" ;;
+esac; done
+exit "${STATUS:-0}"
+"""
+
+
+class Pc:
+    """A PC with a stick; `calls` is what apt-get was given, with the list of sources that it would read."""
+
+    def __init__(self, folder: Path) -> None:
+        self.stick = folder / "PEN DRIVE" / "PINEL 1º ano 100%"
+        self.stick.mkdir(parents=True)
+        shutil.copy(ROOT / "packaging" / "stick" / "instalar.sh", self.stick)
+        (self.stick / "pinel-desktop_1_amd64.deb").write_bytes(b"package")
+        self._programs = folder / "programs"
+        self._programs.mkdir()
+        self._write_program("apt-get", _FAKE_APT)
+        self._write_program("id", "#!/bin/sh\necho ${UID_OF_TEST:-0}\n")
+        self._calls = folder / "calls"
+        self._calls.touch()
+
+    def install(self, **environment: str) -> "subprocess.CompletedProcess[str]":
+        path = f"{self._programs}:{os.environ['PATH']}"
+        return subprocess.run(
+            ["sh", str(self.stick / "instalar.sh")],
+            env={"PATH": path, "LANG": "pt_BR.UTF-8", "CALLS": str(self._calls), **environment},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    @property
+    def calls(self) -> str:
+        return self._calls.read_text("utf-8")
+
+    def _write_program(self, name: str, text: str) -> None:
+        (self._programs / name).write_text(text, "utf-8")
+        (self._programs / name).chmod(0o755)
+
+
+@pytest.fixture
+def pc(tmp_path: Path) -> Pc:
+    pc = Pc(tmp_path)
+    stick.write_checksums(pc.stick)
+    return pc
+
+
+def test_apt_reads_the_stick_only(pc: Pc) -> None:
+    done = pc.install()
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.endswith("Pronto. O PINEL está no menu, em Educação.\n")
+    assert "argument Dir::Etc::SourceParts=/dev/null\n" in pc.calls
+    assert "argument install\nargument pinel-desktop\n" in pc.calls
+    sources = {line for line in pc.calls.splitlines() if line.startswith("deb ")}
+    place = "".join(letter if letter == "/" else _escaped(letter) for letter in str(pc.stick))
+    assert sources == {f"deb [trusted=yes] file:{place} ./"}
+
+
+def _escaped(letter: str) -> str:
+    return "".join(f"%{byte:02x}" for byte in letter.encode())
+
+
+def test_packages_of_this_system_are_used_if_the_stick_has_them(pc: Pc) -> None:
+    codename = subprocess.run(
+        ["sh", "-c", ". /etc/os-release; echo $VERSION_CODENAME"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout.strip()
+    assert codename
+    assert f"pacotes para este sistema ({codename})" in pc.install().stdout
+    (pc.stick / codename).mkdir()
+    assert "pacotes para este sistema" not in pc.install().stdout
+    assert f"/{_escaped(codename)} ./\n" in pc.calls
+
+
+def test_a_damaged_file_is_found_before_anything_is_installed(pc: Pc) -> None:
+    (pc.stick / "pinel-desktop_1_amd64.deb").write_bytes(b"pakcage")
+    done = pc.install()
+    assert done.returncode == 1
+    assert "Um arquivo do pendrive está danificado ou falta." in done.stderr
+    assert pc.calls == ""
+
+
+def test_a_failed_installation_is_not_called_done(pc: Pc) -> None:
+    done = pc.install(STATUS="100")
+    assert done.returncode != 0
+    assert "Pronto" not in done.stdout
+
+
+def test_an_ordinary_user_reads_what_to_type(pc: Pc) -> None:
+    done = pc.install(UID_OF_TEST="1000", LANG="es_AR.UTF-8")
+    assert done.returncode == 1
+    assert "Escriba: sudo sh" in done.stderr
+    assert pc.calls == ""
