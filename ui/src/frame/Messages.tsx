@@ -9,7 +9,7 @@ import { ProblemText } from "../kit/requests/ProblemText";
 import { type Problem, problemOf } from "../kit/requests/problem";
 import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/save_file";
-import { connection, notice, problem } from "../shell/session";
+import { connection, notice, problem, showNotice } from "../shell/session";
 import { type OpenProgram, programOnScreen } from "../studio/program/open_program";
 
 /** Notices and errors as lines under the header, never as dialogs. */
@@ -54,7 +54,7 @@ export function Messages() {
 
 /** Starts with an empty database, although the folder of the work is not available. */
 async function beginEmpty(): Promise<void> {
-  notice.value = (await api.beginEmpty()).database.notice;
+  showNotice((await api.beginEmpty()).database.notice);
 }
 
 /** Why the open program could not be saved; null if it is saved. */

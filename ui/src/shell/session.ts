@@ -94,12 +94,21 @@ function poll(): void {
   }
 }
 
-/** Number of notices that came over the stream. */
-let notices = 0;
+/** Numbers requests of the status, and notices from elsewhere, in their order. */
+let lastNumber = 0;
+/** Number of the shown notice. */
+let shownNumber = 0;
+
+/** Shows a notice. The response to an earlier request of the status does not replace it. */
+export function showNotice(shown: Notice | null, number = ++lastNumber): void {
+  if (number < shownNumber) return;
+  shownNumber = number;
+  notice.value = shown;
+}
 
 /** Loads the server's status; polls while the server is unreachable or its engine is not ready. */
 export async function refreshStatus(): Promise<void> {
-  const noticesBefore = notices;
+  const number = ++lastNumber;
   try {
     const answer = await serverStatus();
     const isFirst = ["opening", "failed"].includes(connection.value);
@@ -107,8 +116,7 @@ export async function refreshStatus(): Promise<void> {
     if (isFirst && !languageChosen && isLanguage(answer.language))
       await setLanguage(answer.language);
     status.value = answer;
-    // a notice that the stream sent meanwhile is newer than the response
-    if (noticesBefore === notices) notice.value = answer.database.notice;
+    showNotice(answer.database.notice, number);
     connection.value = "open";
     if (answer.engine !== "ready") poll();
   } catch (error) {
@@ -177,8 +185,7 @@ function onStream(
       robots(event);
       break;
     case "notice":
-      notices++;
-      notice.value = event;
+      showNotice(event);
       if (GOOD_NEWS.has(event.code)) window.setTimeout(() => void refreshStatus(), GOOD_NEWS_MS);
       break;
     case "checks_stand":
