@@ -119,7 +119,7 @@ def architecture() -> str:
 
 def deb_path() -> Path:
     """Returns the path of the built package."""
-    return freeze.FOLDER.parent / f"{NAME}_{__version__}_{architecture()}.deb"
+    return ROOT / "dist" / f"{NAME}_{__version__}_{architecture()}.deb"
 
 
 def _licence() -> str:

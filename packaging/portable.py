@@ -25,7 +25,7 @@ _TEXT = "LEIA-ME.txt"
 
 def portable_path() -> Path:
     """Returns the path of the built archive."""
-    return freeze.FOLDER.parent / f"pinel-desktop-{__version__}-{platform.machine()}.tar.xz"
+    return ROOT / "dist" / f"pinel-desktop-{__version__}-{platform.machine()}.tar.xz"
 
 
 def write_archive(target: Path, package: Path = freeze.FOLDER) -> None:
