@@ -87,6 +87,14 @@ def without_shared(binaries: Iterable[Entry]) -> list[Entry]:
     return [entry for entry, row in entries if row is None or row.ships]
 
 
+def without_links(binaries: Iterable[Entry]) -> list[Entry]:
+    """Removes symbolic links to libraries in subfolders.
+
+    Each wheel finds its own libraries without them, and a USB stick in the format FAT or exFAT has no links.
+    """
+    return [entry for entry in binaries if entry[2] != "SYMLINK"]
+
+
 def system_modules() -> list[str]:
     """Returns modules of the build machine outside the environment, to exclude; only gi ships."""
     environment = [Path(folder) for folder in sys.path if "site-packages" in folder]

@@ -63,7 +63,9 @@ def library_faults(package: Path) -> list[str]:
         place = file.relative_to(package)
         if row is not None and not row.ships:
             faults.append(f"{place} ships, and would take the place of the one that WebKit needs")
-        elif row is None and file.parent.name == "_internal" and not file.is_symlink():
+        elif file.is_symlink():
+            faults.append(f"{place} is a link, and the file system of a USB stick may have none")
+        elif row is None and file.parent.name == "_internal":
             faults.append(f"{place} ships, and packaging/system-libraries.txt does not name it")
     return faults
 

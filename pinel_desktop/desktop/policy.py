@@ -1,4 +1,4 @@
-"""The window's navigation policy, which allows its own page only, and its size. PURE."""
+"""The window's navigation policy, which allows its own page only, its reloads after a crash, and its size. PURE."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -10,6 +10,8 @@ MIN_SIZE = (1024, 640)
 MAX_SIZE = (1600, 1000)
 # on screens up to this size, such as 1366 x 768, the window is maximised
 _MAXIMIZE_UP_TO = (1440, 900)
+MAX_RELOADS = 3
+_PERIOD_S = 60.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +39,21 @@ def decide_navigation(address: str, own: str) -> NavigationDecision:
         return "show"
     scheme, _, made_by = address.partition(":")
     return "save" if scheme == "blob" and may_open(made_by, own) else "refuse"
+
+
+class ReloadLimit:
+    """Limits how often the page is loaded again after its process has died, because a page may kill it each time."""
+
+    def __init__(self) -> None:
+        self._times_s: list[float] = []
+
+    def allows(self, now_s: float) -> bool:
+        """Returns whether the page may be loaded again, and counts it: at most `MAX_RELOADS` within `_PERIOD_S`."""
+        self._times_s = [time_s for time_s in self._times_s if now_s - time_s < _PERIOD_S]
+        if len(self._times_s) >= MAX_RELOADS:
+            return False
+        self._times_s.append(now_s)
+        return True
 
 
 def fitted_size(screen_width: int, screen_height: int) -> Size:

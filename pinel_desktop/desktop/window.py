@@ -4,6 +4,7 @@ import logging
 import os
 import signal
 import threading
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -12,7 +13,12 @@ from webview.guilib import initialize
 
 from pinel_desktop.desktop import saving
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_problem
-from pinel_desktop.desktop.policy import NavigationDecision, decide_navigation, fitted_size
+from pinel_desktop.desktop.policy import (
+    NavigationDecision,
+    ReloadLimit,
+    decide_navigation,
+    fitted_size,
+)
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
@@ -31,6 +37,7 @@ _DIALOG_TEXTS = {
 }
 _BACKGROUND = "#f6f3ee"
 _PROGRAM = "pinel-desktop"
+_log = logging.getLogger(__name__)
 
 
 class NativeWindow:
@@ -170,7 +177,7 @@ def _require_gtk_screen() -> None:
 
 
 def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision]) -> None:
-    """Sets up GTK's web view: navigation policy, local storage, save dialog, and closing at a signal."""
+    """Sets up GTK's web view: navigation policy, local storage, save dialog, reload after a crash, end at a signal."""
     from gi.repository import GLib, WebKit2  # noqa: PLC0415
     from webview.platforms.gtk import BrowserView  # noqa: PLC0415
 
@@ -186,6 +193,16 @@ def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision
         {"show": decision.use, "save": decision.download, "refuse": decision.ignore}[verdict]()
         return True
 
+    limit = ReloadLimit()
+
+    def reload(page: Any, _reason: Any) -> None:
+        # without this, the window shows the last picture of the dead page for ever
+        if limit.allows(time.monotonic()):
+            page.reload()
+        else:
+            _log.error("the page's process dies each time")
+
+    view.webview.connect("web-process-terminated", reload)
     # pywebview's own handler opens foreign links in the default browser, saves unsupported files
     view.webview.disconnect_by_func(view.on_navigation)
     view.webview.connect("decide-policy", decide)

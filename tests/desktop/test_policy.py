@@ -2,7 +2,13 @@
 
 import pytest
 
-from pinel_desktop.desktop.policy import decide_navigation, fitted_size, may_open
+from pinel_desktop.desktop.policy import (
+    MAX_RELOADS,
+    ReloadLimit,
+    decide_navigation,
+    fitted_size,
+    may_open,
+)
 
 OWN = "http://127.0.0.1:40123/?key=abc"
 
@@ -65,3 +71,13 @@ def test_a_large_screen_keeps_room_around_the_window() -> None:
 
 def test_the_window_may_never_be_larger_than_the_screen_asks_for() -> None:
     assert fitted_size(800, 600).min_size == (800, 600)
+
+
+def test_a_page_that_dies_each_time_is_not_loaded_for_ever() -> None:
+    limit = ReloadLimit()
+    assert [limit.allows(float(now_s)) for now_s in range(5)] == [True] * MAX_RELOADS + [False] * 2
+
+
+def test_a_page_that_dies_once_a_day_comes_back_each_time() -> None:
+    limit = ReloadLimit()
+    assert all(limit.allows(86_400.0 * day) for day in range(10))

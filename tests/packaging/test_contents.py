@@ -25,3 +25,10 @@ def test_what_ships_names_its_licence() -> None:
     assert {row.stem for row in rows if row.ships} >= {"libpython3"}
     assert all(row.licence for row in rows if row.ships)
     assert {row.stem for row in rows if not row.ships} >= {"libstdc++", "libgcc_s", "libcrypto"}
+
+
+def test_links_to_libraries_do_not_ship() -> None:
+    library = ("cv2.libs/libpng.so", "/wheel/libpng.so", "BINARY")
+    assert contents.without_links([library, ("libpng.so", "cv2.libs/libpng.so", "SYMLINK")]) == [
+        library
+    ]

@@ -70,10 +70,16 @@ def test_python_and_the_libraries_of_wheels_may_ship(tmp_path: Path) -> None:
         "opencv_python_headless.libs/libssl-28bef1ac.so.1.1",
         "pymunk/_chipmunk.abi3.so",
     )
-    (package / "_internal" / "libssl-28bef1ac.so.1.1").symlink_to(
-        "opencv_python_headless.libs/libssl-28bef1ac.so.1.1"
-    )
     assert smoke.library_faults(package) == []
+
+
+def test_a_link_may_not_ship(tmp_path: Path) -> None:
+    library = "opencv_python_headless.libs/libssl-28bef1ac.so.1.1"
+    package = package_with(tmp_path, library)
+    (package / "_internal" / "libssl-28bef1ac.so.1.1").symlink_to(library)
+    assert smoke.library_faults(package) == [
+        "_internal/libssl-28bef1ac.so.1.1 is a link, and the file system of a USB stick may have none"
+    ]
 
 
 SHARED_WITH_WEBKIT = (
