@@ -164,6 +164,7 @@ def main() -> None:
         )
         found["is_gone"] = not Path("/usr/lib/pinel-desktop").exists()
         found["kept"] = sorted(path.name for path in _DATA.glob("*.db"))
+        found["settings"] = (_DATA / "pinel.db.page.json").read_text("utf-8")
     print(json.dumps(found))
 
 

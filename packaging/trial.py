@@ -25,6 +25,7 @@ import systems
 
 ROOT = Path(__file__).resolve().parents[1]
 _VIRTUAL_SCREEN = "xvfb"
+_SETUP_FILE = 'language = "es"\nclass = "9º A"\nlevel = 2\n'
 _NAMESPACES = ("unshare", "--mount", "--net", "--ipc", "--pid", "--fork", "--kill-child")
 
 
@@ -71,6 +72,7 @@ def faults_of(found: dict[str, Any]) -> list[str]:
         + ["the removal leaves the program"] * (not found["is_gone"])
         + ["the removal deletes the work of the groups"] * (found["kept"] != ["pinel.db"])
         + [f"doctor: {', '.join(window)}"] * (window != ["doctor_window_ok"])
+        + ["the set-up file is not used"] * ('"pinel_language": "es"' not in found["settings"])
         + ["the window stays empty"] * (found["n_colours"] < in_system.MIN_COLOURS)
     )
 
@@ -82,10 +84,13 @@ def report(codename: str) -> bool:
     stick.begin()
     stick.add_packages(codename, system)
     stick.write_checksums()
+    # after the checksums, as a technician adds it
+    (stick.FOLDER / "pinel.toml").write_text(_SETUP_FILE, "utf-8")
     systems.run_inside(codename, system, "install", _VIRTUAL_SCREEN)
     size, made_s = _size_of(system), time.monotonic() - started
     found = try_package(system, stick.FOLDER)
     shutil.rmtree(system)
+    (stick.FOLDER / "pinel.toml").unlink()
     faults = faults_of(found)
     print(
         f"{codename}: {size / 1e6:.0f} MB, made in {made_s:.0f} s; installed in {found['install_s']} s, "

@@ -18,6 +18,7 @@ _COMMANDS = {
     "salvage": "Bring in what is still readable of a damaged file.",
     "gestures": "Recognise letters of Libras in pictures.",
     "pin": "Choose another PIN for the teacher.",
+    "setup": "Set up this PC by a file.",
     "doctor": "Say what this PC has and lacks.",
 }
 _SUBMODULES = {"salvage": "recovery.salvage"}

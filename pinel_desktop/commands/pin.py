@@ -6,20 +6,33 @@ import click
 
 from pinel_desktop.commands.database import opened_store
 from pinel_desktop.commands.options import chosen_database, database_option
+from pinel_desktop.commands.printing import Failure
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.school.teacher import TeacherSessions, check_format
+from pinel_desktop.school.teacher import TeacherSessions, check_format, pin_hash
 
 
 @click.command()
 @click.option("--forget", is_flag=True, help="Remove the PIN; the page then asks for a new one.")
+@click.option(
+    "--hash",
+    "as_hash",
+    is_flag=True,
+    help="Change nothing; print the line for a set-up file, which does not tell the PIN.",
+)
 @database_option
 @click.pass_context
-def command(ctx: click.Context, forget: bool) -> None:
+def command(ctx: click.Context, forget: bool, as_hash: bool) -> None:
     """Set a new PIN for the teacher, without the old one.
 
     Works while PINEL is open. Anybody who may write the database file can set the PIN (docs/teacher.md).
     """
+    if as_hash:
+        try:
+            click.echo(f'pin_hash = "{pin_hash(_prompt_twice())}"')
+        except PinelError as error:
+            raise Failure(error) from error
+        return
     with opened_store(chosen_database(ctx), may_be_new=True) as store:
         sessions = TeacherSessions(store.settings)
         if forget:

@@ -50,6 +50,7 @@ def open_app(db: str | None) -> int:
 
 def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int:
     # while the other process is loading
+    from pinel_desktop.commands.first_start import set_up_if_new  # noqa: PLC0415
     from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
     from pinel_desktop.instance import AlreadyRunningError, InstanceLock  # noqa: PLC0415
 
@@ -62,6 +63,7 @@ def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int
         _print(first.running.fresh_link())
         return 0
     try:
+        set_up_if_new(database_path(db))
         app.start()
         presenter = Presenter(app.address, app.language, print_text=_print_error, give=_print)
         presenters.append(presenter)

@@ -10,7 +10,7 @@ import math
 import secrets
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from pinel_desktop.errors import PinelError
@@ -20,6 +20,7 @@ MIN_DIGITS, MAX_DIGITS = 4, 12
 IDLE_S = 30 * 60.0  # an unused session ends after this time
 _PIN = "teacher_pin"
 _COST = {"n": 2**14, "r": 8, "p": 1}  # 16 MiB and some 50 ms for each attempt
+_HASH_PARTS = (*_COST, "salt", "hash")
 
 
 class TeacherSessions:
@@ -48,11 +49,11 @@ class TeacherSessions:
 
     def set_pin(self, pin: str) -> None:
         """Sets the PIN and ends all sessions. Raises PinelError `pin_format`."""
-        check_format(pin)
-        salt = secrets.token_bytes(16)
-        self._settings.set(
-            _PIN, {**_COST, "salt": salt.hex(), "hash": _hash(pin, salt, _COST).hex()}
-        )
+        self.set_stored_pin(_stored(pin))
+
+    def set_stored_pin(self, stored: Mapping[str, Any]) -> None:
+        """Sets the PIN by its stored form (`stored_pin`), which does not tell the PIN, and ends all sessions."""
+        self._settings.set(_PIN, dict(stored))
         with self._lock:
             self._tries.forget()
             self._sessions.clear()
@@ -116,6 +117,33 @@ class TeacherSessions:
         """Returns the stored hash of the PIN; None without a PIN, or if the stored value is damaged."""
         stored = self._settings.get(_PIN)
         return stored if _is_whole(stored) else None
+
+
+def pin_hash(pin: str) -> str:
+    """Returns a text for a set-up file (`pc_setup.py`) that does not tell the PIN. Raises PinelError `pin_format`."""
+    stored = _stored(pin)
+    return ":".join(["scrypt", *(str(stored[part]) for part in _HASH_PARTS)])
+
+
+def stored_pin(text: object) -> Mapping[str, Any] | None:
+    """Returns the stored form of a PIN from the text of `pin_hash`; None for another text."""
+    kind, *parts = str(text).split(":")
+    if kind != "scrypt" or len(parts) != len(_HASH_PARTS):
+        return None
+    stored: dict[str, Any] = dict(zip(_HASH_PARTS, parts, strict=True))
+    for part, cost in _COST.items():
+        if stored[part] != str(
+            cost
+        ):  # another cost could block the sign-in, or make guessing cheap
+            return None
+        stored[part] = cost
+    return stored if _is_whole(stored) else None
+
+
+def _stored(pin: str) -> dict[str, Any]:
+    check_format(pin)
+    salt = secrets.token_bytes(16)
+    return {**_COST, "salt": salt.hex(), "hash": _hash(pin, salt, _COST).hex()}
 
 
 def check_format(pin: str) -> None:

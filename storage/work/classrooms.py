@@ -29,10 +29,14 @@ class Classrooms(Repository):
             **dict(self._row("classrooms", f"{_SELECT} WHERE id = ?", classroom_id))
         )
 
-    def create(self, name: str) -> ClassroomRow:
-        """Adds a class. Raises StoreError `classroom_exists`, `name_empty` or `name_too_long`."""
+    def create(self, name: str, key: str | None = None) -> ClassroomRow:
+        """Adds a class. Raises StoreError `classroom_exists`, `name_empty` or `name_too_long`.
+
+        Args:
+            key: its key, if several PCs make the same class.
+        """
         clean, now = clean_name(name), self._database.now()
-        row = {"id": new_id(), "name": clean, "created_at": now, "changed_at": now}
+        row = {"id": key or new_id(), "name": clean, "created_at": now, "changed_at": now}
 
         def write(db: sqlite3.Connection) -> None:
             _require_free(db, clean, "")
