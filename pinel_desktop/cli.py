@@ -21,7 +21,7 @@ _COMMANDS = {
     "setup": "Set up this PC by a file.",
     "doctor": "Say what this PC has and lacks.",
 }
-_SUBMODULES = {"salvage": "recovery.salvage"}
+_SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup"}
 _HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "window")} | {
     "app": "app"
 }

@@ -50,7 +50,7 @@ def open_app(db: str | None) -> int:
 
 def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int:
     # while the other process is loading
-    from pinel_desktop.commands.first_start import set_up_if_new  # noqa: PLC0415
+    from pinel_desktop.commands.pc.first_start import set_up_if_new  # noqa: PLC0415
     from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
     from pinel_desktop.instance import AlreadyRunningError, InstanceLock  # noqa: PLC0415
 

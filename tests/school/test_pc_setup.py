@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.commands import first_start
+from pinel_desktop.commands.pc import first_start
 from pinel_desktop.errors import PinelError
 from pinel_desktop.school.pc_setup import PcSetupError, read_pc_setup
 from pinel_desktop.school.robot_profiles import RobotProfiles
