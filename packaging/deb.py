@@ -95,9 +95,10 @@ def write_control(root: Path) -> None:
     }
     _write(folder / "control", _CONTROL.format(**fields))
     _write(folder / "md5sums", "".join(checksums))
-    _copy(TEXTS / "postrm", folder / "postrm")
     folder.chmod(0o755)
-    (folder / "postrm").chmod(0o755)
+    for name in ("prerm", "postrm"):
+        _copy(TEXTS / name, folder / name)
+        (folder / name).chmod(0o755)
 
 
 def build(root: Path, target: Path) -> None:

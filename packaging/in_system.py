@@ -128,9 +128,9 @@ def picture() -> tuple[int, bytes]:
     return len(set(memoryview(data)[start:].cast("I"))), data
 
 
-def shown(display: str) -> tuple[int, bytes]:
-    """Opens the program as a person does; returns the picture when the page is drawn, or at the timeout."""
-    program, deadline, before = run(display), time.monotonic() + _TIMEOUT_S, 0
+def shown(program: "subprocess.Popen[str]") -> tuple[int, bytes]:
+    """Returns the picture of the screen when the program has drawn its page, or at the timeout."""
+    deadline, before = time.monotonic() + _TIMEOUT_S, 0
     while True:
         n_colours, data = picture()
         if MIN_COLOURS <= n_colours <= before or time.monotonic() > deadline:
@@ -138,9 +138,6 @@ def shown(display: str) -> tuple[int, bytes]:
         before = n_colours
         with contextlib.suppress(subprocess.TimeoutExpired):
             program.wait(_PERIOD_S)
-    program.terminate()
-    with contextlib.suppress(subprocess.TimeoutExpired):
-        program.wait(_TIMEOUT_S)
     return n_colours, data
 
 
@@ -157,11 +154,13 @@ def main() -> None:
             started = time.monotonic()
             found["check"] = output_of(display, "--self-check")
             found["check_s"] = round(time.monotonic() - started, 1)
-            found["n_colours"], data = shown(display)
-        file.write(data)
-        found["remove_status"], found["remove"] = as_root(
-            "apt-get", "-q", "-y", "remove", "pinel-desktop"
-        )
+            program = run(display)
+            found["n_colours"], data = shown(program)
+            file.write(data)
+            # the program is open, as in a lab
+            remove = ("apt-get", "-q", "-y", "remove", "pinel-desktop")
+            found["remove_status"], found["remove"] = as_root(*remove)
+            found["end_status"] = program.poll()
         found["is_gone"] = not Path("/usr/lib/pinel-desktop").exists()
         found["kept"] = sorted(path.name for path in _DATA.glob("*.db"))
         found["settings"] = (_DATA / "pinel.db.page.json").read_text("utf-8")

@@ -69,6 +69,7 @@ def faults_of(found: dict[str, Any]) -> list[str]:
         faults
         + [f"status {found['install_status']} of the installation"] * bool(found["install_status"])
         + [f"status {found['remove_status']} of the removal"] * bool(found["remove_status"])
+        + ["the removal does not close the open program"] * (found["end_status"] != 0)
         + ["the removal leaves the program"] * (not found["is_gone"])
         + ["the removal deletes the work of the groups"] * (found["kept"] != ["pinel.db"])
         + [f"doctor: {', '.join(window)}"] * (window != ["doctor_window_ok"])

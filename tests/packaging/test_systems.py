@@ -21,6 +21,7 @@ def found(**changed: object) -> dict[str, Any]:
         "install_status": 0,
         "remove_status": 0,
         "is_gone": True,
+        "end_status": 0,
         "kept": ["pinel.db"],
         "settings": '{"pinel_language": "es"}',
         **changed,
@@ -50,6 +51,7 @@ def test_a_doctor_that_finds_no_window_is_a_fault() -> None:
     [
         ({"install_status": 100}, "status 100 of the installation"),
         ({"remove_status": 1}, "status 1 of the removal"),
+        ({"end_status": None}, "the removal does not close the open program"),
         ({"is_gone": False}, "the removal leaves the program"),
         ({"settings": "{}"}, "the set-up file is not used"),
         ({"kept": []}, "the removal deletes the work of the groups"),
