@@ -87,12 +87,12 @@ def without_shared(binaries: Iterable[Entry]) -> list[Entry]:
     return [entry for entry, row in entries if row is None or row.ships]
 
 
-def without_links(binaries: Iterable[Entry]) -> list[Entry]:
+def without_links(entries: Iterable[Entry]) -> list[Entry]:
     """Removes symbolic links to libraries in subfolders.
 
     Each wheel finds its own libraries without them, and a USB stick in the format FAT or exFAT has no links.
     """
-    return [entry for entry in binaries if entry[2] != "SYMLINK"]
+    return [entry for entry in entries if entry[2] != "SYMLINK"]
 
 
 def system_modules() -> list[str]:
