@@ -1,7 +1,9 @@
 import { waitFor } from "@testing-library/preact";
 import { beforeEach, describe, expect, test, vi } from "vitest";
+import { classesApi } from "../../api/classes";
 import { ApiError } from "../../api/errors";
-import { asTeacher, cancelWaiting, teacherSession } from "./teacher_session";
+import type { TeacherSession } from "../../api/model";
+import { asTeacher, cancelWaiting, loadTeacherSession, teacherSession } from "./teacher_session";
 
 const OPEN = { has_pin: true, is_open: true };
 const shut = () => new ApiError(403, { code: "teacher_only" });
@@ -51,6 +53,31 @@ describe("what only the teacher may do", () => {
   test("says what else went wrong", async () => {
     const conflict = new ApiError(409, { code: "group_exists" });
     await expect(asTeacher(() => Promise.reject(conflict))).rejects.toBe(conflict);
+    expect(teacherSession.value).toEqual(OPEN);
+  });
+});
+
+describe("the state of the session that the page asks for", () => {
+  const shutState = { has_pin: true, is_open: false };
+
+  test("is what the server says", async () => {
+    vi.spyOn(classesApi, "teacherSession").mockResolvedValue(shutState);
+    expect(await loadTeacherSession()).toEqual(shutState);
+    expect(teacherSession.value).toEqual(shutState);
+  });
+
+  test("does not end the session of a teacher who signed in before the response came", async () => {
+    let answer: (session: TeacherSession) => void = () => {};
+    vi.spyOn(classesApi, "teacherSession").mockReturnValue(
+      new Promise((resolve) => {
+        answer = resolve;
+      }),
+    );
+    teacherSession.value = shutState;
+    const loaded = loadTeacherSession();
+    teacherSession.value = { ...OPEN };
+    answer(shutState);
+    expect(await loaded).toEqual(OPEN);
     expect(teacherSession.value).toEqual(OPEN);
   });
 });

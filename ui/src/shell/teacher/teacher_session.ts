@@ -17,8 +17,11 @@ export const isSignedOut = (error: unknown): error is ApiError =>
   error instanceof ApiError && SIGNED_OUT.includes(error.code);
 
 export async function loadTeacherSession(): Promise<TeacherSession> {
-  teacherSession.value = await firstTeacherSession();
-  return teacherSession.value;
+  const before = teacherSession.peek();
+  const answer = await firstTeacherSession();
+  // a sign-in or sign-out meanwhile is newer than this response
+  if (teacherSession.peek() === before) teacherSession.value = answer;
+  return teacherSession.peek() ?? answer;
 }
 
 /** Throws ApiError `pin_wrong`, or `pin_wait` with the seconds to wait. */
