@@ -80,7 +80,7 @@ portable: package  ## the program with a folder for the work beside it (dist/*.t
 
 stick: deb portable  ## the folder for a USB stick, with all that a PC without internet needs (dist/stick; as root)
 	@sh scripts/system-packages.sh nightly
-	@$(PYTHON) packaging/stick.py
+	@if [ "$$(id -u)" -eq 0 ]; then $(PYTHON) packaging/stick.py; else sudo $(PYTHON) packaging/stick.py; fi
 
 wheel: $(VENV_DEV) $(PAGE) $(HANDS)  ## the Python wheel, page included (dist/*.whl)
 	@mkdir -p build && $(PYTHON) -m build --no-isolation --outdir dist >build/wheel.log 2>&1 || { cat build/wheel.log; exit 1; }

@@ -90,7 +90,7 @@ def without_shared(binaries: Iterable[Entry]) -> list[Entry]:
 def without_links(entries: Iterable[Entry]) -> list[Entry]:
     """Removes symbolic links to libraries in subfolders.
 
-    Each wheel finds its own libraries without them, and a USB stick in the format FAT or exFAT has no links.
+    Each wheel finds its own libraries without them, and the file system of a USB stick may have no links.
     """
     return [entry for entry in entries if entry[2] != "SYMLINK"]
 

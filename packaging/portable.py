@@ -36,7 +36,7 @@ def write_archive(target: Path, package: Path = freeze.FOLDER) -> None:
     ):
         archive.addfile(_folder(_TOP))
         archive.addfile(_folder(f"{_TOP}/{PORTABLE_DATA}"))
-        text = (ROOT / "packaging" / "stick" / _TEXT).read_bytes()
+        text = (ROOT / "packaging" / "portable.txt").read_bytes()
         info = _anonymous(tarfile.TarInfo(f"{_TOP}/{_TEXT}"))
         info.size = len(text)
         archive.addfile(info, io.BytesIO(text))

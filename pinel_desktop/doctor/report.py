@@ -15,7 +15,7 @@ from pinel_desktop import __version__
 from pinel_desktop.settings import Settings
 from storage.sqlite import sqlite3
 
-# of keys of groups, classes and versions; the others say only how the PC is set
+# without the settings that hold keys of groups, classes and versions
 _SETTINGS = ("pinel_language", "pinel_camera", "pinel_theme", "pinel_muted", "pinel_loudness")
 _LIBRARIES = ("pywebview", "flask", "numpy", "pymunk", "onnxruntime", "opencv-python-headless")
 _VARIABLES = ("LANG", "XDG_CURRENT_DESKTOP", "XDG_SESSION_TYPE", "DISPLAY", "WAYLAND_DISPLAY")

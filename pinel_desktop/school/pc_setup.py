@@ -9,29 +9,26 @@ import uuid
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import explain
 from pinel_desktop.paths import read_regular
 from pinel_desktop.robot.robot_profile import PROFILES, profile_from
-from pinel_desktop.school.robot_profiles import RobotProfiles
+from pinel_desktop.school.robot_profiles import RobotProfiles, require_room
 from pinel_desktop.school.teacher import TeacherSessions, stored_pin
 from pinel_desktop.settings import CAMERA, LANGUAGE, SETTINGS, THEME, Settings
 from storage import Store, StoreError
 from storage.exchange.backup_share import COPIES_BACKUPS, SHARED_FOLDER
+from storage.exchange.lesson_merging import check_lesson_file
 from storage.text import clean_name, name_key
+from storage.work.class_presets import LEVELS, SwapMinutes
 
 # the classes of all PCs that read the same file must have the same key, or a merge would list them twice
 _CLASSES = uuid.UUID("6f1c1d52-3f8a-5c55-9d0f-8a8f6d0b7a11")
 _MAX_BYTES = 1_000_000
 _SETTINGS = {"language": LANGUAGE, "theme": THEME, "camera": CAMERA}
-_LEVELS, _SWAP_MINUTES = (1, 2, 3), (0, 5, 10, 15)
 _TEXT, _BOOLEAN = '"…"', "true, false"
-_KNOWN = (
-    *(*_SETTINGS, "school", "class", "level", "swap_minutes", "lesson", "shared_folder"),
-    *("copies_of_backups", "pin_hash", "robot"),
-)
 
 
 class PcSetupError(Exception):
@@ -71,8 +68,9 @@ def read_pc_setup(path: Path) -> PcSetup:
     """Reads a set-up file.
 
     Raises:
-        PcSetupError: with every fault: `file_unreadable`, `pc_setup_syntax`, `pc_setup_unknown`, `pc_setup_value`, or
-            `pc_setup_entry` with the fault of a robot's profile.
+        PcSetupError: with every fault: `file_unreadable`, `pc_setup_syntax`, `pc_setup_unknown`, `pc_setup_value`,
+            `pc_setup_needs_class`, or
+            `pc_setup_entry` with the fault of the lesson file or of a robot's profile.
     """
     try:
         content = read_regular(path)
@@ -93,40 +91,51 @@ class _Reader:
 
     def __init__(self, found: Mapping[str, Any], text: str, path: Path) -> None:
         self._found, self._lines, self._path = found, text.splitlines(), path
+        self._known: list[str] = []
         self._faults: list[PinelError] = []
 
     def read(self) -> PcSetup:
-        for name in self._found.keys() - set(_KNOWN):
-            self._fault("pc_setup_unknown", name, known=list(_KNOWN))
         lesson = self._text("lesson")
         setup = PcSetup(
             settings=dict(self._settings()),
             school=self._text("school") or "",
             classroom=self._text("class"),
-            level=self._number("level", _LEVELS),
-            swap_minutes=self._number("swap_minutes", _SWAP_MINUTES),
+            level=self._number("level", LEVELS),
+            swap_minutes=self._number("swap_minutes", get_args(SwapMinutes)),
             lesson=self._path.parent / lesson if lesson else None,
             shared_folder=self._text("shared_folder"),
             takes_backups=self._boolean("copies_of_backups"),
             pin=self._pin(),
             robots=dict(self._robots()),
         )
-        if setup.classroom is None:
-            for name in ("level", "swap_minutes"):
-                if name in self._found:
-                    self._fault("pc_setup_needs_class", name)
-        if setup.lesson is not None and not setup.lesson.is_file():
-            self._entry_fault("lesson", PinelError("file_unreadable", path=str(setup.lesson)))
+        self._check_together(setup)
         if self._faults:
             self._faults.sort(key=lambda fault: int(str(fault.params["line"])))
             raise PcSetupError(self._faults)
         return setup
 
+    def _check_together(self, setup: PcSetup) -> None:
+        """Checks names that do not exist, what needs a class, and the lesson file."""
+        for name in self._found.keys() - set(self._known):
+            self._fault("pc_setup_unknown", name, known=self._known)
+        if setup.classroom is None:
+            for name in {"level", "swap_minutes"} & self._found.keys():
+                self._fault("pc_setup_needs_class", name)
+        if setup.lesson is not None:
+            try:
+                check_lesson_file(setup.lesson)
+            except StoreError as error:
+                self._entry_fault("lesson", error)
+
+    def _get(self, name: str) -> Any:
+        self._known.append(name)
+        return self._found.get(name)
+
     def _settings(self) -> Iterator[tuple[str, str]]:
         for name, setting in _SETTINGS.items():
-            if name not in self._found:
+            value = self._get(name)
+            if value is None:
                 continue
-            value = self._found[name]
             given = str(value) if type(value) is int else value
             if name == "camera":
                 is_valid, allowed = bool(re.fullmatch("[0-9]", str(given))), "0, 1, … 9"
@@ -140,7 +149,7 @@ class _Reader:
                 self._value_fault(name, allowed)
 
     def _text(self, name: str) -> str | None:
-        value = self._found.get(name)
+        value = self._get(name)
         if value is None:
             return None
         try:
@@ -150,29 +159,32 @@ class _Reader:
             return None
 
     def _number(self, name: str, allowed: tuple[int, ...]) -> int | None:
-        value = self._found.get(name)
+        value = self._get(name)
         if value is None or (type(value) is int and value in allowed):
             return value
         self._value_fault(name, ", ".join(map(str, allowed)))
         return None
 
     def _boolean(self, name: str) -> bool | None:
-        value = self._found.get(name)
+        value = self._get(name)
         if value is None or isinstance(value, bool):
             return value
         self._value_fault(name, _BOOLEAN)
         return None
 
     def _pin(self) -> Mapping[str, Any] | None:
-        if "pin_hash" not in self._found:
+        text = self._get("pin_hash")
+        if text is None:
             return None
-        pin = stored_pin(self._found["pin_hash"])
+        pin = stored_pin(text)
         if pin is None:
             self._value_fault("pin_hash", "pinel pin --hash")
         return pin
 
     def _robots(self) -> Iterator[tuple[str, dict[str, Any]]]:
-        robots = self._found.get("robot", {})
+        robots = self._get("robot")
+        if robots is None:
+            return
         if not isinstance(robots, dict):
             self._value_fault("robot", "[robot.dds]")
             return
@@ -183,7 +195,7 @@ class _Reader:
                 )
                 continue
             try:
-                profile_from({**fields, "link": link})
+                require_room(profile_from({**fields, "link": link}))
             except PinelError as error:
                 self._entry_fault(f"robot.{link}", error)
             else:
@@ -213,12 +225,7 @@ def _path_text(value: Any) -> str:
 
 
 def apply(setup: PcSetup, store: Store, settings: Settings) -> None:
-    """Changes database and settings as the file says. The first fault leaves the rest as it is.
-
-    Raises:
-        StoreError: the lesson file cannot be read, or the database cannot be written.
-        PinelError: a robot's start pose is outside its room.
-    """
+    """Changes database and settings as the file says. Raises StoreError if the database cannot be written."""
     classroom_id = None
     if setup.lesson is not None:
         _, lesson_id = store.exchange.merge_lesson(setup.lesson)

@@ -46,7 +46,7 @@ class RobotProfiles:
         """
         key = self._key(link)
         profile = profile_from({**fields, "link": link})
-        _require_room(profile)
+        require_room(profile)
         self._settings.set(key, profile.as_message())
         return profile
 
@@ -60,7 +60,7 @@ class RobotProfiles:
         return f"robot_{link}"
 
 
-def _require_room(profile: RobotProfile) -> None:
+def require_room(profile: RobotProfile) -> None:
     """Raises PinelError with the first fault of the start pose in the room, such as `start_in_wall`."""
     from pinel_desktop.worlds import read_own_world  # noqa: PLC0415 - heavy
 

@@ -1,12 +1,17 @@
 """Class presets: the settings that the groups of a class start with. One row for each class, made when first set."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Literal
 
 from storage.file.repository import Repository
 from storage.sql import exists, insert, require, rows_of, update_row
 from storage.sqlite import sqlite3
 from storage.text import readable_object, to_json
+
+# levels of the toolbox
+LEVELS = (1, 2, 3)
+# between reminders to swap roles; 0 for none
+SwapMinutes = Literal[0, 5, 10, 15]
 
 
 class ClassPresets(Repository):

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from pinel_desktop.robot.robot_profile import DdsProfile, Room
 
 ROOM = Room(width_m=20.0, depth_m=20.0)
-# Domains whose ports no other program is given by chance (tests with a fixed domain use 100 and 101), and a port for each that says that it is taken.
+# Domains whose ports no other program is given by chance, and a port for each that says that it is taken. Tests with a
+# fixed domain use 100 and 101.
 _DOMAINS = range(1, 100)
 _MARKER_PORT = 21300
 

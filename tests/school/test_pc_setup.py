@@ -147,6 +147,7 @@ def _export(store: Store, file: Path, scope: Scope) -> None:
         ('pin_hash = "2718"', [("pc_setup_value", 1)]),
         ('lesson = "away.pinel"', [("pc_setup_entry", 1)]),
         ("[robot.dds]\ndomain = 500", [("pc_setup_entry", 1)]),
+        ("[robot.dds.room]\nwidth_m = 2\nx_m = 20", [("pc_setup_entry", 1)]),
         ("\n[robot.legs]\nlegs = 6", [("pc_setup_value", 2)]),
         ("robot = 3", [("pc_setup_value", 1)]),
         ("level = 9\nlevel = 9", [("pc_setup_syntax", 2)]),
@@ -173,6 +174,11 @@ def test_a_file_that_is_away_or_no_file_is_named(tmp_path: Path) -> None:
         done = pinel("setup", str(path))
         assert done.exit_code == 1
         assert str(path) in done.stderr
+
+
+def test_a_file_that_is_no_lesson_is_found_by_a_check(tmp_path: Path) -> None:
+    (tmp_path / "aula.pinel").write_bytes(b"no bundle" * 1000)
+    assert faults(tmp_path, 'lesson = "aula.pinel"') == [("pc_setup_entry", 1)]
 
 
 def test_a_check_changes_nothing(tmp_path: Path) -> None:

@@ -1,13 +1,12 @@
 """Classes, lessons, notes, the teacher's session."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 
 from pinel_desktop.web.models import Id, RequestModel, ResponseModel, Time
 from pinel_desktop.web.models.work import Name
-
-SwapMinutes = Literal[0, 5, 10, 15]
+from storage.work.class_presets import LEVELS, SwapMinutes
 
 
 class Classroom(ResponseModel):
@@ -64,7 +63,9 @@ class ClassPreset(ResponseModel):
     A group may choose another level, and another world for each program.
     """
 
-    level: Annotated[int | None, Field(ge=1, le=3, description="of the toolbox")] = None
+    level: Annotated[
+        int | None, Field(ge=LEVELS[0], le=LEVELS[-1], description="of the toolbox")
+    ] = None
     world: Annotated[
         str | None,
         Field(max_length=100, description="of new programs: a name, or an own activity's key"),
