@@ -73,7 +73,7 @@ apt install pinel-desktop || fail \
     "La instalación no terminó. Las líneas de arriba dicen por qué; nada de los grupos se tocó." \
     "L'installation n'est pas terminée. Les lignes au-dessus disent pourquoi ; rien des groupes n'a été touché."
 if [ -f "$folder/pinel.toml" ]; then
-    pinel setup --check "$folder/pinel.toml" || fail \
+    pinel setup --check "$folder/pinel.toml" >/dev/null || fail \
         "O PINEL está instalado, mas o arquivo pinel.toml tem os erros acima. Corrija-o e repita." \
         "PINEL is installed, but the file pinel.toml has the errors above. Correct it and repeat." \
         "PINEL está instalado, pero el archivo pinel.toml tiene los errores de arriba. Corríjalo y repita." \
