@@ -1,5 +1,6 @@
 """The native window, by pywebview: shows the page and blocks navigation to anything else."""
 
+import contextlib
 import logging
 import os
 import signal
@@ -143,6 +144,7 @@ class NativeWindow:
         """Installs the navigation policy; runs on the window's thread before the page loads."""
         if self._window is not None and webview.renderer == "gtkwebkit2":
             _guard_gtk(self._window, lambda address: decide_navigation(address, self._origin))
+            _reload_after_crash(self._window, self._address)
 
     def _open(self) -> None:
         """Runs on a thread of its own once the window is open."""
@@ -177,7 +179,7 @@ def _require_gtk_screen() -> None:
 
 
 def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision]) -> None:
-    """Sets up GTK's web view: navigation policy, local storage, save dialog, reload after a crash, end at a signal."""
+    """Sets up GTK's web view: navigation policy, local storage, save dialog, and closing at a signal."""
     from gi.repository import GLib, WebKit2  # noqa: PLC0415
     from webview.platforms.gtk import BrowserView  # noqa: PLC0415
 
@@ -193,16 +195,6 @@ def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision
         {"show": decision.use, "save": decision.download, "refuse": decision.ignore}[verdict]()
         return True
 
-    limit = ReloadLimit()
-
-    def reload(page: Any, _reason: Any) -> None:
-        # without this, the window shows the last picture of the dead page for ever
-        if limit.allows(time.monotonic()):
-            page.reload()
-        else:
-            _log.error("the page's process dies each time")
-
-    view.webview.connect("web-process-terminated", reload)
     # pywebview's own handler opens foreign links in the default browser, saves unsupported files
     view.webview.disconnect_by_func(view.on_navigation)
     view.webview.connect("decide-policy", decide)
@@ -211,3 +203,30 @@ def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision
     view.webview.get_settings().props.enable_html5_local_storage = True
     for number in (signal.SIGTERM, signal.SIGINT):
         GLib.unix_signal_add(GLib.PRIORITY_DEFAULT, number, window.destroy)
+
+
+def _reload_after_crash(window: webview.Window, address: Callable[[], str]) -> None:
+    """Loads the page again, at its place, when GTK's page process has died; else its last picture would stay for ever.
+
+    The page needs a new address, because the dead process took the cookie along.
+    """
+    from gi.repository import GLib  # noqa: PLC0415
+    from webview.platforms.gtk import BrowserView  # noqa: PLC0415
+
+    limit, page = ReloadLimit(), BrowserView.instances[window.uid].webview
+
+    def load(place: str) -> None:
+        with contextlib.suppress(
+            PinelError
+        ):  # the app has died, too, and its end closes the window
+            GLib.idle_add(page.load_uri, f"{address()}#{place}")
+
+    def reload(_page: Any, _reason: Any) -> None:
+        if limit.allows(time.monotonic()):
+            place = page.get_uri().partition("#")[2]
+            # the app may take a moment to answer, and this thread draws the window
+            threading.Thread(target=load, args=(place,), daemon=True).start()
+        else:
+            _log.error("the page's process dies each time")
+
+    page.connect("web-process-terminated", reload)

@@ -101,6 +101,25 @@ def test_a_second_start_brings_the_first_window_forward_and_closing_ends_everyth
     assert not list(Path(desktop.environment["PINEL_HOME"]).glob("*.instance.json"))
 
 
+@pytest.mark.timeout(300)
+def test_a_page_whose_process_is_killed_comes_back_at_its_place(
+    screen: str, tmp_path: Path
+) -> None:
+    probe = str(Path(__file__).with_name("crash_probe.py"))
+    done = subprocess.run(
+        [sys.executable, probe, str(tmp_path / "pinel.db")],
+        env=os.environ | {"DISPLAY": screen},
+        capture_output=True,
+        text=True,
+        timeout=250,  # a busy PC
+        check=False,
+    )
+    found = json.loads(done.stdout.splitlines()[-1])
+    assert "error" not in found, found
+    assert found["before"][0] == "#/teacher"
+    assert found["after"] == found["before"]
+
+
 @pytest.mark.timeout(400)
 def test_the_self_check_drives_the_square_with_the_window_open(screen: str, tmp_path: Path) -> None:
     environment = os.environ | {"DISPLAY": screen, "PINEL_HOME": str(tmp_path)}

@@ -62,10 +62,6 @@ def test_the_page_may_be_loaded_again(found: dict[str, Any]) -> None:
     assert found["reloaded"]
 
 
-def test_a_page_whose_process_is_killed_comes_back(found: dict[str, Any]) -> None:
-    assert found["returned"]
-
-
 def test_the_page_may_keep_small_settings(found: dict[str, Any]) -> None:
     assert found["storage"] == "yes"
 

@@ -11,7 +11,6 @@ import time
 from pathlib import Path
 from typing import Any
 
-import psutil
 from flask import Flask, Response
 from werkzeug.serving import make_server
 
@@ -102,8 +101,6 @@ class Probe:
             self._script("delete document.documentElement.dataset.ready; location.reload()")
             self._until("document.documentElement.dataset.ready === 'true'")
             self.found["reloaded"] = len(self.own.asked) == 2
-            self._kill_page()
-            self.found["returned"] = len(self.own.asked) == 3
         except Exception as error:
             self.found["error"] = repr(error)
         if "--wait" in sys.argv:
@@ -111,18 +108,6 @@ class Probe:
             return
         self.closed_at = time.monotonic()
         self.window.close()
-
-    def _kill_page(self) -> None:
-        """Kills the page's process, and waits until the page is there again."""
-        n_asked, deadline = len(self.own.asked), time.monotonic() + 30
-        for process in psutil.Process().children(recursive=True):
-            if process.name() == "WebKitWebProcess":
-                process.kill()
-        while len(self.own.asked) == n_asked:  # a script would wait for ever for the dead process
-            if time.monotonic() > deadline:
-                raise TimeoutError("the page did not come back")
-            time.sleep(0.05)
-        self._until("document.documentElement.dataset.ready === 'true'")
 
     def _save_file(self) -> str:
         """Saves a file from the page as ui/src/shell/save_file.ts does; the dialog is answered at once."""
