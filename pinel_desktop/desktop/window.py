@@ -208,7 +208,7 @@ def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision
 def _reload_after_crash(window: webview.Window, address: Callable[[], str]) -> None:
     """Loads the page again, at its place, when GTK's page process has died; else its last picture would stay for ever.
 
-    The page needs a new address, because the dead process took the cookie along.
+    It gets a new address, because the app refuses WebKit's own reload: each address opens the page once.
     """
     from gi.repository import GLib  # noqa: PLC0415
     from webview.platforms.gtk import BrowserView  # noqa: PLC0415
