@@ -9,6 +9,7 @@ from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.blocks import box_of
 from tests.e2e.made_program import enter_made_group
+from tests.e2e.past_lesson import Step
 from tests.e2e.studio import Studio
 from tests.e2e.test_layout import cut
 
@@ -22,9 +23,14 @@ def app(lasting_app: AppProcess) -> AppProcess:
     return lasting_app
 
 
-def drive(studio: Studio) -> None:
-    """Executes a run of two blocks to its end."""
-    enter_made_group(studio, [("move_forward", 0.5), ("turn", 90)], speed=10)
+SHORT: list[Step] = [("move_forward", 0.5), ("turn", 90)]
+# at speed 1, long enough for a Stop whose request is late
+LONG: list[Step] = [("move_forward", 2), ("turn", 180), ("move_forward", 2), ("turn", 180)]
+
+
+def drive(studio: Studio, steps: list[Step] = SHORT) -> None:
+    """Executes a run to its end."""
+    enter_made_group(studio, steps, speed=10)
     studio.run()
     studio.wait_for_phase("finished")
     group = studio.api(f"/programs/{studio.program_id}")["group_id"]
@@ -110,7 +116,7 @@ def test_a_block_that_is_gone_is_lit_nowhere_and_the_moment_is_shown_all_the_sam
 
 
 def test_run_leaves_the_moment_and_the_strip_waits_for_the_end(studio: Studio) -> None:
-    drive(studio)
+    drive(studio, LONG)
     studio["speed"].select_option("1")
     press(studio["past-run-slider"], 0.3)
     expect(studio.blocks.running()).to_have_count(1)
