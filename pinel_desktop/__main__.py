@@ -16,7 +16,7 @@ def main() -> None:
     else:
         from pinel_desktop.commands.window import open_app  # noqa: PLC0415 - see above
 
-        sys.exit(open_app(None))
+        sys.exit(open_app(None, kiosk=False))
 
 
 if __name__ == "__main__":

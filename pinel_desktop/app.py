@@ -32,7 +32,7 @@ from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.settings import CAMERA, Settings
 from pinel_desktop.web.application import create_app
 from pinel_desktop.web.early_server import EarlyServer
-from pinel_desktop.web.services import DatabaseState, ReadDocument, Services
+from pinel_desktop.web.services import DatabaseState, ReadDocument, Services, WindowLink
 from sim.world import list_worlds
 from storage import Notice as StoreNotice
 from storage import RunRecorder, StoreError, warm_up
@@ -61,7 +61,7 @@ class App:
         instance: lock on the database that the caller has acquired; the app releases it.
         engine_after_s: delay before the engine and the modules for the first edit and run are loaded, in s. On a PC
             with two cores, loading them at once would delay the first drawing of the page.
-        on_show: brings the window forward when the app is started a second time.
+        window: the app's window; None without one.
         camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
         bridge: where the HTTP interface of the original PINEL is served, and which robot its calls drive; None
             serves no such interface.
@@ -75,7 +75,7 @@ class App:
         early_server: EarlyServer | None = None,
         instance: InstanceLock | None = None,
         engine_after_s: float = 0.0,
-        on_show: Callable[[], None] = lambda: None,
+        window: WindowLink | None = None,
         make_engine: Callable[..., EngineClient] = EngineClient,
         read: ReadDocument | None = None,
         worlds: Sequence[dict[str, Any]] | None = None,
@@ -87,7 +87,7 @@ class App:
         self._early_server = early_server
         self._instance = instance
         self._engine_after_s = engine_after_s
-        self._on_show = on_show
+        self._window = window
         self._make_engine = make_engine
         self._read = read or _read_document
         self._worlds = [titled(world) for world in list_worlds()] if worlds is None else worlds
@@ -259,7 +259,7 @@ class App:
             read_world=_read_world,
             worlds=self._worlds,
             database_state=self._database_state,
-            show_window=self._on_show,
+            window=self._window,
             flush_recording=self._flush_recording,
             prepare_judge=self._prepare_judge,
             confirm_runs=self._confirmer.check_now,

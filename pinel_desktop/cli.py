@@ -22,7 +22,7 @@ _COMMANDS = {
     "doctor": "Say what this PC has and lacks.",
 }
 _SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup"}
-_HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "window")} | {
+_HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "kiosk", "window")} | {
     "app": "app"
 }
 
@@ -53,8 +53,12 @@ class _LazyGroup(click.Group):
 @click.option(
     "--self-check", is_flag=True, help="Try window, simulator and store once; print JSON."
 )
+@click.option(
+    "--kiosk", is_flag=True, help="Fill the screen; only the teacher can close the window."
+)
+@click.option("--place", default="", hidden=True)  # where the page opens again in kiosk mode
 @click.pass_context
-def main(ctx: click.Context, self_check: bool) -> None:
+def main(ctx: click.Context, self_check: bool, kiosk: bool, place: str) -> None:
     """PINEL Desktop. Without a command, opens the window.
 
     Data is in the user's data folder; the variable PINEL_HOME or the option --db chooses another place.
@@ -63,4 +67,6 @@ def main(ctx: click.Context, self_check: bool) -> None:
     if ctx.invoked_subcommand is None:
         from pinel_desktop.commands import window  # noqa: PLC0415 - the window's libraries are slow to import
 
-        ctx.exit(window.self_check(db) if self_check else window.open_app(db))
+        if self_check:
+            ctx.exit(window.self_check(db))
+        ctx.exit(window.open_app(db, kiosk=kiosk, place=place))

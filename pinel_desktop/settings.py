@@ -18,6 +18,7 @@ from pinel_desktop.messages import LANGUAGES, language_of_system
 from pinel_desktop.paths import read_regular
 
 LANGUAGE, CAMERA, THEME = "pinel_language", "pinel_camera", "pinel_theme"
+KIOSK = "pinel_kiosk"
 TEXT, MAX_TEXT = "^[A-Za-z0-9_-]*$", 4000
 
 
@@ -54,6 +55,7 @@ SETTINGS: Mapping[str, Setting] = {
         'number of the webcam, "0" for the first', default="0", of_page=False, in_database="camera"
     ),
     THEME: Setting("colours of the page", ("light", "dark", "contrast")),
+    KIOSK: Setting('"1" opens the window in kiosk mode', ("1",), of_page=False),
     "pinel_class": Setting("the class last chosen"),
     "pinel_levels": Setting("level of the blocks that each group chose"),
     "pinel_mission_levels": Setting("level of the blocks chosen for each mission"),
@@ -101,6 +103,11 @@ class Settings:
     def language(self) -> str:
         """Language of page and messages."""
         return self[LANGUAGE] or language_of_system()
+
+    @property
+    def opens_kiosk(self) -> bool:
+        """Whether the window opens in kiosk mode."""
+        return self[KIOSK] == "1"
 
     def of_page(self) -> dict[str, str]:
         """Returns all settings that the page reads, chosen or default."""

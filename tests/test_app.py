@@ -17,6 +17,7 @@ from pinel_desktop.app import App
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError, InstanceLock
 from pinel_desktop.paths import data_folder, database_path
+from pinel_desktop.web.services import WindowRequest
 from storage import RunStart, open_store
 from storage.file.backups import make_backup
 from storage.sqlite import sqlite3
@@ -74,9 +75,22 @@ def test_the_instance_file_is_for_this_user_alone_and_goes_with_the_app(
     assert not file.exists()
 
 
+class ShownWindow:
+    """A window that tells when it was brought forward."""
+
+    kiosk = None
+
+    def __init__(self, shown: threading.Event) -> None:
+        self._shown = shown
+
+    def ask(self, request: WindowRequest) -> None:
+        assert request == "show"
+        self._shown.set()
+
+
 def test_a_second_start_is_led_to_the_first(start_app: Callable[..., App]) -> None:
     shown = threading.Event()
-    start_app(on_show=shown.set)
+    start_app(window=ShownWindow(shown))
     with pytest.raises(AlreadyRunningError) as caught:
         start_app()
     caught.value.running.show()

@@ -1,11 +1,12 @@
 """`pinel app`: the process with web server, store and engine client, started by the window's process.
 
 Both exchange JSON lines over pipes. The window sends `{"do": "start"}` once it has the lock on the database, and
-`{"do": "address"}` for each further address. The app sends:
+`{"do": "address"}` for each further address; `--kiosk` says why it is in kiosk mode. The app sends:
 
 - `{"type": "address", "address": ...}`, the first one without a request;
 - `{"type": "ready", "language": ...}` when it has started;
-- `{"type": "show"}` when a second start requests to bring the window forward;
+- `{"type": "window", "do": ...}`, a request to the window (`WindowRequest` in web/services.py), which replies with
+  `{"do": "confirm"}`;
 - `{"type": "failed", "code": ..., "params": ...}` if it cannot start.
 
 The app exits at the end of its input.
@@ -25,12 +26,13 @@ from typing import TYPE_CHECKING, Any, BinaryIO, TextIO
 import click
 
 from pinel_desktop.commands.printing import print_problem
+from pinel_desktop.desktop.kiosk.mode import KioskReason
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import InstanceLock
-from pinel_desktop.paths import database_path
 from pinel_desktop.processes.standard_streams import reserve_output
 from pinel_desktop.settings import Settings
 from pinel_desktop.web.early_server import EarlyServer
+from pinel_desktop.web.services import WindowRequest
 
 if TYPE_CHECKING:
     from pinel_desktop.app import App
@@ -38,34 +40,57 @@ if TYPE_CHECKING:
 Message = dict[str, Any]
 
 _ENGINE_AFTER_S = 1.0
+_CONFIRM_S = 2.0
 
 
 @click.command(hidden=True)
 @click.option("--db", type=click.Path(dir_okay=False), required=True)
 @click.option("--camera")
-def command(db: str, camera: str | None) -> None:
+@click.option("--kiosk", type=click.Choice(["setting", "command"]))
+def command(db: str, camera: str | None, kiosk: KioskReason | None) -> None:
     """Run the app for a window: messages on standard input and output."""
     # Ctrl+C in a terminal reaches the whole process group; the window ends the app by its pipe.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The end of the desktop session sends SIGTERM to all processes: exit as at the end of the pipe.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit())
     with os.fdopen(reserve_output(), "w", encoding="utf-8") as answers:
-        _serve(db, camera, _messages(sys.stdin.buffer), _sender(answers))
+        send = _sender(answers)
+        _serve(Path(db), camera, _Window(send, kiosk), _messages(sys.stdin.buffer), send)
+
+
+class _Window:
+    """The window at the other end of the pipes."""
+
+    def __init__(self, send: Callable[..., None], kiosk: KioskReason | None) -> None:
+        self._send = send
+        self.kiosk: KioskReason | None = kiosk
+        self._asking = threading.Lock()
+        self.confirmed = threading.Event()
+
+    def ask(self, request: WindowRequest) -> None:
+        """Sends a request, and waits until the window has handled it, or for a moment."""
+        with self._asking:
+            self.confirmed.clear()
+            self._send(type="window", do=request)
+            self.confirmed.wait(_CONFIRM_S)
 
 
 def _serve(
-    db: str, camera: str | None, messages: Iterator[Message], send: Callable[..., None]
+    database: Path,
+    camera: str | None,
+    window: _Window,
+    messages: Iterator[Message],
+    send: Callable[..., None],
 ) -> None:
     if next(messages, None) != {"do": "start"}:
         return
     # server first, so that the window loads the page during the other imports
     with _loading():
-        database = database_path(db)
-        server = EarlyServer(settings=Settings.beside(database))
+        server = EarlyServer(settings=Settings.beside(database), is_kiosk=window.kiosk is not None)
         send(type="address", address=server.guard.fresh_link())
-        app = _started(database, camera, server, send)
+        app = _started(database, camera, window, server, send)
     if app is not None:
-        _serve_requests(app, messages, send)
+        _serve_requests(app, window, messages, send)
 
 
 @contextlib.contextmanager
@@ -86,7 +111,11 @@ def _loading() -> Iterator[None]:
 
 
 def _started(
-    database: Path, camera: str | None, server: EarlyServer, send: Callable[..., None]
+    database: Path,
+    camera: str | None,
+    window: _Window,
+    server: EarlyServer,
+    send: Callable[..., None],
 ) -> "App | None":
     from pinel_desktop.app import App  # noqa: PLC0415 - see above
 
@@ -95,7 +124,7 @@ def _started(
         early_server=server,
         instance=InstanceLock.of_parent(database),
         engine_after_s=_ENGINE_AFTER_S,
-        on_show=lambda: send(type="show"),
+        window=window,
         camera=camera,
     )
     try:
@@ -107,13 +136,17 @@ def _started(
     return app
 
 
-def _serve_requests(app: "App", messages: Iterator[Message], send: Callable[..., None]) -> None:
+def _serve_requests(
+    app: "App", window: _Window, messages: Iterator[Message], send: Callable[..., None]
+) -> None:
     with contextlib.closing(app):
         _print_notice(app)
         send(type="ready", language=app.language)
         for message in messages:
             if message == {"do": "address"}:
                 send(type="address", address=app.address)
+            elif message == {"do": "confirm"}:
+                window.confirmed.set()
 
 
 def _print_notice(app: "App") -> None:

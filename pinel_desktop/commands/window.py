@@ -1,7 +1,8 @@
 """`pinel` without a subcommand: the app in its window; and `pinel --self-check`.
 
 This process shows the window and holds the lock. The app runs in another process (desktop/app_process.py), which loads
-while the window opens. Imports at the top of this file delay the start of that process.
+while the window opens. Imports at the top of this file delay the start of that process. In kiosk mode, this process is
+the keeper (desktop/kiosk/keeper.py), and the window is in another one (commands/owned/kiosk.py).
 """
 
 import gc
@@ -12,74 +13,153 @@ from types import FrameType
 from typing import TYPE_CHECKING
 
 from pinel_desktop.desktop.app_process import AppProcess
+from pinel_desktop.desktop.ending import become, end_process
 from pinel_desktop.errors import PinelError
 from pinel_desktop.paths import database_path
+from pinel_desktop.processes import own_command
+from pinel_desktop.settings import Settings
 
 if TYPE_CHECKING:
+    from pinel_desktop.desktop.kiosk.mode import KioskMode, KioskReason
     from pinel_desktop.desktop.presenter import Presenter
 
 # With the default threshold, garbage collection is a tenth of the toolkit's import, and useless.
 _GC_THRESHOLD = 50_000
+# exit status of a window that the teacher's switch has closed to open in the other mode
+RESTARTS = 75
 
 
-def open_app(db: str | None) -> int:
+def open_app(db: str | None, *, kiosk: bool, place: str = "") -> int:
     """Shows the page until the person closes it; a second start brings the first window forward.
+
+    Args:
+        kiosk: opens in kiosk mode, also if the teacher has not chosen it on this PC.
+        place: where the page opens in kiosk mode.
 
     Returns the exit status: 0, or 1 if the app cannot start.
     """
-    gc.set_threshold(_GC_THRESHOLD)
-    presenters: list[Presenter] = []
-    app = AppProcess(
-        database_path(db),
-        on_show=lambda: presenters[0].show() if presenters else None,
-        on_lost=lambda: presenters[0].close() if presenters else None,
-    )
-    # while the other process is loading
-    from pinel_desktop.desktop.ending import end_process  # noqa: PLC0415
-
-    try:
-        status = _open(app, db, presenters)
-    except PinelError as error:
-        _print_message(error)
-        status = 1
-    finally:
-        app.close()
+    if kiosk or Settings.beside(database_path(db)).opens_kiosk:
+        status = _keep_open(db, "command" if kiosk else "setting", place)
+    else:
+        status = WindowProcess(db).run()
+    if status == RESTARTS:
+        become(pinel_command(db, kiosk=kiosk))
     end_process(status)
     return status
 
 
-def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int:
-    # while the other process is loading
-    from pinel_desktop.commands.pc.first_start import set_up_if_new  # noqa: PLC0415
-    from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
-    from pinel_desktop.instance import AlreadyRunningError, InstanceLock  # noqa: PLC0415
+def _keep_open(db: str | None, reason: "KioskReason", place: str) -> int:
+    from pinel_desktop.desktop.kiosk.keeper import Keeper  # noqa: PLC0415 - only in kiosk mode
 
-    instance = InstanceLock(database_path(db))
-    try:
-        instance.acquire()
-    except AlreadyRunningError as first:
-        first.running.show()
-        _print_message(first)
-        _print(first.running.fresh_link())
-        return 0
-    try:
-        set_up_if_new(database_path(db))
-        app.start()
-        presenter = Presenter(app.address, app.language, print_text=_print_error, give=_print)
-        presenters.append(presenter)
-        _end_at_signal(presenter)
-        presenter.run()
-        if app.failure is not None:
-            raise app.failure
-    finally:
-        app.close()
-        instance.release()
-    return 0
+    chosen = ["--db", db] if db else []
+
+    def command(place: str) -> list[str]:
+        return own_command(*chosen, "kiosk", "--reason", reason, "--place", place)
+
+    keeper = Keeper(command, final=(0, RESTARTS), place=place)
+    keeper.end_at_signals()
+    return keeper.run()
+
+
+def pinel_command(db: str | None, *, kiosk: bool, place: str = "") -> list[str]:
+    """Returns the command line that opens the window (see `open_app`)."""
+    chosen = [*(["--db", db] if db else []), *(["--kiosk"] if kiosk else [])]
+    return own_command(*chosen, *(["--place", place] if place else []))
+
+
+class WindowProcess:
+    """The window with its app; `close` may be called on any thread."""
+
+    def __init__(self, db: str | None, kiosk: "KioskMode | None" = None) -> None:
+        gc.set_threshold(_GC_THRESHOLD)
+        self._database = database_path(db)
+        self._kiosk = kiosk
+        self._presenter: Presenter | None = None
+        self._is_closing = False
+        self._restarts = False
+        self._app = AppProcess(
+            self._database,
+            on_request=self._handle,
+            on_lost=self.close,
+            kiosk=kiosk.reason if kiosk else None,
+        )
+
+    def run(self) -> int:
+        """Shows the window until it is closed. Returns the exit status: 0, 1 if the app cannot start, or `RESTARTS`."""
+        try:
+            self._run()
+        except PinelError as error:
+            _print_message(error)
+            return 1
+        finally:
+            self._app.close()
+        return RESTARTS if self._restarts else 0
+
+    def close(self) -> None:
+        """Closes the window, so that `run` returns."""
+        self._is_closing = True
+        if self._presenter is not None:
+            self._presenter.close()
+
+    def _handle(self, request: str) -> None:
+        """Handles a request of the app."""
+        match request:
+            case "show" if self._presenter is not None:
+                self._presenter.show()
+            case "allow_print" if self._kiosk is not None:
+                self._kiosk.print_allowed.set()
+            case "close":
+                self.close()
+            case "restart":
+                self._restarts = True
+                self.close()
+
+    def _run(self) -> None:
+        # while the other process is loading
+        from pinel_desktop.commands.pc.first_start import set_up_if_new  # noqa: PLC0415
+        from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
+        from pinel_desktop.instance import AlreadyRunningError, InstanceLock  # noqa: PLC0415
+
+        instance = InstanceLock(self._database)
+        try:
+            instance.acquire()
+        except AlreadyRunningError as first:
+            first.running.show()
+            _print_message(first)
+            _print(first.running.fresh_link())
+            return
+        try:
+            set_up_if_new(self._database)
+            self._app.start()
+            self._presenter = Presenter(
+                self._app.address,
+                self._app.language,
+                print_text=_print_error,
+                give=_print,
+                kiosk=self._kiosk,
+            )
+            self._end_at_signal()
+            if not self._is_closing:
+                self._presenter.run()
+            if self._app.failure is not None:
+                raise self._app.failure
+        finally:
+            self._app.close()
+            instance.release()
+
+    def _end_at_signal(self) -> None:
+        """Closes the window at SIGINT or SIGTERM; native windows have their own handlers."""
+
+        def end(number: int, frame: FrameType | None) -> None:
+            self.close()
+
+        if threading.current_thread() is threading.main_thread():
+            for number in (signal.SIGINT, signal.SIGTERM):
+                signal.signal(number, end)
 
 
 def self_check(db: str | None) -> int:
     """Tests window, simulator and store, and prints one JSON object. Returns the exit status: 0 if all work."""
-    from pinel_desktop.desktop.ending import end_process  # noqa: PLC0415
     from pinel_desktop.desktop.self_check import check  # noqa: PLC0415 - only the package's test needs it
 
     result = check(database_path(db) if db else None)
@@ -87,17 +167,6 @@ def self_check(db: str | None) -> int:
     status = 0 if result["ok"] else 1
     end_process(status)
     return status
-
-
-def _end_at_signal(presenter: "Presenter") -> None:
-    """Closes the presenter at SIGINT or SIGTERM; native windows have their own handlers."""
-
-    def end(number: int, frame: FrameType | None) -> None:
-        presenter.close()
-
-    if threading.current_thread() is threading.main_thread():
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, end)
 
 
 def _print_message(error: PinelError) -> None:

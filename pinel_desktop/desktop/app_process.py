@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from pinel_desktop.desktop.kiosk.mode import KioskReason
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import own_command
 
@@ -29,17 +30,19 @@ class AppProcess:
     def __init__(
         self,
         database: Path,
-        on_show: Callable[[], None],
+        on_request: Callable[[str], None],
         on_lost: Callable[[], None],
         camera: str | None = None,
+        kiosk: KioskReason | None = None,
     ) -> None:
         """
         Args:
-            on_show: called when a second start asks to bring the window forward.
+            on_request: called with each request of the app to the window (`WindowRequest` in web/services.py).
             on_lost: called when the app has died or could not start.
             camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
+            kiosk: why the window is in kiosk mode; None if it is not.
         """
-        self._on_show = on_show
+        self._on_request = on_request
         self._on_lost = on_lost
         self._responses: queue.Queue[str] = queue.Queue()
         self._asking = threading.Lock()
@@ -49,7 +52,12 @@ class AppProcess:
         self._language = ""
         self._closing = False
         self._process = subprocess.Popen(
-            own_command("app", "--db", str(database), *(["--camera", camera] if camera else [])),
+            own_command(
+                "app",
+                *("--db", str(database)),
+                *(("--camera", camera) if camera else ()),
+                *(("--kiosk", kiosk) if kiosk else ()),
+            ),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
@@ -135,7 +143,8 @@ class AppProcess:
                 self._ready.set()
             case "address":
                 self._responses.put(message["address"])
-            case "show":
-                self._on_show()
+            case "window":
+                self._on_request(message["do"])
+                self._send({"do": "confirm"})
             case "failed":
                 self._failure = PinelError(message["code"], **message["params"])

@@ -1,8 +1,10 @@
-"""Ends a process that has shown a window."""
+"""Ends a process that has shown a window, or continues it as another program."""
 
 import os
+import subprocess
 import sys
 import threading
+from typing import NoReturn
 
 
 def end_process(status: int) -> None:
@@ -16,3 +18,16 @@ def end_process(status: int) -> None:
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(status)
+
+
+def become(command: list[str]) -> NoReturn:
+    """Runs another program in place of this one, with the same process id where the system can do that.
+
+    Call this last, after closing all other resources.
+    """
+    sys.stdout.flush()
+    sys.stderr.flush()
+    if sys.platform == "win32":  # where a replaced process would end for the one that waits for it
+        subprocess.Popen(command, stdin=subprocess.DEVNULL)
+        os._exit(0)
+    os.execv(command[0], command)

@@ -12,6 +12,8 @@ MAX_SIZE = (1600, 1000)
 _MAXIMIZE_UP_TO = (1440, 900)
 MAX_RELOADS = 3
 _PERIOD_S = 60.0
+# one crash may be noticed several times
+_SAME_S = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,25 +37,30 @@ def may_open(address: str, own: str) -> bool:
 
 def decide_navigation(address: str, own: str) -> NavigationDecision:
     """Decides about a navigation to `address`: show the page, save files created by the page, refuse all else."""
-    if address == "about:blank" or may_open(address, own):
+    if may_open(address, own):
         return "show"
     scheme, _, made_by = address.partition(":")
     return "save" if scheme == "blob" and may_open(made_by, own) else "refuse"
 
 
 class ReloadLimit:
-    """Limits how often the page is loaded again after its process has died, because a page may kill it each time."""
+    """Limits how often the page is loaded again after a crash, because a page may cause one each time."""
 
     def __init__(self) -> None:
         self._times_s: list[float] = []
 
-    def allows(self, now_s: float) -> bool:
-        """Returns whether the page may be loaded again, and counts it: at most `MAX_RELOADS` within `_PERIOD_S`."""
+    def next_wait_s(self, now_s: float) -> float | None:
+        """Returns how long to wait before the next reload, and counts it; None if one is due within `_SAME_S`.
+
+        At most `MAX_RELOADS` take place within `_PERIOD_S`; later ones wait.
+        """
         self._times_s = [time_s for time_s in self._times_s if now_s - time_s < _PERIOD_S]
-        if len(self._times_s) >= MAX_RELOADS:
-            return False
-        self._times_s.append(now_s)
-        return True
+        if self._times_s and now_s < self._times_s[-1] + _SAME_S:
+            return None
+        is_free = len(self._times_s) < MAX_RELOADS
+        due_s = now_s if is_free else self._times_s[-MAX_RELOADS] + _PERIOD_S
+        self._times_s.append(due_s)
+        return due_s - now_s
 
 
 def fitted_size(screen_width: int, screen_height: int) -> Size:

@@ -9,6 +9,7 @@ from typing import Protocol
 import pinel_desktop
 from pinel_desktop.desktop.backends import Backend, NoWindowError, Pc, Toolkit, backends
 from pinel_desktop.desktop.browser import BrowserWindow
+from pinel_desktop.desktop.kiosk.mode import KioskMode
 from pinel_desktop.messages import describe
 
 TITLE = "PINEL Desktop"
@@ -41,6 +42,7 @@ class Presenter:
         print_text: prints a line for people.
         give: prints the address, if no window can be shown.
         on_open: called when a native window has opened.
+        kiosk: shows the page in kiosk mode, which only a native window has.
     """
 
     def __init__(
@@ -52,6 +54,7 @@ class Presenter:
         give: Callable[[str], None],
         pc: Pc | None = None,
         on_open: Callable[[], None] | None = None,
+        kiosk: KioskMode | None = None,
     ) -> None:
         self._fresh_address = fresh_address
         self._print_text = print_text
@@ -59,17 +62,25 @@ class Presenter:
         self._language = language
         self._pc = pc or Pc()
         self._on_open = on_open
+        self._kiosk = kiosk
         self._window: OpenWindow | None = None
         self._closed = threading.Event()
         self.backend: str = "none"
 
     def run(self) -> None:
-        """Shows the page; returns when it was closed, or after `close`."""
+        """Shows the page; returns when it was closed, or after `close`.
+
+        Raises NoWindowError `kiosk_no_window` if kiosk mode has no native window.
+        """
         if not self._pc.has_screen:
             self._print_message("window_no_screen", {})
         for backend in backends(self._pc):
+            if self._kiosk is not None and backend.name == "browser":
+                continue
             if self._closed.is_set() or self._try(backend):
                 return
+        if self._kiosk is not None:
+            raise NoWindowError("kiosk_no_window")
         self._give_address()
 
     def show(self) -> None:
@@ -111,6 +122,7 @@ class Presenter:
             self._language,
             icon=str(_ICON) if _ICON.is_file() else None,
             on_open=self._on_open,
+            kiosk=self._kiosk,
         )
         self._window = window
         window.run(toolkit)

@@ -94,7 +94,7 @@ def _app(database: Path) -> Iterator[AppProcess]:
     instance = InstanceLock(database)
     instance.acquire()
     app = AppProcess(
-        database, on_show=lambda: None, on_lost=lambda: None, camera=str(RECORDED_SIGNS)
+        database, on_request=lambda request: None, on_lost=lambda: None, camera=str(RECORDED_SIGNS)
     )
     try:
         app.start()

@@ -1,25 +1,18 @@
 """The native window, by pywebview: shows the page and blocks navigation to anything else."""
 
-import contextlib
 import logging
 import os
-import signal
 import threading
-import time
 from collections.abc import Callable
 from typing import Any
 
 import webview
 from webview.guilib import initialize
 
-from pinel_desktop.desktop import saving
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_problem
-from pinel_desktop.desktop.policy import (
-    NavigationDecision,
-    ReloadLimit,
-    decide_navigation,
-    fitted_size,
-)
+from pinel_desktop.desktop.gtk_window import GtkWindow, require_screen
+from pinel_desktop.desktop.kiosk.mode import KioskMode
+from pinel_desktop.desktop.policy import decide_navigation, fitted_size
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
@@ -37,8 +30,6 @@ _DIALOG_TEXTS = {
     "windows.fileFilter.otherFiles": "dialog_other_files",
 }
 _BACKGROUND = "#f6f3ee"
-_PROGRAM = "pinel-desktop"
-_log = logging.getLogger(__name__)
 
 
 class NativeWindow:
@@ -50,6 +41,7 @@ class NativeWindow:
         address: called before the window opens, so that the page loads meanwhile.
         language: called on a thread of its own, and may block.
         on_open: called on the same thread once the window is open.
+        kiosk: None opens an ordinary window.
     """
 
     def __init__(
@@ -60,12 +52,14 @@ class NativeWindow:
         *,
         icon: str | None = None,
         on_open: Callable[[], None] | None = None,
+        kiosk: KioskMode | None = None,
     ) -> None:
         self._address = address
         self._title = title
         self._language = language
         self._icon = icon
         self._on_open = on_open
+        self._kiosk = kiosk
         self._window: webview.Window | None = None
         self._origin = ""
         self._opened = threading.Event()
@@ -83,15 +77,16 @@ class NativeWindow:
             logging.getLogger("pywebview").setLevel(logging.CRITICAL)
         try:
             if backend == "gtk":
-                _require_gtk_screen()
+                require_screen()
             toolkit = initialize(backend)
             if problem := renderer_problem(toolkit.renderer):
                 raise NoWindowError(problem)
             screen = toolkit.get_screens()[0]
             self._origin = self._address()
+            place = self._kiosk.place if self._kiosk else ""
             # GTK uses our dialog (saving.py), because pywebview's fails without a download folder
             webview.settings["ALLOW_DOWNLOADS"] = backend != "gtk"
-            self._create(screen)
+            self._create(screen, f"{self._origin}#{place}" if place else self._origin)
             webview.start(gui=backend, icon=self._icon)
         except PinelError:
             raise
@@ -122,29 +117,40 @@ class NativeWindow:
         """Runs JavaScript in the page and returns its value with GTK and Qt; elsewhere it may be None."""
         return None if self._window is None else self._window.run_js(script)
 
-    def _create(self, screen: webview.Screen) -> None:
+    def _create(self, screen: webview.Screen, address: str) -> None:
         size = fitted_size(screen.width, screen.height)
         window = webview.create_window(
             self._title,
-            self._origin,
+            address,
             width=size.width,
             height=size.height,
             min_size=size.min_size,
             maximized=size.maximized,
+            fullscreen=self._kiosk is not None,
             background_color=_BACKGROUND,
             text_select=True,
         )
         if window is None:
             raise NoWindowError("window_failed", backend="pywebview", reason="")
         window.events.before_show += self._guard
+        if self._kiosk is not None:
+            # a handler that returns False refuses to close
+            window.events.closing += lambda: self._closing
         window.events.shown += self._open
         self._window = window
 
     def _guard(self) -> None:
         """Installs the navigation policy; runs on the window's thread before the page loads."""
-        if self._window is not None and webview.renderer == "gtkwebkit2":
-            _guard_gtk(self._window, lambda address: decide_navigation(address, self._origin))
-            _reload_after_crash(self._window, self._address)
+        if self._window is None or webview.renderer != "gtkwebkit2":
+            return
+        gtk = GtkWindow(self._window)
+        gtk.guard_navigation(lambda address: decide_navigation(address, self._origin))
+        gtk.close_at_signals(self.close)
+        gtk.reload_after_crash(self._address)
+        if self._kiosk is None:
+            gtk.save_by_dialog()
+        else:
+            gtk.lock(self._kiosk)
 
     def _open(self) -> None:
         """Runs on a thread of its own once the window is open."""
@@ -164,69 +170,3 @@ class NativeWindow:
 
 def _dialog_texts(language: str) -> dict[str, str]:
     return {key: describe(code, {}, language).message for key, code in _DIALOG_TEXTS.items()}
-
-
-def _require_gtk_screen() -> None:
-    """Raises NoWindowError `window_no_screen`; GTK itself would end the process without a working screen."""
-    import gi  # noqa: PLC0415 - optional, see backends.gtk_problem
-
-    gi.require_version("Gtk", "3.0")
-    from gi.repository import GLib, Gtk  # noqa: PLC0415
-
-    GLib.set_prgname(_PROGRAM)  # by which the desktop identifies the window's program
-    if not Gtk.init_check([])[0]:
-        raise NoWindowError("window_no_screen")
-
-
-def _guard_gtk(window: webview.Window, judge: Callable[[str], NavigationDecision]) -> None:
-    """Sets up GTK's web view: navigation policy, local storage, save dialog, and closing at a signal."""
-    from gi.repository import GLib, WebKit2  # noqa: PLC0415
-    from webview.platforms.gtk import BrowserView  # noqa: PLC0415
-
-    view = BrowserView.instances[window.uid]
-
-    def decide(_view: Any, decision: Any, kind: Any) -> bool:
-        if kind == WebKit2.PolicyDecisionType.RESPONSE:
-            verdict = "show" if decision.is_mime_type_supported() else "refuse"
-        else:
-            address = decision.get_navigation_action().get_request().get_uri()
-            is_here = kind == WebKit2.PolicyDecisionType.NAVIGATION_ACTION
-            verdict = judge(address) if is_here else "refuse"
-        {"show": decision.use, "save": decision.download, "refuse": decision.ignore}[verdict]()
-        return True
-
-    # pywebview's own handler opens foreign links in the default browser, saves unsupported files
-    view.webview.disconnect_by_func(view.on_navigation)
-    view.webview.connect("decide-policy", decide)
-    saving.install_save_dialog(view.webview.get_context(), view.window, lambda: window.localization)
-    # private mode disables local storage, which the page needs; nothing is written to disk
-    view.webview.get_settings().props.enable_html5_local_storage = True
-    for number in (signal.SIGTERM, signal.SIGINT):
-        GLib.unix_signal_add(GLib.PRIORITY_DEFAULT, number, window.destroy)
-
-
-def _reload_after_crash(window: webview.Window, address: Callable[[], str]) -> None:
-    """Loads the page again, at its place, when GTK's page process has died; else its last picture would stay for ever.
-
-    It gets a new address, because the app refuses WebKit's own reload: each address opens the page once.
-    """
-    from gi.repository import GLib  # noqa: PLC0415
-    from webview.platforms.gtk import BrowserView  # noqa: PLC0415
-
-    limit, page = ReloadLimit(), BrowserView.instances[window.uid].webview
-
-    def load(place: str) -> None:
-        with contextlib.suppress(
-            PinelError
-        ):  # the app has died, too, and its end closes the window
-            GLib.idle_add(page.load_uri, f"{address()}#{place}")
-
-    def reload(_page: Any, _reason: Any) -> None:
-        if limit.allows(time.monotonic()):
-            place = page.get_uri().partition("#")[2]
-            # the app may take a moment to answer, and this thread draws the window
-            threading.Thread(target=load, args=(place,), daemon=True).start()
-        else:
-            _log.error("the page's process dies each time")
-
-    page.connect("web-process-terminated", reload)

@@ -27,17 +27,20 @@ class EarlyServer:
 
     Args:
         settings: settings of this PC; None stores them in memory only.
+        is_kiosk: whether the window is in kiosk mode.
 
     Raises:
         PinelError: `port_taken`.
     """
 
-    def __init__(self, port: int = 0, settings: Settings | None = None) -> None:
+    def __init__(
+        self, port: int = 0, settings: Settings | None = None, *, is_kiosk: bool = False
+    ) -> None:
         self.guard = Guard()
         self.settings = settings or Settings()
         self._server = Server(port)
         self.guard.bind(self._server.host, self._server.port)
-        self._page = _page_alone(self.guard, self.settings)
+        self._page = _page_alone(_PageServices(self.guard, self.settings, is_kiosk))
         self._app: Wsgi | None = None
         self._decided = threading.Event()
         self._server.start(self, self.guard.is_known)
@@ -86,11 +89,12 @@ class _PageServices:
 
     guard: Guard
     settings: Settings
+    is_kiosk: bool
 
 
-def _page_alone(guard: Guard, settings: Settings) -> Flask:
+def _page_alone(page_services: _PageServices) -> Flask:
     app = Flask(__name__, static_folder=None)
-    app.extensions["pinel"] = _PageServices(guard, settings)
+    app.extensions["pinel"] = page_services
     app.url_map.converters["page_path"] = PagePath
     app.register_blueprint(page)
     app.before_request(check_guard)

@@ -10,7 +10,7 @@ from werkzeug.routing import PathConverter
 from werkzeug.wrappers import Response as BaseResponse
 
 from pinel_desktop.messages import describe
-from pinel_desktop.settings import THEME, Settings
+from pinel_desktop.settings import THEME
 from pinel_desktop.web.services import services
 
 STATIC = Path(__file__).parent / "static"
@@ -52,14 +52,17 @@ def index() -> BaseResponse:
     if not (STATIC / "index.html").is_file():
         return message_page("page_not_built", {}, services().settings.language, 503)
     settings = services().settings
-    return _with_settings(_file(f"index.{settings.language}.html", conditional=False), settings)
+    return _with_settings(_file(f"index.{settings.language}.html", conditional=False))
 
 
-def _with_settings(answer: BaseResponse, settings: Settings) -> BaseResponse:
+def _with_settings(answer: BaseResponse) -> BaseResponse:
     """Inserts the settings into the page, so that it needs no request for them and has its theme from the start."""
+    settings = services().settings
     more = {"data-settings": json.dumps(settings.of_page())}
     if settings[THEME]:
         more["data-theme"] = settings[THEME]
+    if services().is_kiosk:
+        more["data-kiosk"] = "1"
     attributes = "".join(f' {name}="{escape(value)}"' for name, value in more.items())
     answer.set_data(_ROOT.sub(rb"\1" + attributes.encode() + b">", answer.get_data(), count=1))
     answer.add_etag(overwrite=True)

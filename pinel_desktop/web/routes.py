@@ -7,7 +7,6 @@ from pinel_desktop.web.api import (
     exchange,
     groups,
     history,
-    instance,
     notes,
     programs,
     python,
@@ -22,6 +21,7 @@ from pinel_desktop.web.api import (
     worlds,
 )
 from pinel_desktop.web.api.preparing import lesson_files, own_activities, robots
+from pinel_desktop.web.api.window import drives, instance, kiosk
 
 RESOURCES = (
     status,
@@ -45,5 +45,7 @@ RESOURCES = (
     camera,
     signs,
     stream,
+    kiosk,
+    drives,
     instance,
 )

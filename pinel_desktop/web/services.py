@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
 
 from flask import current_app
 
@@ -41,6 +41,23 @@ class ReadWorld(Protocol):
         ...
 
 
+# "restart" closes the window and opens it again, in kiosk mode or without it, as the setting says
+WindowRequest = Literal["show", "allow_print", "close", "restart"]
+
+
+class WindowLink(Protocol):
+    """The app's window, which is in another process.
+
+    Attributes:
+        kiosk: why the window is in kiosk mode: the teacher's setting, or `pinel --kiosk`; None if it is not.
+    """
+
+    kiosk: Literal["setting", "command"] | None
+
+    def ask(self, request: WindowRequest) -> None:
+        """Sends a request; returns when the window has handled it."""
+
+
 @dataclass(frozen=True, slots=True)
 class DatabaseState:
     """The path of the database, whether it can be written, and a message about it for people."""
@@ -60,7 +77,7 @@ class Services:
         confirm_runs: searches for merged runs that must be re-verified, while no run is live.
         unsaved_end: the `run_ended` event of an ended run while it is not on disk completely; else None.
         begin_empty: makes the next start use an empty database if the known one is unreachable.
-        show_window: brings the window forward; does nothing without a window.
+        window: the app's window; None if the page is shown by a browser.
     """
 
     app_version: str
@@ -78,12 +95,17 @@ class Services:
     read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]
     database_state: Callable[[], DatabaseState]
-    show_window: Callable[[], None]
+    window: WindowLink | None
     flush_recording: Callable[[], None]
     prepare_judge: Callable[[str, RunStartInfo], None]
     confirm_runs: Callable[[], None] = lambda: None
     unsaved_end: Callable[[str], Mapping[str, Any] | None] = lambda run_id: None
     begin_empty: Callable[[], None] = lambda: None
+
+    @property
+    def is_kiosk(self) -> bool:
+        """Whether the window is in kiosk mode."""
+        return self.window is not None and self.window.kiosk is not None
 
 
 def services() -> Services:

@@ -85,7 +85,7 @@ def test_on_a_full_disk_the_window_opens(make_disk: MakeDisk) -> None:
     fill(path.parent, 0)
     lock = InstanceLock(path)
     lock.acquire()
-    app = AppProcess(path, on_show=lambda: None, on_lost=lambda: None)
+    app = AppProcess(path, on_request=lambda request: None, on_lost=lambda: None)
     try:
         app.start()
         browser = Browser.signed_in(app.address())

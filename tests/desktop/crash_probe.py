@@ -25,7 +25,7 @@ class Probe:
 
     def __init__(self, database: Path) -> None:
         self.found: dict[str, Any] = {}
-        self.app = AppProcess(database, lambda: None, self._close)
+        self.app = AppProcess(database, lambda request: None, self._close)
         self.app.start()
         self.window = NativeWindow(
             self.app.address, "PINEL Desktop", self.app.language, on_open=self._try_everything

@@ -22,7 +22,13 @@ class Behind:
         self.shown, self.lost = threading.Event(), threading.Event()
         self.lock = InstanceLock(database)
         self.lock.acquire()
-        self.app = AppProcess(database, on_show=self.shown.set, on_lost=self.lost.set)
+        self.requests: list[str] = []
+        self.app = AppProcess(database, on_request=self._handle, on_lost=self.lost.set)
+
+    def _handle(self, request: str) -> None:
+        self.requests.append(request)
+        if request == "show":
+            self.shown.set()
 
     def close(self) -> None:
         self.app.close()

@@ -45,7 +45,7 @@ def test_nothing_else_may_open(address: str) -> None:
     ("address", "verdict"),
     [
         ("http://127.0.0.1:40123/", "show"),
-        ("about:blank", "show"),
+        ("about:blank", "refuse"),
         ("blob:http://127.0.0.1:40123/fc63614a-e294", "save"),
         ("blob:http://127.0.0.1:40124/fc63614a-e294", "refuse"),
         ("blob:null/fc63614a-e294", "refuse"),
@@ -73,11 +73,17 @@ def test_the_window_may_never_be_larger_than_the_screen_asks_for() -> None:
     assert fitted_size(800, 600).min_size == (800, 600)
 
 
-def test_a_page_that_dies_each_time_is_not_loaded_for_ever() -> None:
+def test_a_page_that_dies_each_time_is_loaded_a_few_times_a_minute() -> None:
     limit = ReloadLimit()
-    assert [limit.allows(float(now_s)) for now_s in range(5)] == [True] * MAX_RELOADS + [False] * 2
+    waits_s = [limit.next_wait_s(now_s) for now_s in (0.0, 5.0, 10.0, 15.0)]
+    assert waits_s == [0.0] * MAX_RELOADS + [45.0]
+
+
+def test_a_crash_that_is_noticed_several_times_loads_the_page_once() -> None:
+    limit = ReloadLimit()
+    assert [limit.next_wait_s(now_s) for now_s in (0.0, 0.1, 1.9)] == [0.0, None, None]
 
 
 def test_a_page_that_dies_once_a_day_comes_back_each_time() -> None:
     limit = ReloadLimit()
-    assert all(limit.allows(86_400.0 * day) for day in range(10))
+    assert [limit.next_wait_s(86_400.0 * day) for day in range(10)] == [0.0] * 10

@@ -2,6 +2,7 @@
  * Style sheets of all lazy parts. They load together, in this order, after those of styles.ts; the
  * sheet for print is last. They are separate because the start of the page does not need them.
  */
+import "./frame/drive_dialog.css";
 import "./world_editor/board/board.css";
 import "./world_editor/world_editor.css";
 import "./studio/mission/mission.css";

@@ -1,11 +1,15 @@
 import type { ComponentType } from "preact";
 import { NotLoaded } from "../kit/requests/NotLoaded";
+import { driveRequest } from "../shell/files/drive_request";
+import { lazy } from "../shell/lazy";
 import { keyOf, route } from "../shell/route";
 import { connection, refreshStatus } from "../shell/session";
 import { Header } from "./header/Header";
 import { Locked } from "./Locked";
 import { Messages } from "./Messages";
 import { PARTS } from "./screens";
+
+const DriveDialog = lazy(async () => (await import("./DriveDialog")).DriveDialog);
 
 export function App() {
   if (connection.value === "locked") return <Locked />;
@@ -14,6 +18,7 @@ export function App() {
       <Header />
       <Messages />
       <Screen />
+      {driveRequest.value && <DriveDialog />}
     </div>
   );
 }

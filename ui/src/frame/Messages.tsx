@@ -8,7 +8,7 @@ import { Button } from "../kit/Button";
 import { ProblemText } from "../kit/requests/ProblemText";
 import { type Problem, problemOf } from "../kit/requests/problem";
 import { ToStart } from "../kit/ToStart";
-import { fileName, saveFile } from "../shell/save_file";
+import { fileName, saveFile } from "../shell/files/save_file";
 import { connection, notice, problem, showNotice } from "../shell/session";
 import { type OpenProgram, programOnScreen } from "../studio/program/open_program";
 

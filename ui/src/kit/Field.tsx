@@ -1,8 +1,5 @@
 import type { InputHTMLAttributes } from "preact";
-import { useId, useRef } from "preact/hooks";
-import type { AppearanceProps } from "./appearance";
-import { Button } from "./Button";
-import { settled } from "./report";
+import { useId } from "preact/hooks";
 
 interface FieldProps extends InputHTMLAttributes<HTMLInputElement> {
   label: string;
@@ -40,33 +37,4 @@ export function Field({ label, hint, onText, ...rest }: FieldProps) {
 /** A field for the PIN; the digits are hidden. */
 export function PinField(props: FieldProps) {
   return <Field {...props} type="password" inputMode="numeric" maxLength={12} />;
-}
-
-interface FileButtonProps extends AppearanceProps {
-  /** Extensions or types of the files to choose from. */
-  accept: string;
-  /** May return a promise; its failure is reported. */
-  onFile(file: File): unknown;
-}
-
-/** A button that opens the file dialog. The test id is on the input. */
-export function FileButton({ accept, testId, onFile, ...face }: FileButtonProps) {
-  const input = useRef<HTMLInputElement>(null);
-  return (
-    <>
-      <input
-        ref={input}
-        type="file"
-        accept={accept}
-        hidden
-        data-testid={testId}
-        onChange={({ currentTarget }) => {
-          const [file] = currentTarget.files ?? [];
-          currentTarget.value = ""; // lets the user choose the same file again
-          if (file) void settled(onFile(file));
-        }}
-      />
-      <Button {...face} onPress={() => input.current?.click()} />
-    </>
-  );
 }

@@ -3,7 +3,7 @@ import { Download, FileSpreadsheet, Image, Maximize2, Minimize2 } from "lucide-p
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Tabs } from "../kit/Tabs";
-import { fileName, saveFile } from "../shell/save_file";
+import { fileName, saveFile } from "../shell/files/save_file";
 import { ChartBox } from "./ChartBox";
 import { csvOf } from "./csv";
 import { Legend } from "./Legend";

@@ -1,4 +1,4 @@
-import { fileName, saveFile } from "../shell/save_file";
+import { fileName, saveFile } from "../shell/files/save_file";
 import { paperColours } from "./colours";
 import type { SceneRenderer } from "./renderer";
 

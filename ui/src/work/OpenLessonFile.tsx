@@ -2,8 +2,8 @@ import { BookOpen } from "lucide-preact";
 import { authoringApi } from "../api/authoring";
 import type { OpenedLesson } from "../api/model";
 import { texts } from "../i18n";
-import { FileButton } from "../kit/Field";
 import { setClassroom } from "../shell/classroom";
+import { FileButton } from "../shell/files/FileButton";
 import { asTeacher } from "../shell/teacher/teacher_session";
 
 interface OpenLessonFileProps {

@@ -5,10 +5,10 @@ import type { Program } from "../api/model";
 import { texts } from "../i18n";
 import { labelled } from "../i18n/phrases";
 import { Button } from "../kit/Button";
-import { FileButton } from "../kit/Field";
 import { setClassroom } from "../shell/classroom";
+import { FileButton } from "../shell/files/FileButton";
+import { fileName, saveFile } from "../shell/files/save_file";
 import { go } from "../shell/route";
-import { fileName, saveFile } from "../shell/save_file";
 import { problem } from "../shell/session";
 
 const SUFFIX = ".pinel";

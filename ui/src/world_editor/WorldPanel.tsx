@@ -3,9 +3,9 @@ import { WORLD_LIMITS } from "../api/declared";
 import { worldTitle } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { FileButton } from "../kit/Field";
 import { NumberField } from "../kit/NumberField";
 import { Select } from "../kit/Select";
+import { FileButton } from "../shell/files/FileButton";
 import { worlds } from "../shell/session";
 import type { EditorStore } from "./editor_store";
 import { GRID } from "./geometry";
@@ -57,12 +57,7 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
       </div>
       <BeginFrom store={store} />
       <div class="world-panel__acts row wrap gap-2">
-        <FileButton
-          icon={FolderOpen}
-          accept=".json,application/json"
-          testId="world-file"
-          onFile={onFile}
-        >
+        <FileButton icon={FolderOpen} accept=".json" testId="world-file" onFile={onFile}>
           {labels.fromFile}
         </FileButton>
         <Button icon={Download} testId="world-export" onPress={onExport}>

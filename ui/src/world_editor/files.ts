@@ -1,7 +1,7 @@
 import { api } from "../api/client";
 import { WORLD_LIMITS } from "../api/declared";
 import type { Fault, World } from "../api/model";
-import { fileName, saveFile } from "../shell/save_file";
+import { fileName, saveFile } from "../shell/files/save_file";
 import { planOf } from "./document";
 
 /** Why a file was rejected: the server's faults, or an empty list for a file that is too large to read. */

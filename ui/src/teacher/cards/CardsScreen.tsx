@@ -6,10 +6,10 @@ import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
 import { RadioGroup } from "../../kit/RadioGroup";
 import { Select } from "../../kit/Select";
+import { canPrint, printPage } from "../../shell/files/printing";
 import { hashOf } from "../../shell/route";
 import { savePage } from "../plan/page_file";
 import { usePrintedPage } from "../plan/printed_page";
-import { canPrint } from "../review/lesson/printing";
 import { CardSheet } from "./CardSheet";
 import { CARD_LISTS, type CardList } from "./card_lists";
 
@@ -37,7 +37,7 @@ export function CardsScreen() {
         <h1>{labels.title}</h1>
         <p>{labels.about}</p>
         {canPrint() && (
-          <Button kind="main" icon={Printer} testId="cards-print" onPress={() => window.print()}>
+          <Button kind="main" icon={Printer} testId="cards-print" onPress={printPage}>
             {plan.print}
           </Button>
         )}

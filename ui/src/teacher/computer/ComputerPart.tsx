@@ -3,6 +3,7 @@ import { texts } from "../../i18n";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
 import { ComputerName } from "./ComputerName";
+import { KioskChoice } from "./KioskChoice";
 import { NewPin } from "./NewPin";
 import { SettingChoice } from "./SettingChoice";
 
@@ -27,6 +28,7 @@ export function ComputerPart() {
         hint={labels.loudnessHint}
         options={labels.loudnessOf}
       />
+      <KioskChoice />
     </>
   );
 }

@@ -8,7 +8,7 @@ import { Button } from "../../kit/Button";
 import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
-import { fileName, saveFile } from "../../shell/save_file";
+import { fileName, saveFile } from "../../shell/files/save_file";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { OpenLessonFile, openedText } from "../../work/OpenLessonFile";
 import { useTeacherLoaded } from "../useTeacherLoaded";

@@ -6,8 +6,8 @@ import { LinkButton } from "../../kit/LinkButton";
 import { Loaded } from "../../kit/requests/Loaded";
 import { ClassChips } from "../../shell/ClassChips";
 import { classroom, shownClass } from "../../shell/classroom";
+import { canPrint, printPage } from "../../shell/files/printing";
 import { hashOf } from "../../shell/route";
-import { canPrint } from "../review/lesson/printing";
 import type { School } from "../school";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 import { loadPlanClass } from "./open_for_class";
@@ -62,7 +62,7 @@ function PlanTools({ onSave }: { onSave(): Promise<void> }) {
         {labels.links.cards}
       </LinkButton>
       {canPrint() && (
-        <Button icon={Printer} testId="plan-print" onPress={() => window.print()}>
+        <Button icon={Printer} testId="plan-print" onPress={printPage}>
           {labels.print}
         </Button>
       )}

@@ -1,5 +1,5 @@
 import { language } from "../../i18n";
-import { saveFile } from "../../shell/save_file";
+import { saveFile } from "../../shell/files/save_file";
 
 /** Parts of the CSS rules that the saved page needs: style tokens, printed parts, blocks, signs. */
 const NEEDED = [

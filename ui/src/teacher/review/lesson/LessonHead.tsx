@@ -7,8 +7,9 @@ import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { LinkButton } from "../../../kit/LinkButton";
 import { RadioGroup } from "../../../kit/RadioGroup";
+import { canPrint } from "../../../shell/files/printing";
+import { fileName, saveFile } from "../../../shell/files/save_file";
 import { hashOf } from "../../../shell/route";
-import { fileName, saveFile } from "../../../shell/save_file";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
 import { BackToLessons } from "../BackToLessons";
 import { daysOf, daysText } from "../days";
@@ -16,7 +17,7 @@ import type { TimeOf } from "../timeline/timelines";
 import { LessonSummary } from "./LessonSummary";
 import type { LessonViewState } from "./lesson_view_state";
 import type { LessonPage } from "./load_lesson";
-import { canPrint, printPage } from "./printing";
+import { printReview } from "./printing";
 
 interface LessonHeadProps {
   page: LessonPage;
@@ -100,7 +101,7 @@ function Tools({ review, timeOf }: ToolsProps) {
         {labels.table}
       </Button>
       {canPrint() && (
-        <Button icon={Printer} testId="lesson-print" onPress={printPage}>
+        <Button icon={Printer} testId="lesson-print" onPress={printReview}>
           {labels.print}
         </Button>
       )}

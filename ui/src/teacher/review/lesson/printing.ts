@@ -1,16 +1,15 @@
 import { options } from "preact";
 import { listen } from "../../../kit/listen";
+import { printPage } from "../../../shell/files/printing";
 import { hideTip } from "../timeline_entries/tip";
 
 /** Width of a timeline on A4 beside the name of its group, in pixels, as in print.css. */
 export const PRINT_TIMELINE_PX = 556;
 
-/** Some webviews cannot print. */
-export const canPrint = () => typeof window.print === "function";
-
-export function printPage(): void {
+/** Prints the review without an open tooltip. */
+export function printReview(): Promise<void> {
   hideTip();
-  window.print();
+  return printPage();
 }
 
 /** Draws for print before the page is printed, and for the screen again afterwards. */

@@ -1,5 +1,12 @@
-/** Saves a file: a browser puts it among the downloads, the window shows a save dialog. */
+import { isKiosk } from "../kiosk";
+import { driveRequest } from "./drive_request";
+
+/** Saves a file: a browser puts it among the downloads, the window shows a save dialog, kiosk mode its drives. */
 export function saveFile(name: string, content: Blob): void {
+  if (isKiosk()) {
+    driveRequest.value = { kind: "save", name, content };
+    return;
+  }
   const link = document.createElement("a");
   link.href = URL.createObjectURL(content);
   link.download = name;

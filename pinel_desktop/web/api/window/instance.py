@@ -29,5 +29,7 @@ def create_instance_link(header: Secret) -> Response:
 @api.post("/instance/show", responses=responses(Empty))
 def show_instance(header: Secret) -> Response:
     """Brings the window forward."""
-    services().show_window()
+    window = services().window
+    if window is not None:
+        window.ask("show")
     return json_response(Empty())

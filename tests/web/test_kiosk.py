@@ -1,0 +1,183 @@
+"""Kiosk mode over HTTP: who may change and leave it, and the files on drives."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+from urllib.parse import quote
+
+import pytest
+
+from pinel_desktop.app import App
+from pinel_desktop.web.services import WindowRequest
+from tests.web.browser import ApiResponse, Browser
+
+PIN = {"pin": "314159"}
+
+
+@dataclass
+class RecordedWindow:
+    """A window that records what the app asks of it."""
+
+    kiosk: Literal["setting", "command"] | None = None
+    asked: list[WindowRequest] = field(default_factory=list)
+
+    def ask(self, request: WindowRequest) -> None:
+        self.asked.append(request)
+
+
+@pytest.fixture
+def window() -> RecordedWindow:
+    return RecordedWindow(kiosk="setting")
+
+
+@pytest.fixture
+def pupil(start_app: Callable[..., App], window: RecordedWindow) -> Browser:
+    app = start_app(window=window)
+    app._settings.choose("pinel_kiosk", "1" if window.kiosk == "setting" else "")
+    tab = Browser.signed_in(app.address)
+    tab.put("/api/teacher/pin", PIN)
+    return Browser.signed_in(app.address)
+
+
+@pytest.fixture
+def teacher(pupil: Browser) -> Browser:
+    pupil.post("/api/teacher/enter", PIN)
+    return pupil
+
+
+@pytest.fixture
+def stick(pupil: Browser, tmp_path: Path) -> Path:
+    """A folder that the teacher has chosen as the shared folder, which is listed as a stick is."""
+    folder = tmp_path / "PINEL ção"
+    folder.mkdir()
+    pupil.post("/api/teacher/enter", PIN)
+    pupil.put("/api/folders/shared", {"path": str(folder)})
+    pupil.post("/api/teacher/leave", {})
+    return folder
+
+
+@pytest.mark.parametrize("action", ["leave", "print"])
+def test_only_the_teacher_leaves_or_prints(
+    pupil: Browser, window: RecordedWindow, action: str
+) -> None:
+    assert pupil.post(f"/api/kiosk/{action}", {}).error["code"] == "teacher_only"
+    assert pupil.put("/api/kiosk", {"is_chosen": False}).error["code"] == "teacher_only"
+    assert window.asked == []
+    pupil.post("/api/teacher/enter", PIN)
+    assert pupil.post(f"/api/kiosk/{action}", {}).status == 200
+    assert window.asked == [{"leave": "close", "print": "allow_print"}[action]]
+
+
+def test_the_switch_opens_the_window_again_in_the_other_mode(
+    teacher: Browser, window: RecordedWindow
+) -> None:
+    assert teacher.get("/api/kiosk").data["is_chosen"] is True
+    assert teacher.put("/api/kiosk", {"is_chosen": True}).data["is_active"] is True
+    assert window.asked == []
+    assert teacher.put("/api/kiosk", {"is_chosen": False}).data["is_chosen"] is False
+    assert window.asked == ["restart"]
+
+
+def test_the_page_knows_the_mode(pupil: Browser, tmp_path: Path, start_app: Any) -> None:
+    assert 'data-kiosk="1"' in pupil.get("/").text
+    ordinary = start_app(tmp_path / "other.db", window=RecordedWindow())
+    assert "data-kiosk" not in Browser.signed_in(ordinary.address).get("/").text
+
+
+def test_what_the_system_decides_is_not_changed_by_the_switch(
+    start_app: Callable[..., App], tmp_path: Path
+) -> None:
+    window = RecordedWindow(kiosk="command")
+    tab = Browser.signed_in(start_app(tmp_path / "other.db", window=window).address)
+    tab.put("/api/teacher/pin", PIN)
+    state = tab.put("/api/kiosk", {"is_chosen": False}).data
+    assert (state["is_active"], state["is_by_command"]) == (True, True)
+    assert window.asked == []
+
+
+def test_a_browser_has_no_kiosk_mode(start_app: Callable[..., App], tmp_path: Path) -> None:
+    tab = Browser.signed_in(start_app(tmp_path / "other.db").address)
+    tab.put("/api/teacher/pin", PIN)
+    state = tab.put("/api/kiosk", {"is_chosen": True}).data
+    assert state == {
+        "is_active": False,
+        "is_chosen": True,
+        "is_by_command": False,
+        "has_window": False,
+    }
+    for path in ("leave", "print"):
+        assert tab.post(f"/api/kiosk/{path}", {}).error["code"] == "kiosk_not_active"
+    assert tab.get("/api/drives?suffix=.pinel").error["code"] == "kiosk_not_active"
+
+
+def save(browser: Browser, drive: Path, name: str, content: bytes = b"{}") -> ApiResponse:
+    address = f"/api/drives/file?drive={quote(str(drive))}&name={quote(name)}"
+    kind = {"Content-Type": "application/octet-stream"}
+    return browser.send("POST", address, body=content, headers=kind)
+
+
+def read(browser: Browser, path: Path, suffix: str = ".json") -> ApiResponse:
+    return browser.get(f"/api/drives/file?path={quote(str(path))}&suffix={suffix}")
+
+
+def test_a_saved_file_is_found_and_read_again(pupil: Browser, stick: Path) -> None:
+    content = bytes(range(256)) * 20_000
+    assert save(pupil, stick, "meu mundo.json", content).data["name"] == "meu mundo.json"
+    second = save(pupil, stick, "meu mundo.json").data["name"]
+    assert second != "meu mundo.json"
+    (drive,) = [
+        one
+        for one in pupil.get("/api/drives?suffix=.json").data["drives"]
+        if one["path"] == str(stick)
+    ]
+    assert {file["name"] for file in drive["files"]} == {"meu mundo.json", second}
+    assert read(pupil, stick / "meu mundo.json").body == content
+
+
+def test_no_other_file_of_the_pc_can_be_read(pupil: Browser, stick: Path, tmp_path: Path) -> None:
+    secret = tmp_path / "secret.json"
+    secret.write_text("{}", "utf-8")
+    (stick / "notes.txt").write_text("not for PINEL", "utf-8")
+    (stick / "folder.json").mkdir()
+    for path in (secret, stick / "../secret.json", stick / "notes.txt", stick / "folder.json"):
+        assert read(pupil, path).error["code"] == "drive_file_missing", path
+    assert read(pupil, stick / "notes.txt", ".txt").error["code"] == "invalid_request"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "../a.json",
+        "a/b.json",
+        ".bashrc",
+        "a.desktop",
+        "a.sh",
+        "a\n.json",
+        ".json",
+        "a" * 130 + ".json",
+    ],
+)
+def test_only_plain_names_of_known_types_are_written(
+    pupil: Browser, stick: Path, name: str
+) -> None:
+    assert save(pupil, stick, name).error["code"] == "invalid_request"
+    assert list(stick.iterdir()) == []
+
+
+def test_nothing_is_written_elsewhere(pupil: Browser, stick: Path, tmp_path: Path) -> None:
+    assert save(pupil, tmp_path, "a.json").error["code"] == "folder_missing"
+    assert not (tmp_path / "a.json").exists()
+
+
+def test_a_stick_that_cannot_be_written_is_named(
+    pupil: Browser, stick: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("storage.file.atomic_files._sync", full)
+    refused = save(pupil, stick, "a.json")
+    assert refused.error["code"] == "export_failed"
+    assert str(stick) in refused.error["message"]
+    assert list(stick.iterdir()) == []
