@@ -28,6 +28,8 @@ _PLACES = {
     "pinel-desktop.desktop": "usr/share/applications",
     "pinel-desktop.metainfo.xml": "usr/share/metainfo",
     "pinel-desktop.xml": "usr/share/mime/packages",
+    "pinel-kiosk.desktop": "usr/share/wayland-sessions",
+    "pinel-kiosk.service": "usr/share/doc/pinel-desktop/examples",
 }
 _CONTROL = """\
 Package: {name}
@@ -36,6 +38,7 @@ Architecture: {architecture}
 Maintainer: PINEL Desktop contributors <pinel-desktop@localhost>
 Installed-Size: {size_kib}
 Depends: {depends}
+Suggests: cage, udiskie
 Section: education
 Priority: optional
 Description: block programs drive a robot in the classroom

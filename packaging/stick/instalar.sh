@@ -73,15 +73,11 @@ apt install pinel-desktop || fail \
     "La instalación no terminó. Las líneas de arriba dicen por qué; nada de los grupos se tocó." \
     "L'installation n'est pas terminée. Les lignes au-dessus disent pourquoi ; rien des groupes n'a été touché."
 if [ -f "$folder/pinel.toml" ]; then
-    pinel setup --check "$folder/pinel.toml" >/dev/null || fail \
+    pinel setup --system "$folder/pinel.toml" >/dev/null || fail \
         "O PINEL está instalado, mas o arquivo pinel.toml tem os erros acima. Corrija-o e repita." \
         "PINEL is installed, but the file pinel.toml has the errors above. Correct it and repeat." \
         "PINEL está instalado, pero el archivo pinel.toml tiene los errores de arriba. Corríjalo y repita." \
         "PINEL est installé, mais le fichier pinel.toml a les erreurs ci-dessus. Corrigez-le et recommencez."
-    install -d -m 755 /etc/pinel
-    for file in "$folder/pinel.toml" "$folder"/*.pinel; do
-        [ ! -f "$file" ] || install -m 644 "$file" /etc/pinel/
-    done
 fi
 say "Pronto. O PINEL está no menu, em Educação." "Done. PINEL is in the menu, under Education." \
     "Listo. PINEL está en el menú, en Educación." "C'est fait. PINEL est dans le menu, sous Éducation."

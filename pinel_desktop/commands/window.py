@@ -2,7 +2,7 @@
 
 This process shows the window and holds the lock. The app runs in another process (desktop/app_process.py), which loads
 while the window opens. Imports at the top of this file delay the start of that process. In kiosk mode, this process is
-the keeper (desktop/kiosk/keeper.py), and the window is in another one (commands/owned/kiosk.py).
+the watchdog (desktop/kiosk/watchdog.py), and the window is in another one (commands/owned/kiosk.py).
 """
 
 import gc
@@ -39,7 +39,7 @@ def open_app(db: str | None, *, kiosk: bool, place: str = "") -> int:
     Returns the exit status: 0, or 1 if the app cannot start.
     """
     if kiosk or Settings.beside(database_path(db)).opens_kiosk:
-        status = _keep_open(db, "command" if kiosk else "setting", place)
+        status = _run_kiosk(db, "command" if kiosk else "setting", place)
     else:
         status = WindowProcess(db).run()
     if status == RESTARTS:
@@ -48,17 +48,17 @@ def open_app(db: str | None, *, kiosk: bool, place: str = "") -> int:
     return status
 
 
-def _keep_open(db: str | None, reason: "KioskReason", place: str) -> int:
-    from pinel_desktop.desktop.kiosk.keeper import Keeper  # noqa: PLC0415 - only in kiosk mode
+def _run_kiosk(db: str | None, reason: "KioskReason", place: str) -> int:
+    from pinel_desktop.desktop.kiosk.watchdog import Watchdog  # noqa: PLC0415 - only in kiosk mode
 
     chosen = ["--db", db] if db else []
 
     def command(place: str) -> list[str]:
         return own_command(*chosen, "kiosk", "--reason", reason, "--place", place)
 
-    keeper = Keeper(command, final=(0, RESTARTS), place=place)
-    keeper.end_at_signals()
-    return keeper.run()
+    watchdog = Watchdog(command, final=(0, RESTARTS), place=place)
+    watchdog.end_at_signals()
+    return watchdog.run()
 
 
 def pinel_command(db: str | None, *, kiosk: bool, place: str = "") -> list[str]:
@@ -130,6 +130,9 @@ class WindowProcess:
             return
         try:
             set_up_if_new(self._database)
+            if self._kiosk is None and Settings.beside(self._database).opens_kiosk:
+                self._restarts = True  # the set-up file has just chosen it
+                return
             self._app.start()
             self._presenter = Presenter(
                 self._app.address,

@@ -17,7 +17,7 @@ from pinel_desktop.paths import read_regular
 from pinel_desktop.robot.robot_profile import PROFILES, profile_from
 from pinel_desktop.school.robot_profiles import RobotProfiles, require_room
 from pinel_desktop.school.teacher import TeacherSessions, stored_pin
-from pinel_desktop.settings import CAMERA, LANGUAGE, SETTINGS, THEME, Settings
+from pinel_desktop.settings import CAMERA, KIOSK, LANGUAGE, SETTINGS, THEME, Settings
 from storage import Store, StoreError
 from storage.exchange.backup_share import COPIES_BACKUPS, SHARED_FOLDER
 from storage.exchange.lesson_merging import check_lesson_file
@@ -49,6 +49,8 @@ class PcSetup:
         swap_minutes: minutes between reminders to swap roles, in the class.
         lesson: a lesson file, to open on the PC.
         pin: the stored form of the teacher's PIN.
+        kiosk: whether the window opens in kiosk mode.
+        at_login: whether the window opens at each login.
         robots: fields of the profiles of real robots, by link.
     """
 
@@ -61,6 +63,8 @@ class PcSetup:
     shared_folder: str | None = None
     takes_backups: bool | None = None
     pin: Mapping[str, Any] | None = None
+    kiosk: bool | None = None
+    at_login: bool | None = None
     robots: dict[str, dict[str, Any]] = field(default_factory=dict)
 
 
@@ -69,8 +73,8 @@ def read_pc_setup(path: Path) -> PcSetup:
 
     Raises:
         PcSetupError: with every fault: `file_unreadable`, `pc_setup_syntax`, `pc_setup_unknown`, `pc_setup_value`,
-            `pc_setup_needs_class`, or
-            `pc_setup_entry` with the fault of the lesson file or of a robot's profile.
+            `pc_setup_needs_class`, `pc_setup_needs_pin`, or `pc_setup_entry` with the fault of the lesson file or of a
+            robot's profile.
     """
     try:
         content = read_regular(path)
@@ -106,6 +110,8 @@ class _Reader:
             shared_folder=self._text("shared_folder"),
             takes_backups=self._boolean("copies_of_backups"),
             pin=self._pin(),
+            kiosk=self._boolean("kiosk"),
+            at_login=self._boolean("at_login"),
             robots=dict(self._robots()),
         )
         self._check_together(setup)
@@ -121,6 +127,8 @@ class _Reader:
         if setup.classroom is None:
             for name in {"level", "swap_minutes"} & self._found.keys():
                 self._fault("pc_setup_needs_class", name)
+        if setup.kiosk and "pin_hash" not in self._found:
+            self._fault("pc_setup_needs_pin", "kiosk")
         if setup.lesson is not None:
             try:
                 check_lesson_file(setup.lesson)
@@ -241,6 +249,8 @@ def apply(setup: PcSetup, store: Store, settings: Settings) -> None:
         store.settings.set(COPIES_BACKUPS, setup.takes_backups)
     if setup.pin is not None:
         TeacherSessions(store.settings).set_stored_pin(setup.pin)
+    if setup.kiosk is not None:
+        settings.choose(KIOSK, "1" if setup.kiosk else "")
     chosen = {"pinel_class": classroom_id} if classroom_id else {}
     for name, value in {**setup.settings, **chosen}.items():
         settings.choose(name, value)

@@ -48,7 +48,7 @@ class Kiosk:
             "PINEL_LANG": "en",
         }
         self._started: list[subprocess.Popen[bytes]] = []
-        self.keeper = self.start("--kiosk")
+        self.watchdog = self.start("--kiosk")
 
     def start(self, *arguments: str) -> "subprocess.Popen[bytes]":
         process = subprocess.Popen(
@@ -95,7 +95,7 @@ class Kiosk:
             return None
 
     def wait_until_open(self) -> None:
-        """Waits until the window is drawn: its keeper knows the place of the page."""
+        """Waits until the window is drawn: its watchdog knows the place of the page."""
         wait_for(lambda: self.process("WebKitWebProcess"), "the page's process")
         self.page()
 
@@ -157,7 +157,7 @@ def test_the_teacher_closes_pinel_and_nothing_stays(kiosk: Kiosk) -> None:
     pupil = kiosk.page()
     assert pupil.post("/api/kiosk/leave", {}).error["code"] == "teacher_only"
     assert tab.post("/api/kiosk/leave", {}).status == 200
-    assert kiosk.keeper.wait(60) == 0
+    assert kiosk.watchdog.wait(60) == 0
     wait_for(lambda: not kiosk.processes(), "all processes end")
 
 
@@ -166,8 +166,8 @@ def test_the_switch_changes_the_mode_of_the_open_window(screen: str, tmp_path: P
     kiosk = Kiosk(screen, tmp_path)
     try:
         wait_for(lambda: kiosk.process("pinel_desktop kiosk"), "the locked window")
-        kiosk.keeper.terminate()
-        kiosk.keeper.wait(60)
+        kiosk.watchdog.terminate()
+        kiosk.watchdog.wait(60)
         ordinary = kiosk.start()
         kiosk.wait_until_open()
         tab = kiosk.page()

@@ -53,6 +53,8 @@ def test_files_have_their_places_and_permissions(program: Path, tmp_path: Path) 
         "/usr/share/mime/packages/pinel-desktop.xml",
         "/usr/share/icons/hicolor/256x256/apps/pinel-desktop.png",
         "/usr/share/doc/pinel-desktop/copyright",
+        "/usr/share/wayland-sessions/pinel-kiosk.desktop",
+        "/usr/share/doc/pinel-desktop/examples/pinel-kiosk.service",
     ):
         assert files[place] == "-rw-r--r-- root/root"
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.commands.pc import first_start
+from pinel_desktop.commands.pc import first_start, for_all
 from pinel_desktop.errors import PinelError
 from pinel_desktop.school.pc_setup import PcSetupError, read_pc_setup
 from pinel_desktop.school.robot_profiles import RobotProfiles
@@ -28,6 +28,7 @@ swap_minutes = 10
 shared_folder = "/media/escola"
 copies_of_backups = true
 pin_hash = "{pin_hash}"
+kiosk = true
 
 [robot.dds]
 domain = 5
@@ -65,6 +66,7 @@ def test_everything_that_the_file_names_is_set(tmp_path: Path) -> None:
     database = set_up(tmp_path, WHOLE.format(pin_hash=pin_hash("2718")))
     settings = Settings.beside(database)
     assert (settings[LANGUAGE], settings[CAMERA]) == ("fr", "1")
+    assert settings.opens_kiosk
     with open_store(database) as store:
         (classroom,) = store.classrooms.all()
         assert classroom.name == "9º A"
@@ -111,14 +113,21 @@ def test_classes_of_two_schools_are_two(tmp_path: Path) -> None:
     assert len(keys) == 2
 
 
-def test_the_lesson_file_beside_it_is_opened(tmp_path: Path) -> None:
+@pytest.fixture
+def lesson_file(tmp_path: Path) -> Path:
     with open_store(tmp_path / "teacher.db") as store:
         classroom = store.classrooms.create("8º B")
         lesson = store.lessons.open(classroom.id, "Aula 1")
         _export(store, tmp_path / "aula.pinel", Scope(classroom.id, lesson_id=lesson.id))
-    database = set_up(tmp_path, 'lesson = "aula.pinel"')
+    return tmp_path / "aula.pinel"
+
+
+def test_the_lesson_file_beside_it_is_opened(tmp_path: Path, lesson_file: Path) -> None:
+    database = set_up(tmp_path, f'lesson = "{lesson_file.name}"')
     with open_store(database) as store:
-        assert store.lessons.get(lesson.id).title == "Aula 1"
+        (classroom,) = store.classrooms.all()
+        (lesson,) = store.lessons.of_classroom(classroom.id)
+        assert (classroom.name, lesson.title) == ("8º B", "Aula 1")
     assert Settings.beside(database)["pinel_class"] == classroom.id
 
 
@@ -141,6 +150,8 @@ def _export(store: Store, file: Path, scope: Scope) -> None:
         ('class = "9º A"\nlevel = "2"', [("pc_setup_value", 2)]),
         ("level = 2\nclass = 9", [("pc_setup_needs_class", 1), ("pc_setup_value", 2)]),
         ("level = 2", [("pc_setup_needs_class", 1)]),
+        ('class = "9º A"\nkiosk = true', [("pc_setup_needs_pin", 2)]),
+        ("kiosk = 1", [("pc_setup_value", 1)]),
         ('class = "  "', [("pc_setup_value", 1)]),
         ("shared_folder = false", [("pc_setup_value", 1)]),
         ('copies_of_backups = "yes"', [("pc_setup_value", 1)]),
@@ -245,3 +256,38 @@ def test_a_missing_stick_is_not_replaced_by_a_new_database(
     file_of_pc.write_text('language = "fr"', "utf-8")
     first_start.set_up_if_new(tmp_path / "stick" / "pinel.db")
     assert not (tmp_path / "stick").exists()
+
+
+@pytest.fixture
+def autostart(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    file = tmp_path / "autostart" / "pinel-desktop.desktop"
+    monkeypatch.setattr(for_all, "AUTOSTART", file)
+    return file
+
+
+def test_a_file_for_every_account_is_copied_with_its_lesson(
+    file_of_pc: Path, autostart: Path, lesson_file: Path
+) -> None:
+    text = f'lesson = "{lesson_file.name}"\nat_login = true'
+    for _ in range(2):
+        assert pinel("setup", "--system", str(written(lesson_file.parent, text))).exit_code == 0
+    assert file_of_pc.read_text("utf-8") == text
+    assert (file_of_pc.parent / lesson_file.name).read_bytes() == lesson_file.read_bytes()
+    assert file_of_pc.stat().st_mode & 0o777 == 0o644
+    assert "Exec=pinel" in autostart.read_text("utf-8")
+    assert (
+        pinel("setup", "--system", str(written(lesson_file.parent, "at_login = false"))).exit_code
+        == 0
+    )
+    assert not autostart.exists()
+
+
+def test_without_the_right_to_write_the_place_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    taken = tmp_path / "taken"
+    taken.write_text("", "utf-8")
+    monkeypatch.setattr(first_start, "SETUP_FILE", taken / "pinel.toml")
+    done = pinel("setup", "--system", str(written(tmp_path, "level = 2\nclass = '9º A'")))
+    assert done.exit_code == 1
+    assert str(taken) in done.output

@@ -1,4 +1,4 @@
-"""`pinel kiosk`: the window in kiosk mode, started by the keeper (desktop/kiosk/keeper.py).
+"""`pinel kiosk`: the window in kiosk mode, started by the watchdog (desktop/kiosk/watchdog.py).
 
 Writes `{"place": ...}` to standard output whenever the page has gone to another place. At the end of its input it
 closes the window, and opens PINEL again.
@@ -24,30 +24,30 @@ from pinel_desktop.processes.standard_streams import reserve_output
 @click.option("--place", default="")
 @click.pass_context
 def command(ctx: click.Context, reason: KioskReason, place: str) -> None:
-    """Open the window in kiosk mode for the keeper."""
+    """Open the window in kiosk mode for the watchdog."""
     db = chosen_file(ctx)
     places = os.fdopen(reserve_output(), "w", encoding="utf-8")
 
-    def tell(changed: str) -> None:
+    def report_place(changed: str) -> None:
         nonlocal place
         place = changed
-        with contextlib.suppress(OSError):  # the keeper has ended, and so has the input
+        with contextlib.suppress(OSError):  # the watchdog has ended, and so has the input
             places.write(json.dumps({"place": place}) + "\n")
             places.flush()
 
-    window = WindowProcess(db, KioskMode(reason, place, tell))
-    keeper_ended = threading.Event()
+    window = WindowProcess(db, KioskMode(reason, place, report_place))
+    watchdog_ended = threading.Event()
 
-    def close_with_keeper() -> None:
+    def close_with_watchdog() -> None:
         # without Python's buffer, which this thread would hold at the end of the process
         while os.read(sys.stdin.fileno(), 4096):
             pass
-        keeper_ended.set()
+        watchdog_ended.set()
         window.close()
 
-    threading.Thread(target=close_with_keeper, name="keeper-watch", daemon=True).start()
+    threading.Thread(target=close_with_watchdog, name="watchdog-pipe", daemon=True).start()
     status = window.run()
-    if keeper_ended.is_set():
+    if watchdog_ended.is_set():
         become(pinel_command(db, kiosk=reason == "command", place=place))
     end_process(status)
     ctx.exit(status)

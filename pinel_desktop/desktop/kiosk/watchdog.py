@@ -1,7 +1,7 @@
 """Keeps PINEL open in kiosk mode: starts the process of the window again, at its place, whenever it ends by itself.
 
-Keeper and window (commands/owned/kiosk.py) guard each other. The window's input is a pipe that ends with the keeper;
-the window then closes in order and becomes the keeper.
+The watchdog and the window (commands/owned/kiosk.py) watch each other: the window's input is a pipe that ends with the
+watchdog. The window then closes in order, and its process becomes the watchdog.
 """
 
 import contextlib
@@ -18,7 +18,7 @@ _MAX_FAILURES = 5
 _LONG_S = 10.0
 
 
-class Keeper:
+class Watchdog:
     """Runs the window's process again and again, until the teacher or a signal ends it.
 
     Args:
