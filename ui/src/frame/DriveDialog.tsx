@@ -93,7 +93,7 @@ function FileChoice({ drives, action, suffix, onFile }: FileChoiceProps) {
     <>
       {drives.map((drive) => (
         <section key={drive.path} class="column gap-2">
-          <h3>
+          <h3 class="row middle gap-2">
             <DriveName drive={drive} />
           </h3>
           {drive.files.length === 0 && <p>{labels.noFiles({ suffix })}</p>}
@@ -128,7 +128,7 @@ function DriveName({ drive: { name, is_removable } }: { drive: Drive }) {
   const Icon = is_removable ? Usb : HardDrive;
   return (
     <>
-      <Icon class="icon" aria-hidden="true" />{" "}
+      <Icon class="icon" aria-hidden="true" />
       {is_removable ? labels.stick({ name }) : labels.folder({ name })}
     </>
   );
