@@ -3,6 +3,7 @@ import { beforeEach, describe, expect, test, vi } from "vitest";
 import { classesApi } from "../../api/classes";
 import { ApiError } from "../../api/errors";
 import type { TeacherSession } from "../../api/model";
+import * as firstAnswers from "../first_answers";
 import { asTeacher, cancelWaiting, loadTeacherSession, teacherSession } from "./teacher_session";
 
 const OPEN = { has_pin: true, is_open: true };
@@ -79,5 +80,14 @@ describe("the state of the session that the page asks for", () => {
     answer(shutState);
     expect(await loaded).toEqual(OPEN);
     expect(teacherSession.value).toEqual(OPEN);
+  });
+
+  test("is asked anew if the teacher signed in before, because the early response is older", async () => {
+    const early = vi.spyOn(firstAnswers, "firstTeacherSession");
+    const now = vi.spyOn(classesApi, "teacherSession").mockClear().mockResolvedValue(OPEN);
+    teacherSession.value = OPEN;
+    expect(await loadTeacherSession()).toEqual(OPEN);
+    expect(early).not.toHaveBeenCalled();
+    expect(now).toHaveBeenCalledOnce();
   });
 });

@@ -18,7 +18,8 @@ export const isSignedOut = (error: unknown): error is ApiError =>
 
 export async function loadTeacherSession(): Promise<TeacherSession> {
   const before = teacherSession.peek();
-  const answer = await firstTeacherSession();
+  // the early response is older than any state that is known
+  const answer = await (before ? classesApi.teacherSession() : firstTeacherSession());
   // a sign-in or sign-out meanwhile is newer than this response
   if (teacherSession.peek() === before) teacherSession.value = answer;
   return teacherSession.peek() ?? answer;

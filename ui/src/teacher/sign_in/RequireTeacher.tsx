@@ -46,7 +46,7 @@ export function RequireTeacher({ children }: RequireTeacherProps) {
     <>
       {!session.is_open && <SignInForm again={wasSignedIn.current} />}
       {wasSignedIn.current && (
-        <div class="for-teacher" hidden={!session.is_open}>
+        <div class="behind-pin" hidden={!session.is_open}>
           {children}
         </div>
       )}

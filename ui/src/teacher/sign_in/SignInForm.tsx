@@ -5,10 +5,10 @@ import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { PinField } from "../../kit/Field";
 import { Form } from "../../kit/Form";
-import { LinkButton } from "../../kit/LinkButton";
 import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
-import { signIn } from "../../shell/teacher/teacher_session";
+import { go } from "../../shell/route";
+import { cancelWaiting, signIn } from "../../shell/teacher/teacher_session";
 
 interface SignInFormProps {
   /** Whether the teacher was signed in before. */
@@ -51,14 +51,19 @@ export function SignInForm({ again }: SignInFormProps) {
           >
             {labels.enter}
           </Button>
-          <LinkButton kind="plain" icon={ArrowLeft} href="#/">
+          <Button kind="plain" icon={ArrowLeft} testId="sign-in-back" onPress={goBack}>
             {labels.back}
-          </LinkButton>
+          </Button>
         </div>
         {fault === null && <p class="labelled__hint">{labels.forgotten}</p>}
       </Form>
     </main>
   );
+}
+
+function goBack(): void {
+  cancelWaiting();
+  go({ screen: "start" });
 }
 
 /** State of the PIN form; `onRefused` is called after a refused PIN. */

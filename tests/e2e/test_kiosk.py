@@ -1,0 +1,91 @@
+"""Kiosk mode in the page: files go to and come from drives, and the teacher closes PINEL."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from pinel_desktop.desktop.app_process import AppProcess
+from pinel_desktop.school.teacher import TeacherSessions
+from storage import open_store
+from storage.exchange.backup_share import SHARED_FOLDER
+from tests.e2e.axe import violations
+from tests.e2e.conftest import SCREEN
+from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
+
+PIN = "2718"
+
+
+class KioskPc:
+    """A PC in kiosk mode, whose shared folder stands for a stick; `asked` is what its window was asked for."""
+
+    def __init__(self, folder: Path) -> None:
+        self.drive = folder / "PENDRIVE"
+        self.drive.mkdir()
+        database = folder / "pinel.db"
+        with open_store(database) as store:
+            store.settings.set(SHARED_FOLDER, str(self.drive))
+            TeacherSessions(store.settings).set_pin(PIN)
+        self.asked: list[str] = []
+        self.app = AppProcess(
+            database, on_request=self.asked.append, on_lost=lambda: None, kiosk="setting"
+        )
+        self.app.start()
+
+
+@pytest.fixture
+def pc(tmp_path: Path) -> Iterator[KioskPc]:
+    pc = KioskPc(tmp_path)
+    yield pc
+    pc.app.close()
+
+
+@pytest.fixture
+def studio(browser: Browser, watch: Watch, pc: KioskPc) -> Iterator[Studio]:
+    context = browser.new_context(viewport=SCREEN, locale="pt-BR", reduced_motion="reduce")
+    watch.over(context)
+    studio = Studio(context.new_page())
+    studio.page.goto(pc.app.address())
+    yield studio
+    watch.settle(studio.page)
+    context.close()
+
+
+def test_a_program_goes_to_a_drive_and_comes_back(studio: Studio, pc: KioskPc) -> None:
+    studio.enter_new_group("Os Tatus")
+    studio.build_square()
+    studio.wait_until_saved()
+    studio["open-work"].click()
+    studio["program-file"].click()
+    studio["drive-save"].click()
+    expect(studio["drives"]).to_contain_text("programa-1.pinel")
+    assert violations(studio, "drives") == []
+    studio["drives-close"].click()
+    expect(studio["drives"]).to_have_count(0)
+    assert [file.name for file in pc.drive.iterdir()] == ["programa-1.pinel"]
+
+    studio.page.evaluate("location.hash = ''")
+    studio.page.get_by_role("button", name="Trazer um programa de outro computador").click()
+    expect(studio["drive-file"]).to_have_count(1)
+    assert violations(studio, "drives") == []
+    studio["drive-file"].click()
+    studio.wait_until_open()
+    assert pc.asked == []
+
+
+def test_the_teacher_prints_and_closes_pinel(studio: Studio, pc: KioskPc, watch: Watch) -> None:
+    watch.expect("403 (FORBIDDEN)")  # before the PIN
+    studio.page.evaluate("window.printed = 0; window.print = () => { window.printed += 1 }; null")
+    studio.page.evaluate("location.hash = '#/cards'")
+    studio["cards-print"].click()
+    studio["pin"].fill(PIN)
+    studio["sign-in"].click()
+    studio.eventually(lambda: studio.page.evaluate("window.printed"), 1)
+    assert pc.asked == ["allow_print"]
+    studio.page.evaluate("location.hash = '#/teacher/computer'")
+    expect(studio["kiosk"]).to_be_checked(checked=False)
+    assert violations(studio, "kiosk") == []
+    studio["kiosk-leave"].click()
+    studio.eventually(lambda: pc.asked, ["allow_print", "close"])
