@@ -4,6 +4,7 @@
 """
 
 import contextlib
+import logging
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
     from pinel_desktop.web.legacy.api import BridgeChoice, LegacyApi
 
 Event = dict[str, Any]
+_log = logging.getLogger(__name__)
 _FLUSH_TIMEOUT_S = 2.0
 _INTERRUPTED = {"state": "failed", "reason": "interrupted"}
 
@@ -110,7 +112,9 @@ class App:
             undo.callback(instance.release)
             self._assemble(undo)
             instance.announce(self._guard.origin, self._guard.secret)
+            undo.callback(_log.info, "the app ends")
             self._closing = undo.pop_all()
+        _log.info("the app has started; notice: %s", self.notice and self.notice.code)
 
     @property
     def address(self) -> str:

@@ -22,6 +22,7 @@ from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
 from pinel_desktop.gestures.sign_spotter import SignSpotter
 from pinel_desktop.gestures.stability import Decision, FramePrediction
+from pinel_desktop.processes.log_file import close_log
 from pinel_desktop.processes.messages import PING, PONG, Message, read_messages, write_message
 
 _END: Message = {"type": "end"}
@@ -65,6 +66,7 @@ class CameraServer:
             self._work()
         except Exception:
             _log.exception("the camera process failed")
+            close_log()
             os._exit(1)
 
     def _work(self) -> None:

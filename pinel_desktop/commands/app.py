@@ -15,6 +15,7 @@ The app exits at the end of its input.
 import contextlib
 import gc
 import json
+import logging
 import os
 import signal
 import sys
@@ -29,6 +30,7 @@ from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.desktop.kiosk.mode import KioskReason
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import InstanceLock
+from pinel_desktop.processes.log_file import start_log
 from pinel_desktop.processes.standard_streams import reserve_output
 from pinel_desktop.settings import Settings
 from pinel_desktop.web.early_server import EarlyServer
@@ -41,6 +43,7 @@ Message = dict[str, Any]
 
 _ENGINE_AFTER_S = 1.0
 _CONFIRM_S = 2.0
+_log = logging.getLogger(__name__)
 
 
 @click.command(hidden=True)
@@ -86,6 +89,7 @@ def _serve(
         return
     # server first, so that the window loads the page during the other imports
     with _loading():
+        start_log("app", database)
         server = EarlyServer(settings=Settings.beside(database), is_kiosk=window.kiosk is not None)
         send(type="address", address=server.guard.fresh_link())
         app = _started(database, camera, window, server, send)
@@ -131,6 +135,7 @@ def _started(
         app.start()
     except PinelError as error:
         server.close()
+        _log.error("the app cannot start: %s", error)
         send(type="failed", code=error.code, params=error.params)
         return None
     return app

@@ -17,6 +17,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import describe
+from pinel_desktop.processes.log_file import start_log
 from pinel_desktop.robot.robot_profile import BridgeProfile
 
 if TYPE_CHECKING:
@@ -80,7 +81,9 @@ def command(
         choice = _bridge(bridge, bridge_key, robot, file_pages=bridge_file_pages)
         if camera is not None:
             check_address(camera)
-        _serve(App(chosen_database(ctx), port=port, camera=camera, bridge=choice), choice)
+        database = chosen_database(ctx)
+        start_log("app", database)
+        _serve(App(database, port=port, camera=camera, bridge=choice), choice)
     except AlreadyRunningError as first:
         print_problem(first)
         click.echo(first.running.fresh_link())

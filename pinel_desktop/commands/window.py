@@ -119,6 +119,7 @@ class WindowProcess:
         from pinel_desktop.commands.pc.first_start import set_up_if_new  # noqa: PLC0415
         from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
         from pinel_desktop.instance import AlreadyRunningError, InstanceLock  # noqa: PLC0415
+        from pinel_desktop.processes.log_file import start_log  # noqa: PLC0415
 
         instance = InstanceLock(self._database)
         try:
@@ -134,6 +135,7 @@ class WindowProcess:
                 self._restarts = True  # the set-up file has just chosen it
                 return
             self._app.start()
+            start_log("window", self._database)
             self._presenter = Presenter(
                 self._app.address,
                 self._app.language,

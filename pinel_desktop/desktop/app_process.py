@@ -5,6 +5,7 @@ In one process, the toolkit's main loop and the web server would compete for the
 
 import contextlib
 import json
+import logging
 import queue
 import subprocess
 import threading
@@ -19,6 +20,8 @@ from pinel_desktop.processes import own_command
 _START_S = 60.0
 # the app may wait four seconds for the end of the engine
 _CLOSE_S = 8.0
+_EXIT_TIMEOUT_S = 1.0
+_log = logging.getLogger(__name__)
 
 
 class AppProcess:
@@ -131,10 +134,16 @@ class AppProcess:
             for line in lines:
                 self._handle(json.loads(line))
         if not self._closing:
+            self._log_end()
             self._failure = self._failure or PinelError("app_lost")
             self._ready.set()
             self._responses.put("")
             self._on_lost()
+
+    def _log_end(self) -> None:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(_EXIT_TIMEOUT_S)
+        _log.error("the app died with status %s", self._process.returncode)
 
     def _handle(self, message: dict[str, Any]) -> None:
         match message["type"]:

@@ -6,6 +6,8 @@ import sys
 import threading
 from typing import NoReturn
 
+from pinel_desktop.processes.log_file import close_log
+
 
 def end_process(status: int) -> None:
     """Exits at once if a non-daemon thread of pywebview would keep the process alive; otherwise returns.
@@ -15,6 +17,7 @@ def end_process(status: int) -> None:
     """
     others = (thread for thread in threading.enumerate() if thread is not threading.main_thread())
     if any(not thread.daemon for thread in others):
+        close_log()
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(status)
@@ -25,6 +28,7 @@ def become(command: list[str]) -> NoReturn:
 
     Call this last, after closing all other resources.
     """
+    close_log()
     sys.stdout.flush()
     sys.stderr.flush()
     if sys.platform == "win32":  # where a replaced process would end for the one that waits for it

@@ -1,5 +1,6 @@
 """Shows the page with the best available backend: native window, browser in app mode, or just its address."""
 
+import logging
 import threading
 import webbrowser
 from collections.abc import Callable, Mapping
@@ -21,6 +22,7 @@ USABLE = (
 )
 # not worth a message: Qt is optional
 _UNREPORTED_PROBLEMS = ("window_qt_missing",)
+_log = logging.getLogger(__name__)
 
 
 class OpenWindow(Protocol):
@@ -100,11 +102,13 @@ class Presenter:
             if backend.problem:
                 raise NoWindowError(backend.problem, **backend.params)
             self.backend = backend.name
+            _log.info("the page is shown by %s", backend.name)
             if backend.name == "browser":
                 self._show_in_browser()
             else:
                 self._show_in_window(backend.name)
         except NoWindowError as error:
+            _log.info("%s does not show the page: %s", backend.name, error)
             if error.code not in _UNREPORTED_PROBLEMS:
                 self._print_message(error.code, error.params)
             return False

@@ -12,12 +12,14 @@ from pathlib import Path
 from typing import Any
 
 from pinel_desktop import __version__
+from pinel_desktop.processes import log_file
 from pinel_desktop.settings import Settings
 from storage.sqlite import sqlite3
 
 # without the settings that hold keys of groups, classes and versions
 _SETTINGS = ("pinel_language", "pinel_camera", "pinel_theme", "pinel_muted", "pinel_loudness")
 _LIBRARIES = ("pywebview", "flask", "numpy", "pymunk", "onnxruntime", "opencv-python-headless")
+_MAX_LOG_LINES = 200
 _VARIABLES = ("LANG", "XDG_CURRENT_DESKTOP", "XDG_SESSION_TYPE", "DISPLAY", "WAYLAND_DISPLAY")
 
 
@@ -39,6 +41,7 @@ def write_report(target: Path, database: Path, findings: Sequence[dict[str, Any]
         "settings": _settings(database),
         "files": list(_files(database)),
         "rows": _rows(database),
+        "logs": _logs(database),
     }
     text = json.dumps(report, ensure_ascii=False, indent=1)
     target.write_text(_without_home(text), "utf-8")
@@ -78,9 +81,15 @@ def _settings(database: Path) -> dict[str, str]:
     return {name: chosen[name] for name in _SETTINGS if name in chosen}
 
 
+def _logs(database: Path) -> dict[str, list[str]]:
+    """Returns the last lines of the log of each process."""
+    logs = {name: log_file.read_log(name, database, _MAX_LOG_LINES) for name in log_file.PROCESSES}
+    return {name: lines for name, lines in logs.items() if lines}
+
+
 def _files(database: Path) -> Iterator[dict[str, Any]]:
-    """Yields name, size and time of the files in the data folder and of the backups."""
-    for folder in (database.parent, database.parent / "backups"):
+    """Yields name, size and time of the files in the data folder, of the backups and of the logs."""
+    for folder in (database.parent, database.parent / "backups", log_file.folder_of(database)):
         for path in sorted(folder.glob(f"{database.stem}*")) if folder.is_dir() else ():
             with contextlib.suppress(OSError):
                 found = path.lstat()

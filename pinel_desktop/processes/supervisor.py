@@ -192,8 +192,9 @@ class Supervisor:
             self._receive(message)
             self._is_receiving = False
         messages.close()
-        process.wait()
+        status = process.wait()
         if not self._closing:
+            _log.error("the %s died with status %s", self._name, status)
             self._replace(is_fast_failure=time.monotonic() - born < _MIN_UPTIME_S)
 
     def _receive(self, message: Message) -> None:
@@ -229,7 +230,6 @@ class Supervisor:
             if not self._closing:
                 self._ready.clear()  # callers of `wait_until_ready` now wait for the replacement
             self._outbox.end()
-        _log.error("the %s died", self._name)
         self._fail_requests()
         self._on_death()
         self._n_fast_failures = self._n_fast_failures + 1 if is_fast_failure else 0

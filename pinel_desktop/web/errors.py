@@ -77,7 +77,7 @@ def _of_http(error: HTTPException) -> Response:
 
 
 def _unforeseen(error: Exception) -> Response:
-    _log.error("%s %s failed", request.method, request.path, exc_info=error)
+    _log.error("%s %s failed", request.method, str(request.url_rule), exc_info=error)
     return _response("internal_error", {"detail": type(error).__name__})
 
 

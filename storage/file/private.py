@@ -29,7 +29,8 @@ def restrict_permissions(path: Path, *, is_own_folder: bool) -> None:
         if not folder.stat().st_mode & 0o077:
             for file in _files(path):
                 _restrict(file, _PRIVATE_FILE)
-            _restrict(folder / "backups", PRIVATE_FOLDER)
+            for name in ("backups", "logs"):
+                _restrict(folder / name, PRIVATE_FOLDER)
 
 
 def _files(path: Path) -> Iterator[Path]:

@@ -11,5 +11,5 @@ from pinel_desktop.gestures.recognition import Recogniser
 @click.command(hidden=True)
 def command() -> None:
     """Recognise signs for the app: messages on standard input, detection results on standard output."""
-    with pipes() as (messages, results):
+    with pipes("camera") as (messages, results):
         CameraServer(messages, results, lambda: FrameAnalyzer(Recogniser())).serve()

@@ -12,7 +12,7 @@ from pinel_desktop.engine.server import Engine
 @click.command(hidden=True)
 def command() -> None:
     """Execute live runs for the app: messages on standard input, events on standard output."""
-    with pipes() as (messages, events):
+    with pipes("engine") as (messages, events):
         # a log-out sends SIGTERM; exit in order, so that the robot is stopped first
         signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(0))
         Engine(messages, events).serve()

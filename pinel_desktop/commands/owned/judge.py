@@ -9,5 +9,5 @@ from pinel_desktop.judge.server import Judge
 @click.command(hidden=True)
 def command() -> None:
     """Judge programs for the app: requests on standard input, verdicts on standard output."""
-    with pipes() as (questions, verdicts):
+    with pipes("judge") as (questions, verdicts):
         Judge(questions, verdicts).serve()
