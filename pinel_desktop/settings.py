@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 from pinel_desktop.messages import LANGUAGES, language_of_system
 from pinel_desktop.paths import read_regular
@@ -74,7 +75,7 @@ class Settings:
     """Values by the names of `SETTINGS`, read from the file on first use.
 
     If the file cannot be written, changes hold until the app ends. Anybody may have edited the file, so invalid entries
-    are skipped.
+    are skipped. They stay in the file, because a newer release may have written them.
 
     Args:
         file: None stores the settings in memory only.
@@ -82,7 +83,7 @@ class Settings:
 
     def __init__(self, file: Path | None = None) -> None:
         self._file = file
-        self._chosen: dict[str, str] | None = None
+        self._stored: dict[str, Any] | None = None
         self._lock = threading.Lock()
 
     @classmethod
@@ -97,7 +98,10 @@ class Settings:
     def chosen(self) -> Mapping[str, str]:
         """The values that somebody has chosen."""
         with self._lock:
-            return MappingProxyType(self._read())
+            stored = self._read()
+        return MappingProxyType(
+            {name: value for name, value in stored.items() if _is_valid(name, value)}
+        )
 
     @property
     def language(self) -> str:
@@ -116,11 +120,11 @@ class Settings:
     def choose(self, name: str, value: str) -> None:
         """Stores an allowed value of a setting; "" restores the default."""
         with self._lock:
-            chosen = {key: old for key, old in self._read().items() if key != name}
+            stored = {key: old for key, old in self._read().items() if key != name}
             if value:
-                chosen[name] = value
-            self._chosen = chosen
-            self._write(chosen)
+                stored[name] = value
+            self._stored = stored
+            self._write(stored)
 
     def import_from_database(self, get: Callable[[str], object]) -> None:
         """Imports settings that releases before 0.3 stored in the database, unless they were chosen since."""
@@ -131,12 +135,12 @@ class Settings:
             if isinstance(value, str) and setting.allows(value):
                 self.choose(name, value)
 
-    def _read(self) -> dict[str, str]:
-        if self._chosen is None:
-            self._chosen = _read(self._file) if self._file else {}
-        return self._chosen
+    def _read(self) -> dict[str, Any]:
+        if self._stored is None:
+            self._stored = _read(self._file) if self._file else {}
+        return self._stored
 
-    def _write(self, values: dict[str, str]) -> None:
+    def _write(self, values: dict[str, Any]) -> None:
         if self._file is None:
             return
         new = self._file.with_name(f"{self._file.name}.new")
@@ -145,16 +149,15 @@ class Settings:
             os.replace(new, self._file)
 
 
-def _read(file: Path) -> dict[str, str]:
+def _read(file: Path) -> dict[str, Any]:
     try:
         if file.stat().st_size > _MAX_BYTES:
             return {}
         found = json.loads(read_regular(file))
     except (OSError, ValueError, RecursionError):
         return {}
-    pairs = found.items() if isinstance(found, dict) else ()
-    return {
-        name: value
-        for name, value in pairs
-        if name in SETTINGS and value and SETTINGS[name].allows(value)
-    }
+    return found if isinstance(found, dict) else {}
+
+
+def _is_valid(name: str, value: object) -> bool:
+    return name in SETTINGS and bool(value) and SETTINGS[name].allows(value)

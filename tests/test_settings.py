@@ -26,6 +26,16 @@ def test_settings_are_there_when_the_app_starts_again(tmp_path: Path) -> None:
     assert [file.name for file in tmp_path.iterdir()] == ["pinel.db.page.json"]
 
 
+def test_what_a_newer_release_has_stored_stays_in_the_file(tmp_path: Path) -> None:
+    file = tmp_path / "pinel.db.page.json"
+    newer = {"pinel_next": ["x"], "pinel_language": "it", "pinel_theme": "dark"}
+    file.write_text(json.dumps(newer), "utf-8")
+    settings = Settings(file)
+    assert settings.chosen == {"pinel_theme": "dark"}
+    settings.choose("pinel_theme", "light")
+    assert json.loads(file.read_text("utf-8")) == newer | {"pinel_theme": "light"}
+
+
 def test_what_nobody_chose_has_its_default() -> None:
     settings = Settings()
     assert (settings["pinel_camera"], settings["pinel_theme"]) == ("0", "")

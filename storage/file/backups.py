@@ -189,7 +189,8 @@ def restored_copy(
         is_ours: raises StoreError for a file that must not be used.
 
     Raises:
-        StoreError: `disk_full`; nothing has changed.
+        StoreError: `disk_full`; `database_newer` if a newer release made the backup, as an older one would bring back
+            less work; nothing has changed.
         OSError: the folder cannot be written; nothing has changed.
     """
     for backup in list_backups(path):
@@ -318,7 +319,9 @@ def _is_good(file: Path, is_ours: Callable[[sqlite3.Connection], None]) -> bool:
     try:
         with closing(opened(file, "immutable")) as db:
             is_ours(db)
-    except StoreError:
+    except StoreError as error:
+        if error.code == "database_newer":
+            raise
         return False
     return True
 

@@ -54,7 +54,7 @@ def replace_damaged(
         salvage_into: merges the readable rows of a file into another; None to leave that out.
 
     Raises:
-        StoreError: `disk_full`; the file is in its place.
+        StoreError: `disk_full`, or `database_newer` for the newest intact backup; the file is in its place.
         OSError: the folder cannot be written; the file is in its place.
     """
     is_missing = not path.exists() or path.stat().st_size == 0

@@ -17,6 +17,10 @@ from tests.storage.file.backup_files import DAY, NOON, backed_up, names_in, ruin
 from tests.storage.file.refusals import code_of
 
 
+def contents(folder: Path) -> dict[Path, bytes]:
+    return {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+
+
 def test_a_damaged_file_gives_way_to_its_last_backup_and_lies_beside(path: Path) -> None:
     with open_store(path) as store:
         store.groups.create("A")
@@ -44,16 +48,36 @@ def test_where_the_newest_backup_is_bad_an_older_one_comes_back(path: Path) -> N
     newest, second, third, _ = (backup.path for backup in list_backups(path))
     newest.write_bytes(b"rubbish" * 1000)
     second.write_bytes(b"")
-    with sqlite3.connect(third) as db:  # of a newer program
-        db.execute(
-            "INSERT INTO _sqlite_migrations (migration_set, name, applied_at) VALUES ('pinel', 'next', '2031')"
-        )
+    with sqlite3.connect(third) as db:
+        db.execute("DROP TABLE _sqlite_migrations")  # of another program
     db.close()
     ruin(path)
     with open_store(path) as store:
         assert store.notice is not None
         assert store.notice.code == "database_restored"
         assert [group.name for group in store.groups.all()] == ["A"]
+
+
+@pytest.mark.parametrize("is_missing", [True, False], ids=["missing", "damaged"])
+def test_a_file_whose_backups_are_of_a_newer_program_is_refused_and_not_touched(
+    is_missing: bool, path: Path
+) -> None:
+    with open_store(path) as store:
+        for n, name in enumerate("AB"):
+            store.groups.create(name)
+            backed_up(path, NOON + n * DAY)
+    with sqlite3.connect(list_backups(path)[0].path) as db:
+        db.execute(
+            "INSERT INTO _sqlite_migrations (migration_set, name, applied_at) VALUES ('pinel', 'next', '2031')"
+        )
+    db.close()
+    if is_missing:
+        path.unlink()
+    else:
+        ruin(path)
+    before = contents(path.parent)
+    assert code_of(lambda: open_store(path)) == "database_newer"
+    assert contents(path.parent) == before
 
 
 def test_where_no_backup_is_good_a_new_file_is_begun_as_without_any(path: Path) -> None:
