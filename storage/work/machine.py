@@ -1,10 +1,15 @@
-"""A hash that identifies the machine, so that the store detects a copied data folder."""
+"""Hashes that identify the machine, so that the store detects a copied data folder, and a copied disk.
+
+The machine's id is in the disk's image, and the same on all PCs that were made from it. Their hardware differs.
+"""
 
 import hashlib
 import sys
 import uuid
 from functools import cache
 from pathlib import Path
+
+from storage.work.hardware import Hardware, hardware_ids
 
 _LINUX_IDS = (Path("/etc/machine-id"), Path("/var/lib/dbus/machine-id"))
 _CHANCE_BIT = 1 << 40  # set if `getnode` found no network card and returned a random number
@@ -16,8 +21,22 @@ def machine_id_hash() -> str | None:
 
     Returns None if the machine has no id.
     """
-    found = _windows_id() or _linux_id() or _network_card()
+    found = _machine_id()
     return hashlib.sha256(f"pinel {found}".encode()).hexdigest() if found else None
+
+
+@cache
+def hardware_hashes() -> Hardware:
+    """Returns hashes of the ids of this PC's hardware, by kind. Without the machine's id, none can be derived."""
+    secret = _machine_id()
+    return {
+        kind: [hashlib.sha256(f"pinel {secret} {one}".encode()).hexdigest() for one in ids]
+        for kind, ids in hardware_ids().items()
+    }
+
+
+def _machine_id() -> str:
+    return _windows_id() or _linux_id() or _network_card()
 
 
 def _linux_id() -> str:

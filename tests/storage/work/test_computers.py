@@ -68,6 +68,14 @@ def test_a_copied_data_folder_is_another_pc_with_its_first_work(
             assert again.computers.this() == (key, "PC 07")
 
 
+def test_two_accounts_of_one_pc_are_two_pcs(tmp_path: Path) -> None:
+    keys = set()
+    for account in ("José", "María"):
+        with open_store(tmp_path / account / "pinel.db") as store:
+            keys.add(store.computers.this()[0])
+    assert len(keys) == 2
+
+
 def test_a_file_without_a_machine_s_mark_stays_this_pc_s(
     store: Store, program: ProgramRow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
