@@ -21,6 +21,8 @@ DATA_FOLDERS = {
     "sim/worlds": "sim/worlds",
     "LICENSE": ".",
 }
+# what is written about the parts of the finished package, by the script that writes it
+PROVENANCE = {"notices.py": "THIRD-PARTY-NOTICES.txt", "sbom.py": "pinel-desktop.cdx.json"}
 # `--self-check` prints the versions of these libraries, or they read their own metadata.
 METADATA = ("pywebview", "flask", "werkzeug", "pydantic", "pymunk", "numpy", "sqlite-utils")
 
@@ -132,6 +134,12 @@ def _is_root(name: str, file: str) -> bool:
     """True if a binary ships even if no other one needs it: an extension module, or Python for the bootloader."""
     from_system = file.startswith(_SYSTEM_FOLDERS) and "/python3" not in file
     return name.startswith("libpython") or not (from_system or name.startswith("gi/"))
+
+
+def missing_provenance(package: Path) -> list[str]:
+    """Returns the files about the parts of the package that are missing or empty."""
+    files = [package / name for name in PROVENANCE.values()]
+    return [file.name for file in files if not file.is_file() or not file.stat().st_size]
 
 
 def write_manifest(file: Path, analysis: Any) -> None:

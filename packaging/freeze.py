@@ -1,4 +1,4 @@
-"""Builds the package, dist/pinel-desktop, with the licence notices of all its third-party parts."""
+"""Builds the package, dist/pinel-desktop, with licence notices and a bill of materials of all its third-party parts."""
 
 import os
 import shutil
@@ -6,6 +6,8 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+
+import contents  # beside this file
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "dist" / "pinel-desktop"
@@ -58,13 +60,10 @@ def main() -> None:
     print("Building the package (about 1 minute)…", flush=True)
     started = time.monotonic()
     build()
-    notices = [
-        sys.executable,
-        str(ROOT / "packaging" / "notices.py"),
-        str(FOLDER / "THIRD-PARTY-NOTICES.txt"),
-    ]
-    if subprocess.run(notices, cwd=ROOT, check=False).returncode:
-        sys.exit("The package must not be given to anybody.")
+    for script, file in contents.PROVENANCE.items():
+        command = [sys.executable, str(ROOT / "packaging" / script), str(FOLDER / file)]
+        if subprocess.run(command, cwd=ROOT, check=False).returncode:
+            sys.exit("The package must not be given to anybody.")
     seconds = time.monotonic() - started
     print(f"dist/pinel-desktop: {size_of(FOLDER) / 1e6:.0f} MB, built in {seconds:.0f} s")
 

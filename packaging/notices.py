@@ -31,20 +31,25 @@ LIBRAS = (
 
 @dataclass(frozen=True, order=True)
 class Notice:
-    """Licence notice of one third-party part."""
+    """Licence notice of one third-party part.
+
+    Attributes:
+        manager: package manager that installed it, as package URLs name it ("pypi", "npm"); "" for none.
+    """
 
     name: str
     version: str
     licence: str
     texts: tuple[str, ...] = ()
+    manager: str = ""
 
 
 class LicenceError(Exception):
     """A part that must not ship, or whose licence is unknown."""
 
 
-def collect(root: Path) -> str:
-    """Returns the text of the notices for the package just built. Raises LicenceError."""
+def parts(root: Path) -> list[Notice]:
+    """Returns the notices of all third-party parts of the package just built. Raises LicenceError."""
     manifest = json.loads((root / "build" / "package-contents.json").read_text("utf-8"))
     # a library that loads itself, such as cv2, is packed as binaries only
     folders = [name.partition("/")[0] for name, _ in manifest["binaries"]]
@@ -55,7 +60,7 @@ def collect(root: Path) -> str:
         *gesture_notices(root),
     ]
     check(found)
-    return as_text(found)
+    return found
 
 
 def check(found: list[Notice]) -> None:
@@ -90,6 +95,7 @@ def python_notices(modules: list[str]) -> Iterator[Notice]:
             distribution.version,
             _licence_of(distribution.metadata) or UNNAMED_LICENCES.get(name, ""),
             tuple(_texts_of(distribution)),
+            "pypi",
         )
 
 
@@ -126,7 +132,7 @@ def npm_notices(ui: Path) -> Iterator[Notice]:
         package, folder = packages[f"node_modules/{name}"], ui / "node_modules" / name
         waiting += package.get("dependencies", ())
         licence = package.get("license") or _npm_licence(folder)
-        yield Notice(name, str(package["version"]), str(licence), tuple(_npm_texts(folder)))
+        yield Notice(name, str(package["version"]), str(licence), tuple(_npm_texts(folder)), "npm")
 
 
 def _npm_licence(folder: Path) -> str:
@@ -182,7 +188,7 @@ def as_text(found: list[Notice]) -> str:
 def main() -> None:
     root = Path(__file__).resolve().parents[1]
     try:
-        Path(sys.argv[1]).write_text(collect(root), "utf-8")
+        Path(sys.argv[1]).write_text(as_text(parts(root)), "utf-8")
     except LicenceError as error:
         sys.exit(f"May not ship: {error}")
 

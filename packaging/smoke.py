@@ -102,6 +102,8 @@ def main() -> int:
         sys.exit("There is no package: run `make package` first.")
     if faults := library_faults(PACKAGE):
         sys.exit("\n".join(["The package works on this system only:", *faults]))
+    if missing := contents.missing_provenance(PACKAGE):
+        sys.exit(f"The package lacks {', '.join(missing)}: run `make package` again.")
     with tempfile.TemporaryDirectory(prefix="pinel-smoke-") as name:
         folder = Path(name)
         folder.chmod(0o755)

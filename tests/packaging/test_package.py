@@ -39,6 +39,13 @@ def test_the_page_the_worlds_and_the_words_are_inside() -> None:
     assert (inside / "pinel_desktop/messages/catalogue/pt-BR/app.json").is_file()
 
 
+def test_the_bill_of_materials_names_what_ships() -> None:
+    bom = json.loads((FOLDER / "pinel-desktop.cdx.json").read_text("utf-8"))
+    names = {component["name"] for component in bom["components"]}
+    assert {"Flask", "numpy", "onnxruntime", "blockly", "preact"} <= names
+    assert not {"PyInstaller", "vite", "mypy"} & names
+
+
 def test_the_notices_name_what_ships() -> None:
     text = (FOLDER / "THIRD-PARTY-NOTICES.txt").read_text("utf-8")
     for name in ("blockly", "Flask", "pymunk", "numpy", "SQLite", "Python"):
