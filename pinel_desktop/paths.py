@@ -14,6 +14,8 @@ import platformdirs
 DATABASE_NAME = "pinel.db"
 # the folder beside the folder of the portable program, such as on a USB stick
 PORTABLE_DATA = "pinel-data"
+# written beside the packaged program (packaging/notices.py)
+_NOTICES = "THIRD-PARTY-NOTICES.txt"
 
 
 def data_folder() -> Path:
@@ -26,10 +28,21 @@ def data_folder() -> Path:
 
 def portable_folder() -> Path | None:
     """Returns the folder for data beside the packaged program's folder; None if nobody has made it."""
+    program = _packaged_program()
+    folder = program and program.parents[1] / PORTABLE_DATA
+    return folder if folder and folder.is_dir() else None
+
+
+def notices_file() -> Path | None:
+    """Returns the file with the licence notices of the packaged program; None without a package."""
+    program = _packaged_program()
+    return program and program.with_name(_NOTICES)
+
+
+def _packaged_program() -> Path | None:
     if not getattr(sys, "frozen", False):
         return None
-    folder = Path(os.path.realpath(sys.executable)).parents[1] / PORTABLE_DATA
-    return folder if folder.is_dir() else None
+    return Path(os.path.realpath(sys.executable))
 
 
 def is_in_default_folder(database: Path) -> bool:

@@ -1,11 +1,20 @@
 """State of the app, and settings."""
 
+import contextlib
+
 from flask import Response
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.paths import notices_file, read_regular
 from pinel_desktop.settings import LANGUAGE
 from pinel_desktop.web.api import Resource, responses
-from pinel_desktop.web.models.status import DatabaseStatus, PageSetting, Settings, Status
+from pinel_desktop.web.models.status import (
+    DatabaseStatus,
+    LicenceNotices,
+    PageSetting,
+    Settings,
+    Status,
+)
 from pinel_desktop.web.responses import json_response, notice
 from pinel_desktop.web.services import Services, services
 
@@ -35,6 +44,16 @@ def _database(parts: Services) -> DatabaseStatus:
         None if problem is None else notice(problem.code, problem.params, parts.settings.language)
     )
     return DatabaseStatus(path=state.path, writable=state.writable, notice=shown)
+
+
+@api.get("/notices", responses=responses(LicenceNotices))
+def get_notices() -> Response:
+    """The licence notices of the works of others in this package."""
+    text = ""
+    if file := notices_file():
+        with contextlib.suppress(OSError):
+            text = read_regular(file).decode("utf-8", "replace")
+    return json_response(LicenceNotices(text=text))
 
 
 @api.post("/database/begin-empty", responses=responses(Status, "database_not_missing"))

@@ -41,6 +41,12 @@ class Status(ResponseModel):
     language: Language
 
 
+class LicenceNotices(ResponseModel):
+    """The works of others that the package contains, with their licences; empty if this program is not packaged."""
+
+    text: str
+
+
 class Settings(RequestModel):
     """Settings of the page."""
 

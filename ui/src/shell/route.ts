@@ -40,6 +40,7 @@ const ROWS = {
   lesson: { pattern: "lesson/:lesson" },
   runs: { pattern: "runs" },
   cards: { pattern: "cards" },
+  notices: { pattern: "notices" },
   compare: { pattern: "compare/:first/:second" },
 } as const satisfies Record<string, Row>;
 

@@ -1,15 +1,17 @@
 import { type Signal, useSignal } from "@preact/signals";
-import { Search, X } from "lucide-preact";
+import { Scale, Search, X } from "lucide-preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { activitiesApi } from "../../api/activities";
 import { type BlockDrawings, drawBlocks } from "../../editor/block_drawings";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
+import { LinkButton } from "../../kit/LinkButton";
 import { valueIn } from "../../kit/requests/load_state";
 import { useLoaded } from "../../kit/requests/useLoaded";
 import { Tabs } from "../../kit/Tabs";
 import { helpIsOpen } from "../../shell/help";
 import { level, offered } from "../../shell/level";
+import { hashOf } from "../../shell/route";
 import { theme } from "../../shell/theme";
 import type { StudioControl } from "../studio_control";
 import { BlockList } from "./BlockList";
@@ -96,7 +98,14 @@ function Part({ tab, drawings }: { tab: Tab; drawings: BlockDrawings }) {
     );
   }
   if (tab === "blocks") return <BlockList drawings={drawings.all} />;
-  return <KeyList query="" />;
+  return (
+    <>
+      <KeyList query="" />
+      <LinkButton icon={Scale} href={hashOf({ screen: "notices" })} testId="help-notices">
+        {texts.value.help.notices.link}
+      </LinkButton>
+    </>
+  );
 }
 
 /** Gets the focus when the help opens, and returns it when the help closes. */
