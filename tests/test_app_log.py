@@ -4,6 +4,8 @@ import contextlib
 import json
 import os
 import signal
+import subprocess
+import sys
 import time
 from pathlib import Path
 from typing import Any
@@ -69,6 +71,24 @@ def test_the_logs_tell_of_a_lost_engine_and_hold_no_work(tmp_path: Path) -> None
     ]
     assert len(read_log("engine", database, 99)) == 4  # a head and a line of each engine
     assert not any(secret in logs(database) for secret in SECRETS)
+
+
+def test_the_window_has_a_log_that_tells_of_a_lost_app(tmp_path: Path) -> None:
+    """On a PC without a screen the address is printed, and the process is the same."""
+    database = tmp_path / "pinel.db"
+    screen = ("DISPLAY", "WAYLAND_DISPLAY")
+    environment = {name: value for name, value in os.environ.items() if name not in screen}
+    command = [sys.executable, "-m", "pinel_desktop", "--db", str(database)]
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment
+    ) as window:
+        assert window.stdout is not None
+        assert window.stdout.readline().startswith("http://")
+        (app,) = psutil.Process(window.pid).children()
+        app.kill()
+        assert window.wait(60) == 1
+    lines = [line.partition(": ")[2] for line in read_log("window", database, 99)[1:]]
+    assert lines == ["the page is shown by address", "the app died with status -9"]
 
 
 def test_a_report_for_support_has_the_last_part_of_the_logs(tmp_path: Path) -> None:

@@ -139,6 +139,7 @@ class Presenter:
     def _give_address(self) -> None:
         """Prints the address for the person to open, as the last fallback; returns only after `close`."""
         self.backend = "address"
+        _log.info("the page is shown by %s", self.backend)
         address = self._fresh_address()
         text = describe("window_address", {}, self._language())
         self._print_text(text.message)
