@@ -9,6 +9,7 @@ from flask import Blueprint, Response, redirect, request, send_from_directory
 from werkzeug.routing import PathConverter
 from werkzeug.wrappers import Response as BaseResponse
 
+from pinel_desktop.command_name import command_name
 from pinel_desktop.messages import describe
 from pinel_desktop.settings import THEME, Settings
 from pinel_desktop.web.services import services
@@ -56,8 +57,8 @@ def index() -> BaseResponse:
 
 
 def _with_settings(answer: BaseResponse, settings: Settings) -> BaseResponse:
-    """Inserts the settings into the page, so that it needs no request for them and has its theme from the start."""
-    more = {"data-settings": json.dumps(settings.of_page())}
+    """Inserts settings and command into the page, so that it needs no request for them and starts with its theme."""
+    more = {"data-settings": json.dumps(settings.of_page()), "data-command": command_name()}
     if settings[THEME]:
         more["data-theme"] = settings[THEME]
     attributes = "".join(f' {name}="{escape(value)}"' for name, value in more.items())

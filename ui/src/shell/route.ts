@@ -41,6 +41,7 @@ const ROWS = {
   runs: { pattern: "runs" },
   cards: { pattern: "cards" },
   compare: { pattern: "compare/:first/:second" },
+  manuals: { pattern: "manuals/:manual?/:section?", remount: [] },
 } as const satisfies Record<string, Row>;
 
 type Rows = typeof ROWS;

@@ -8,6 +8,7 @@ import { Form } from "../../kit/Form";
 import { LinkButton } from "../../kit/LinkButton";
 import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
+import { command } from "../../shell/command";
 import { signIn } from "../../shell/teacher/teacher_session";
 
 interface SignInFormProps {
@@ -55,7 +56,7 @@ export function SignInForm({ again }: SignInFormProps) {
             {labels.back}
           </LinkButton>
         </div>
-        {fault === null && <p class="labelled__hint">{labels.forgotten}</p>}
+        {fault === null && <p class="labelled__hint">{labels.forgotten({ command })}</p>}
       </Form>
     </main>
   );
