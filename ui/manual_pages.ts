@@ -64,6 +64,7 @@ function elementOf(token: Token, name: string): OpenElement {
 
 function closed({ tag, ...element }: OpenElement): ManualNode[] {
   if (tag === null) return element.children;
+  if (tag === "th" && element.children.length === 0) return [{ tag: "td", children: [] }]; // heads no column
   const node: ManualElement = { tag, ...element };
   return [/^h[23]$/.test(tag) ? { ...node, id: headingId(textOf(node)) } : node];
 }

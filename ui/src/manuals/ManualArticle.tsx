@@ -1,7 +1,5 @@
-import { BookText } from "lucide-preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../i18n";
-import { LinkButton } from "../kit/LinkButton";
 import { hashOf } from "../shell/route";
 import { manualLanguage } from "./library";
 import { ManualText } from "./ManualText";
@@ -45,14 +43,6 @@ interface ContentsProps {
 function Contents({ manual, onOpen }: ContentsProps) {
   return (
     <nav class="manuals__contents column gap-1" aria-label={texts.value.help.manuals.sections}>
-      <LinkButton
-        kind="plain"
-        icon={BookText}
-        href={hashOf({ screen: "manuals", manual: null, section: null })}
-        testId="manuals-all"
-      >
-        {texts.value.titles.manuals}
-      </LinkButton>
       {manual.sections
         .filter(({ id }) => id)
         .map(({ id, title }) => (

@@ -13,8 +13,10 @@ export function ManualList({ manuals }: { manuals: readonly Manual[] }) {
   const query = useSignal("");
   return (
     <div class="manuals__list column gap-4">
-      <h1>{titles.manuals}</h1>
-      <SearchField query={query} label={help.manuals.search} testId="manuals-search" />
+      <div class="row middle gap-4">
+        <h1>{titles.manuals}</h1>
+        <SearchField query={query} label={help.manuals.search} testId="manuals-search" />
+      </div>
       <div class="column gap-3" lang={manualLanguage()}>
         {query.value.trim() ? (
           <Results manuals={manuals} query={query.value} />

@@ -1,5 +1,6 @@
 import { cleanup, fireEvent, render, screen, within } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
+import { NAMES } from "../../manual_pages";
 import { setLanguage } from "../i18n";
 import { passesAxe } from "../kit/testing/control";
 import { manualsOrigin } from "../shell/help";
@@ -58,12 +59,16 @@ test("the screen from which the manuals are opened is remembered while they are 
 
 describe("a manual", () => {
   test("has its sections beside it", async () => {
-    const { container } = await open("install");
+    await open("install");
     expect(screen.getByRole("heading", { level: 1 }).textContent).toBe(
       "Instalar nos computadores da escola",
     );
     const sections = screen.getAllByTestId("manual-section").map((one) => one.textContent);
     expect(sections).toContain("Sem instalar");
+  });
+
+  test.each(NAMES)("%s passes axe", async (name) => {
+    const { container } = await open(name);
     await passesAxe(container);
   });
 
@@ -95,7 +100,9 @@ test("a language without manuals reads them in Portuguese, says so, and can choo
   await setLanguage("es");
   await open("install");
   const line = screen.getByRole("status");
-  expect(line.textContent).toContain("Los manuales todavía no existen en Español.");
+  expect(line.textContent).toContain(
+    "Los manuales todavía no existen en este idioma. Este texto: Português.",
+  );
   expect(screen.getByRole("article").lang).toBe("pt-BR");
   fireEvent.click(within(line).getByTestId("manuals-language"));
   await screen.findByText("Installing on school PCs");

@@ -1,4 +1,4 @@
-import { ArrowLeft } from "lucide-preact";
+import { ArrowLeft, BookText } from "lucide-preact";
 import { language, texts } from "../i18n";
 import { languageRow } from "../i18n/languages";
 import { Button } from "../kit/Button";
@@ -20,6 +20,7 @@ export function ManualsScreen({ manual: name, section }: ParametersOf<"manuals">
           <main class="screen manuals" data-testid="manuals">
             <div class="manuals__head row middle gap-3">
               <BackLink />
+              {manual && <AllManuals />}
               <OtherLanguage />
             </div>
             {manual ? (
@@ -44,6 +45,19 @@ function BackLink() {
   );
 }
 
+function AllManuals() {
+  return (
+    <LinkButton
+      kind="plain"
+      icon={BookText}
+      href={hashOf({ screen: "manuals", manual: null, section: null })}
+      testId="manuals-all"
+    >
+      {texts.value.titles.manuals}
+    </LinkButton>
+  );
+}
+
 /** Says that the manuals do not exist in the language of the page, and offers the languages in which they do. */
 function OtherLanguage() {
   const shown = manualLanguage();
@@ -51,7 +65,7 @@ function OtherLanguage() {
   const name = (one: typeof shown) => languageRow(one).name;
   return (
     <p class="manuals__language row middle gap-2" role="status">
-      {texts.value.help.manuals.otherLanguage({ wanted: name(language.value), shown: name(shown) })}
+      {texts.value.help.manuals.otherLanguage({ language: name(shown) })}
       {MANUAL_LANGUAGES.filter((one) => one !== shown).map((one) => (
         <Button
           key={one}

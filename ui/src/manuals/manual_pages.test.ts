@@ -60,6 +60,12 @@ describe("a page as a manual", () => {
     expect(bodyOf("[In English](install.md)\n\na")).toEqual([{ tag: "p", children: ["a"] }]);
   });
 
+  test("a head of a table that is empty is no head", () => {
+    const table = bodyOf("| | a |\n|---|---|\n| b | c |");
+    expect(elements(table, "th").map(({ children }) => children)).toEqual([["a"]]);
+    expect(elements(table, "td")).toHaveLength(3);
+  });
+
   test("what the page cannot draw stops the build", () => {
     expect(() => bodyOf("> quoted")).toThrow("install: the page draws no blockquote_open");
   });

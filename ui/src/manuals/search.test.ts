@@ -5,7 +5,7 @@ import { searchManuals } from "./search";
 const MANUALS = [
   manualOf(
     "teacher",
-    "# Para professoras\n\n## Esqueci o PIN\n\nUm.\n\nDigite `pinel pin` no terminal.\n",
+    "# Para professoras\n\n## Esqueci o PIN\n\nUm. Digite `pinel pin` no terminal. Fim.\n",
   ),
   manualOf(
     "install",
@@ -20,9 +20,9 @@ const found = (query: string) =>
     excerpt,
   ]);
 
-test("finds sections by the words of their text, and shows the paragraph with them", () => {
+test("finds sections by the words of their text, and shows it from the sentence with them on", () => {
   expect(found("digite terminal")).toEqual([
-    ["teacher", "esqueci-o-pin", "Digite pinel pin no terminal."],
+    ["teacher", "esqueci-o-pin", "Digite pinel pin no terminal. Fim."],
   ]);
 });
 

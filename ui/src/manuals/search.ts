@@ -5,7 +5,7 @@ import type { Manual, ManualNode, ManualSection } from "./model";
 export interface ManualHit {
   readonly manual: Manual;
   readonly section: ManualSection;
-  /** The paragraph with most of the words. */
+  /** A paragraph from its sentence with most of the words on. */
   readonly excerpt: string;
 }
 
@@ -44,9 +44,15 @@ function rankOf(
 }
 
 function excerptOf(paragraphs: readonly string[], terms: readonly string[]): string {
-  const nOf = (text: string) => terms.filter((term) => matchesAll(text, [term])).length;
-  const most = Math.max(...paragraphs.map(nOf));
-  return paragraphs.find((text) => nOf(text) === most) ?? "";
+  const endings = paragraphs.flatMap((paragraph) => {
+    const sentences = paragraph.split(/(?<=[.:;?!])\s+/);
+    return sentences.map((sentence, index) => ({
+      n: terms.filter((term) => matchesAll(sentence, [term])).length,
+      text: sentences.slice(index).join(" "),
+    }));
+  });
+  const most = Math.max(...endings.map(({ n }) => n));
+  return endings.find(({ n }) => n === most)?.text ?? "";
 }
 
 function paragraphsOf(node: ManualNode): string[] {

@@ -173,7 +173,9 @@ function ManualsLink() {
       tip={manuals}
       href={hashOf({ screen: "manuals", manual: null, section: null })}
       testId="manuals-link"
-    />
+    >
+      <span class="header__word">{manuals}</span>
+    </LinkButton>
   );
 }
 
