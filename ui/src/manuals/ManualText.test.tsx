@@ -1,9 +1,8 @@
 import { cleanup, render } from "@testing-library/preact";
-import { afterEach, expect, test, vi } from "vitest";
+import { afterEach, expect, test } from "vitest";
 import { manualOf } from "../../manual_pages";
 
-vi.mock("../shell/command", () => ({ command: "'/media/PEN DRIVE/PINEL/programa/pinel'" }));
-
+document.documentElement.dataset.command = "'/media/PEN DRIVE/PINEL/programa/pinel'";
 const { ManualText } = await import("./ManualText");
 
 afterEach(cleanup);

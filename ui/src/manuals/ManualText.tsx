@@ -1,6 +1,6 @@
 import { type ComponentChild, h } from "preact";
-import { command } from "../shell/command";
-import type { ManualElement, ManualNode } from "./model";
+import { withCommand } from "../shell/command";
+import type { ManualNode } from "./model";
 
 /** Content of a manual. Commands are named as they work on this PC. */
 export function ManualText({ nodes }: { nodes: readonly ManualNode[] }) {
@@ -9,12 +9,9 @@ export function ManualText({ nodes }: { nodes: readonly ManualNode[] }) {
 
 function drawn(node: ManualNode): ComponentChild {
   if (typeof node === "string") return node;
-  if (node.tag === "code" || node.tag === "pre") return h(node.tag, null, codeOf(node));
+  if (node.tag === "code" || node.tag === "pre")
+    return h(node.tag, null, withCommand(String(node.children[0])));
   const { tag, children, src, ...attributes } = node;
   if (tag === "img") return h(tag, { ...attributes, src, loading: "lazy" });
   return h(tag, attributes, ...children.map(drawn));
 }
-
-/** "pinel" is on the PATH only where the package is installed. */
-const codeOf = ({ children: [code] }: ManualElement): string =>
-  String(code).replace(/^pinel (?=[a-z-])/gm, () => `${command} `);

@@ -1,4 +1,5 @@
 import { matchesAll, tokenize } from "../blocks/toolbox/search";
+import { withCommand } from "../shell/command";
 import type { Manual, ManualNode, ManualSection } from "./model";
 
 /** A section of a manual that has all words of a query. */
@@ -64,5 +65,6 @@ function paragraphsOf(node: ManualNode): string[] {
 /** The text of an element; cells of a table are set apart. */
 function textOf(node: ManualNode): string {
   if (typeof node === "string") return node;
-  return node.children.map(textOf).join(node.tag === "tr" ? " · " : "");
+  const text = node.children.map(textOf).join(node.tag === "tr" ? " · " : "");
+  return node.tag === "code" || node.tag === "pre" ? withCommand(text) : text;
 }
