@@ -39,6 +39,13 @@ def test_the_page_the_worlds_and_the_words_are_inside() -> None:
     assert (inside / "pinel_desktop/messages/catalogue/pt-BR/app.json").is_file()
 
 
+def test_the_manuals_are_inside_with_their_pictures() -> None:
+    assets = FOLDER / "_internal/pinel_desktop/web/static/assets"
+    scripts = [file.read_text("utf-8") for file in assets.glob("*.js")]
+    assert any("Instalar nos computadores da escola" in script for script in scripts)
+    assert list(assets.glob("lesson-plan-*.png"))
+
+
 def test_the_notices_name_what_ships() -> None:
     text = (FOLDER / "THIRD-PARTY-NOTICES.txt").read_text("utf-8")
     for name in ("blockly", "Flask", "pymunk", "numpy", "SQLite", "Python"):
