@@ -20,10 +20,12 @@ PAGE_TYPES := ui/src/api/types.ts
 HANDS := pinel_desktop/gestures/weights/hand.onnx
 PACKAGE := dist/pinel-desktop/pinel
 
+# Pages of docs/ that the page shows.
+MANUALS := $(wildcard docs/*.pt-BR.md)
 # The folders of ui/src are named too, so that a deleted file is noticed.
 PAGE_SOURCES := $(shell find ui/src ui/public pinel_desktop/messages/catalogue -not -path ui/src/api/types.ts \
 	-not -path ui/src/i18n/catalogue_types.ts 2>/dev/null) \
-	$(shell find ui -maxdepth 1 -type f) $(NODE_MODULES)
+	$(shell find ui -maxdepth 1 -type f) $(MANUALS) $(MANUALS:.pt-BR.md=.md) $(wildcard docs/images/*.png) $(NODE_MODULES)
 PROGRAM_SOURCES := $(shell find pinel_desktop sim storage packaging LICENSE -name __pycache__ -prune -o -path pinel_desktop/web/static \
 	-prune -o -type f -print) pyproject.toml
 NPM = PATH="$$(sh scripts/node.sh):$$PATH" && cd ui && npm

@@ -3,6 +3,7 @@ import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
 import { languages, tagOfStartModule } from "./languages.ts";
+import { manuals } from "./manuals.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -79,7 +80,7 @@ function pagePerLanguage(): Plugin {
 
 export default defineConfig({
   base: "/",
-  plugins: [languages(), blocklyMedia(), fontsEarly(), pagePerLanguage()],
+  plugins: [languages(), manuals(), blocklyMedia(), fontsEarly(), pagePerLanguage()],
   build: {
     outDir: here("../pinel_desktop/web/static"),
     emptyOutDir: true,

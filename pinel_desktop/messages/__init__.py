@@ -11,7 +11,8 @@ the general form (`other`) chooses among them:
 
 `language.json` has the language's name, its plural rule and its words for Python's keywords; `page/` has the texts of
 the page, which reads the messages too. The folders of `catalogue` define which languages exist. Placeholders are
-replaced one by one, never by a format string, because their values come from pupils' programs.
+replaced one by one, never by a format string, because their values come from pupils' programs. `{{command}}` is the
+command of this program as it works in a terminal of this PC.
 """
 
 import gettext
@@ -23,6 +24,8 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 from typing import Any, Protocol
+
+from pinel_desktop.command_name import command_name
 
 _CATALOGUE = resources.files(__name__) / "catalogue"
 # the other languages are translated from it; it is the fallback for a missing code
@@ -137,6 +140,8 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Localize
 
     def fill(match: re.Match[str]) -> str:
         name = match[1]
+        if name == "command":
+            return command_name()
         if name not in params:
             return match[0]
         if name in _TIME_PARAMS and (moment := _TIMESTAMP.fullmatch(str(params[name]))):

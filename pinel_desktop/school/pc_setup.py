@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, get_args
 
+from pinel_desktop.command_name import command_name
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import explain
 from pinel_desktop.paths import read_regular
@@ -186,7 +187,7 @@ class _Reader:
             return None
         pin = stored_pin(text)
         if pin is None:
-            self._value_fault("pin_hash", "pinel pin --hash")
+            self._value_fault("pin_hash", f"{command_name()} pin --hash")
         return pin
 
     def _robots(self) -> Iterator[tuple[str, dict[str, Any]]]:

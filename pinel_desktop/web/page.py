@@ -9,6 +9,7 @@ from flask import Blueprint, Response, redirect, request, send_from_directory
 from werkzeug.routing import PathConverter
 from werkzeug.wrappers import Response as BaseResponse
 
+from pinel_desktop.command_name import command_name
 from pinel_desktop.messages import describe
 from pinel_desktop.settings import THEME
 from pinel_desktop.web.services import services
@@ -56,9 +57,9 @@ def index() -> BaseResponse:
 
 
 def _with_settings(answer: BaseResponse) -> BaseResponse:
-    """Inserts the settings into the page, so that it needs no request for them and has its theme from the start."""
+    """Inserts settings and command into the page, so that it needs no request for them and starts with its theme."""
     settings = services().settings
-    more = {"data-settings": json.dumps(settings.of_page())}
+    more = {"data-settings": json.dumps(settings.of_page()), "data-command": command_name()}
     if settings[THEME]:
         more["data-theme"] = settings[THEME]
     if services().is_kiosk:

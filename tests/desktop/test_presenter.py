@@ -99,7 +99,7 @@ def test_the_browser_takes_the_window_s_place_and_the_reason_is_said(
     assert printed == [
         "PINEL's own window does not open: the system's WebKit is missing or does not load (no WebKit2 here). "
         "Install or update it: sudo apt install python3-gi gir1.2-gtk-3.0 gir1.2-webkit2-4.1. "
-        "If it stays so, get the newest PINEL."
+        "If it stays so, install the newest PINEL (Manuals: “Install again”)."
     ]
 
 

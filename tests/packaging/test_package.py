@@ -46,6 +46,13 @@ def test_the_bill_of_materials_names_what_ships() -> None:
     assert not {"PyInstaller", "vite", "mypy"} & names
 
 
+def test_the_manuals_are_inside_with_their_pictures() -> None:
+    assets = FOLDER / "_internal/pinel_desktop/web/static/assets"
+    scripts = [file.read_text("utf-8") for file in assets.glob("*.js")]
+    assert any("Instalar nos computadores da escola" in script for script in scripts)
+    assert list(assets.glob("lesson-plan-*.png"))
+
+
 def test_the_notices_name_what_ships() -> None:
     text = (FOLDER / "THIRD-PARTY-NOTICES.txt").read_text("utf-8")
     for name in ("blockly", "Flask", "pymunk", "numpy", "SQLite", "Python"):

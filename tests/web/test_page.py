@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.command_name import command_name
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.settings import Settings
 from pinel_desktop.web import page
@@ -63,7 +64,10 @@ def test_the_page_comes_with_its_settings_and_in_its_theme(
     for name, value in chosen.items():
         assert browser.put("/api/settings/page", {"name": name, "value": value}).status == 200
     settings = html.escape(json.dumps(Settings().of_page() | chosen))
-    expected = f"""<html lang='x' data-settings="{settings}" data-theme="dark">"""
+    command = html.escape(command_name())
+    expected = (
+        f"""<html lang='x' data-settings="{settings}" data-command="{command}" data-theme="dark">"""
+    )
     assert expected in browser.get("/").text
     app.close()
     again = Browser.signed_in(start_app().address)

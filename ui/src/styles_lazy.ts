@@ -8,6 +8,7 @@ import "./world_editor/world_editor.css";
 import "./studio/mission/mission.css";
 import "./activities/activities.css";
 import "./studio/help/help.css";
+import "./manuals/manuals.css";
 import "./studio/tour/tour.css";
 import "./camera/camera.css";
 import "./studio/floor_pane/capture_camera.css";

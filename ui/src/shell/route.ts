@@ -42,6 +42,7 @@ const ROWS = {
   cards: { pattern: "cards" },
   notices: { pattern: "notices" },
   compare: { pattern: "compare/:first/:second" },
+  manuals: { pattern: "manuals/:manual?/:section?", remount: [] },
 } as const satisfies Record<string, Row>;
 
 type Rows = typeof ROWS;

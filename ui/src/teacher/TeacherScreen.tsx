@@ -1,5 +1,6 @@
 import {
   BookOpen,
+  BookText,
   Bot,
   Camera,
   ClipboardList,
@@ -76,6 +77,14 @@ function PartLinks({ part }: ParametersOf<"teacher">) {
           </a>
         );
       })}
+      <a
+        class="teacher__link teacher__manuals row middle gap-3"
+        href={hashOf({ screen: "manuals", manual: null, section: null })}
+        data-testid="teacher-manuals"
+      >
+        <BookText class="icon" aria-hidden="true" />
+        {texts.value.titles.manuals}
+      </a>
     </nav>
   );
 }

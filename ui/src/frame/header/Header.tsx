@@ -1,5 +1,6 @@
 import {
   ArrowLeft,
+  BookText,
   CircleQuestionMark,
   Contrast,
   Hand,
@@ -64,6 +65,7 @@ export function Header() {
       {inside && <WorkButton />}
       {isBesideProgram(route.value.screen) && <BackToProgram />}
       {route.value.screen === "studio" && <HelpButton />}
+      {route.value.screen === "start" && <ManualsLink />}
       <ThemeButton />
       <LanguageChoice />
     </header>
@@ -158,6 +160,22 @@ function HelpButton() {
     >
       <span class="header__word header__help-word">{help}</span>
     </Button>
+  );
+}
+
+/** Link to the manuals, for who sets up the PC. */
+function ManualsLink() {
+  const { manuals } = texts.value.titles;
+  return (
+    <LinkButton
+      icon={BookText}
+      label={manuals}
+      tip={manuals}
+      href={hashOf({ screen: "manuals", manual: null, section: null })}
+      testId="manuals-link"
+    >
+      <span class="header__word">{manuals}</span>
+    </LinkButton>
   );
 }
 

@@ -1,5 +1,5 @@
 import { type Signal, useSignal } from "@preact/signals";
-import { Scale, Search, X } from "lucide-preact";
+import { BookText, Scale, X } from "lucide-preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { activitiesApi } from "../../api/activities";
 import { type BlockDrawings, drawBlocks } from "../../editor/block_drawings";
@@ -9,6 +9,7 @@ import { LinkButton } from "../../kit/LinkButton";
 import { valueIn } from "../../kit/requests/load_state";
 import { useLoaded } from "../../kit/requests/useLoaded";
 import { Tabs } from "../../kit/Tabs";
+import { SearchField } from "../../manuals/SearchField";
 import { helpIsOpen } from "../../shell/help";
 import { level, offered } from "../../shell/level";
 import { hashOf } from "../../shell/route";
@@ -92,7 +93,10 @@ function Part({ tab, drawings }: { tab: Tab; drawings: BlockDrawings }) {
   if (tab === "tasks") {
     return (
       <>
-        <TourButton />
+        <div class="help__ways row wrap gap-2">
+          <TourButton />
+          <ManualsLink />
+        </div>
         <TaskList names={TASK_NAMES} />
       </>
     );
@@ -108,6 +112,19 @@ function Part({ tab, drawings }: { tab: Tab; drawings: BlockDrawings }) {
   );
 }
 
+function ManualsLink() {
+  return (
+    <LinkButton
+      kind="plain"
+      icon={BookText}
+      href={hashOf({ screen: "manuals", manual: null, section: null })}
+      testId="help-manuals"
+    >
+      {texts.value.titles.manuals}
+    </LinkButton>
+  );
+}
+
 /** Gets the focus when the help opens, and returns it when the help closes. */
 function Head({ query }: { query: Signal<string> }) {
   const { help, trouble } = texts.value;
@@ -119,22 +136,7 @@ function Head({ query }: { query: Signal<string> }) {
   }, []);
   return (
     <div class="help__head row gap-2">
-      <label class="help__search">
-        <Search class="icon" aria-hidden="true" />
-        <input
-          ref={field}
-          class="field"
-          type="search"
-          aria-label={help.search}
-          placeholder={help.search}
-          spellcheck={false}
-          value={query.value}
-          data-testid="help-search"
-          onInput={(event) => {
-            query.value = event.currentTarget.value;
-          }}
-        />
-      </label>
+      <SearchField query={query} label={help.search} testId="help-search" elementRef={field} />
       <Button kind="plain" icon={X} label={trouble.close} testId="help-close" onPress={close} />
     </div>
   );

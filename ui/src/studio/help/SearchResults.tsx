@@ -1,5 +1,9 @@
 import { matchesAll, tokenize } from "../../blocks/toolbox/search";
 import { texts } from "../../i18n";
+import { valueIn } from "../../kit/requests/load_state";
+import { manualLanguage, useManuals } from "../../manuals/library";
+import { ManualHits } from "../../manuals/ManualHits";
+import { searchManuals } from "../../manuals/search";
 import { BlockList } from "./BlockList";
 import { ExampleList } from "./ExampleList";
 import { useHelpContent } from "./help_content";
@@ -8,7 +12,9 @@ import { keyGroups } from "./keys";
 import { TaskList } from "./TaskList";
 import { TASK_NAMES } from "./tasks";
 
-/** Results of the query: blocks first, then tasks, examples and keys. */
+const MAX_MANUAL_HITS = 4;
+
+/** Results of the query: blocks first, then tasks, examples and keys, and at last the manuals. */
 export function SearchResults({ query }: { query: string }) {
   const { drawings, examples } = useHelpContent();
   const { help } = texts.value;
@@ -21,7 +27,8 @@ export function SearchResults({ query }: { query: string }) {
     ...more,
   ]);
   const hasKeys = keys.some((text) => matchesAll(text, queryTerms));
-  if (blocks.length + tasks.length + shown.length === 0 && !hasKeys) {
+  const hits = searchManuals(valueIn(useManuals()) ?? [], query).slice(0, MAX_MANUAL_HITS);
+  if (blocks.length + tasks.length + shown.length + hits.length === 0 && !hasKeys) {
     return (
       <p class="help__none" role="status">
         {help.nothing}
@@ -34,6 +41,12 @@ export function SearchResults({ query }: { query: string }) {
       <TaskList names={tasks} />
       <ExampleList examples={shown} />
       {hasKeys && <KeyList query={query} />}
+      {hits.length > 0 && (
+        <section lang={manualLanguage()}>
+          <h2>{texts.value.titles.manuals}</h2>
+          <ManualHits hits={hits} />
+        </section>
+      )}
     </>
   );
 }
