@@ -285,9 +285,9 @@ def test_a_file_for_every_account_is_copied_with_its_lesson(
 def test_without_the_right_to_write_the_place_is_named(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    taken = tmp_path / "taken"
-    taken.write_text("", "utf-8")
-    monkeypatch.setattr(first_start, "SETUP_FILE", taken / "pinel.toml")
+    no_folder = tmp_path / "file"
+    no_folder.write_text("", "utf-8")
+    monkeypatch.setattr(first_start, "SETUP_FILE", no_folder / "pinel.toml")
     done = pinel("setup", "--system", str(written(tmp_path, "level = 2\nclass = '9º A'")))
     assert done.exit_code == 1
-    assert str(taken) in done.output
+    assert str(no_folder) in done.output

@@ -2,14 +2,18 @@ import type { ComponentType } from "preact";
 import { NotLoaded } from "../kit/requests/NotLoaded";
 import { driveRequest } from "../shell/files/drive_request";
 import { lazy } from "../shell/lazy";
-import { keyOf, route } from "../shell/route";
+import { keyOf, route, type ScreenName } from "../shell/route";
 import { connection, refreshStatus } from "../shell/session";
 import { Header } from "./header/Header";
 import { Locked } from "./Locked";
 import { Messages } from "./Messages";
+import { PinGate } from "./PinGate";
 import { PARTS } from "./screens";
 
 const DriveDialog = lazy(async () => (await import("./DriveDialog")).DriveDialog);
+
+/** Screens for everybody with an action for the teacher; all others ask for the PIN themselves. */
+const ASK_FOR_PIN: readonly ScreenName[] = ["start", "cards"];
 
 export function App() {
   if (connection.value === "locked") return <Locked />;
@@ -31,5 +35,6 @@ function Screen() {
   }
   const { screen, ...parameters } = now;
   const Part = PARTS[screen] as ComponentType<object>; // never undefined: screens.test.ts
-  return <Part key={keyOf(now)} {...parameters} />;
+  const part = <Part key={keyOf(now)} {...parameters} />;
+  return ASK_FOR_PIN.includes(screen) ? <PinGate key={screen}>{part}</PinGate> : part;
 }

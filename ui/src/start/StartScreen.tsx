@@ -14,7 +14,6 @@ import { groupsAndClasses } from "../shell/first_answers";
 import { hashOf } from "../shell/route";
 import { group, program, report } from "../shell/session";
 import { loadTeacherSession, teacherSession } from "../shell/teacher/teacher_session";
-import { PinGate } from "../teacher/sign_in/PinGate";
 import { OpenLessonFile } from "../work/OpenLessonFile";
 import { ImportProgram } from "../work/ProgramFile";
 import { GroupCard } from "./GroupCard";
@@ -42,17 +41,15 @@ export function StartScreen() {
     loadTeacherSession().catch(report);
   }, []);
   return (
-    <PinGate>
-      <Loaded of={found} as="screen" actions={<TeacherLink />}>
-        {([groups, classes]) =>
-          groups.length + classes.length === 0 ? (
-            <FirstGroup onLesson={found.reload} />
-          ) : (
-            <Groups groups={groups} classes={classes} onLesson={found.reload} />
-          )
-        }
-      </Loaded>
-    </PinGate>
+    <Loaded of={found} as="screen" actions={<TeacherLink />}>
+      {([groups, classes]) =>
+        groups.length + classes.length === 0 ? (
+          <FirstGroup onLesson={found.reload} />
+        ) : (
+          <Groups groups={groups} classes={classes} onLesson={found.reload} />
+        )
+      }
+    </Loaded>
   );
 }
 

@@ -10,7 +10,6 @@ import { canPrint, printPage } from "../../shell/files/printing";
 import { hashOf } from "../../shell/route";
 import { savePage } from "../plan/page_file";
 import { usePrintedPage } from "../plan/printed_page";
-import { PinGate } from "../sign_in/PinGate";
 import { CardSheet } from "./CardSheet";
 import { CARD_LISTS, type CardList } from "./card_lists";
 
@@ -20,14 +19,6 @@ type Ink = "lines" | "colours";
 
 /** Cards of blocks to cut out, as the print shows them. */
 export function CardsScreen() {
-  return (
-    <PinGate>
-      <Cards />
-    </PinGate>
-  );
-}
-
-function Cards() {
   const { plan } = texts.value;
   const labels = plan.cards;
   const list = useSignal<CardList>("lesson");

@@ -1,8 +1,8 @@
 import { cleanup, fireEvent, render } from "@testing-library/preact";
 import { afterEach, expect, test, vi } from "vitest";
-import { ApiError } from "../../api/errors";
-import { passesAxe } from "../../kit/testing/control";
-import { asTeacher } from "../../shell/teacher/teacher_session";
+import { ApiError } from "../api/errors";
+import { passesAxe } from "../kit/testing/control";
+import { asTeacher } from "../shell/teacher/teacher_session";
 import { PinGate } from "./PinGate";
 
 vi.stubGlobal(

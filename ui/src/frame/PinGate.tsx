@@ -1,9 +1,9 @@
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
-import { lazy } from "../../shell/lazy";
-import { cancelWaiting, isPinAsked } from "../../shell/teacher/teacher_session";
+import { lazy } from "../shell/lazy";
+import { cancelWaiting, isPinAsked } from "../shell/teacher/teacher_session";
 
-const SignInForm = lazy(async () => (await import("./SignInForm")).SignInForm);
+const SignInForm = lazy(async () => (await import("../teacher/sign_in/SignInForm")).SignInForm);
 
 /**
  * For a screen that is for everybody, with an action for the teacher: asks for the PIN while the action waits for it.
