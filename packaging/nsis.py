@@ -1,0 +1,109 @@
+"""Builds the installer for Windows, dist/pinel-desktop-VERSION-setup.exe, with NSIS.
+
+    python packaging/nsis.py [FOLDER]    without FOLDER: dist/pinel-desktop
+
+FOLDER is a package that packaging/freeze.py built on Windows. makensis packs it on Windows or Linux; the same files
+give the same bytes.
+"""
+
+import os
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import freeze  # beside this file
+
+from pinel_desktop import __version__
+
+ROOT = Path(__file__).resolve().parents[1]
+SCRIPT = ROOT / "packaging" / "windows" / "pinel.nsi"
+PICTURE = ROOT / "ui" / "public" / "icon.png"
+# pinel.nsi names these, to delete them without touching files of others
+CONTENTS = ("THIRD-PARTY-NOTICES.txt", "_internal", "pinel-desktop.exe", "pinel.exe")
+_VERSION = re.compile(r"\d+\.\d+\.\d+")
+_PNG_SIDE = struct.Struct(">16xII")  # width and height in pixels
+_ICON_HEAD = struct.Struct("<HHH")
+_ICON_ENTRY = struct.Struct("<BBBBHHII")
+
+
+class InstallerError(Exception):
+    """The installer cannot be built; the text is the reason."""
+
+
+def installer_path(version: str = __version__) -> Path:
+    """Returns the path of the built installer."""
+    return ROOT / "dist" / f"pinel-desktop-{version}-setup.exe"
+
+
+def build(target: Path, package: Path = freeze.FOLDER, version: str = __version__) -> None:
+    """Writes the installer of a package. Raises InstallerError."""
+    _check(package, version)
+    with tempfile.TemporaryDirectory(prefix="pinel-nsis-") as name:
+        icon = Path(name) / "pinel.ico"
+        icon.write_bytes(icon_of(PICTURE.read_bytes()))
+        definitions = {
+            "VERSION": version,
+            "FOLDER": package.resolve(),
+            "SIZE_KIB": -(-freeze.size_of(package) // 1024),
+            "ICON": icon,
+            "OUTPUT": target.resolve(),
+        }
+        compile_script(SCRIPT, definitions)
+
+
+def compile_script(script: Path, definitions: dict[str, object]) -> None:
+    """Compiles a script of NSIS. Raises InstallerError with the output of makensis, also for a warning."""
+    program = shutil.which("makensis")
+    if program is None:
+        raise InstallerError("makensis is not installed: apt install nsis, or NSIS for Windows")
+    defined = [f"-D{name}={value}" for name, value in definitions.items()]
+    done = subprocess.run(
+        [program, "-V2", "-WX", "-INPUTCHARSET", "UTF8", *defined, str(script)],
+        env=os.environ | freeze.SAME_BYTES,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        errors="replace",
+        check=False,
+    )
+    if done.returncode:
+        raise InstallerError(done.stdout + done.stderr)
+
+
+def icon_of(png: bytes) -> bytes:
+    """Returns an icon file with one picture, which stays a PNG. Windows scales it to its smaller sizes."""
+    width, height = (side % 256 for side in _PNG_SIDE.unpack_from(png))  # 0 stands for 256
+    head = _ICON_HEAD.pack(0, 1, 1)
+    start = _ICON_HEAD.size + _ICON_ENTRY.size
+    return head + _ICON_ENTRY.pack(width, height, 0, 0, 1, 32, len(png), start) + png
+
+
+def _check(package: Path, version: str) -> None:
+    """Raises InstallerError for a folder or a version for which pinel.nsi was not written."""
+    if not _VERSION.fullmatch(version):
+        raise InstallerError(f"the version {version} does not consist of three numbers")
+    found = sorted(path.name for path in package.iterdir()) if package.is_dir() else []
+    if found != sorted(CONTENTS):
+        raise InstallerError(
+            f"{package} is no package for Windows: it has {', '.join(found) or 'nothing'}, "
+            f"instead of {', '.join(CONTENTS)}"
+        )
+
+
+def main() -> None:
+    package = Path(sys.argv[1]) if len(sys.argv) > 1 else freeze.FOLDER
+    target = installer_path()
+    target.parent.mkdir(exist_ok=True)
+    try:
+        build(target, package)
+    except InstallerError as reason:
+        sys.exit(f"No installer: {reason}.")
+    print(f"{target.relative_to(ROOT)}: {target.stat().st_size / 1e6:.0f} MB")
+
+
+if __name__ == "__main__":
+    main()
