@@ -21,6 +21,13 @@ DATA_FOLDERS = {
     "sim/worlds": "sim/worlds",
     "LICENSE": ".",
 }
+# The programs of the package on each system; True for one that has a console. On Windows a program with a console opens
+# one beside its window, and a program without cannot print to it.
+PROGRAMS = {
+    "linux": {"pinel": True},
+    "darwin": {"pinel": False},
+    "win32": {"pinel": True, "pinel-desktop": False},
+}
 # `--self-check` prints the versions of these libraries, or they read their own metadata.
 METADATA = ("pywebview", "flask", "werkzeug", "pydantic", "pymunk", "numpy", "sqlite-utils")
 

@@ -9,25 +9,26 @@ give the same bytes.
 import os
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-import freeze  # beside this file
+import contents  # beside this file
+import freeze
+import icon
 
 from pinel_desktop import __version__
 
 ROOT = Path(__file__).resolve().parents[1]
 SCRIPT = ROOT / "packaging" / "windows" / "pinel.nsi"
-PICTURE = ROOT / "ui" / "public" / "icon.png"
-# pinel.nsi names these, to delete them without touching files of others
-CONTENTS = ("THIRD-PARTY-NOTICES.txt", "_internal", "pinel-desktop.exe", "pinel.exe")
+# pinel.nsi deletes these by name, because the folder may hold files of others
+CONTENTS = (
+    "THIRD-PARTY-NOTICES.txt",
+    "_internal",
+    *(f"{name}.exe" for name in contents.PROGRAMS["win32"]),
+)
 _VERSION = re.compile(r"\d+\.\d+\.\d+")
-_PNG_SIDE = struct.Struct(">16xII")  # width and height in pixels
-_ICON_HEAD = struct.Struct("<HHH")
-_ICON_ENTRY = struct.Struct("<BBBBHHII")
 
 
 class InstallerError(Exception):
@@ -43,13 +44,11 @@ def build(target: Path, package: Path = freeze.FOLDER, version: str = __version_
     """Writes the installer of a package. Raises InstallerError."""
     _check(package, version)
     with tempfile.TemporaryDirectory(prefix="pinel-nsis-") as name:
-        icon = Path(name) / "pinel.ico"
-        icon.write_bytes(icon_of(PICTURE.read_bytes()))
         definitions = {
             "VERSION": version,
             "FOLDER": package.resolve(),
             "SIZE_KIB": -(-freeze.size_of(package) // 1024),
-            "ICON": icon,
+            "ICON": icon.write_icon(Path(name) / "pinel.ico"),
             "OUTPUT": target.resolve(),
         }
         compile_script(SCRIPT, definitions)
@@ -72,14 +71,6 @@ def compile_script(script: Path, definitions: dict[str, object]) -> None:
     )
     if done.returncode:
         raise InstallerError(done.stdout + done.stderr)
-
-
-def icon_of(png: bytes) -> bytes:
-    """Returns an icon file with one picture, which stays a PNG. Windows scales it to its smaller sizes."""
-    width, height = (side % 256 for side in _PNG_SIDE.unpack_from(png))  # 0 stands for 256
-    head = _ICON_HEAD.pack(0, 1, 1)
-    start = _ICON_HEAD.size + _ICON_ENTRY.size
-    return head + _ICON_ENTRY.pack(width, height, 0, 0, 1, 32, len(png), start) + png
 
 
 def _check(package: Path, version: str) -> None:

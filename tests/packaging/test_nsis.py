@@ -90,12 +90,3 @@ def test_each_text_has_four_languages() -> None:
     assert len(texts) > 5
     for name, languages in texts.items():
         assert languages == ["PORTUGUESEBR", "ENGLISH", "SPANISH", "FRENCH"], name
-
-
-def test_the_icon_holds_the_picture_of_the_program() -> None:
-    png = nsis.PICTURE.read_bytes()
-    icon = nsis.icon_of(png)
-    kind, n_pictures, width, height, size, start = struct.unpack_from("<2xHHBB6xII", icon)
-    assert (kind, n_pictures) == (1, 1)
-    assert (width, height) == (0, 0)  # 256
-    assert icon[start : start + size] == png
