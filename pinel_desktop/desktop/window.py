@@ -20,6 +20,7 @@ from pinel_desktop.desktop.policy import (
     decide_navigation,
     fitted_size,
 )
+from pinel_desktop.desktop.webview2 import install_policy
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
@@ -91,6 +92,8 @@ class NativeWindow:
             self._origin = self._address()
             # GTK uses our dialog (saving.py), because pywebview's fails without a download folder
             webview.settings["ALLOW_DOWNLOADS"] = backend != "gtk"
+            # else a link to a new window would open the default browser
+            webview.settings["OPEN_EXTERNAL_LINKS_IN_BROWSER"] = backend != "edgechromium"
             self._create(screen)
             webview.start(gui=backend, icon=self._icon)
         except PinelError:
@@ -142,9 +145,18 @@ class NativeWindow:
 
     def _guard(self) -> None:
         """Installs the navigation policy; runs on the window's thread before the page loads."""
-        if self._window is not None and webview.renderer == "gtkwebkit2":
-            _guard_gtk(self._window, lambda address: decide_navigation(address, self._origin))
+        if self._window is None:
+            return
+        if webview.renderer == "gtkwebkit2":
+            _guard_gtk(self._window, self._decide)
             _reload_after_crash(self._window, self._address)
+        elif webview.renderer == "edgechromium":
+            from webview.platforms.winforms import BrowserView  # noqa: PLC0415 - only on Windows
+
+            install_policy(BrowserView.instances[self._window.uid].browser.webview, self._decide)
+
+    def _decide(self, address: str) -> NavigationDecision:
+        return decide_navigation(address, self._origin)
 
     def _open(self) -> None:
         """Runs on a thread of its own once the window is open."""
