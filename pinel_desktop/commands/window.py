@@ -7,6 +7,7 @@ while the window opens. Imports at the top of this file delay the start of that 
 import gc
 import json
 import signal
+import sys
 import threading
 from types import FrameType
 from typing import TYPE_CHECKING
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
 # With the default threshold, garbage collection is a tenth of the toolkit's import, and useless.
 _GC_THRESHOLD = 50_000
+_ICON_ERROR = 0x10  # MB_ICONERROR
 
 
 def open_app(db: str | None) -> int:
@@ -40,7 +42,7 @@ def open_app(db: str | None) -> int:
     try:
         status = _open(app, db, presenters)
     except PinelError as error:
-        _print_message(error)
+        _report_failure(error)
         status = 1
     finally:
         app.close()
@@ -98,6 +100,19 @@ def _end_at_signal(presenter: "Presenter") -> None:
     if threading.current_thread() is threading.main_thread():
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, end)
+
+
+def _report_failure(error: PinelError) -> None:
+    """Prints why the app cannot start. The windowed program on Windows cannot print, and opens a message box."""
+    if sys.platform == "win32" and sys.stderr is None:
+        import ctypes  # noqa: PLC0415 - not needed if the window opens
+
+        from pinel_desktop.desktop.presenter import TITLE  # noqa: PLC0415
+        from pinel_desktop.messages import explain  # noqa: PLC0415
+
+        ctypes.windll.user32.MessageBoxW(None, explain(error).line, TITLE, _ICON_ERROR)
+    else:
+        _print_message(error)
 
 
 def _print_message(error: PinelError) -> None:

@@ -13,6 +13,7 @@ def end_process(status: int) -> None:
     """
     others = (thread for thread in threading.enumerate() if thread is not threading.main_thread())
     if any(not thread.daemon for thread in others):
-        sys.stdout.flush()
-        sys.stderr.flush()
+        for stream in (sys.stdout, sys.stderr):
+            if stream is not None:  # the windowed program on Windows has neither
+                stream.flush()
         os._exit(status)
