@@ -2,8 +2,8 @@
 
     python packaging/nsis.py [FOLDER]    without FOLDER: dist/pinel-desktop
 
-FOLDER is a package that packaging/freeze.py built on Windows. makensis packs it on Windows or Linux; the same files
-give the same bytes.
+FOLDER is a package that packaging/freeze.py built on Windows. Debian's NSIS packs it, because NSIS for Windows usually
+makes installers of 32 bits only. The same files give the same bytes.
 """
 
 import os
@@ -58,7 +58,7 @@ def compile_script(script: Path, definitions: dict[str, object]) -> None:
     """Compiles a script of NSIS. Raises InstallerError with the output of makensis, also for a warning."""
     program = shutil.which("makensis")
     if program is None:
-        raise InstallerError("makensis is not installed: apt install nsis, or NSIS for Windows")
+        raise InstallerError("makensis is not installed: apt install nsis")
     defined = [f"-D{name}={value}" for name, value in definitions.items()]
     done = subprocess.run(
         [program, "-V2", "-WX", "-INPUTCHARSET", "UTF8", *defined, str(script)],

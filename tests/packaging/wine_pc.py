@@ -21,7 +21,7 @@ BUNDLES = r"Software\Classes\.pinel"
 BUNDLE_TYPE = r"Software\Classes\PINEL.Work"
 _WEBVIEW2 = r"Microsoft\EdgeUpdate\Clients\{F3017226-FE2A-4295-8BDF-00C3A9A7E4C5}"
 _TIMEOUT_S = 60
-_PATIENCE_S = 30.0
+_WAIT_S = 30.0
 
 
 def write_package(folder: Path, *names: str) -> Path:
@@ -132,7 +132,7 @@ class WinePc:
     def close_program(self, process: "subprocess.Popen[bytes]") -> None:
         """Ends the program in order."""
         (self._temp / "close-pinel").touch()
-        process.wait(_PATIENCE_S)
+        process.wait(_WAIT_S)
 
     @property
     def message(self) -> str:
@@ -156,7 +156,7 @@ class WinePc:
         return self.value("HKCU", rf"Software\{_WEBVIEW2}", "pv")
 
     def _wait_until(self, is_reached: Callable[[], bool]) -> None:
-        deadline = time.monotonic() + _PATIENCE_S
+        deadline = time.monotonic() + _WAIT_S
         while not is_reached():
             assert time.monotonic() < deadline
             time.sleep(0.05)
