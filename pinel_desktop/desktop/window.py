@@ -95,7 +95,8 @@ class NativeWindow:
             # else a link to a new window would open the default browser
             webview.settings["OPEN_EXTERNAL_LINKS_IN_BROWSER"] = backend != "edgechromium"
             self._create(screen)
-            webview.start(gui=backend, icon=self._icon)
+            # Windows reads no PNG; without an icon pywebview takes the program's
+            webview.start(gui=backend, icon=None if backend == "edgechromium" else self._icon)
         except PinelError:
             raise
         except Exception as error:  # pywebview passes on any exception of its toolkit
