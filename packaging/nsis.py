@@ -49,6 +49,7 @@ def build(target: Path, package: Path = freeze.FOLDER, version: str = __version_
             "FOLDER": package.resolve(),
             "SIZE_KIB": -(-freeze.size_of(package) // 1024),
             "ICON": icon.write_icon(Path(name) / "pinel.ico"),
+            "PICTURE": icon.write_side_picture(Path(name) / "side.bmp"),
             "OUTPUT": target.resolve(),
         }
         compile_script(SCRIPT, definitions)

@@ -3,6 +3,7 @@
 ;   FOLDER    the folder of the packaged program
 ;   SIZE_KIB  size of its files
 ;   ICON      an icon file
+;   PICTURE   a bitmap of 164 x 314 pixels
 ;   OUTPUT    the installer to write
 ;
 ; Options: /S without a window, /AllUsers or /CurrentUser, and last /D=FOLDER, without quotation marks even if it has spaces.
@@ -58,6 +59,7 @@ VIAddVersionKey LegalCopyright "PINEL Desktop contributors"
 
 !define MUI_ICON "${ICON}"
 !define MUI_UNICON "${ICON}"
+!define MUI_WELCOMEFINISHPAGE_BITMAP "${PICTURE}"
 !define MUI_ABORTWARNING
 !insertmacro MULTIUSER_PAGE_INSTALLMODE
 !insertmacro MUI_PAGE_DIRECTORY

@@ -35,9 +35,9 @@ LangString INSTALLING_WEBVIEW2 ${LANG_ENGLISH} "Installing WebView2, which shows
 LangString INSTALLING_WEBVIEW2 ${LANG_SPANISH} "Instalando WebView2, que muestra la ventana…"
 LangString INSTALLING_WEBVIEW2 ${LANG_FRENCH} "Installation de WebView2, qui affiche la fenêtre…"
 
-LangString NO_WEBVIEW2 ${LANG_PORTUGUESEBR} "O PINEL está instalado, mas este computador não tem o WebView2, que mostra a janela. Até lá ele abre no navegador. Para instalar sem internet, ponha ${WEBVIEW2_SETUP} ao lado deste instalador e instale de novo."
-LangString NO_WEBVIEW2 ${LANG_ENGLISH} "PINEL is installed, but this PC has no WebView2, which shows the window. Until then it opens in the browser. To install it without internet, put ${WEBVIEW2_SETUP} beside this installer and install again."
-LangString NO_WEBVIEW2 ${LANG_SPANISH} "PINEL está instalado, pero esta computadora no tiene WebView2, que muestra la ventana. Hasta entonces se abre en el navegador. Para instalarlo sin internet, ponga ${WEBVIEW2_SETUP} junto a este instalador e instale de nuevo."
+LangString NO_WEBVIEW2 ${LANG_PORTUGUESEBR} "O PINEL está instalado, mas este computador não tem o WebView2, que mostra a janela. Enquanto isso, ele abre no navegador. Para instalar sem internet, ponha ${WEBVIEW2_SETUP} ao lado deste instalador e instale de novo."
+LangString NO_WEBVIEW2 ${LANG_ENGLISH} "PINEL is installed, but this PC has no WebView2, which shows the window. Meanwhile it opens in the browser. To install it without internet, put ${WEBVIEW2_SETUP} beside this installer and install again."
+LangString NO_WEBVIEW2 ${LANG_SPANISH} "PINEL está instalado, pero esta computadora no tiene WebView2, que muestra la ventana. Mientras tanto, se abre en el navegador. Para instalarlo sin internet, ponga ${WEBVIEW2_SETUP} junto a este instalador e instale de nuevo."
 LangString NO_WEBVIEW2 ${LANG_FRENCH} "PINEL est installé, mais cet ordinateur n'a pas WebView2, qui affiche la fenêtre. En attendant, il s'ouvre dans le navigateur. Pour l'installer sans internet, mettez ${WEBVIEW2_SETUP} à côté de cet installateur et recommencez."
 
 LangString SETUP_FILE_FAULTS ${LANG_PORTUGUESEBR} "O PINEL está instalado, mas o arquivo pinel.toml tem erros. Para ver as linhas, digite no terminal do PINEL: pinel setup --check pinel.toml. Corrija-o e instale de novo."
