@@ -97,6 +97,15 @@ def test_the_uninstaller_keeps_the_work_and_says_where_it_is(pc: WinePc, mode: s
     assert pc.message.endswith(r"\AppData\Local\pinel.")
 
 
+@pytest.mark.parametrize("mode", MODES)
+def test_the_uninstaller_deletes_its_folder_if_nothing_of_others_is_in_it(
+    pc: WinePc, mode: str
+) -> None:
+    pc.install(f"/{mode}")
+    pc.uninstall(mode)
+    assert not pc.program(mode).exists()
+
+
 def test_the_uninstaller_of_one_mode_leaves_the_other(pc: WinePc) -> None:
     pc.install("/CurrentUser")
     pc.install("/AllUsers")
@@ -132,6 +141,13 @@ def test_an_older_version_is_refused(pc: WinePc, package: Path) -> None:
     assert "This PC already has PINEL 0.10.0, newer than 0.9.9." in pc.message
     assert files_below(pc.program("AllUsers")) == INSTALLED
     assert pc.value("HKLM", UNINSTALL, "DisplayVersion") == "0.10.0"
+
+
+def test_a_windows_before_10_is_refused(pc: WinePc) -> None:
+    pc.set_windows("win81")
+    assert pc.install("/CurrentUser") == 6
+    assert pc.message == "PINEL needs Windows 10 or a newer one. Nothing was installed."
+    assert not pc.program("CurrentUser").exists()
 
 
 @pytest.fixture

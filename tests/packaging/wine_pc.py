@@ -55,8 +55,6 @@ class WinePc:
         # the server waits for the next program, which starts faster so
         subprocess.run(["wineserver", "-p300"], env=self._environment, check=True)
         self._wine("wineboot", "-i")
-        # the default is Windows 7
-        self._wine("reg", "add", r"HKCU\Software\Wine", "/v", "Version", "/d", "win10", "/f")
         users = (self._drive / "users").iterdir()
         self._home = next(user for user in users if user.name != "Public")
         self._temp = self._home / "Temp"
@@ -67,7 +65,8 @@ class WinePc:
         subprocess.run(["wineserver", "-k"], env=self._environment, check=False)
 
     def clear(self) -> None:
-        """Deletes what installers have left, and empties the stick."""
+        """Deletes what installers have left, and empties the stick. The system is Windows 10."""
+        self.set_windows("win10")
         keys = (UNINSTALL, APP_PATHS, BUNDLES, BUNDLE_TYPE, rf"Software\{_WEBVIEW2}")
         roots = ("HKEY_CURRENT_USER", "HKEY_LOCAL_MACHINE")
         lines = [rf"[-{root}\{key}]" for root in roots for key in keys]
@@ -112,8 +111,9 @@ class WinePc:
         return self._start(str(self.stick / "pinel-setup.exe"), "/S", *words, **environment)
 
     def uninstall(self, mode: str) -> None:
-        """Runs the uninstaller without a window, and waits for its message: it continues in another process."""
-        self._start(str(self.program(mode) / "uninstall.exe"), "/S", f"/{mode}")
+        """Runs the uninstaller in its folder without a window, and waits: it continues in another process."""
+        folder = self.program(mode)
+        self._start(str(folder / "uninstall.exe"), "/S", f"/{mode}", folder=folder)
         self._wait_until(lambda: self.message != "")
 
     def uninstall_status(self, mode: str) -> int:
@@ -146,6 +146,10 @@ class WinePc:
         found = re.search(r" REG_(?:SZ|DWORD) +(.*)", output)
         return found[1].strip() if found else None
 
+    def set_windows(self, version: str) -> None:
+        """Chooses which Windows programs see, such as `win7`."""
+        self._wine("reg", "add", r"HKCU\Software\Wine", "/v", "Version", "/d", version, "/f")
+
     def set_webview2(self, version: str, root: str = "HKCU") -> None:
         """Writes the version of WebView2 where its installer does."""
         parent = r"SOFTWARE\WOW6432Node" if root == "HKLM" else "Software"
@@ -165,16 +169,19 @@ class WinePc:
         status, output = self._run(*command)
         assert status == 0, output
 
-    def _start(self, *command: str, **environment: str) -> int:
+    def _start(self, *command: str, folder: Path | None = None, **environment: str) -> int:
         self._log.unlink(missing_ok=True)
-        return self._run(*command, **environment)[0]
+        return self._run(*command, folder=folder, **environment)[0]
 
-    def _run(self, *command: str, **environment: str) -> tuple[int, str]:
+    def _run(
+        self, *command: str, folder: Path | None = None, **environment: str
+    ) -> tuple[int, str]:
         """Runs a program; returns its exit status and its output."""
         # no pipe: processes that stay in the background would keep it open
         with tempfile.TemporaryFile() as output:
             done = subprocess.run(
                 ["wine", *command],
+                cwd=folder,
                 env=self._environment | environment,
                 stdin=subprocess.DEVNULL,
                 stdout=output,
