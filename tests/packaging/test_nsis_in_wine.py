@@ -265,5 +265,5 @@ def test_the_installer_speaks_the_language_of_the_pc(
     name = f"{language}.UTF-8"
     subprocess.run(["localedef", "-i", language, "-f", "UTF-8", tmp_path / name], check=True)
     (pc.stick / "pinel.toml").write_text("wrong", "utf-8")
-    pc.install("/CurrentUser", LOCPATH=str(tmp_path), LC_ALL=name)
+    pc.install("/CurrentUser", environment={"LOCPATH": str(tmp_path), "LC_ALL": name})
     assert pc.message.startswith(expected)

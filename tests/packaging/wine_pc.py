@@ -6,8 +6,9 @@ import shutil
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from tests.packaging.loading import load
 
@@ -20,6 +21,7 @@ APP_PATHS = r"Software\Microsoft\Windows\CurrentVersion\App Paths\pinel.exe"
 BUNDLES = r"Software\Classes\.pinel"
 BUNDLE_TYPE = r"Software\Classes\PINEL.Work"
 _WEBVIEW2 = r"Microsoft\EdgeUpdate\Clients\{F3017226-FE2A-4295-8BDF-00C3A9A7E4C5}"
+_NOTHING: Mapping[str, str] = MappingProxyType({})
 _TIMEOUT_S = 60
 _WAIT_S = 30.0
 
@@ -105,10 +107,12 @@ class WinePc:
         """Puts a small program in place of the installer of WebView2 on the stick."""
         nsis.compile_script(SOURCES / "webview2.nsi", {"OUTPUT": self.stick / WEBVIEW2_SETUP})
 
-    def install(self, *options: str, **environment: str) -> int:
+    def install(self, *options: str, environment: Mapping[str, str] = _NOTHING) -> int:
         """Runs the installer of the stick without a window; returns its exit status."""
         words = " ".join(options).split()  # NSIS wants the folder of /D without quotation marks
-        return self._start(str(self.stick / "pinel-setup.exe"), "/S", *words, **environment)
+        return self._start(
+            str(self.stick / "pinel-setup.exe"), "/S", *words, environment=environment
+        )
 
     def uninstall(self, mode: str) -> None:
         """Runs the uninstaller in its folder without a window, and waits: it continues in another process."""
@@ -169,12 +173,14 @@ class WinePc:
         status, output = self._run(*command)
         assert status == 0, output
 
-    def _start(self, *command: str, folder: Path | None = None, **environment: str) -> int:
+    def _start(
+        self, *command: str, folder: Path | None = None, environment: Mapping[str, str] = _NOTHING
+    ) -> int:
         self._log.unlink(missing_ok=True)
-        return self._run(*command, folder=folder, **environment)[0]
+        return self._run(*command, folder=folder, environment=environment)[0]
 
     def _run(
-        self, *command: str, folder: Path | None = None, **environment: str
+        self, *command: str, folder: Path | None = None, environment: Mapping[str, str] = _NOTHING
     ) -> tuple[int, str]:
         """Runs a program; returns its exit status and its output."""
         # no pipe: processes that stay in the background would keep it open
@@ -182,7 +188,7 @@ class WinePc:
             done = subprocess.run(
                 ["wine", *command],
                 cwd=folder,
-                env=self._environment | environment,
+                env={**self._environment, **environment},
                 stdin=subprocess.DEVNULL,
                 stdout=output,
                 stderr=subprocess.STDOUT,
