@@ -23,6 +23,13 @@ DATA_FOLDERS = {
 }
 # what is written about the parts of the finished package, by the script that writes it
 PROVENANCE = {"notices.py": "THIRD-PARTY-NOTICES.txt", "sbom.py": "pinel-desktop.cdx.json"}
+# The programs of the package on each system; True for one that has a console. On Windows a program with a console opens
+# one beside its window, and a program without cannot print to it.
+PROGRAMS = {
+    "linux": {"pinel": True},
+    "darwin": {"pinel": False},
+    "win32": {"pinel": True, "pinel-desktop": False},
+}
 # `--self-check` prints the versions of these libraries, or they read their own metadata.
 METADATA = ("pywebview", "flask", "werkzeug", "pydantic", "pymunk", "numpy", "sqlite-utils")
 

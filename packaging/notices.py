@@ -11,7 +11,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from importlib import metadata
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 
 import contents  # beside this file
@@ -23,6 +23,28 @@ NOT_IN_THE_PAGE = ("jsdom",)
 # Distributions whose metadata names no licence; their licence text is in their folder.
 UNNAMED_LICENCES = {"pysqlite3": "Zlib; SQLite in it: blessing (public domain)"}
 MEDIAPIPE = "MediaPipe hand networks (palm_detection_full, hand_landmark_full)"
+# Libraries that come with Python on Windows, by the beginning of their file names: work and licence.
+WINDOWS_LIBRARIES = {
+    "python3": ("Python", "PSF-2.0"),
+    "libcrypto": ("OpenSSL", "Apache-2.0"),
+    "libssl": ("OpenSSL", "Apache-2.0"),
+    "libffi": ("libffi", "MIT"),
+    "sqlite3": ("SQLite", "blessing (public domain)"),
+    "vcruntime": (
+        "Microsoft Visual C++ runtime",
+        "Microsoft Software License Terms, redistributable",
+    ),
+    "msvcp": ("Microsoft Visual C++ runtime", "Microsoft Software License Terms, redistributable"),
+    "ucrtbase": (
+        "Microsoft Universal C runtime",
+        "Microsoft Software License Terms, redistributable",
+    ),
+    "api-ms-win": (
+        "Microsoft Universal C runtime",
+        "Microsoft Software License Terms, redistributable",
+    ),
+    "microsoft.web.webview2": ("Microsoft Edge WebView2 SDK", "BSD-3-Clause"),
+}
 LIBRAS = (
     "Alfabeto em libras (data set of elainesilva on Roboflow Universe, version 6, 2023-08-15; the letters were learnt "
     "from it, no picture of it ships; https://creativecommons.org/licenses/by/4.0/)"
@@ -56,7 +78,7 @@ def parts(root: Path) -> list[Notice]:
     found = [
         *python_notices([*manifest["modules"], *folders]),
         *npm_notices(root / "ui"),
-        *system_notices(manifest["binaries"]),
+        *(windows_notices if sys.platform == "win32" else system_notices)(manifest["binaries"]),
         *gesture_notices(root),
     ]
     check(found)
@@ -155,6 +177,19 @@ def system_notices(binaries: list[list[str]]) -> Iterator[Notice]:
             continue
         row = contents.library_of(file)
         found.add(Notice(row.work, "", row.licence) if row else Notice(file, "", ""))
+    yield from sorted(found)
+
+
+def windows_notices(binaries: list[list[str]]) -> Iterator[Notice]:
+    """Notices of the libraries that come with Python on Windows, and of WebView2's, which pywebview brings."""
+    found = set()
+    for name, source in binaries:
+        file = PureWindowsPath(name).name.lower()
+        rows = [row for start, row in WINDOWS_LIBRARIES.items() if file.startswith(start)]
+        if rows:
+            found.add(Notice(rows[0][0], "", rows[0][1]))
+        elif file.endswith(".dll") and "site-packages" not in source:
+            found.add(Notice(file, "", ""))
     yield from sorted(found)
 
 

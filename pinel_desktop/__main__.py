@@ -7,6 +7,10 @@ import sys
 
 def main() -> None:
     """Runs the typed command. Without a command, opens the window, and imports only the modules for it."""
+    if sys.platform == "win32":
+        from pinel_desktop.processes.standard_streams import use_utf8  # noqa: PLC0415
+
+        use_utf8()
     if len(sys.argv) > 1:
         from pinel_desktop.cli import main as run_command  # noqa: PLC0415 - would delay the window
 

@@ -59,12 +59,15 @@ def _known() -> list[str]:
 
 
 def _write(places: Sequence[str]) -> None:
+    # imported here, because the store would delay the window
+    from storage.file.open_files import replace  # noqa: PLC0415
+
     file = _file()
     new = file.with_name(f"{file.name}.{os.getpid()}")
     with contextlib.suppress(OSError):  # such as a full disk
         file.parent.mkdir(0o700, parents=True, exist_ok=True)
         new.write_text(json.dumps(places), "utf-8")
-        os.replace(new, file)
+        replace(new, file)
 
 
 def _file() -> Path:

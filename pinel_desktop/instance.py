@@ -119,8 +119,8 @@ class InstanceLock:
         if not self._is_ours():
             return
         text = json.dumps({"url": url, "secret": secret, "pid": os.getpid()})
+        self._remove_file()
         try:
-            self._file.unlink(missing_ok=True)
             handle = os.open(self._file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
             with os.fdopen(handle, "w", encoding="utf-8") as file:
                 file.write(text)
@@ -137,8 +137,11 @@ class InstanceLock:
                 self._lock.release()
 
     def _remove_file(self) -> None:
+        # imported here, because the store would delay the window
+        from storage.file.open_files import delete  # noqa: PLC0415
+
         with contextlib.suppress(OSError):  # the disk may have become read-only
-            self._file.unlink(missing_ok=True)
+            delete(self._file, missing_ok=True)
 
     def _is_ours(self) -> bool:
         return self._lock_is_parents or (self._lock is not None and self._lock.is_locked)

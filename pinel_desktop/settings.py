@@ -6,7 +6,6 @@ the window. `web/page.py` sends the page its settings; the page sends changes (`
 
 import contextlib
 import json
-import os
 import re
 import threading
 from collections.abc import Callable, Mapping
@@ -143,10 +142,13 @@ class Settings:
     def _write(self, values: dict[str, Any]) -> None:
         if self._file is None:
             return
+        # imported here, because the store would delay the window
+        from storage.file.open_files import replace  # noqa: PLC0415
+
         new = self._file.with_name(f"{self._file.name}.new")
         with contextlib.suppress(OSError):
             new.write_text(json.dumps(values), "utf-8")
-            os.replace(new, self._file)
+            replace(new, self._file)
 
 
 def _read(file: Path) -> dict[str, Any]:

@@ -4,7 +4,7 @@
 #   sh scripts/system-packages.sh [--dry-run] serve|run|test|package|nightly
 #
 # serve: Python.  run: also the native window.  test: also browser and virtual screen.
-# package: the library that PyInstaller needs, for the Python of .venv.  nightly: debootstrap, which makes systems for tests.
+# package: the library that PyInstaller needs, for the Python of .venv.  nightly: makes other systems for tests, and Wine.
 # --dry-run lists the missing packages and installs nothing; if any is missing, exits with 1.
 set -eu
 . "$(dirname "$0")/words.sh"
@@ -20,12 +20,15 @@ TEST_PACKAGES='xvfb|virtual screen for tests|tela virtual para os testes|pantall
 openbox|places windows on the virtual screen|posiciona janelas na tela virtual|coloca ventanas en la pantalla virtual
 xdotool|types and clicks in tests|digita e clica nos testes|escribe y pulsa en las pruebas
 binutils|takes programs apart for the package|desmonta programas para o pacote|desmonta programas para el paquete
-xz-utils|packs the package|comprime o pacote|comprime el paquete'
+xz-utils|packs the package|comprime o pacote|comprime el paquete
+nsis|makes the installer for Windows|cria o instalador para Windows|crea el instalador para Windows'
 BROWSER='|browser for tests|navegador para os testes|navegador para las pruebas'
 DDS_PACKAGES='g++|builds a robot for tests|compila um robô para os testes|compila un robot para las pruebas
 libfastrtps-dev|the network of that robot|a rede desse robô|la red de ese robot'
 NIGHTLY_PACKAGES='dpkg-dev|lists the packages of the stick|lista os pacotes do pendrive|lista los paquetes de la memoria USB
-debootstrap|makes other systems to try the package in|cria outros sistemas para testar o pacote|crea otros sistemas para probar el paquete'
+debootstrap|makes other systems to try the package in|cria outros sistemas para testar o pacote|crea otros sistemas para probar el paquete
+wine|runs the installer for Windows|executa o instalador para Windows|ejecuta el instalador para Windows
+locales|languages for that test|idiomas para esse teste|idiomas para esa prueba'
 
 wanted() {
     case "$1" in

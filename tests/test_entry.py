@@ -1,12 +1,16 @@
 """The entry point `pinel`: opens the window at once, and dispatches subcommands."""
 
+import ctypes
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import pytest
 
 from pinel_desktop import __main__, __version__
 from pinel_desktop.commands import window
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import language_of_system
 
 
 @pytest.mark.parametrize("database", [None, "7b.db"])
@@ -70,3 +74,33 @@ main()
         [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True
     )
     assert "found" not in done.stdout
+
+
+@pytest.fixture
+def windows(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """A Windows in Spanish; the texts of its message boxes."""
+    shown: list[str] = []
+    functions = SimpleNamespace(
+        kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda: 0x0C0A),
+        user32=SimpleNamespace(MessageBoxW=lambda _owner, text, *_: shown.append(text)),
+    )
+    for variable in ("PINEL_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
+        monkeypatch.delenv(variable, raising=False)
+    monkeypatch.setattr(ctypes, "windll", functions, raising=False)
+    monkeypatch.setattr(sys, "platform", "win32")
+    return shown
+
+
+def test_windows_tells_the_language(windows: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    assert language_of_system() == "es"
+    monkeypatch.setenv("PINEL_LANG", "fr")
+    assert language_of_system() == "fr"
+
+
+def test_a_program_without_a_console_shows_why_it_does_not_start(
+    windows: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stderr", None)
+    window._report_failure(PinelError("app_lost"))
+    assert len(windows) == 1
+    assert windows[0].startswith("PINEL se detuvo de repente.")

@@ -1,5 +1,6 @@
 """Frame readers: a webcam, a video file, a folder of pictures, a landmark sequence."""
 
+import sys
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -23,6 +24,8 @@ WIDTH, HEIGHT = 640, 480
 _PICTURE_S = 1.5  # time for which a folder shows each picture
 _FRAMES_HZ = 15.0
 _MAX_SIDE = 1280  # px; larger frames cost time and improve no landmark
+# OpenCV's own choice on Windows, Media Foundation, may need 10 s to open a webcam
+_WEBCAM_API = cv2.CAP_DSHOW if sys.platform == "win32" else cv2.CAP_ANY
 _TO_RGB = {1: cv2.COLOR_GRAY2RGB, 3: cv2.COLOR_BGR2RGB, 4: cv2.COLOR_BGRA2RGB}
 
 
@@ -76,9 +79,9 @@ class Webcam:
     is_live = True
 
     def __init__(self, number: int) -> None:
-        self._device = cv2.VideoCapture(number)
+        self._device = cv2.VideoCapture(number, _WEBCAM_API)
         if not self._device.isOpened():
-            code = "camera_busy" if Path(f"/dev/video{number}").exists() else "camera_missing"
+            code = "camera_busy" if _is_connected(number) else "camera_missing"
             raise PinelError(code, number=number + 1)
         self._device.set(cv2.CAP_PROP_FRAME_WIDTH, WIDTH)
         self._device.set(cv2.CAP_PROP_FRAME_HEIGHT, HEIGHT)
@@ -158,6 +161,27 @@ class LandmarkSequence:
 
     def close(self) -> None:
         return
+
+
+def _is_connected(number: int) -> bool:
+    """Returns whether the system lists a webcam of that number, usable or not."""
+    if sys.platform == "win32":
+        return number < _n_usb_cameras()
+    return Path(f"/dev/video{number}").exists()
+
+
+if sys.platform == "win32":
+
+    def _n_usb_cameras() -> int:
+        """Returns how many devices the system's driver of USB webcams has now."""
+        import winreg  # noqa: PLC0415 - only on Windows
+
+        devices = r"SYSTEM\CurrentControlSet\Services\usbvideo\Enum"
+        try:
+            with winreg.OpenKey(winreg.HKEY_LOCAL_MACHINE, devices) as key:
+                return int(winreg.QueryValueEx(key, "Count")[0])
+        except OSError:  # no webcam since the start of Windows
+            return 0
 
 
 def _raw_frame(picture: Picture | None) -> RawFrame | None:

@@ -8,6 +8,7 @@ the watchdog (desktop/kiosk/watchdog.py), and the window is in another one (comm
 import gc
 import json
 import signal
+import sys
 import threading
 from types import FrameType
 from typing import TYPE_CHECKING
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 _GC_THRESHOLD = 50_000
 # exit status of a window that the teacher's switch has closed to open in the other mode
 RESTARTS = 75
+_ICON_ERROR = 0x10  # MB_ICONERROR
 
 
 def open_app(db: str | None, *, kiosk: bool, place: str = "") -> int:
@@ -89,7 +91,7 @@ class WindowProcess:
         try:
             self._run()
         except PinelError as error:
-            _print_message(error)
+            _report_failure(error)
             return 1
         finally:
             self._app.close()
@@ -172,6 +174,19 @@ def self_check(db: str | None) -> int:
     status = 0 if result["ok"] else 1
     end_process(status)
     return status
+
+
+def _report_failure(error: PinelError) -> None:
+    """Prints why the app cannot start. The windowed program on Windows cannot print, and opens a message box."""
+    if sys.platform == "win32" and sys.stderr is None:
+        import ctypes  # noqa: PLC0415 - not needed if the window opens
+
+        from pinel_desktop.desktop.presenter import TITLE  # noqa: PLC0415
+        from pinel_desktop.messages import explain  # noqa: PLC0415
+
+        ctypes.windll.user32.MessageBoxW(None, explain(error).line, TITLE, _ICON_ERROR)
+    else:
+        _print_message(error)
 
 
 def _print_message(error: PinelError) -> None:

@@ -16,6 +16,7 @@ from typing import Any
 from pinel_desktop.desktop.kiosk.mode import KioskReason
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import own_command
+from pinel_desktop.processes.standard_streams import error_output
 
 _START_S = 60.0
 # the app may wait four seconds for the end of the engine
@@ -63,6 +64,7 @@ class AppProcess:
             ),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
+            stderr=error_output(),
             text=True,
             encoding="utf-8",
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),

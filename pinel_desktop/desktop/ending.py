@@ -18,8 +18,7 @@ def end_process(status: int) -> None:
     others = (thread for thread in threading.enumerate() if thread is not threading.main_thread())
     if any(not thread.daemon for thread in others):
         close_log()
-        sys.stdout.flush()
-        sys.stderr.flush()
+        _flush_streams()
         os._exit(status)
 
 
@@ -29,9 +28,14 @@ def become(command: list[str]) -> NoReturn:
     Call this last, after closing all other resources.
     """
     close_log()
-    sys.stdout.flush()
-    sys.stderr.flush()
+    _flush_streams()
     if sys.platform == "win32":  # where a replaced process would end for the one that waits for it
         subprocess.Popen(command, stdin=subprocess.DEVNULL)
         os._exit(0)
     os.execv(command[0], command)
+
+
+def _flush_streams() -> None:
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:  # the windowed program on Windows has neither
+            stream.flush()

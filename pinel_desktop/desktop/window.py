@@ -12,7 +12,8 @@ from webview.guilib import initialize
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_problem
 from pinel_desktop.desktop.gtk_window import GtkWindow, require_screen
 from pinel_desktop.desktop.kiosk.mode import KioskMode
-from pinel_desktop.desktop.policy import decide_navigation, fitted_size
+from pinel_desktop.desktop.policy import NavigationDecision, decide_navigation, fitted_size
+from pinel_desktop.desktop.webview2 import install_policy
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
@@ -86,8 +87,11 @@ class NativeWindow:
             place = self._kiosk.place if self._kiosk else ""
             # GTK uses our dialog (saving.py), because pywebview's fails without a download folder
             webview.settings["ALLOW_DOWNLOADS"] = backend != "gtk"
+            # else a link to a new window would open the default browser
+            webview.settings["OPEN_EXTERNAL_LINKS_IN_BROWSER"] = backend != "edgechromium"
             self._create(screen, f"{self._origin}#{place}" if place else self._origin)
-            webview.start(gui=backend, icon=self._icon)
+            # Windows reads no PNG; without an icon pywebview takes the program's
+            webview.start(gui=backend, icon=None if backend == "edgechromium" else self._icon)
         except PinelError:
             raise
         except Exception as error:  # pywebview passes on any exception of its toolkit
@@ -141,16 +145,26 @@ class NativeWindow:
 
     def _guard(self) -> None:
         """Installs the navigation policy; runs on the window's thread before the page loads."""
-        if self._window is None or webview.renderer != "gtkwebkit2":
+        if self._window is None:
             return
-        gtk = GtkWindow(self._window)
-        gtk.guard_navigation(lambda address: decide_navigation(address, self._origin))
+        if webview.renderer == "gtkwebkit2":
+            self._guard_gtk(GtkWindow(self._window))
+        elif webview.renderer == "edgechromium":
+            from webview.platforms.winforms import BrowserView  # noqa: PLC0415 - only on Windows
+
+            install_policy(BrowserView.instances[self._window.uid].browser.webview, self._decide)
+
+    def _guard_gtk(self, gtk: GtkWindow) -> None:
+        gtk.guard_navigation(self._decide)
         gtk.close_at_signals(self.close)
         gtk.reload_after_crash(self._address)
         if self._kiosk is None:
             gtk.save_by_dialog()
         else:
             gtk.lock(self._kiosk)
+
+    def _decide(self, address: str) -> NavigationDecision:
+        return decide_navigation(address, self._origin)
 
     def _open(self) -> None:
         """Runs on a thread of its own once the window is open."""

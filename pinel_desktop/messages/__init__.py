@@ -19,7 +19,8 @@ import gettext
 import json
 import os
 import re
-from collections.abc import Callable, Mapping
+import sys
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
@@ -119,12 +120,22 @@ def _language_file(language: str) -> dict[str, Any]:
 
 
 def language_of_system() -> str:
-    """The language of PINEL_LANG, else of the locale, else Portuguese."""
-    for variable in ("PINEL_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
+    """The language of PINEL_LANG, else of the locale, else of Windows, else Portuguese."""
+    for name in _locale_names():
         for language in LANGUAGES:
-            if os.environ.get(variable, "").lower().startswith(language[:2]):
+            if name.lower().startswith(language[:2]):
                 return language
     return SOURCE_LANGUAGE
+
+
+def _locale_names() -> Iterator[str]:
+    for variable in ("PINEL_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
+        yield os.environ.get(variable, "")
+    if sys.platform == "win32":  # where these variables are rare
+        import ctypes  # noqa: PLC0415 - only on Windows
+        import locale  # noqa: PLC0415
+
+        yield locale.windows_locale.get(ctypes.windll.kernel32.GetUserDefaultUILanguage(), "")
 
 
 def decimal_sign(language: str) -> str:

@@ -13,6 +13,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.processes.heartbeat import TIMEOUTS, HangTimeouts, Heartbeat, ProcessSnapshot
 from pinel_desktop.processes.messages import PING, PONG, RESPONSE, Message, encoded, read_messages
 from pinel_desktop.processes.outbox import Outbox
+from pinel_desktop.processes.standard_streams import error_output
 
 ProcessState = Literal["starting", "ready", "lost"]
 
@@ -158,6 +159,7 @@ class Supervisor:
                     self._command,
                     stdin=subprocess.PIPE,
                     stdout=subprocess.PIPE,
+                    stderr=error_output(),
                     creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
                 )
             except OSError as error:

@@ -8,6 +8,8 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from storage.file.open_files import delete, replace
+
 _LEFTOVER_S = 3600.0  # since the last write; an export takes minutes
 
 
@@ -16,10 +18,10 @@ def atomic_write(final: Path) -> Iterator[Path]:
     """Yields a path to write to; its file replaces `final` once complete and on disk. A failure leaves no file."""
     part = final.with_name(f".{final.name}.part")
     try:
-        part.unlink(missing_ok=True)
+        delete(part, missing_ok=True)
         yield part
         _sync(part)
-        part.replace(final)
+        replace(part, final)
         _sync_folder(final.parent)
     finally:
         _remove(part)
@@ -73,9 +75,9 @@ def _link(part: Path, final: Path) -> None:
     except OSError:  # FAT and some shares have no links: an empty file has the name for a moment
         final.open("xb").close()
         try:
-            part.replace(final)
+            replace(part, final)
         except OSError:
-            final.unlink()
+            delete(final)
             raise
 
 
@@ -90,7 +92,7 @@ def _remove_leftovers(part: Path, suffix: str) -> None:
 
 def _remove(part: Path) -> None:
     for suffix in ("", "-journal"):
-        part.with_name(part.name + suffix).unlink(missing_ok=True)
+        delete(part.with_name(part.name + suffix), missing_ok=True)
 
 
 def numbered(path: Path, suffix: str | None = None) -> Iterator[Path]:

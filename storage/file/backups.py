@@ -19,6 +19,7 @@ from storage.errors import StoreError, is_full, translated
 from storage.file.atomic_files import atomic_write
 from storage.file.commit_counter import commit_count
 from storage.file.filesystems import Free, free_bytes
+from storage.file.open_files import delete
 from storage.file.row_checksums import ChangedRows
 from storage.sql import Stop, column_names, integrity_problem, opened
 from storage.sqlite import sqlite3
@@ -137,7 +138,7 @@ def _next_path(path: Path, now: datetime) -> Path:
     folder = folder_of(path)
     folder.mkdir(exist_ok=True)
     for left in folder.glob("*.part"):  # left by a power cut
-        left.unlink()
+        delete(left)
     number = max((backup.number for backup in list_backups(path)), default=0) + 1
     return folder / f"{path.stem}-{number:05d}-{now.astimezone(UTC):{_TIME}}{path.suffix}"
 
@@ -149,7 +150,7 @@ def prune(path: Path, *, free: Free = free_bytes) -> None:
     with contextlib.suppress(OSError):  # the next backup tries again
         limit = min(_MAX_BYTES, (free(folder_of(path)) + total) // 10)
         for backup in set(backups).difference(retained_backups(backups, limit)):
-            backup.path.unlink()
+            delete(backup.path)
 
 
 def retained_backups(backups: Sequence[Backup], limit_bytes: int) -> list[Backup]:
@@ -205,7 +206,7 @@ def restored_copy(
             raise
         if _is_good(target, is_ours):
             return backup
-        target.unlink()
+        delete(target)
     return None
 
 

@@ -13,6 +13,7 @@ from storage.file.atomic_files import free_path
 from storage.file.backups import Backup, list_backups, restored_copy
 from storage.file.commit_counter import CommitRecord, commit_count, read_counter, set_saves
 from storage.file.notices import Notice, SalvageResult
+from storage.file.open_files import delete, replace
 from storage.file.temporary import remove_leftovers
 from storage.sql import integrity_problem, opened
 from storage.sqlite import sqlite3
@@ -99,11 +100,11 @@ def finish_replacing(path: Path) -> None:
     copy = _restoring(path)
     if copy.exists():
         if path.exists():
-            copy.unlink()
+            delete(copy)
         else:
             # the remaining siblings of the damaged file
             _quarantine(path, datetime.fromtimestamp(copy.stat().st_mtime, UTC))
-            copy.replace(path)
+            replace(copy, path)
 
 
 def rollback_notice(path: Path, known: CommitRecord, n_saves: int) -> Notice:
@@ -203,10 +204,10 @@ def _try_salvage(
         _log.exception("nothing could be salvaged from %s", path)
         _remove(made)
         if before.exists():
-            before.replace(made)
+            replace(before, made)
         return None
     finally:
-        before.unlink(missing_ok=True)
+        delete(before, missing_ok=True)
     return salvaged
 
 
@@ -228,12 +229,12 @@ def _install(path: Path, made: Path, now: datetime, found: _Outcome) -> None:
     copy = _restoring(path)
     if found.has_successor:
         _copy_commit_count(path, made)
-        made.replace(copy)
+        replace(made, copy)
     else:
         _remove(made)
     found.aside = _quarantine(path, now)
     if found.has_successor:
-        copy.replace(path)
+        replace(copy, path)
 
 
 def _copy_commit_count(path: Path, made: Path) -> None:
@@ -256,7 +257,7 @@ def _remove(made: Path) -> None:
     for suffix in ("", "-journal", "-wal", "-shm", ".before"):
         part = made.with_name(made.name + suffix)
         if part.exists():  # a read-only disk refuses even the deletion of a missing file
-            part.unlink(missing_ok=True)
+            delete(part, missing_ok=True)
 
 
 def _restoring(path: Path) -> Path:
@@ -274,6 +275,6 @@ def _quarantine(path: Path, now: datetime) -> Path | None:
     for sibling in _SIBLINGS:
         part = path.with_name(path.name + sibling)
         if part.exists():
-            part.rename(aside.with_name(aside.name + sibling))
+            replace(part, aside.with_name(aside.name + sibling))
             moved = True
     return aside if moved else None

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from storage.file.atomic_files import atomic_write
 from storage.file.backups import Backup, has_tombstones, list_backups
+from storage.file.open_files import delete
 from storage.side_files import read_regular
 
 MAX_COPIES = 3
@@ -101,7 +102,7 @@ class ShareCopies:
         folder.parent.mkdir(exist_ok=True)
         folder.mkdir(exist_ok=True)
         for part in folder.glob(f".{self._database.stem}-*.part"):  # of an interrupted copy
-            part.unlink()
+            delete(part)
         target = folder / newest.path.name
         if not _is_there(target, newest):
             self._copy(newest, target)
@@ -127,7 +128,7 @@ class ShareCopies:
             :-MAX_COPIES
         ]
         for copy in surplus:
-            copy.unlink(missing_ok=True)
+            delete(copy, missing_ok=True)
             if copy.parent != folder:  # made when this PC had another name
                 with suppress(OSError):
                     copy.parent.rmdir()
@@ -158,9 +159,9 @@ def _ensure_deleted(copy: Path, tombstoned: Collection[str]) -> bool:
     if not copy.parent.is_dir():
         raise FileNotFoundError(copy.parent)  # not mounted, perhaps
     if tombstoned:
-        copy.with_name(f".{copy.name}.part").unlink(missing_ok=True)
+        delete(copy.with_name(f".{copy.name}.part"), missing_ok=True)
         if copy.is_file() and not has_tombstones(copy, tombstoned):
-            copy.unlink()
+            delete(copy)
     return not copy.is_file()
 
 

@@ -57,6 +57,27 @@ def test_a_library_that_nobody_has_looked_at_may_not_ship() -> None:
         notices.check(found)
 
 
+def test_libraries_that_come_with_python_on_windows_are_named() -> None:
+    packages = "C:\\venv\\Lib\\site-packages"
+    binaries = [
+        ["VCRUNTIME140_1.dll", "C:\\Python\\VCRUNTIME140_1.dll"],
+        ["libcrypto-3.dll", "C:\\Python\\DLLs\\libcrypto-3.dll"],
+        ["_ssl.pyd", "C:\\Python\\DLLs\\_ssl.pyd"],
+        ["cv2\\opencv_videoio_ffmpeg.dll", f"{packages}\\cv2\\opencv_videoio_ffmpeg.dll"],
+        ["webview\\lib\\Microsoft.Web.WebView2.Core.dll", f"{packages}\\webview\\lib\\a.dll"],
+    ]
+    found = list(notices.windows_notices(binaries))
+    assert [notice.name for notice in found] == [
+        "Microsoft Edge WebView2 SDK",
+        "Microsoft Visual C++ runtime",
+        "OpenSSL",
+    ]
+    notices.check(found)
+    unknown = list(notices.windows_notices([["mystery.dll", "C:\\Windows\\mystery.dll"]]))
+    with pytest.raises(notices.LicenceError, match=r"mystery\.dll"):
+        notices.check(unknown)
+
+
 def test_the_distribution_of_a_module_is_found_with_its_text() -> None:
     found = {
         notice.name: notice for notice in notices.python_notices(["flask.app", "pinel_desktop.cli"])

@@ -46,6 +46,14 @@ def test_one_wrong_value_is_found(part: str, key: str, value: object) -> None:
     assert smoke.faults_of(found) == [f"{part}.{key}"]
 
 
+def test_windows_has_another_window_and_the_sqlite_of_python() -> None:
+    found = healthy()
+    found["window"]["backend"] = "edgechromium"
+    found["versions"]["sqlite"] = "3.45.3"
+    assert smoke.faults_of(found, "win32") == []
+    assert smoke.faults_of(found, "linux") == ["window.backend", "versions.sqlite"]
+
+
 def test_a_run_that_was_not_judged_is_found() -> None:
     assert smoke.faults_of({**healthy(), "judged": False}) == ["judged"]
 

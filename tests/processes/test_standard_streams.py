@@ -1,9 +1,12 @@
-"""A process whose standard output carries messages: prints of libraries must not corrupt them."""
+"""The standard streams: messages that prints must not corrupt, and streams that Windows lacks or reads differently."""
 
+import io
 import subprocess
 import sys
 
 import pytest
+
+from pinel_desktop.processes.standard_streams import error_output, use_utf8
 
 CHILD = """
 import os, sys
@@ -31,3 +34,21 @@ def test_only_messages_reach_the_parent(has_error_stream: bool) -> None:
     assert printed == (
         ["a library complains", "a library prints", "a program prints"] if has_error_stream else []
     )
+
+
+def test_a_child_of_a_program_without_error_stream_gets_the_null_device(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert error_output() is None
+    monkeypatch.setattr(sys, "stderr", None)
+    assert error_output() == subprocess.DEVNULL
+
+
+def test_pipes_carry_utf8_whatever_the_encoding_of_the_pc(monkeypatch: pytest.MonkeyPatch) -> None:
+    printed = io.BytesIO()
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO("avançar".encode()), "cp1252"))
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(printed, "cp1252", write_through=True))
+    monkeypatch.setattr(sys, "stderr", None)
+    use_utf8()
+    print(sys.stdin.read(), "→ 1 m", end="")
+    assert printed.getvalue().decode() == "avançar → 1 m"

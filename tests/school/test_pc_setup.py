@@ -228,6 +228,12 @@ def file_of_pc(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return file
 
 
+def test_each_system_has_one_place_for_the_file() -> None:
+    file = first_start.setup_file_path("win32", "/programs/PINEL/pinel-desktop.exe")
+    assert file == Path("/programs/PINEL/setup/pinel.toml")
+    assert first_start.setup_file_path("linux") == Path("/etc/pinel/pinel.toml")
+
+
 def test_the_first_start_of_an_account_is_set_up_and_no_later_one(
     file_of_pc: Path, tmp_path: Path
 ) -> None:

@@ -1,11 +1,22 @@
 """The first start in an account: sets up the new database by the PC's set-up file."""
 
+import sys
 from pathlib import Path
 
 from pinel_desktop.database_locations import is_location_missing
 
-# instalar.sh copies the file of the stick here
-SETUP_FILE = Path("/etc/pinel/pinel.toml")
+
+def setup_file_path(platform: str = sys.platform, program: str = sys.executable) -> Path:
+    """Returns where an installer puts the set-up file.
+
+    On Windows it is beside the program. Into a folder of %ProgramData% every account could put one.
+    """
+    if platform == "win32":
+        return Path(program).parent / "setup" / "pinel.toml"
+    return Path("/etc/pinel/pinel.toml")
+
+
+SETUP_FILE = setup_file_path()
 
 
 def set_up_if_new(database: Path) -> None:

@@ -19,6 +19,7 @@ from pinel_desktop.links.real import RealLink, real_link
 from pinel_desktop.links.ros2.installed import node_command
 from pinel_desktop.links.ros_sensors import LidarScan, RosSensors
 from pinel_desktop.links.transport import Cancelled, Odometry, Receiver
+from pinel_desktop.processes.standard_streams import error_output
 from pinel_desktop.robot import RobotModel, Sensors, SimulationConfig, Twist2D
 from pinel_desktop.robot.robot_profile import RobotProfile, Ros2Profile
 
@@ -100,6 +101,7 @@ class Ros2Transport:
                 command,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
+                stderr=error_output(),
                 text=True,
                 encoding="utf-8",
                 # A signal to the terminal's process group must reach only PINEL, which ends the
