@@ -10,7 +10,7 @@ export function NoticesScreen() {
   const { help, titles } = texts.value;
   const text = useLoaded("notices", () => noticesApi.text());
   return (
-    <main class="screen">
+    <main class="screen notices-screen column gap-4">
       <div class="row middle gap-4">
         <Button icon={ArrowLeft} testId="notices-back" onPress={() => history.back()}>
           {help.notices.back}
