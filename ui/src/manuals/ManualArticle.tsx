@@ -15,9 +15,10 @@ interface ManualArticleProps {
 export function ManualArticle({ manual, section }: ManualArticleProps) {
   const article = useRef<HTMLElement>(null);
   const show = (id: string) => {
-    const heading = article.current?.querySelector<HTMLElement>(`[id="${id}"]`);
-    heading?.scrollIntoView?.(); // jsdom has none
-    heading?.focus({ preventScroll: true });
+    const heading = document.getElementById(id);
+    if (!heading || !article.current?.contains(heading)) return;
+    heading.scrollIntoView?.(); // jsdom has none
+    heading.focus({ preventScroll: true });
   };
   useLayoutEffect(() => show(section ?? ""), [section]);
   return (

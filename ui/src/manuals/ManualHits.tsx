@@ -1,10 +1,11 @@
 import { hashOf } from "../shell/route";
+import { manualLanguage } from "./library";
 import type { ManualHit } from "./search";
 
 /** Sections of the manuals that were found, as links. */
 export function ManualHits({ hits }: { hits: readonly ManualHit[] }) {
   return (
-    <ul class="manual-hits">
+    <ul class="manual-hits" lang={manualLanguage()}>
       {hits.map(({ manual, section, excerpt }) => (
         <li key={`${manual.name} ${section.id}`}>
           <a

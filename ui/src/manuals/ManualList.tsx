@@ -17,7 +17,7 @@ export function ManualList({ manuals }: { manuals: readonly Manual[] }) {
         <h1>{titles.manuals}</h1>
         <SearchField query={query} label={help.manuals.search} testId="manuals-search" />
       </div>
-      <div class="column gap-3" lang={manualLanguage()}>
+      <div class="column gap-3">
         {query.value.trim() ? (
           <Results manuals={manuals} query={query.value} />
         ) : (
@@ -39,6 +39,7 @@ function ManualLink({ manual }: { manual: Manual }) {
   return (
     <a
       class="manuals__one card column gap-1"
+      lang={manualLanguage()}
       href={hashOf({ screen: "manuals", manual: manual.name, section: null })}
       data-testid="manual-link"
       data-manual={manual.name}

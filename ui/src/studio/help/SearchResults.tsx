@@ -1,7 +1,7 @@
 import { matchesAll, tokenize } from "../../blocks/toolbox/search";
 import { texts } from "../../i18n";
 import { valueIn } from "../../kit/requests/load_state";
-import { manualLanguage, useManuals } from "../../manuals/library";
+import { useManuals } from "../../manuals/library";
 import { ManualHits } from "../../manuals/ManualHits";
 import { searchManuals } from "../../manuals/search";
 import { BlockList } from "./BlockList";
@@ -42,7 +42,7 @@ export function SearchResults({ query }: { query: string }) {
       <ExampleList examples={shown} />
       {hasKeys && <KeyList query={query} />}
       {hits.length > 0 && (
-        <section lang={manualLanguage()}>
+        <section>
           <h2>{texts.value.titles.manuals}</h2>
           <ManualHits hits={hits} />
         </section>
