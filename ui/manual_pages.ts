@@ -8,7 +8,15 @@ import {
 } from "./src/manuals/model.ts";
 
 /** The pages of docs/ that the page shows, in the order of its list. The others are for developers. */
-export const NAMES = ["teacher", "lesson", "robots", "install", "kiosk", "keeping", "trust"] as const;
+export const NAMES = [
+  "teacher",
+  "lesson",
+  "robots",
+  "install",
+  "kiosk",
+  "keeping",
+  "trust",
+] as const;
 
 /**
  * A manual from its text in Markdown. HTML in it is text like any other. Throws at a construct that the page does not

@@ -11,7 +11,6 @@ from pinel_desktop.school.teacher import TeacherSessions
 from storage import open_store
 from storage.exchange.backup_share import SHARED_FOLDER
 from tests.e2e.axe import violations
-from tests.e2e.conftest import SCREEN
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
@@ -44,7 +43,9 @@ def pc(tmp_path: Path) -> Iterator[KioskPc]:
 
 @pytest.fixture
 def studio(browser: Browser, watch: Watch, pc: KioskPc) -> Iterator[Studio]:
-    context = browser.new_context(viewport=SCREEN, locale="pt-BR", reduced_motion="reduce")
+    context = browser.new_context(
+        viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
+    )
     watch.over(context)
     studio = Studio(context.new_page())
     studio.page.goto(pc.app.address())

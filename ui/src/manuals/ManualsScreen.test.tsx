@@ -22,7 +22,7 @@ describe("the list of the manuals", () => {
   test("names each manual and its sections", async () => {
     const { container } = await open();
     const titles = screen.getAllByTestId("manual-link").map((one) => one.textContent);
-    expect(titles).toHaveLength(6);
+    expect(titles).toHaveLength(NAMES.length);
     expect(titles[3]).toContain("Instalar nos computadores da escola");
     expect(titles[3]).toContain("Conferir um computador");
     await passesAxe(container);
@@ -92,7 +92,7 @@ describe("a manual", () => {
 
   test("one that does not exist shows the list", async () => {
     await open("xyzzy");
-    expect(screen.getAllByTestId("manual-link")).toHaveLength(6);
+    expect(screen.getAllByTestId("manual-link")).toHaveLength(NAMES.length);
   });
 });
 
