@@ -25,6 +25,7 @@ _HOME = Path("/home/aluna")
 _DATA = _HOME / ".local" / "share" / "pinel"
 _STICK = Path("/media/aluna/PEN DRIVE/PINEL 1º ano")
 _PROGRAM = "/usr/bin/pinel"
+_AUTOSTART = Path("/etc/xdg/autostart/pinel-desktop.desktop")
 _SIZE = "1366x768x24"
 _TIMEOUT_S = 240
 _PERIOD_S = 0.5
@@ -141,6 +142,15 @@ def shown(program: "subprocess.Popen[str]") -> tuple[int, bytes]:
     return n_colours, data
 
 
+def is_kiosk() -> bool:
+    """Whether the window's process is in kiosk mode, because the set-up file says so."""
+    for file in Path("/proc").glob("[0-9]*/cmdline"):
+        with contextlib.suppress(OSError):  # the process has ended meanwhile
+            if b"kiosk\0--reason\0setting" in file.read_bytes():
+                return True
+    return False
+
+
 def main() -> None:
     system, stick, screenshot = map(Path, sys.argv[1:])
     found: dict[str, object] = {}
@@ -157,11 +167,13 @@ def main() -> None:
             program = run(display)
             found["n_colours"], data = shown(program)
             file.write(data)
+            found["is_kiosk"] = is_kiosk()
+            found["at_login"] = _AUTOSTART.exists()
             # the program is open, as in a lab
             remove = ("apt-get", "-q", "-y", "remove", "pinel-desktop")
             found["remove_status"], found["remove"] = as_root(*remove)
             found["end_status"] = program.poll()
-        found["is_gone"] = not Path("/usr/lib/pinel-desktop").exists()
+        found["is_gone"] = not (Path("/usr/lib/pinel-desktop").exists() or _AUTOSTART.exists())
         found["kept"] = sorted(path.name for path in _DATA.glob("*.db"))
         found["settings"] = (_DATA / "pinel.db.page.json").read_text("utf-8")
     print(json.dumps(found))

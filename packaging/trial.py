@@ -2,9 +2,9 @@
 
     python packaging/trial.py [CODENAME...]    as root; without names all of systems.SYSTEMS
 
-Each system is minimal, with a virtual screen added. In it, in_system.py runs instalar.sh of dist/stick, `pinel doctor`,
-`pinel --self-check` and `pinel`, whose page must be drawn, and removes the package. The picture of that screen is
-written to build/systems/CODENAME.png.
+Each system is minimal, with a virtual screen added. In it, in_system.py runs instalar.sh of dist/stick with a set-up
+file, `pinel doctor`, `pinel --self-check` and `pinel`, which must draw its page in kiosk mode, and removes the package.
+The picture of that screen is written to build/systems/CODENAME.png.
 """
 
 import json
@@ -23,9 +23,18 @@ import smoke
 import stick
 import systems
 
+from pinel_desktop.school.teacher import pin_hash
+
 ROOT = Path(__file__).resolve().parents[1]
 _VIRTUAL_SCREEN = "xvfb"
-_SETUP_FILE = 'language = "es"\nclass = "9º A"\nlevel = 2\n'
+_SETUP_FILE = """
+language = "es"
+class = "9º A"
+level = 2
+kiosk = true
+at_login = true
+pin_hash = "{pin_hash}"
+"""
 _NAMESPACES = ("unshare", "--mount", "--net", "--ipc", "--pid", "--fork", "--kill-child")
 
 
@@ -74,6 +83,8 @@ def faults_of(found: dict[str, Any]) -> list[str]:
         + ["the removal deletes the work of the groups"] * (found["kept"] != ["pinel.db"])
         + [f"doctor: {', '.join(window)}"] * (window != ["doctor_window_ok"])
         + ["the set-up file is not used"] * ('"pinel_language": "es"' not in found["settings"])
+        + ["the window is not in kiosk mode"] * (not found["is_kiosk"])
+        + ["PINEL does not open at login"] * (not found["at_login"])
         + ["the window stays empty"] * (found["n_colours"] < in_system.MIN_COLOURS)
     )
 
@@ -86,7 +97,9 @@ def report(codename: str) -> bool:
     stick.add_packages(codename, system)
     stick.write_checksums()
     # after the checksums, as a technician adds it
-    (stick.FOLDER / "pinel.toml").write_text(_SETUP_FILE, "utf-8")
+    (stick.FOLDER / "pinel.toml").write_text(
+        _SETUP_FILE.format(pin_hash=pin_hash("314159")), "utf-8"
+    )
     systems.run_inside(codename, system, "install", _VIRTUAL_SCREEN)
     size, made_s = _size_of(system), time.monotonic() - started
     found = try_package(system, stick.FOLDER)
