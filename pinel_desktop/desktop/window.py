@@ -109,7 +109,7 @@ class NativeWindow:
             self._window.restore()
             # Window managers may refuse a request for focus, but not a window that is set on top.
             self._window.on_top = True
-            self._window.on_top = False
+            self._window.on_top = self._kiosk is not None
 
     def close(self) -> None:
         """Closes the window, now or as soon as it is open, so that `run` returns."""
