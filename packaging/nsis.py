@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[1]
 SCRIPT = ROOT / "packaging" / "windows" / "pinel.nsi"
 # pinel.nsi deletes these by name, because the folder may hold files of others
 CONTENTS = (
-    "THIRD-PARTY-NOTICES.txt",
+    *contents.PROVENANCE.values(),
     "_internal",
     *(f"{name}.exe" for name in contents.PROGRAMS["win32"]),
 )

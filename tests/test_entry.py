@@ -19,7 +19,7 @@ def test_without_a_command_the_window_opens(
 ) -> None:
     asked: list[str | None] = []
 
-    def open_app(db: str | None) -> int:
+    def open_app(db: str | None, *, kiosk: bool, place: str = "") -> int:
         asked.append(db)
         return 7
 

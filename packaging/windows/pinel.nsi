@@ -151,6 +151,7 @@ Var ChosenFolder
   Delete "${FOLDER}\pinel.exe"
   Delete "${FOLDER}\pinel-desktop.exe"
   Delete "${FOLDER}\THIRD-PARTY-NOTICES.txt"
+  Delete "${FOLDER}\pinel-desktop.cdx.json"
   Delete "${FOLDER}\uninstall.exe"
 !macroend
 

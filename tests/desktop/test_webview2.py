@@ -54,7 +54,7 @@ def view() -> View:
 
 ADDRESSES = {
     OWN: False,
-    "about:blank": False,
+    "about:blank": True,
     "http://127.0.0.1:8401/": True,
     "https://example.org/": True,
     "file:///C:/Windows/win.ini": True,

@@ -18,8 +18,8 @@ def package(tmp_path: Path) -> Path:
     """A folder like dist/pinel-desktop on Windows."""
     folder = tmp_path / "pinel-desktop"
     (folder / "_internal" / "cv2").mkdir(parents=True)
-    files = ("pinel.exe", "pinel-desktop.exe", "THIRD-PARTY-NOTICES.txt", "_internal/cv2/cv2.pyd")
-    for name in files:
+    files = [name for name in nsis.CONTENTS if name != "_internal"]
+    for name in (*files, "_internal/cv2/cv2.pyd"):
         (folder / name).write_text(name, "utf-8")
     return folder
 

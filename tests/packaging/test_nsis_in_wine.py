@@ -54,6 +54,7 @@ INSTALLED = [
     "THIRD-PARTY-NOTICES.txt",
     "_internal/cv2/cv2.pyd",
     "_internal/python.dll",
+    "pinel-desktop.cdx.json",
     "pinel-desktop.exe",
     "pinel.exe",
     "uninstall.exe",

@@ -31,7 +31,8 @@ def write_package(folder: Path, *names: str) -> Path:
     (folder / "_internal").mkdir(parents=True)
     nsis.compile_script(SOURCES / "program.nsi", {"OUTPUT": folder / "pinel.exe"})
     shutil.copy(folder / "pinel.exe", folder / "pinel-desktop.exe")
-    (folder / "THIRD-PARTY-NOTICES.txt").write_text("notices", "utf-8")
+    for name in ("THIRD-PARTY-NOTICES.txt", "pinel-desktop.cdx.json"):
+        (folder / name).write_text(name, "utf-8")
     for name in names:
         file = folder / "_internal" / name
         file.parent.mkdir(parents=True, exist_ok=True)
