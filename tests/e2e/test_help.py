@@ -138,3 +138,14 @@ def test_the_help_is_read_in_every_language_and_theme(studio: Studio) -> None:
             assert cut(studio, shown) == [], (language, tab)
             found = violations(studio, shown, every_theme=language == "en")
             assert found == [], (language, tab)
+
+
+def test_the_help_leads_to_the_works_of_others_and_back(studio: Studio) -> None:
+    studio.enter_new_group(level=None)
+    studio["help"].click()
+    to_tab(studio, "keys")
+    studio["help-notices"].click()
+    expect(studio["notices-missing"]).to_contain_text("make package")
+    assert violations(studio, "notices-missing", every_theme=False) == []
+    studio["notices-back"].click()
+    expect(studio["run"]).to_be_visible()
