@@ -62,7 +62,7 @@ def test_the_help_finds_them_and_the_way_leads_back_to_the_program(studio: Studi
     studio.enter_new_group(level=None)
     program = studio.program_id
     studio["help"].click()
-    studio["help-search"].fill("cópias na pasta")
+    studio["help-search"].fill("copias de seguranca")
     expect(studio["manual-hit"].first).to_contain_text("Cópias de segurança")
     assert violations(studio, "manual-hit", every_theme=False) == []
     studio["manual-hit"].first.click()
@@ -76,6 +76,7 @@ def test_the_teacher_reads_the_lesson_in_pictures_and_follows_a_link(studio: Stu
     studio.enter_new_group(level=None)
     studio["home"].click()
     studio.open_teacher_part(PIN)
+    studio["teacher-link"].click()
     studio["teacher-manuals"].click()
     studio.page.locator("[data-testid=manual-link][data-manual=teacher]").click()
     studio["manual-section"].filter(has_text="em imagens").click()
@@ -91,8 +92,8 @@ def test_the_teacher_reads_the_lesson_in_pictures_and_follows_a_link(studio: Stu
 def test_a_language_without_manuals_says_so_and_offers_two(studio: Studio) -> None:
     studio["manuals-link"].click()
     studio.choose_language("es")
-    line = studio.page.get_by_role("status")
-    expect(line).to_contain_text("Los manuales todavía no existen en este idioma.")
+    line = "Los manuales todavía no existen en este idioma."
+    expect(studio.page.get_by_role("status").filter(has_text=line)).to_be_visible()
     expect(studio["manual-link"].first).to_contain_text("Para professoras e professores")
     studio["manuals-language"].click()
     expect(studio["manual-link"].first).to_contain_text("For teachers")
