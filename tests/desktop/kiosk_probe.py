@@ -98,6 +98,7 @@ _PAGE = (
     )
 )
 _PAUSE_S = 0.7
+_SETTLE_S = 5.0
 _HEIGHT_PX = 32
 
 
@@ -151,11 +152,20 @@ class Probe:
         """Records an attempt that has opened a window, closed or hidden PINEL's, or left the page."""
         time.sleep(_PAUSE_S)
         self.found["tried"] += 1
-        windows, active = self._windows(), self._xdotool("getactivewindow", "getwindowname").strip()
-        if windows != before or active != TITLE or not self._is_page():
-            self.found["escaped"].append([attempt, windows, active])
+        # on a busy PC the window may be active again a moment later
+        deadline_s = time.monotonic() + _SETTLE_S
+        while not (is_locked := self._is_locked(before)) and time.monotonic() < deadline_s:
+            time.sleep(0.1)
+        if not is_locked:
+            self.found["escaped"].append([attempt, self._windows(), self._active_title()])
             self._xdotool("key", "Escape")
             time.sleep(_PAUSE_S)
+
+    def _is_locked(self, before: list[str]) -> bool:
+        return self._windows() == before and self._active_title() == TITLE and self._is_page()
+
+    def _active_title(self) -> str:
+        return self._xdotool("getactivewindow", "getwindowname").strip()
 
     def _is_page(self) -> bool:
         address = str(self.window.run_script("location.href"))
