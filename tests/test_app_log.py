@@ -73,7 +73,7 @@ def test_the_logs_tell_of_a_lost_engine_and_hold_no_work(tmp_path: Path) -> None
     assert not any(secret in logs(database) for secret in SECRETS)
 
 
-def test_the_window_has_a_log_that_tells_of_a_lost_app(tmp_path: Path) -> None:
+def test_the_log_of_the_window_names_a_lost_app(tmp_path: Path) -> None:
     """On a PC without a screen the address is printed, and the process is the same."""
     database = tmp_path / "pinel.db"
     screen = ("DISPLAY", "WAYLAND_DISPLAY")

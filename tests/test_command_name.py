@@ -36,7 +36,7 @@ def test_where_the_package_is_installed_the_command_is_its_name(
     assert command_name() == "pinel"
 
 
-def test_in_the_portable_version_it_is_a_path_that_a_terminal_understands(packaged: Path) -> None:
+def test_the_command_of_the_portable_version_is_a_quoted_path(packaged: Path) -> None:
     assert "PINEL/programa/pinel" in command_name()
     answer = subprocess.run(command_name(), shell=True, capture_output=True, text=True, check=True)
     assert answer.stdout == "it works\n"

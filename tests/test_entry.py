@@ -91,7 +91,9 @@ def windows(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return shown
 
 
-def test_windows_tells_the_language(windows: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_language_is_that_of_windows(
+    windows: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     assert language_of_system() == "es"
     monkeypatch.setenv("PINEL_LANG", "fr")
     assert language_of_system() == "fr"

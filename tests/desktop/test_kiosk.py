@@ -95,7 +95,7 @@ class Kiosk:
             return None
 
     def wait_until_open(self) -> None:
-        """Waits until the window is drawn: its watchdog knows the place of the page."""
+        """Waits until the process of the page runs and the app answers."""
         wait_for(lambda: self.process("WebKitWebProcess"), "the page's process")
         self.page()
 

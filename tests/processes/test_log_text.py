@@ -60,7 +60,7 @@ def test_what_a_person_may_have_written_is_left_out(value: object) -> None:
     assert "01JDMK" not in written
 
 
-def test_an_error_is_told_by_its_code_or_the_systems_words() -> None:
+def test_an_error_is_logged_by_its_code_or_the_message_of_the_system() -> None:
     assert described(PinelError("disk_full", path=SECRET)) == "PinelError: disk_full"
     assert described(OSError(28, "No space left on device", SECRET)) == (
         "OSError: 28 No space left on device"

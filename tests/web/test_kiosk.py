@@ -9,6 +9,7 @@ from urllib.parse import quote
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.web import page
 from pinel_desktop.web.services import WindowRequest
 from tests.web.browser import ApiResponse, Browser
 
@@ -79,10 +80,19 @@ def test_the_switch_opens_the_window_again_in_the_other_mode(
     assert window.asked == ["restart"]
 
 
-def test_the_page_knows_the_mode(pupil: Browser, tmp_path: Path, start_app: Any) -> None:
+def test_the_page_knows_the_mode(
+    pupil: Browser, tmp_path: Path, start_app: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    static = tmp_path / "static"
+    static.mkdir()
+    for name in ("index.html", "index.en.html"):
+        (static / name).write_text("<html lang='en'></html>", "utf-8")
+    monkeypatch.setattr(page, "STATIC", static)
     assert 'data-kiosk="1"' in pupil.get("/").text
     ordinary = start_app(tmp_path / "other.db", window=RecordedWindow())
-    assert "data-kiosk" not in Browser.signed_in(ordinary.address).get("/").text
+    answer = Browser.signed_in(ordinary.address).get("/")
+    assert answer.status == 200
+    assert "data-kiosk" not in answer.text
 
 
 def test_what_the_system_decides_is_not_changed_by_the_switch(
@@ -165,7 +175,7 @@ def test_only_plain_names_of_known_types_are_written(
     assert list(stick.iterdir()) == []
 
 
-def test_nothing_is_written_elsewhere(pupil: Browser, stick: Path, tmp_path: Path) -> None:
+def test_a_folder_that_is_no_drive_is_refused(pupil: Browser, stick: Path, tmp_path: Path) -> None:
     assert save(pupil, tmp_path, "a.json").error["code"] == "folder_missing"
     assert not (tmp_path / "a.json").exists()
 
