@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -22,17 +22,26 @@ from pinel_desktop.links.real import RealLink
 from pinel_desktop.links.ros2 import installed, transport
 from pinel_desktop.robot import PIONEER_3DX, RobotLink, Twist2D
 from pinel_desktop.robot.robot_profile import RobotProfile, Room, Ros2Profile
+from tests.links.dds_domains import own_domain
 from tests.links.real_link_contract import Peer, RealLinkContract
 from tests.links.socket_robot import SocketRobot, use_fake_ros
 
 pytestmark = pytest.mark.waits
 
 
+_until_the_process_ends = contextlib.ExitStack()
+
+
+@cache
+def domain() -> int:
+    """A domain of this process alone: a PC lets only one run at a time drive a robot of the same address."""
+    return _until_the_process_ends.enter_context(own_domain())
+
+
 def a_profile() -> Ros2Profile:
     """A robot of its own: other tests drive theirs at the same time."""
-    domain = os.getpid() % 233
     return Ros2Profile(
-        domain=domain,
+        domain=domain(),
         max_v_mps=1.2,
         max_omega_dps=300.0,
         room=Room(width_m=20.0, depth_m=20.0),

@@ -1,7 +1,6 @@
 """Five PCs and one Pioneer: PCs that begin at the same moment never drive it together."""
 
 import contextlib
-import os
 import platform
 from pathlib import Path
 
@@ -37,13 +36,9 @@ def test_over_dds(head_start_s: float, tmp_path: Path) -> None:
 
 @head_starts
 def test_over_an_installed_ros(head_start_s: float, tmp_path: Path) -> None:
-    robot = SocketRobot()
-    try:
+    with own_domain() as domain, contextlib.closing(SocketRobot()) as robot:
         environment = {"ROS_VERSION": "2", **fake_environment(robot)}
-        setting = f"domain={os.getpid() % 233}"
-        options = ["--robot", "ros2", "--robot-setting", setting]
+        options = ["--robot", "ros2", "--robot-setting", f"domain={domain}"]
         results = race(tmp_path, options, robot.received, head_start_s, **environment)
-    finally:
-        robot.close()
     print(head_start_s, [(result["state"], result["reason"]) for result in results])
     require_one_driver(results, robot.received, "pinel_")
