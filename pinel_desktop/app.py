@@ -24,6 +24,7 @@ from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.messages.content import titled
 from pinel_desktop.school.confirming import Confirmer
+from pinel_desktop.school.detectors import Detectors
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
 from pinel_desktop.school.robot_profiles import RobotProfiles
@@ -65,6 +66,7 @@ class App:
             with two cores, loading them at once would delay the first drawing of the page.
         window: the app's window; None without one.
         camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
+        recognizer: name of a recognizer of signs instead of the chosen one, as for `recognizer.open_recognizer`.
         bridge: where the HTTP interface of the original PINEL is served, and which robot its calls drive; None
             serves no such interface.
     """
@@ -82,6 +84,7 @@ class App:
         read: ReadDocument | None = None,
         worlds: Sequence[dict[str, Any]] | None = None,
         camera: str | None = None,
+        recognizer: str | None = None,
         bridge: "BridgeChoice | None" = None,
     ) -> None:
         self._database = database
@@ -93,7 +96,7 @@ class App:
         self._make_engine = make_engine
         self._read = read or _read_document
         self._worlds = [titled(world) for world in list_worlds()] if worlds is None else worlds
-        self._camera_source = camera
+        self._camera_source, self._recognizer = camera, recognizer
         self._bridge = bridge
         self._legacy: LegacyApi | None = None
         self._closing = contextlib.ExitStack()
@@ -201,10 +204,14 @@ class App:
             self._hub.publish,
             self._publish_camera,
             self._answer_capture,
+            on_recognizer=lambda state: self._signs.refresh(),
         )
         undo.callback(self._camera.close)
         self._signs = SignTeaching(
             self._store, self._camera, self._hub.publish, lambda: self._settings.language
+        )
+        self._detectors = Detectors(
+            self._database.with_name("detectors"), self._settings, self._camera, self._recognizer
         )
         services = self._services()
         server.open(create_app(services))
@@ -252,6 +259,7 @@ class App:
             store=self._store,
             engine=self._engine,
             camera=self._camera,
+            detectors=self._detectors,
             signs=self._signs,
             hub=self._hub,
             guard=self._guard,

@@ -18,7 +18,7 @@ from pinel_desktop.messages import LANGUAGES, language_of_system
 from pinel_desktop.paths import read_regular
 
 LANGUAGE, CAMERA, THEME = "pinel_language", "pinel_camera", "pinel_theme"
-KIOSK = "pinel_kiosk"
+KIOSK, RECOGNIZER = "pinel_kiosk", "pinel_recognizer"
 TEXT, MAX_TEXT = "^[A-Za-z0-9_-]*$", 4000
 
 
@@ -56,6 +56,9 @@ SETTINGS: Mapping[str, Setting] = {
     ),
     THEME: Setting("colours of the page", ("light", "dark", "contrast")),
     KIOSK: Setting('"1" opens the window in kiosk mode', ("1",), of_page=False),
+    RECOGNIZER: Setting(
+        "name of the detector that reads signs; landmarks without one", of_page=False
+    ),
     "pinel_class": Setting("the class last chosen"),
     "pinel_levels": Setting("level of the blocks that each group chose"),
     "pinel_mission_levels": Setting("level of the blocks chosen for each mission"),

@@ -1,8 +1,10 @@
-"""The address of a frame source: the number of a webcam, or a path. Checks it without importing OpenCV."""
+"""Addresses of frame sources (a webcam's number, or a path) and names of recognizers, checked without OpenCV."""
 
 from pathlib import Path
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.letters import LANDMARKS, YOLO
+from pinel_desktop.gestures.yolo.address import check_file
 
 PICTURE_ENDINGS = (".bmp", ".jpeg", ".jpg", ".png", ".webp")
 _MAX_DIGITS = 3
@@ -51,3 +53,16 @@ def check_address(source: str) -> None:
         path = path_of(source)
         if path.is_dir():
             pictures_of(path)
+
+
+def check_recognizer(name: str) -> None:
+    """Checks the name of a recognizer as far as possible without opening it: `landmarks`, or `yolo:FILE`.
+
+    Raises PinelError `recognizer_unknown`, or as `yolo.address.check_file`.
+    """
+    kind, _, file = name.partition(":")
+    if name == LANDMARKS:
+        return
+    if kind != YOLO or not file:
+        raise PinelError("recognizer_unknown", name=name)
+    check_file(Path(file))

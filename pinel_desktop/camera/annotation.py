@@ -21,7 +21,7 @@ def annotated(picture: Picture, hands: Sequence[Mapping[str, Any]], caption: str
     A recognised sign has a green box; a rejected prediction has an orange box and a question mark.
 
     Args:
-        hands: as in the event `camera_sight`: landmarks as fractions of the picture's width and height.
+        hands: as in the event `camera_sight`: boxes as fractions of the picture's width and height.
     """
     drawn = np.ascontiguousarray(picture)
     if drawn is picture:
@@ -45,10 +45,10 @@ def _write(picture: Picture, caption: str) -> None:
 
 def _draw(picture: Picture, hand: Mapping[str, Any]) -> None:
     height, width = picture.shape[:2]
-    points = np.array(hand["points"], np.float32) * (width, height)
-    margin = _MARGIN * height
-    left, top = (int(value) for value in points.min(axis=0) - margin)
-    right, bottom = (int(value) for value in points.max(axis=0) + margin)
+    margin = _MARGIN * height if hand["points"] else 0.0  # landmarks lie inside the hand
+    corners = np.array(hand["box"], np.float32) * (width, height, width, height)
+    left, top = (int(value) for value in corners[:2] - margin)
+    right, bottom = (int(value) for value in corners[2:] + margin)
     color = _SURE if hand["sure"] else _UNSURE
     cv2.rectangle(picture, (left, top), (right, bottom), color, _THICKNESS)
     label = _ascii(f"{hand['best']} {hand['confidence']:.0%}{'' if hand['sure'] else ' ?'}")

@@ -16,6 +16,7 @@ from pinel_desktop.camera.sample_recording import SampleRecording
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import CameraSight
 from pinel_desktop.execution.inputs import Capture
+from pinel_desktop.gestures.letters import LANDMARKS
 from pinel_desktop.processes import own_command
 from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.processes.messages import Message
@@ -44,6 +45,28 @@ class CameraState:
     problem: PinelError | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class RecognizerState:
+    """The recognizer that was asked for.
+
+    Attributes:
+        name: as for `gestures.recognizer.open_recognizer`.
+        is_loaded: whether the camera process has loaded it, or has found that it cannot.
+        problem: why it cannot be used, so that the landmarks are used in its place; None if it can.
+        signs: names of the signs that the recognizer in use can recognize; None if the process has not said them.
+    """
+
+    name: str = LANDMARKS
+    is_loaded: bool = False
+    problem: PinelError | None = None
+    signs: tuple[str, ...] | None = None
+
+    @property
+    def in_use(self) -> str:
+        """Name of the recognizer in use."""
+        return LANDMARKS if self.problem else self.name
+
+
 class CameraClient:
     """Client of the camera process; thread-safe. `start` starts the process, `switch_on` the camera itself.
 
@@ -56,6 +79,7 @@ class CameraClient:
         command: command line that starts the process.
         idle_off_s: idle timeout after the last use of the camera, in s.
         timeouts: after these timeouts a hung process is replaced.
+        on_recognizer: called when a recognizer was loaded or cannot be used.
     """
 
     def __init__(
@@ -67,9 +91,11 @@ class CameraClient:
         command: Sequence[str] | None = None,
         idle_off_s: float = IDLE_OFF_S,
         timeouts: HangTimeouts = _TIMEOUTS,
+        on_recognizer: Callable[[RecognizerState], None] = lambda state: None,
     ) -> None:
         self._source, self._idle_off_s = source, idle_off_s
         self._publish, self._on_change, self._answer = publish, on_change, answer
+        self._on_recognizer = on_recognizer
         self._process = Supervisor(
             "camera",
             command or own_command("camera"),
@@ -81,6 +107,8 @@ class CameraClient:
             timeouts=timeouts,
         )
         self._lock = threading.RLock()
+        self._has_recognizer = threading.Condition(self._lock)
+        self._recognizer = RecognizerState(is_loaded=True)
         self._desired = DesiredState()
         self._state = CameraState("off")
         self._used_s = 0.0
@@ -104,6 +132,25 @@ class CameraClient:
     def pid(self) -> int | None:
         """Id of the process; None before its start."""
         return self._process.pid
+
+    @property
+    def recognizer(self) -> RecognizerState:
+        """The recognizer that was asked for."""
+        return self._recognizer
+
+    def set_recognizer(self, name: str) -> None:
+        """Replaces the recognizer; a running process loads it meanwhile, else the next one does."""
+        with self._lock:
+            if name != self._desired.recognizer:
+                self._recognizer = RecognizerState(name, is_loaded=name == LANDMARKS)
+                self._update_desired(recognizer=name)
+
+    def wait_for_recognizer(self, timeout_s: float) -> RecognizerState:
+        """Starts the process, and waits until it has loaded the recognizer, or has found that it cannot."""
+        self.start()
+        with self._lock:
+            self._has_recognizer.wait_for(lambda: self._recognizer.is_loaded, timeout_s)
+            return self._recognizer
 
     def start(self) -> None:
         """Starts the process, so that its networks are loaded before the first capture; the camera stays off."""
@@ -279,6 +326,8 @@ class CameraClient:
             case "sight":
                 values = {field.name: message[field.name] for field in fields(CameraSight)}
                 self._publish(CameraSight(**values).to_wire())
+            case "recognizer":
+                self._recognizer_loaded(message)
             case "recognised":
                 self._recognised(message)
             case "sample":
@@ -297,6 +346,16 @@ class CameraClient:
         capture = Capture(message["label"], message["by"], message["confidence"], message["second"])
         with contextlib.suppress(PinelError):  # the run has ended meanwhile
             self._answer(run, capture)
+
+    def _recognizer_loaded(self, message: Message) -> None:
+        code, signs = message["code"], tuple(message["signs"])
+        problem = PinelError(code, **message["params"]) if code else None
+        with self._lock:
+            if message["name"] != self._desired.recognizer:
+                return  # another one was chosen while the message was in transit
+            self._recognizer = RecognizerState(message["name"], True, problem, signs)
+            self._has_recognizer.notify_all()
+        self._on_recognizer(self._recognizer)
 
     def _sampled(self, message: Message) -> None:
         with self._lock:

@@ -3,6 +3,7 @@
 from dataclasses import asdict, dataclass, fields
 from typing import Any
 
+from pinel_desktop.gestures.letters import LANDMARKS
 from pinel_desktop.processes.messages import Message
 
 
@@ -19,6 +20,7 @@ class DesiredState:
         caption: a line of text in the annotated preview.
         record: id of the sample recording in progress; None if there is none.
         record_moving: whether this recording waits for movements, not for hands at rest.
+        recognizer: name of the recognizer of signs, as for `gestures.recognizer.open_recognizer`.
     """
 
     source: str | None = None
@@ -29,6 +31,7 @@ class DesiredState:
     caption: str = ""
     record: str | None = None
     record_moving: bool = False
+    recognizer: str = LANDMARKS
 
     def as_message(self) -> Message:
         return {"type": "desired_state", **asdict(self)}

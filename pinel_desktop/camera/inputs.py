@@ -4,7 +4,7 @@ import threading
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from pinel_desktop.camera.address import check_address
+from pinel_desktop.camera.address import check_address, check_recognizer
 from pinel_desktop.camera.client import CameraClient, CameraState
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.event_sequencer import EventSequencer
@@ -20,6 +20,22 @@ WRONG_SOURCE = (
     "camera_source_unreadable",
     "camera_folder_empty",
 )
+# These prevent the run: other signs, or none, would be read than the person asked for.
+WRONG_RECOGNIZER = (
+    "recognizer_unknown",
+    "recognizer_slow",
+    "detector_extra_missing",
+    "detector_missing",
+    "detector_names_missing",
+    "detector_not_alone",
+    "detector_output_invalid",
+    "detector_pickle_refused",
+    "detector_shape_wrong",
+    "detector_task_wrong",
+    "detector_too_large",
+    "detector_type_wrong",
+    "detector_unreadable",
+)
 _OF_INTEREST = (CaptureStarted, GestureResult, RunState, RunEnded)
 
 
@@ -28,6 +44,7 @@ class CameraInputs:
 
     Args:
         source: address of the camera, as for `frames.open_reader`.
+        recognizer: name of the recognizer of signs, as for `gestures.recognizer.open_recognizer`.
         answers: answers to questions, in order.
         on_change: called with each new state of the camera.
     """
@@ -35,12 +52,17 @@ class CameraInputs:
     is_live = True
 
     def __init__(
-        self, source: str, answers: Iterable[str], on_change: Callable[[CameraState], None]
+        self,
+        source: str,
+        recognizer: str,
+        answers: Iterable[str],
+        on_change: Callable[[CameraState], None],
     ) -> None:
         self.gestures = PersonInput[Capture]()
         self.answers = ScriptedInputs(answers=answers).answers
         self._source, self._on_change = source, on_change
         self._camera = CameraClient(source, lambda event: None, self._change, self._answer)
+        self._camera.set_recognizer(recognizer)
         self._is_tried = threading.Event()
 
     def attach(self, control: object) -> Callable[[int, Event], None]:
@@ -57,9 +79,10 @@ class CameraInputs:
         """Waits until signs can be recognised.
 
         Raises:
-            PinelError: one of `WRONG_SOURCE`, before the robot moves.
+            PinelError: one of `WRONG_SOURCE`, or why the recognizer cannot be used, before the robot moves.
         """
         check_address(self._source)
+        check_recognizer(self._camera.recognizer.name)
         try:
             self._open()
         except BaseException:
@@ -73,6 +96,11 @@ class CameraInputs:
     def _open(self) -> None:
         self._camera.start()
         self._camera.wait_until_ready(_READY_S)
+        recognizer = self._camera.wait_for_recognizer(_READY_S)
+        if recognizer.problem:
+            raise recognizer.problem
+        if not recognizer.is_loaded:
+            raise PinelError("recognizer_slow", name=recognizer.name)
         self._camera.switch_on()
         self._is_tried.wait(_OPEN_S)
         problem = self._as_typed(self._camera.state).problem

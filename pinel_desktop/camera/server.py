@@ -11,13 +11,16 @@ from dataclasses import replace
 from typing import Any, BinaryIO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pinel_desktop.camera.annotation import annotated
 from pinel_desktop.camera.desired_state import DesiredState
 from pinel_desktop.camera.frame_analyzer import DetectedSign, FrameAnalyzer
+from pinel_desktop.camera.recognizer_loading import RecognizerLoader
 from pinel_desktop.camera.sign_training import MovementCollector, SampleCollector, SignTrainer
 from pinel_desktop.camera.source import CameraSource, StampedFrame
 from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
 from pinel_desktop.gestures.sign_spotter import SignSpotter
@@ -26,6 +29,7 @@ from pinel_desktop.processes.log_file import close_log
 from pinel_desktop.processes.messages import PING, PONG, Message, read_messages, write_message
 
 _END: Message = {"type": "end"}
+_LOADED: Message = {"type": "recognizer_loaded"}  # from a thread of this process
 _log = logging.getLogger(__name__)
 _ANALYSIS_HZ = 15.0
 _PUBLISH_HZ = 10.0
@@ -75,11 +79,14 @@ class CameraServer:
         except PinelError as error:
             self._refuse(error)
             return
-        session = _Session(analyzer, self._send, self._open_source)
+        loader = RecognizerLoader(lambda: self._orders.put(_LOADED))
+        session = _Session(analyzer, loader, self._send, self._open_source)
         self._send({"type": "camera_ready"})
         while (order := self._next_order(session)) is not _END:
             if order == PING:
                 self._send(PONG)
+            elif order is _LOADED:
+                session.use_loaded()
             elif order:
                 _handle(session, order)
             else:
@@ -113,15 +120,18 @@ class _Session:
     def __init__(
         self,
         analyzer: FrameAnalyzer,
+        loader: RecognizerLoader,
         send: Callable[[Message], None],
         open_source: Callable[[str], CameraSource],
     ) -> None:
         self._analyzer, self._send, self._open_source = analyzer, send, open_source
+        self._loader = loader
         self._source: CameraSource | None = None
         self._desired = DesiredState()
         self._spotter = SignSpotter()
         self._trainer = SignTrainer(analyzer.classifier)
         self._sample_collector, self._movement_collector = SampleCollector(), MovementCollector()
+        self._moving: MovingSignClassifier | None = None
         self._moved: Decision | None = None
         self._moved_s = float("-inf")
         self._last_frame_s = self._last_publish_s = 0.0
@@ -142,12 +152,26 @@ class _Session:
         """Applies a new desired state."""
         if desired.source != self._desired.source:
             self._change_source(desired.source)
+        if desired.recognizer != self._desired.recognizer:
+            self._loader.load(desired.recognizer)
         if desired.capture != self._desired.capture:
             self._spotter.reset()
         if desired.record != self._desired.record:
             self._sample_collector.reset()
             self._movement_collector.reset()
         self._desired = desired
+
+    def use_loaded(self) -> None:
+        """Reads the next frames with the recognizer that was loaded; with landmarks if it cannot be used."""
+        loaded = self._loader.pop_result()
+        if loaded is None:
+            return
+        self._analyzer.use(loaded.recognizer)
+        self._spotter.set_recognizer(
+            self._analyzer.recognizer.min_confidence,
+            self._moving if self._analyzer.has_landmarks else None,
+        )
+        self._send(loaded.as_message(self._analyzer.recognizer.signs))
 
     def poll_frame(self) -> None:
         """Analyses the next frame, if one arrives within `_IDLE_S`."""
@@ -179,13 +203,16 @@ class _Session:
     def _process_frame(self, frame: StampedFrame) -> None:
         if trained := self._trainer.pop_result():
             self._analyzer.set_classifier(trained.classifier, trained.taught)
-            self._spotter.set_moving_signs(trained.moving)
+            self._moving = trained.moving
+            if self._analyzer.has_landmarks:
+                self._spotter.set_moving_signs(trained.moving)
         hands = self._analyzer.analyze(frame.raw)
         self._record(frame, hands)
         decision = self._spotter.update(*_frame_prediction(frame, hands))
         if decision and decision.is_moving:
             self._moved, self._moved_s = decision, frame.time_s
-        if self._desired.capture and decision and not self._trainer.is_busy:
+        is_learning = self._trainer.is_busy or self._loader.is_busy
+        if self._desired.capture and decision and not is_learning:
             taught = decision.is_moving or any(
                 hand.is_taught for hand in hands if hand.prediction.best == decision.label
             )
@@ -270,22 +297,29 @@ def _frame_prediction(
     prediction = first.prediction
     label = prediction.sign if len({hand.prediction.sign for hand in sure}) == 1 else None
     frame_prediction = FramePrediction(
-        frame.time_s, label, prediction.confidence, prediction.second, first.points
+        frame.time_s, label, prediction.confidence, prediction.second, first.outline
     )
     return frame_prediction, first.handedness == "left"
 
 
 def _as_message(hand: DetectedSign, width: int, height: int, *, mirror: bool) -> dict[str, Any]:
-    """Returns the hand as a message, its landmarks as fractions of the picture's width and height.
+    """Returns the hand as a message, its box and landmarks as fractions of the picture's width and height.
 
     Args:
-        mirror: mirrors the landmarks, as the preview.
+        mirror: mirrors box and landmarks, as the preview.
     """
-    points = hand.points / np.array([width, height], np.float32)
-    if mirror:
-        points[:, 0] = 1.0 - points[:, 0]
+
+    def fractions(points: NDArray[np.float32]) -> list[list[float]]:
+        scaled = points / np.array([width, height], np.float32)
+        if mirror:
+            scaled[:, 0] = 1.0 - scaled[:, 0]
+        return [[round(float(x), 3), round(float(y), 3)] for x, y in scaled]
+
+    left, top, right, bottom = hand.box
+    (one_x, low), (other_x, high) = fractions(np.array([[left, top], [right, bottom]], np.float32))
     return {
-        "points": [[round(float(x), 3), round(float(y), 3)] for x, y in points],
+        "box": [min(one_x, other_x), low, max(one_x, other_x), high],
+        "points": fractions(hand.points) if hand.points is not None else [],
         "handedness": hand.handedness,
         "best": hand.prediction.best,
         "confidence": round(hand.prediction.confidence, 3),

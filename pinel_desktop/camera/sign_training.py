@@ -110,7 +110,8 @@ class SampleCollector:
             return None
         if time_s - self._last_sample_s < _SAMPLE_S:
             return None
-        packed = pack(hands[0].features)
+        features = hands[0].features
+        packed = pack(features) if features is not None else None
         self._last_sample_s = time_s if packed else self._last_sample_s
         return packed
 
@@ -127,10 +128,10 @@ class MovementCollector:
 
     def update(self, time_s: float, hands: Sequence[DetectedSign]) -> str | None:
         """Returns the movement that ends with this frame, packed for messages; None if none ends."""
-        if len(hands) != 1:
+        hand = hands[0] if len(hands) == 1 else None
+        if hand is None or hand.points is None:
             self._segmenter.reset() if hands else None
             return None
-        hand = hands[0]
         movement = self._segmenter.update(
             HandObservation(time_s, hand.points, hand.handedness == "left")
         )

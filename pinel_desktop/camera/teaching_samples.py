@@ -9,13 +9,13 @@ from pinel_desktop.camera.sign_training import MovementCollector, SampleCollecto
 from pinel_desktop.camera.source import CameraSource
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.pictures import read_picture
-from pinel_desktop.gestures.recognition import Recogniser
+from pinel_desktop.gestures.recognition import LandmarkRecognizer
 
 _TIMEOUT_S = 15.0  # without a sample
 _FRAME_S = 0.5
 
 
-def sample_of_picture(recogniser: Recogniser, path: Path, aspect: float | None) -> bytes:
+def sample_of_picture(recognizer: LandmarkRecognizer, path: Path, aspect: float | None) -> bytes:
     """Returns the only hand of a picture, encoded as in the store.
 
     Args:
@@ -24,8 +24,9 @@ def sample_of_picture(recogniser: Recogniser, path: Path, aspect: float | None) 
     Raises:
         PinelError: the picture cannot be read; `teach_hand_missing` if it shows no hand, or two.
     """
-    hands = recogniser.read(read_picture(path, aspect))
-    packed = pack(hands[0].features) if len(hands) == 1 else None
+    hands = recognizer.read(read_picture(path, aspect))
+    features = hands[0].features if len(hands) == 1 else None
+    packed = pack(features) if features is not None else None
     if packed is None:
         raise PinelError("teach_hand_missing", file=str(path))
     return base64.b64decode(packed)
@@ -41,7 +42,7 @@ def samples_of_camera(source: str, n_samples: int, *, is_moving: bool) -> list[b
         PinelError: the camera's problem; `sign_recording_stopped` or `movement_recording_stopped` after `_TIMEOUT_S`
             without a sample.
     """
-    analyzer = FrameAnalyzer(Recogniser())
+    analyzer = FrameAnalyzer(LandmarkRecognizer())
     collector = MovementCollector() if is_moving else SampleCollector()
     camera = CameraSource(source)
     samples: list[bytes] = []

@@ -12,14 +12,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pinel_desktop.commands.database import key_of, opened_store
-from pinel_desktop.commands.options import chosen_database, database_option
+from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
 from pinel_desktop.commands.printing import Failure, print_problem
 from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.letters import LANDMARKS
 from pinel_desktop.messages import language_of_system
 from storage.limits import MAX_TAUGHT_SAMPLES
 
 if TYPE_CHECKING:
-    from pinel_desktop.gestures.recognition import Recogniser
+    from pinel_desktop.gestures.recognizer import SignRecognizer
     from pinel_desktop.gestures.training.photo_features import PhotoFeatures
     from pinel_desktop.gestures.training.photos import Photo
     from storage import Store
@@ -63,22 +64,25 @@ def command() -> None:
 @click.option(
     "--aspect", type=_Aspect(), help="Shape of the pictures before they were stretched, e.g. 16:9."
 )
+@recognizer_option
 @click.pass_context
-def classify(ctx: click.Context, images: tuple[Path, ...], aspect: float | None) -> None:
+def classify(
+    ctx: click.Context, images: tuple[Path, ...], aspect: float | None, recognizer: str | None
+) -> None:
     """Classify the letter that a hand shows in each picture; print one JSON object per line.
 
     `letter` is null if the prediction is rejected. `best` is the likeliest letter at any confidence, null without a
     hand. `box` is left, top, right, bottom in pixels of the unstretched picture. `handedness` is right for a picture
-    that is not mirrored. Exit status: 0 all pictures were read, 2 at least one could not be read.
+    that is not mirrored, null from a detector. Exit status: 0 all pictures were read, 2 at least one could not be read.
     """
     with _exit_on_error():
-        from pinel_desktop.gestures.recognition import Recogniser  # noqa: PLC0415 - slow to import
+        from pinel_desktop.gestures.recognizer import open_recognizer  # noqa: PLC0415 - slow to import
 
-        recogniser = Recogniser()
+        opened = open_recognizer(recognizer or LANDMARKS)
     all_read = True
     for image in images:
         try:
-            click.echo(json.dumps(_classified(recogniser, image, aspect), ensure_ascii=False))
+            click.echo(json.dumps(_classified(opened, image, aspect), ensure_ascii=False))
         except PinelError as error:
             print_problem(error, language_of_system())
             all_read = False
@@ -213,12 +217,12 @@ def _samples_of_camera(source: str, *, is_moving: bool) -> list[bytes]:
 def _samples_of_pictures(images: tuple[Path, ...], aspect: float | None) -> list[bytes]:
     """Returns a sample of each usable picture; prints the problems of the others."""
     from pinel_desktop.camera.teaching_samples import sample_of_picture  # noqa: PLC0415 - slow
-    from pinel_desktop.gestures.recognition import Recogniser  # noqa: PLC0415
+    from pinel_desktop.gestures.recognition import LandmarkRecognizer  # noqa: PLC0415
 
-    recogniser, samples = Recogniser(), []
+    recognizer, samples = LandmarkRecognizer(), []
     for image in images[:MAX_TAUGHT_SAMPLES]:
         try:
-            samples.append(sample_of_picture(recogniser, image, aspect))
+            samples.append(sample_of_picture(recognizer, image, aspect))
         except PinelError as error:
             print_problem(error, language_of_system())
     return samples
@@ -254,14 +258,14 @@ def _recorded(found: "list[Photo]", recordings_file: Path | None) -> "PhotoFeatu
         return load_photo_features(found, recordings_file, lambda: progress.update(1))
 
 
-def _classified(recogniser: "Recogniser", image: Path, aspect: float | None) -> dict[str, Any]:
+def _classified(recognizer: "SignRecognizer", image: Path, aspect: float | None) -> dict[str, Any]:
     """Returns one line of `classify`; `ms` is the time for the recognition in ms. Raises PinelError."""
     from pinel_desktop.gestures.pictures import read_picture  # noqa: PLC0415 - slow to import
-    from pinel_desktop.gestures.recognition import clearest  # noqa: PLC0415
+    from pinel_desktop.gestures.recognizer import clearest  # noqa: PLC0415
 
     picture = read_picture(image, aspect)
     started = time.perf_counter()
-    clearest_hand = clearest(recogniser.read(picture))
+    clearest_hand = clearest(recognizer.read(picture))
     ms = round(1000 * (time.perf_counter() - started), 1)
     nothing = dict.fromkeys(("letter", "best", "confidence", "second", "box", "handedness"))
     if clearest_hand is None:
@@ -273,8 +277,8 @@ def _classified(recogniser: "Recogniser", image: Path, aspect: float | None) -> 
         "best": reading.best,
         "confidence": round(reading.confidence, 3),
         "second": reading.second,
-        "box": [round(side) for side in clearest_hand.hand.box],
-        "handedness": clearest_hand.hand.handedness,
+        "box": [round(side) for side in clearest_hand.box],
+        "handedness": clearest_hand.hand.handedness if clearest_hand.hand else None,
         "ms": ms,
     }
 

@@ -12,6 +12,12 @@ def _store_choice(ctx: click.Context, _option: click.Parameter, file: str | None
         ctx.ensure_object(dict)["db"] = file
 
 
+recognizer_option = click.option(
+    "--recognizer",
+    metavar="NAME",
+    help="What reads the signs: landmarks (the default), or yolo:FILE for a detector (.onnx, .pt).",
+)
+
 # accepted before and after the subcommand; the latter takes precedence
 database_option = click.option(
     "--db",

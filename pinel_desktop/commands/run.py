@@ -11,9 +11,9 @@ import click
 
 from pinel_desktop import __version__
 from pinel_desktop.camera.client import CameraState
-from pinel_desktop.camera.inputs import WRONG_SOURCE, CameraInputs
+from pinel_desktop.camera.inputs import WRONG_RECOGNIZER, WRONG_SOURCE, CameraInputs
 from pinel_desktop.commands.database import require_location
-from pinel_desktop.commands.options import chosen_database, database_option
+from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
 from pinel_desktop.commands.printing import metric_lines, print_problem
 from pinel_desktop.commands.program_file import location_of, read_file
 from pinel_desktop.commands.real_robot import (
@@ -31,6 +31,7 @@ from pinel_desktop.events.types import RECORDED, URGENT
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_object
+from pinel_desktop.gestures.letters import LANDMARKS
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import describe, explain, language_of_system
 from pinel_desktop.program.faults import Fault
@@ -58,6 +59,7 @@ _INVALID_REASONS = (
     "bridge_option_unclear",
     "bridge_option_alone",
     *WRONG_SOURCE,
+    *WRONG_RECOGNIZER,
 )
 
 
@@ -121,6 +123,7 @@ _INVALID_REASONS = (
     metavar="SOURCE",
     help="Who answers captures: the number of a webcam (0 is the first), a video file, a folder of pictures.",
 )
+@recognizer_option
 @click.option(
     "--answers",
     metavar="3,Ana,...",
@@ -247,7 +250,8 @@ def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContex
         if state.problem:
             print_problem(state.problem, language, place="pinel")
 
-    return CameraInputs(options["camera"], answers, print_camera_problem)
+    recognizer = options["recognizer"] or LANDMARKS
+    return CameraInputs(options["camera"], recognizer, answers, print_camera_problem)
 
 
 def _spec(

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from pinel_desktop.app import App
-from pinel_desktop.camera.address import check_address
-from pinel_desktop.commands.options import chosen_database, database_option
+from pinel_desktop.camera.address import check_address, check_recognizer
+from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
 from pinel_desktop.commands.printing import Failure, print_problem
 from pinel_desktop.commands.real_robot import chosen_robot
 from pinel_desktop.errors import PinelError
@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     metavar="SOURCE",
     help="Look through this in place of the chosen webcam: its number, a video file, a folder of pictures.",
 )
+@recognizer_option
 @click.option(
     "--bridge",
     metavar="HOST:PORT",
@@ -67,6 +68,7 @@ def command(
     ctx: click.Context,
     port: int,
     camera: str | None,
+    recognizer: str | None,
     bridge: str | None,
     bridge_key: str | None,
     bridge_file_pages: bool,
@@ -75,15 +77,18 @@ def command(
     """Serve the page without a window and print its address.
 
     The address works once and on this PC only; start the command again for a new one. Ctrl+C ends it.
-    Exit status: 0, or 1 if the page or the bridge cannot be served, or the video or folder of --camera is missing.
+    Exit status: 0, or 1 if the page or the bridge cannot be served, or what --camera or --recognizer names is missing.
     """
     try:
         choice = _bridge(bridge, bridge_key, robot, file_pages=bridge_file_pages)
         if camera is not None:
             check_address(camera)
+        if recognizer is not None:
+            check_recognizer(recognizer)
         database = chosen_database(ctx)
         start_log("app", database)
-        _serve(App(database, port=port, camera=camera, bridge=choice), choice)
+        app = App(database, port=port, camera=camera, recognizer=recognizer, bridge=choice)
+        _serve(app, choice)
     except AlreadyRunningError as first:
         print_problem(first)
         click.echo(first.running.fresh_link())

@@ -126,16 +126,19 @@ class DetectedHand(TypedDict):
     """A hand in the camera's frame, with the prediction of its sign.
 
     Attributes:
-        points: 21 landmarks [x, y] as fractions of the preview's width and height, mirrored like the preview.
-        handedness: whether it is the person's left or right hand.
+        box: left, top, right, bottom of the hand as fractions of the preview's width and height, mirrored like the
+            preview.
+        points: 21 landmarks [x, y] in the same frame; empty if the recognizer has none.
+        handedness: whether it is the person's left or right hand; null if the recognizer does not know.
         best: the likeliest sign; "" if the hand shows none.
         confidence: confidence of `best`, 0 to 1.
         second: the second likeliest sign; "" without one.
         sure: whether `best` counts for a capture.
     """
 
+    box: list[float]
     points: list[list[float]]
-    handedness: Literal["left", "right"]
+    handedness: Literal["left", "right"] | None
     best: str
     confidence: float
     second: str

@@ -31,16 +31,12 @@ HAND = NetworkFile("hand.onnx", "1216d7ec34812031e2b8c7ef11a9c1a7927e409284dd09f
 
 
 class Network:
-    """One network, computed on the calling thread alone: spinning worker threads would slow the rest of the program."""
+    """One network, computed on the calling thread alone."""
 
     def __init__(self, file: NetworkFile, folder: Path = FOLDER) -> None:
         """Raises PinelError: `gesture_model_missing`, `gesture_model_damaged`."""
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = 1
-        options.inter_op_num_threads = 1
-        options.add_session_config_entry("session.intra_op.allow_spinning", "0")
         self._session = onnxruntime.InferenceSession(
-            checked(file, folder), options, providers=["CPUExecutionProvider"]
+            checked(file, folder), session_options(), providers=["CPUExecutionProvider"]
         )
         self._input: str = self._session.get_inputs()[0].name
 
@@ -49,6 +45,15 @@ class Network:
         batch = picture[None].astype(np.float32) / 255
         outputs: Sequence[Array] = self._session.run(None, {self._input: batch})
         return [output[0] for output in outputs]
+
+
+def session_options() -> onnxruntime.SessionOptions:
+    """Returns options for a network on the calling thread alone: spinning worker threads would slow other programs."""
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = 1
+    options.inter_op_num_threads = 1
+    options.add_session_config_entry("session.intra_op.allow_spinning", "0")
+    return options
 
 
 def checked(file: NetworkFile, folder: Path = FOLDER) -> bytes:

@@ -1,36 +1,28 @@
-"""Recognises signs in pictures: combines hand detection, features and classifier."""
+"""Recognizes signs from the landmarks of hands: combines hand detection, features and classifier."""
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import (
     DEFAULT_THRESHOLDS,
     RejectThresholds,
     SignClassifier,
-    SignPrediction,
 )
 from pinel_desktop.gestures.features import N_FEATURES, features
 from pinel_desktop.gestures.hands import MIN_PRESENCE, HandDetector, HandTracker, Picture
 from pinel_desktop.gestures.landmarks import SIZE, Hand
 from pinel_desktop.gestures.networks import FOLDER
+from pinel_desktop.gestures.recognizer import RecognizedSign
 from pinel_desktop.gestures.regions import Region
+from pinel_desktop.gestures.stability import MIN_CONFIDENCE
 
 
-@dataclass(frozen=True)
-class RecognisedHand:
-    """A detected hand, its features (1748,), and its predicted sign."""
+class LandmarkRecognizer:
+    """The recognizer of the shipped letters and of the signs that a class teaches."""
 
-    hand: Hand
-    features: NDArray[np.float32]
-    prediction: SignPrediction
-
-
-class Recogniser:
-    """Recognises signs in single pictures, or in a video frame by frame. Not thread-safe."""
+    min_confidence = MIN_CONFIDENCE
 
     def __init__(
         self,
@@ -49,7 +41,12 @@ class Recogniser:
         self._tracker = HandTracker(self._detector)
         self._warm_up()
 
-    def read(self, picture: Picture) -> list[RecognisedHand]:
+    @property
+    def signs(self) -> tuple[str, ...]:
+        """Names of the signs that the classifier knows."""
+        return self.classifier.signs
+
+    def read(self, picture: Picture) -> list[RecognizedSign]:
         """Returns the hands of one unstretched RGB picture (height, width, 3), at most two, the best first."""
         return [
             self._recognised(hand)
@@ -57,7 +54,7 @@ class Recogniser:
             if hand.presence > MIN_PRESENCE
         ]
 
-    def track(self, picture: Picture) -> list[RecognisedHand]:
+    def track(self, picture: Picture) -> list[RecognizedSign]:
         """Returns the hands of the next frame of a video; detects new hands only if none is tracked."""
         return [self._recognised(hand) for hand in self._tracker.update(picture)]
 
@@ -71,15 +68,7 @@ class Recogniser:
         self._detector.landmarks(np.zeros((SIZE, SIZE, 3), np.uint8), Region(0, 0, SIZE, 0))
         self.classifier.predict(np.zeros(N_FEATURES, np.float32))
 
-    def _recognised(self, hand: Hand) -> RecognisedHand:
+    def _recognised(self, hand: Hand) -> RecognizedSign:
         numbers = features(hand)
-        return RecognisedHand(hand, numbers, self.classifier.predict(numbers, self.thresholds))
-
-
-def clearest(hands: list[RecognisedHand]) -> RecognisedHand | None:
-    """Returns the hand that most probably signs: prefers accepted predictions, then the higher confidence."""
-    return max(
-        hands,
-        key=lambda one: (one.prediction.sign is not None, one.prediction.confidence),
-        default=None,
-    )
+        prediction = self.classifier.predict(numbers, self.thresholds)
+        return RecognizedSign(hand.box, prediction, hand, numbers)

@@ -39,6 +39,16 @@ class SignSpotter:
         self._signs = signs
         self.reset()
 
+    def set_recognizer(self, min_confidence: float, signs: MovingSignClassifier | None) -> None:
+        """Prepares for the frames of another recognizer.
+
+        Args:
+            min_confidence: mean confidence from which a steady sign counts.
+            signs: the moving signs that it can recognize; None for none.
+        """
+        self._stability_filter = StabilityFilter(min_confidence)
+        self.set_moving_signs(signs or _NO_SIGNS)
+
     def reset(self) -> None:
         """Discards all frames."""
         self._stability_filter.reset()

@@ -22,7 +22,7 @@ class FramePrediction:
         label: the letter; None if the classifier rejects the hand, or there is no hand.
         confidence: of the label, 0 to 1.
         second: the second best letter; "" if there is none.
-        points: landmarks (21, 2) in px; None without a hand.
+        points: points that move with the hand (n, 2) in px, such as its landmarks; None without a hand.
     """
 
     time_s: float
@@ -46,16 +46,21 @@ class Decision:
 
 
 def is_still(before: NDArray[np.float32], now: NDArray[np.float32], elapsed_s: float) -> bool:
-    """Returns whether a hand was at rest from one frame to the next: landmarks (21, 2) in px."""
+    """Returns whether a hand was at rest from one frame to the next: points (n, 2) in px."""
     size = float(np.ptp(now, axis=0).max()) + 1e-6
     motion = float(np.sqrt(((now - before) ** 2).sum(axis=1).mean()))
     return motion / size <= STILL_HZ * elapsed_s
 
 
 class StabilityFilter:
-    """Counts frames until a sign is steady. A frame with another label, or a moving hand, restarts the count."""
+    """Counts frames until a sign is steady. A frame with another label, or a moving hand, restarts the count.
 
-    def __init__(self) -> None:
+    Args:
+        min_confidence: mean confidence of the frames from which the sign counts.
+    """
+
+    def __init__(self, min_confidence: float = MIN_CONFIDENCE) -> None:
+        self._min_confidence = min_confidence
         self._frames: deque[FramePrediction] = deque(maxlen=_MAX_FRAMES)
         self._last: FramePrediction | None = None
         self._min_hold_s = MIN_HOLD_S
@@ -84,7 +89,7 @@ class StabilityFilter:
         if self._frames and self._frames[-1].label != frame.label:
             self._frames.clear()
         self._frames.append(frame)
-        is_certain = self._mean_confidence() >= MIN_CONFIDENCE
+        is_certain = self._mean_confidence() >= self._min_confidence
         return self._decision() if self.progress >= 1.0 and is_certain else None
 
     def reset(self) -> None:

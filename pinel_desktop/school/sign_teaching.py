@@ -8,7 +8,7 @@ from typing import Any
 from pinel_desktop.camera.client import CameraClient
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import SignRecording, SignsChanged
-from pinel_desktop.gestures.letters import LETTERS
+from pinel_desktop.gestures.letters import LANDMARKS, LETTERS
 from pinel_desktop.gestures.typical_hand import Landmarks, landmarks_of_movement, medoid_landmarks
 from pinel_desktop.messages import explain
 from storage import SignSamples, Store, StoreError
@@ -73,9 +73,14 @@ class SignTeaching:
     def signs(self, classroom_id: str | None) -> list[KnownSign]:
         """Returns the letters, then the other signs that the class taught; without a class only the letters.
 
+        While a detector reads the signs, returns its signs instead.
+
         Raises:
             StoreError: `classroom_not_found`.
         """
+        recognizer = self._camera.recognizer
+        if recognizer.in_use != LANDMARKS and recognizer.signs is not None:
+            return [KnownSign(name, name in LETTERS, 0, 0) for name in recognizer.signs]
         taught = self._store.taught_signs.of_classroom(classroom_id) if classroom_id else []
         samples = {one.sign: one for one in taught}
         unknown = SignSamples("")
@@ -114,7 +119,10 @@ class SignTeaching:
 
         Raises:
             StoreError: as `TaughtSigns.name_to_teach`.
+            PinelError: `detector_cannot_learn`.
         """
+        if self._camera.recognizer.in_use != LANDMARKS:
+            raise PinelError("detector_cannot_learn")
         sign = self._store.taught_signs.name_to_teach(classroom_id, name, is_moving=is_moving)
         recording = _Recording(classroom_id, sign, is_moving)
 

@@ -15,7 +15,12 @@ from pinel_desktop.web.services import Services
 
 MAX_BODY = 4 * 2**20  # a document of 1 MiB and its workspace
 MAX_FILE = 64 * 2**20
-_UPLOAD_PATHS = ("/api/programs/file", "/api/lessons/file", "/api/drives/file")
+_UPLOAD_PATHS = (
+    "/api/programs/file",
+    "/api/lessons/file",
+    "/api/drives/file",
+    "/api/camera/recognizers",
+)
 
 
 def create_app(parts: Services) -> Flask:

@@ -40,6 +40,7 @@ STATUS = {
     "signs_too_many": 409,
     "own_activities_too_many": 409,
     "kiosk_not_active": 409,
+    "recognizer_of_command": 409,
     "run_in_progress": 409,
     "bridge_busy": 409,
     "run_not_live": 409,

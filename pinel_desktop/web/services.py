@@ -19,6 +19,7 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.judge.messages import RunStartInfo
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import ParseResult
+    from pinel_desktop.school.detectors import Detectors
     from pinel_desktop.school.robot_profiles import RobotProfiles
     from pinel_desktop.school.robot_status_feed import RobotStatusFeed
     from pinel_desktop.school.sign_teaching import SignTeaching
@@ -84,6 +85,7 @@ class Services:
     store: Store
     engine: EngineClient
     camera: CameraClient
+    detectors: Detectors
     signs: SignTeaching
     hub: Hub
     guard: Guard

@@ -17,7 +17,8 @@ import pytest
 
 from pinel_desktop.camera.frames import HEIGHT, WIDTH
 from pinel_desktop.gestures.pictures import Picture
-from pinel_desktop.gestures.recognition import RecognisedHand, Recogniser
+from pinel_desktop.gestures.recognition import LandmarkRecognizer
+from pinel_desktop.gestures.recognizer import RecognizedSign
 from tests.gestures.drawn import drawn_hand, on_wall
 
 PEER = Path(__file__).parent / "peers" / "on_ultralytics.py"
@@ -39,7 +40,7 @@ def median_ms(work: Callable[[], object]) -> float:
 
 
 def test_following_a_hand_takes_less_than_half_of_looking_for_it() -> None:
-    recogniser = Recogniser()
+    recogniser = LandmarkRecognizer()
     frame = on_wall(drawn_hand(size=320), 1280, 720, 300, 100)
     recogniser.track(frame)
     tracking = median_ms(lambda: recogniser.track(frame))
@@ -56,7 +57,7 @@ def moving_hand() -> list[Picture]:
 
 
 def seconds_of(
-    detect: Callable[[Picture], list[RecognisedHand]], pictures: list[Picture]
+    detect: Callable[[Picture], list[RecognizedSign]], pictures: list[Picture]
 ) -> list[float]:
     """Processor time of each picture; asserts that its hand is seen."""
     times = []
@@ -93,7 +94,7 @@ def detector(pictures: list[Picture], folder: Path) -> Iterator[Callable[[], lis
     reason="PyTorch or ultralytics could not be installed into build/peers: not compared",
 )
 def test_a_hand_and_its_letter_take_a_fifth_of_a_detector_at_640(tmp_path: Path) -> None:
-    recogniser, pictures = Recogniser(), moving_hand()
+    recogniser, pictures = LandmarkRecognizer(), moving_hand()
     with detector(pictures, tmp_path) as detect:
         methods: dict[str, Callable[[], list[float]]] = {
             "tracking": lambda: seconds_of(recogniser.track, pictures),

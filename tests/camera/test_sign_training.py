@@ -25,10 +25,13 @@ from tests.camera.moving_hands import packed as packed_movements
 from tests.camera.taught_hands import packed, shown
 
 WAIT_S = 30.0
+POINTS = np.random.default_rng(1).uniform(100, 300, (21, 2)).astype(np.float32)
+FEATURES = np.linspace(-3, 3, N_FEATURES, dtype=np.float32)
 HAND = DetectedSign(
-    points=np.random.default_rng(1).uniform(100, 300, (21, 2)).astype(np.float32),
+    box=(100.0, 100.0, 300.0, 300.0),
+    points=POINTS,
     handedness="right",
-    features=np.linspace(-3, 3, N_FEATURES, dtype=np.float32),
+    features=FEATURES,
     prediction=SignPrediction(None, "A", 0.4, "B", 0.3),
     is_taught=False,
 )
@@ -123,12 +126,12 @@ def test_a_hand_at_rest_is_taken_about_eight_times_a_second(feed: FrameFeed) -> 
     assert 14 <= len(samples) <= 17
     numbers = np.frombuffer(base64.b64decode(samples[0]), "<f2")
     assert numbers.shape == (N_FEATURES,)
-    assert np.allclose(numbers, HAND.features, atol=2e-3)
+    assert np.allclose(numbers, FEATURES, atol=2e-3)
 
 
 def test_neither_a_hand_that_moves_nor_one_of_two_nor_none_is_taken(feed: FrameFeed) -> None:
     for n in range(30):
-        assert feed.show(replace(HAND, points=HAND.points + 25 * n)) is None
+        assert feed.show(replace(HAND, points=POINTS + 25 * n)) is None
     for _ in range(30):
         assert feed.show(HAND, HAND) is None
         assert feed.show() is None

@@ -22,7 +22,8 @@ from pinel_desktop.camera.frame_analyzer import DetectedSign
 from pinel_desktop.camera.sign_training import SampleCollector, SignTrainer
 from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import DEFAULT_THRESHOLDS, SignClassifier, SignPrediction
-from pinel_desktop.gestures.recognition import Recogniser, clearest
+from pinel_desktop.gestures.recognition import LandmarkRecognizer
+from pinel_desktop.gestures.recognizer import clearest
 from pinel_desktop.gestures.training import evaluation, letter_training
 from pinel_desktop.gestures.training.accuracy_metrics import Proportion
 from pinel_desktop.gestures.training.evaluation import TAUGHT_PEOPLE, first_of_each_letter
@@ -48,7 +49,7 @@ N_CHECKED = 4  # of each letter
 
 def test_letters_of_people_at_a_webcam_are_read() -> None:
     """Of people whom the letters were learnt from: whether the parts fit together, no measure of quality."""
-    recogniser = Recogniser()
+    recogniser = LandmarkRecognizer()
     counted: Counter[str] = Counter()
     found, right = [], []
     for photo in read_photos(Path(PHOTOS)):
@@ -120,7 +121,7 @@ def recorded_at_rest(hands: NDArray[np.float32]) -> list[str]:
     points = np.random.default_rng(0).uniform(100, 300, (21, 2)).astype(np.float32)
     prediction = SignPrediction(None, "A", 0.5, "B", 0.3)
     for n, features in enumerate(hands):
-        detected = [DetectedSign(points, "right", features, prediction, is_taught=False)]
+        detected = [DetectedSign((0.0, 0.0, 1.0, 1.0), prediction, points, "right", features)]
         collected += [collector.update(n + elapsed_s, detected) for elapsed_s in (0.0, 0.07)]
     return [sample for sample in collected if sample]
 

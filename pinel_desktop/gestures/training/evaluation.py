@@ -14,7 +14,7 @@ from pinel_desktop.gestures.classifier import (
     RejectThresholds,
     SignClassifier,
 )
-from pinel_desktop.gestures.recognition import Recogniser
+from pinel_desktop.gestures.recognition import LandmarkRecognizer
 from pinel_desktop.gestures.training.accuracy_metrics import (
     Proportion,
     calibration_error,
@@ -221,7 +221,7 @@ def speed_ms(photos: Sequence[Photo], n: int = 25) -> Report:
 
     Measures on one thread, with the first n photographs that are not crops.
     """
-    recogniser = Recogniser()
+    recogniser = LandmarkRecognizer()
     cold: list[float] = []
     tracking: list[float] = []
     for photo in [photo for photo in photos if photo.source != CROPS][:n]:

@@ -1,20 +1,33 @@
 """The camera: its state, its choice, and its picture. Events report what it detects."""
 
 from collections.abc import Iterator
+from pathlib import Path
 
 from flask import Response
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.letters import LANDMARKS
 from pinel_desktop.messages import explain
 from pinel_desktop.settings import CAMERA
-from pinel_desktop.web.api import Resource, responses
-from pinel_desktop.web.models.camera import CameraChoice, CameraProblem, CameraStatus
+from pinel_desktop.web.api import TEACHER, Resource, responses
+from pinel_desktop.web.api.exchange import UploadedFile, uploaded
+from pinel_desktop.web.models.camera import (
+    CameraChoice,
+    CameraProblem,
+    CameraStatus,
+    DetectorPath,
+    NameOfDetectorFile,
+    RecognizerChoice,
+    Recognizers,
+)
 from pinel_desktop.web.responses import json_response, json_safe
 from pinel_desktop.web.services import Services, services
+from pinel_desktop.web.teaching import require_teacher
 
 api = Resource("camera", "The camera that sees signs.", __name__)
 
 _BOUNDARY = b"frame"
+_UNUSABLE = ("recognizer_of_command", "recognizer_slow", "detector_missing", "detector_unreadable")
 _PICTURES = {
     "description": "JPEG pictures as they come, each in place of the one before.",
     "content": {"multipart/x-mixed-replace": {"schema": {"type": "string", "format": "binary"}}},
@@ -50,6 +63,56 @@ def preview_camera() -> Response:
     pictures = _parts(services().camera.previews())
     mimetype = f"multipart/x-mixed-replace; boundary={_BOUNDARY.decode()}"
     return Response(pictures, mimetype=mimetype, headers={"Cache-Control": "no-store"})
+
+
+@api.get("/camera/recognizers", responses=responses(Recognizers, *TEACHER))
+def list_recognizers() -> Response:
+    """What reads the signs, and which detectors this PC has. For the teacher."""
+    require_teacher()
+    return _recognizers()
+
+
+@api.put("/camera/recognizers", responses=responses(Recognizers, *TEACHER, *_UNUSABLE))
+def choose_recognizer(body: RecognizerChoice) -> Response:
+    """Chooses what reads the signs; answers when it is loaded. For the teacher."""
+    require_teacher()
+    services().detectors.choose(body.name)
+    return _recognizers()
+
+
+@api.post("/camera/recognizers", responses=responses(Recognizers, *TEACHER, *_UNUSABLE))
+def add_detector(query: NameOfDetectorFile, raw: UploadedFile) -> Response:
+    """Stores a detector on this PC and chooses it. The body is its ONNX file. For the teacher."""
+    require_teacher()
+    with uploaded(raw, query.name) as path:
+        services().detectors.add(path, query.name)
+    return _recognizers()
+
+
+@api.delete(
+    "/camera/recognizers/<name>", responses=responses(Recognizers, *TEACHER, "detector_missing")
+)
+def remove_detector(path: DetectorPath) -> Response:
+    """Deletes a detector from this PC. For the teacher."""
+    require_teacher()
+    services().detectors.remove(path.name)
+    return _recognizers()
+
+
+def _recognizers() -> Response:
+    parts = services()
+    detectors, state = parts.detectors, parts.detectors.state
+    problem = _explained(state.problem, parts.settings.language) if state.problem else None
+    return json_response(
+        Recognizers(
+            chosen=detectors.chosen,
+            in_use="" if state.in_use == LANDMARKS else Path(state.in_use).stem,
+            of_command=detectors.command,
+            detectors=detectors.names(),
+            signs=list(state.signs or ()),
+            problem=problem,
+        )
+    )
 
 
 def _parts(pictures: Iterator[bytes]) -> Iterator[bytes]:

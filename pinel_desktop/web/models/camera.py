@@ -2,9 +2,9 @@
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import BaseModel, Field
 
-from pinel_desktop.web.models import Json, RequestModel, ResponseModel
+from pinel_desktop.web.models import DEFERRED, Json, RequestModel, ResponseModel
 
 
 class CameraProblem(ResponseModel):
@@ -22,6 +22,41 @@ class CameraStatus(ResponseModel):
     state: Literal["off", "opening", "on", "failed"]
     source: str
     problem: CameraProblem | None
+
+
+class Recognizers(ResponseModel):
+    """What reads the signs: the landmarks, or one of the detectors of this PC.
+
+    `chosen` and `in_use` are names of detectors, "" the landmarks; `of_command` is the recognizer that the command line
+    gave the app in place of the choice, null without one. `problem` is why the chosen one cannot be used.
+    """
+
+    chosen: str
+    in_use: str
+    of_command: str | None
+    detectors: list[str]
+    signs: list[str]
+    problem: CameraProblem | None
+
+
+class RecognizerChoice(RequestModel):
+    """Name of a detector; "" for the landmarks."""
+
+    name: Annotated[str, Field(pattern="^[A-Za-z0-9_-]{0,60}$")]
+
+
+class NameOfDetectorFile(RequestModel):
+    """The name of the file that the person chose."""
+
+    name: Annotated[str, Field(max_length=255)]
+
+
+class DetectorPath(BaseModel):
+    """The name of a detector in a path."""
+
+    model_config = DEFERRED
+
+    name: Annotated[str, Field(pattern="^[A-Za-z0-9_-]{1,60}$")]
 
 
 class CameraChoice(RequestModel):

@@ -8,7 +8,7 @@ from pinel_desktop.web.models import RequestModel, ResponseModel, Time
 
 _Path = Annotated[str, Field(max_length=4000)]
 # file types that the page reads or writes
-_Suffix = Literal[".pinel", ".json"]
+_Suffix = Literal[".pinel", ".json", ".onnx"]
 _FILE_NAME = (
     r"^[^/\\:*?\"<>|\x00-\x1f.][^/\\:*?\"<>|\x00-\x1f]{0,119}\.(pinel|json|py|csv|png|html)$"
 )

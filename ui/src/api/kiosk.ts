@@ -1,7 +1,7 @@
 import { file, get, post, put } from "./client";
 
 /** Type of the files to choose from, as the end of their names. */
-export type DriveFileSuffix = ".pinel" | ".json";
+export type DriveFileSuffix = ".pinel" | ".json" | ".onnx";
 
 /** Requests about kiosk mode, and for the files that replace its file dialogs. */
 export const kioskApi = {

@@ -1,8 +1,16 @@
 import type { CameraChangedEvent, CameraSightEvent, DetectedHand } from "../../api/model";
 
+const POINTS = Array.from({ length: 21 }, (_, n) => [0.4 + n / 100, 0.5]);
+
+const boxOf = (points: number[][]) => {
+  const [xs, ys] = [points.map(([x = 0]) => x), points.map(([, y = 0]) => y)];
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+};
+
 /** A detected hand. */
 export const hand = (more: Partial<DetectedHand> = {}): DetectedHand => ({
-  points: Array.from({ length: 21 }, (_, n) => [0.4 + n / 100, 0.5]),
+  box: boxOf(more.points ?? POINTS),
+  points: POINTS,
   handedness: "right",
   best: "B",
   confidence: 0.97,

@@ -4,6 +4,7 @@ import { CameraPicture } from "../../camera/CameraPicture";
 import { CurrentSign } from "../../camera/CurrentSign";
 import { texts } from "../../i18n";
 import { useInstance } from "../../kit/instance";
+import { DetectorChoice } from "./DetectorChoice";
 import { CameraCheck, POINTS, type Point, type PointStatus } from "./camera_check";
 
 /**
@@ -41,6 +42,7 @@ export function CameraPart() {
           </div>
         </div>
       </div>
+      <DetectorChoice />
       <section class="panel card">
         <h2>{labels.before}</h2>
         <ul class="camera-try__advice">

@@ -60,12 +60,9 @@ function lightOf({ mode, problem }: CameraNow): PointStatus {
   return mode === "on" ? "good" : "open";
 }
 
-/** Rates the distance by the larger side of the hand. A hand with joints outside the picture is near too. */
-function distanceOf({ points }: DetectedHand, aspect: number): PointStatus {
-  const xs = points.map(([x = 0]) => x);
-  const ys = points.map(([, y = 0]) => y);
-  const [left, right] = [Math.min(...xs), Math.max(...xs)];
-  const [top, bottom] = [Math.min(...ys), Math.max(...ys)];
+/** Rates the distance by the larger side of the hand. A hand that leaves the picture is near too. */
+function distanceOf({ box }: DetectedHand, aspect: number): PointStatus {
+  const [left = 0, top = 0, right = 0, bottom = 0] = box;
   const size = Math.max((right - left) * aspect, bottom - top);
   if (size < MIN_HAND_SIZE) return "far";
   return size > MAX_HAND_SIZE || left < 0 || top < 0 || right > 1 || bottom > 1 ? "near" : "good";
