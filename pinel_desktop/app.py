@@ -66,7 +66,7 @@ class App:
             with two cores, loading them at once would delay the first drawing of the page.
         window: the app's window; None without one.
         camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
-        recognizer: name of a recognizer of signs instead of the chosen one, as for `recognizer.open_recognizer`.
+        recognizer: name of a recognizer of signs instead of the chosen one, as for `recognizers.open_recognizer`.
         bridge: where the HTTP interface of the original PINEL is served, and which robot its calls drive; None
             serves no such interface.
     """

@@ -21,7 +21,7 @@ MAX_NOTE = 1000  # letters
 MAX_SIGN = 30  # letters of a taught sign's name
 MAX_TAUGHT_SAMPLES = 20  # of one sign of a class: hands at rest, and as many movements
 MAX_TAUGHT_SIGNS = 60  # of a class; it records no more, and more from merges do not count
-# features of a hand, computed by the application's gestures/features.py; a movement (gestures/movements.py) has as many
+# features of a hand, computed by gestures/features.py; a movement (gestures/moving/movements.py) has as many
 N_FEATURES = 1748
 MAX_OWN_ACTIVITIES = 200  # of a school, without deleted ones
 SAMPLES_PER_HOUR = 108_000

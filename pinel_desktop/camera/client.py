@@ -50,7 +50,7 @@ class RecognizerState:
     """The recognizer that was asked for.
 
     Attributes:
-        name: as for `gestures.recognizer.open_recognizer`.
+        name: as for `gestures.recognizers.open_recognizer`.
         is_loaded: whether the camera process has loaded it, or has found that it cannot.
         problem: why it cannot be used, so that the landmarks are used in its place; None if it can.
         signs: names of the signs that the recognizer in use can recognize; None if the process has not said them.

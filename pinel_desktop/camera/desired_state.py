@@ -20,7 +20,7 @@ class DesiredState:
         caption: a line of text in the annotated preview.
         record: id of the sample recording in progress; None if there is none.
         record_moving: whether this recording waits for movements, not for hands at rest.
-        recognizer: name of the recognizer of signs, as for `gestures.recognizer.open_recognizer`.
+        recognizer: name of the recognizer of signs, as for `gestures.recognizers.open_recognizer`.
     """
 
     source: str | None = None

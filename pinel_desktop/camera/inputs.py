@@ -44,7 +44,7 @@ class CameraInputs:
 
     Args:
         source: address of the camera, as for `frames.open_reader`.
-        recognizer: name of the recognizer of signs, as for `gestures.recognizer.open_recognizer`.
+        recognizer: name of the recognizer of signs, as for `gestures.recognizers.open_recognizer`.
         answers: answers to questions, in order.
         on_change: called with each new state of the camera.
     """

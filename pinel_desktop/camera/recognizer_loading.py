@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.letters import LANDMARKS
-from pinel_desktop.gestures.recognizer import SignRecognizer, open_recognizer
+from pinel_desktop.gestures.recognizer import SignRecognizer
+from pinel_desktop.gestures.recognizers import open_recognizer
 from pinel_desktop.processes.messages import Message
 
 

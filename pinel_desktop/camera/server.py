@@ -20,7 +20,7 @@ from pinel_desktop.camera.recognizer_loading import RecognizerLoader
 from pinel_desktop.camera.sign_training import MovementCollector, SampleCollector, SignTrainer
 from pinel_desktop.camera.source import CameraSource, StampedFrame
 from pinel_desktop.errors import PinelError
-from pinel_desktop.gestures.moving_signs import MovingSignClassifier
+from pinel_desktop.gestures.moving.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
 from pinel_desktop.gestures.sign_spotter import SignSpotter

@@ -13,8 +13,13 @@ from numpy.typing import NDArray
 from pinel_desktop.camera.frame_analyzer import DetectedSign
 from pinel_desktop.gestures.classifier import Samples, SignClassifier
 from pinel_desktop.gestures.features import N_FEATURES
-from pinel_desktop.gestures.movements import N_FRAMES, N_NUMBERS, HandObservation, MovementSegmenter
-from pinel_desktop.gestures.moving_signs import MovingSignClassifier
+from pinel_desktop.gestures.moving.movements import (
+    N_FRAMES,
+    N_NUMBERS,
+    HandObservation,
+    MovementSegmenter,
+)
+from pinel_desktop.gestures.moving.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.stability import is_still
 
 _log = logging.getLogger(__name__)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pinel_desktop.commands.database import key_of, opened_store
+from pinel_desktop.commands.detectors import compare, train_yolo, yolo_data
 from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
 from pinel_desktop.commands.printing import Failure, print_problem
 from pinel_desktop.errors import PinelError
@@ -59,6 +60,10 @@ def command() -> None:
     """Recognise letters of Libras in pictures."""
 
 
+for _subcommand in (yolo_data, train_yolo, compare):
+    command.add_command(_subcommand)
+
+
 @command.command()
 @click.argument("images", metavar="IMAGE...", nargs=-1, required=True, type=_IMAGE)
 @click.option(
@@ -76,7 +81,7 @@ def classify(
     that is not mirrored, null from a detector. Exit status: 0 all pictures were read, 2 at least one could not be read.
     """
     with _exit_on_error():
-        from pinel_desktop.gestures.recognizer import open_recognizer  # noqa: PLC0415 - slow to import
+        from pinel_desktop.gestures.recognizers import open_recognizer  # noqa: PLC0415 - slow to import
 
         opened = open_recognizer(recognizer or LANDMARKS)
     all_read = True

@@ -7,6 +7,6 @@ LETTERS = tuple("ABCDEFGIKLMNOPQRSTUVW")
 """The static letters of the Libras alphabet; both ways to sign D are one letter."""
 
 LANDMARKS = "landmarks"
-"""Name of the recognizer of these letters, as for `recognizer.open_recognizer`."""
+"""Name of the recognizer of these letters, as for `recognizers.open_recognizer`."""
 YOLO = "yolo"
 """The part before the colon in the name of a detector, `yolo:FILE`."""

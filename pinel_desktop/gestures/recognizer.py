@@ -1,20 +1,14 @@
-"""Recognizers of signs: what each of them offers, and the table of all.
+"""What every recognizer of signs offers."""
 
-To add a recognizer, write a class with the members of `SignRecognizer`, and add a row to `_OPENERS`.
-"""
-
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.classifier import SignPrediction
 from pinel_desktop.gestures.landmarks import Hand
-from pinel_desktop.gestures.letters import LANDMARKS, YOLO
 from pinel_desktop.gestures.pictures import Picture
 
 MAX_SIGNS = 2  # in one picture
@@ -59,19 +53,6 @@ class SignRecognizer(Protocol):
         """Forgets the video, because the next frame comes from another source."""
 
 
-def open_recognizer(name: str) -> SignRecognizer:
-    """Opens a recognizer by its name: `landmarks`, or `yolo:FILE`.
-
-    Raises:
-        PinelError: `recognizer_unknown`, or why the recognizer or its file cannot be used.
-    """
-    kind, _, argument = name.partition(":")
-    opener = _OPENERS.get(kind)
-    if opener is None or bool(argument) != (kind != LANDMARKS):
-        raise PinelError("recognizer_unknown", name=name)
-    return opener(argument)
-
-
 def clearest(signs: Sequence[RecognizedSign]) -> RecognizedSign | None:
     """Returns the sign that is most probably meant: prefers accepted predictions, then the higher confidence."""
     return max(
@@ -79,18 +60,3 @@ def clearest(signs: Sequence[RecognizedSign]) -> RecognizedSign | None:
         key=lambda one: (one.prediction.sign is not None, one.prediction.confidence),
         default=None,
     )
-
-
-def _landmarks(_argument: str) -> SignRecognizer:
-    from pinel_desktop.gestures.recognition import LandmarkRecognizer  # noqa: PLC0415 - loads networks
-
-    return LandmarkRecognizer()
-
-
-def _yolo(argument: str) -> SignRecognizer:
-    from pinel_desktop.gestures.yolo.detector import open_detector  # noqa: PLC0415 - seldom used
-
-    return open_detector(Path(argument))
-
-
-_OPENERS: dict[str, Callable[[str], SignRecognizer]] = {LANDMARKS: _landmarks, YOLO: _yolo}

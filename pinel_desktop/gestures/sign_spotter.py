@@ -8,8 +8,8 @@ has taught moving signs, three rules hold:
 - After a moving sign, the hand is no letter until it moves again or leaves the frame.
 """
 
-from pinel_desktop.gestures.movements import HandObservation, MovementSegmenter
-from pinel_desktop.gestures.moving_signs import MovingSignClassifier
+from pinel_desktop.gestures.moving.movements import HandObservation, MovementSegmenter
+from pinel_desktop.gestures.moving.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.stability import MIN_HOLD_S, Decision, FramePrediction, StabilityFilter
 
 HOLD_BEFORE_MOVING_SIGN_S = 1.2  # hold time required while a taught movement may still start

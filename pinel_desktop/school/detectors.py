@@ -5,7 +5,7 @@ import re
 import unicodedata
 from pathlib import Path
 
-from pinel_desktop.camera.client import CameraClient, RecognizerState
+from pinel_desktop.camera.client import CameraClient
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.letters import LANDMARKS, YOLO
 from pinel_desktop.gestures.yolo.address import check_file
@@ -37,9 +37,10 @@ class Detectors:
         return self._settings[RECOGNIZER]
 
     @property
-    def state(self) -> RecognizerState:
-        """What the camera says of the recognizer."""
-        return self._camera.recognizer
+    def in_use(self) -> str:
+        """Name of the detector that reads the signs; "" while the landmarks do."""
+        name = self._camera.recognizer.in_use
+        return "" if name == LANDMARKS else Path(name).stem
 
     def names(self) -> list[str]:
         """Returns the names of all detectors, sorted."""

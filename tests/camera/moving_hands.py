@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from pinel_desktop.camera.landmark_sequence import RecordedHand, write_landmark_sequence
-from pinel_desktop.gestures.movements import HandObservation, Movement, MovementSegmenter
+from pinel_desktop.gestures.moving.movements import HandObservation, Movement, MovementSegmenter
 from pinel_desktop.gestures.training import moving_hands as hands
 from pinel_desktop.gestures.training.moving_hands import Model
 from pinel_desktop.gestures.training.moving_hands import Path as MotionPath

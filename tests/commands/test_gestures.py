@@ -14,6 +14,7 @@ from pinel_desktop.paths import database_path
 from storage import open_store
 from tests.camera.moving_hands import write_moving_hand
 from tests.commands.typed import pinel
+from tests.gestures.colour_detector import RED, coloured, write_detector
 from tests.gestures.drawn import drawn_hand
 from tests.gestures.photo_folder import make_photos
 
@@ -52,6 +53,65 @@ def test_a_stretched_picture_is_read_with_its_own_shape(tmp_path: Path) -> None:
     (found,) = lines(pinel("gestures", "classify", "--aspect", "16:9", file).stdout)
     assert found["letter"] == "L"
     assert found["box"][2] > 500  # pixels of the picture without stretch
+
+
+def test_a_detector_classifies_pictures_in_the_same_form(tmp_path: Path) -> None:
+    detector = write_detector(tmp_path / "colours.onnx")
+    red = written(tmp_path / "red.png", coloured(RED))
+    done = pinel("gestures", "classify", "--recognizer", f"yolo:{detector}", red)
+    (found,) = lines(done.stdout)
+    assert (found["letter"], found["second"], found["handedness"]) == ("A", "B", None)
+    assert found["box"] == [60, 5, 260, 155]
+
+
+def test_pictures_for_a_detector_are_unstretched_and_a_source_can_be_left_out(
+    tmp_path: Path,
+) -> None:
+    photos = make_photos(tmp_path / "photos").parent
+    target = tmp_path / "data"
+    done = pinel("gestures", "yolo-data", str(photos), str(target), "--without", "p2_webcam")
+    assert done.exit_code == 0
+    assert done.stdout.strip() == str(target / "data.yaml")
+    assert 'names: ["B", "L", "V"]' in (target / "data.yaml").read_text("utf-8")
+    names = {
+        part: {f.name for f in (target / part / "images").iterdir()} for part in ("train", "valid")
+    }
+    assert {name.split("_")[0] for name in names["valid"]} == {"p2"}
+    assert {name.split("_")[0] for name in names["train"]} == {
+        "p1",
+        "p3",
+    }  # g8 may show any of them
+    height, width = cv2.imread(str(target / "valid" / "images" / "p2_webcam_L0.jpg")).shape[:2]
+    assert width / height == pytest.approx(16 / 9, abs=0.01)
+    label = (target / "valid" / "labels" / "p2_webcam_L0.txt").read_text("utf-8")
+    assert label.split()[0] == "1"
+    old = (photos / "train" / "labels" / "p2_webcam_L0.txt").read_text("utf-8")
+    assert [float(side) for side in label.split()[1:]] == pytest.approx(
+        [float(side) for side in old.split()[1:]], abs=1e-5
+    )
+
+
+def test_landmarks_and_a_detector_are_compared_in_one_table(tmp_path: Path) -> None:
+    photos = make_photos(tmp_path / "photos").parent
+    detector = write_detector(tmp_path / "colours.onnx")
+    left_out = ("--left-out", f"p1_webcam={detector}")
+    done = pinel("gestures", "compare", str(photos), "--detector", str(detector), *left_out)
+    assert done.exit_code == 0, done.stderr
+    head, _, *rows = done.stdout.splitlines()
+    assert head == "| | landmarks | YOLOv8n |"
+    assert rows[0].startswith("| p1_webcam: right | 1.000 [")
+    assert [row.split("|")[1].strip() for row in rows][-2:] == [
+        "ms a frame, one thread",
+        "memory, MB",
+    ]
+
+
+@pytest.mark.parametrize("data", ["none.yaml", "text.yaml"])
+def test_a_detector_is_not_trained_without_data(tmp_path: Path, data: str) -> None:
+    (tmp_path / "text.yaml").write_text("nothing")
+    done = pinel("gestures", "train-yolo", str(tmp_path / data))
+    assert done.exit_code == 1
+    assert data in done.stderr
 
 
 @pytest.mark.parametrize("aspect", ["16", "16:0", "a:b", "1:100", "-1:1"])

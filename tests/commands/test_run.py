@@ -11,6 +11,7 @@ import pytest
 
 from storage import open_store
 from tests.commands.typed import PROGRAMS, SQUARE, pinel, run_json
+from tests.gestures.colour_detector import GREEN, RED, write_detector, write_pictures
 
 KEYS = {
     "state",
@@ -386,6 +387,42 @@ def test_webcam_that_is_not_there_ends_with_2_before_the_robot_moves(number: str
     status, printed = run_json(SQUARE, "--camera", number, "--no-store")
     assert (status, printed["reason"], printed["pose"]) == (2, "camera_missing", None)
     assert re.findall(r"\d+", printed["message"]) == [number]
+
+
+@pytest.mark.parametrize(("colour", "pose"), [(GREEN, (0.2, 0.0)), (RED, (0.0, 90.0))])
+def test_a_detector_answers_captures(
+    tmp_path: Path, colour: tuple[int, int, int], pose: tuple[float, float]
+) -> None:
+    detector = write_detector(tmp_path / "colours.onnx")
+    pictures = write_pictures(tmp_path / "pictures", colour)
+    file = tmp_path / "b_or_a.py"
+    file.write_text(
+        "robot.classify_gestures(timeout=60)\n"
+        'if robot.gesture_result == "B":\n    robot.move_forward(0.2)\n'
+        'elif robot.gesture_result == "A":\n    robot.turn(90)\n'
+    )
+    looking = ("--camera", str(pictures), "--recognizer", f"yolo:{detector}")
+    status, printed = run_json(str(file), *looking, "--no-store")
+    assert status == 0
+    assert (printed["pose"]["x_m"], printed["pose"]["theta_deg"]) == pytest.approx(pose, abs=0.1)
+
+
+def test_a_detector_that_cannot_be_used_ends_with_2_before_the_robot_moves(tmp_path: Path) -> None:
+    (tmp_path / "text.onnx").write_text("no model")
+    looking = ("--camera", str(write_pictures(tmp_path / "pictures", RED)))
+    for name, reason in (
+        (f"yolo:{tmp_path / 'text.onnx'}", "detector_unreadable"),
+        (f"yolo:{tmp_path / 'none.onnx'}", "detector_missing"),
+        ("eyes", "recognizer_unknown"),
+    ):
+        status, printed = run_json(SQUARE, *looking, "--recognizer", name, "--no-store")
+        assert (status, printed["reason"], printed["pose"]) == (2, reason, None)
+
+
+def test_page_is_not_served_with_a_recognizer_that_is_not_there(tmp_path: Path) -> None:
+    result = pinel("serve", "--recognizer", f"yolo:{tmp_path / 'none.onnx'}")
+    assert result.exit_code == 1
+    assert "none.onnx" in result.stderr
 
 
 def test_page_is_not_served_with_a_camera_that_is_not_there(tmp_path: Path) -> None:

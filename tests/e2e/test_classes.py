@@ -1,7 +1,7 @@
 """Classes, groups by their pictures, the first set-up, and the teacher's sign-in."""
 
 import pytest
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Locator, Route, expect
 
 from pinel_desktop.messages import LANGUAGES
 from tests.e2e.app_process import AppProcess
@@ -232,6 +232,28 @@ def test_lessons_are_joined_and_taken_apart(studio: Studio) -> None:
     expect(studio["lesson-link"]).to_have_count(2)
     studio["lesson-link"].first.click()
     expect(studio["lesson-page"]).to_be_visible()
+
+
+def test_no_control_of_a_lesson_moves_when_the_folders_of_sticks_are_known(studio: Studio) -> None:
+    """Else a click can miss: the link to a lesson moved away under the pointer."""
+    open_class(studio, "lessons")
+    open_lesson(studio, "Quadrados")
+    held: list[Route] = []
+
+    def hold(route: Route) -> None:
+        held.append(route)
+
+    studio.page.route("**/api/folders", hold)
+    to_part(studio, "classes")
+    to_part(studio, "lessons")
+    studio["lesson-file-save"].wait_for()
+    before = studio["lesson-link"].bounding_box()
+    with studio.page.expect_response("**/api/folders"):
+        for route in held:
+            route.continue_()
+    studio.page.wait_for_timeout(300)
+    assert held
+    assert studio["lesson-link"].bounding_box() == before
 
 
 def test_a_group_is_moved_to_another_class(studio: Studio) -> None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.letters import LETTERS
 from pinel_desktop.gestures.recognition import LandmarkRecognizer
-from pinel_desktop.gestures.recognizer import open_recognizer
+from pinel_desktop.gestures.recognizers import open_recognizer
 from pinel_desktop.gestures.yolo import address
 from pinel_desktop.gestures.yolo.detector import YoloDetector, letterbox, open_detector
 from tests.gestures.colour_detector import (

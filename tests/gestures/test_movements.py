@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pinel_desktop.gestures.movements import (
+from pinel_desktop.gestures.moving.movements import (
     MAX_DURATION_S,
     N_FRAMES,
     N_NUMBERS,

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pinel_desktop.gestures.moving_signs import MovingSignClassifier
+from pinel_desktop.gestures.moving.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.training import moving_hands as hands
 from tests.camera.moving_hands import movements
 from tests.camera.taught_hands import shown

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pinel_desktop.gestures.movements import HandObservation
-from pinel_desktop.gestures.moving_signs import MovingSignClassifier
+from pinel_desktop.gestures.moving.movements import HandObservation
+from pinel_desktop.gestures.moving.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.sign_spotter import HOLD_BEFORE_MOVING_SIGN_S, SignSpotter
 from pinel_desktop.gestures.stability import Decision, FramePrediction
 from pinel_desktop.gestures.training import moving_hands as hands

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from pinel_desktop.gestures.features import features
 from pinel_desktop.gestures.hands import HandDetector
 from pinel_desktop.gestures.landmarks import Hand
-from pinel_desktop.gestures.movements import SHAPE
+from pinel_desktop.gestures.moving.movements import SHAPE
 from pinel_desktop.gestures.training.moving_hands import letter_path
 from pinel_desktop.gestures.typical_hand import landmarks_of_movement, medoid_landmarks
 from tests.camera.moving_hands import movements

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pinel_desktop.gestures.warping import dtw_distances
+from pinel_desktop.gestures.moving.warping import dtw_distances
 
 
 def by_definition(one: NDArray[np.float64], other: NDArray[np.float64], band: int) -> float:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pinel_desktop.gestures.movements import HandObservation
+from pinel_desktop.gestures.moving.movements import HandObservation
 
 RATE_HZ = 15.0
 MOVING = {"H": "K", "J": "I", "X": "D", "Z": "D"}

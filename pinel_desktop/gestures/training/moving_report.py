@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import SignClassifier
 from pinel_desktop.gestures.hands import HandDetector
-from pinel_desktop.gestures.movements import HandObservation, Movement, MovementSegmenter
-from pinel_desktop.gestures.moving_signs import MovingSignClassifier
+from pinel_desktop.gestures.moving.movements import HandObservation, Movement, MovementSegmenter
+from pinel_desktop.gestures.moving.moving_signs import MovingSignClassifier
 from pinel_desktop.gestures.sign_spotter import SignSpotter
 from pinel_desktop.gestures.stability import Decision, FramePrediction
 from pinel_desktop.gestures.training import moving_hands as hands

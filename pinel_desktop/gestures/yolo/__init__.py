@@ -1,1 +1,1 @@
-"""A YOLO detector as a recognizer of signs: network files, detection, training, measurement."""
+"""YOLO detectors as recognizers of signs."""

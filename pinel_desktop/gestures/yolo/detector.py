@@ -48,6 +48,11 @@ class YoloDetector:
         """Names of the classes, from the file."""
         return self._network.names
 
+    @property
+    def size(self) -> tuple[int, int]:
+        """Height and width of the input, in px."""
+        return self._network.size
+
     def read(self, picture: Picture) -> list[RecognizedSign]:
         """Returns the signs of one unstretched RGB picture (height, width, 3), at most two, the best first."""
         letterboxed, scale, offset = letterbox(picture, self._network.size)

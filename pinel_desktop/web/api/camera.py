@@ -1,12 +1,10 @@
 """The camera: its state, its choice, and its picture. Events report what it detects."""
 
 from collections.abc import Iterator
-from pathlib import Path
 
 from flask import Response
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.gestures.letters import LANDMARKS
 from pinel_desktop.messages import explain
 from pinel_desktop.settings import CAMERA
 from pinel_desktop.web.api import TEACHER, Resource, responses
@@ -101,12 +99,12 @@ def remove_detector(path: DetectorPath) -> Response:
 
 def _recognizers() -> Response:
     parts = services()
-    detectors, state = parts.detectors, parts.detectors.state
+    detectors, state = parts.detectors, parts.camera.recognizer
     problem = _explained(state.problem, parts.settings.language) if state.problem else None
     return json_response(
         Recognizers(
             chosen=detectors.chosen,
-            in_use="" if state.in_use == LANDMARKS else Path(state.in_use).stem,
+            in_use=detectors.in_use,
             of_command=detectors.command,
             detectors=detectors.names(),
             signs=list(state.signs or ()),

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.gestures import features, movements
+from pinel_desktop.gestures import features
+from pinel_desktop.gestures.moving import movements
 from storage import Store
 from storage.exchange.parquet import FILES
 from storage.exchange.scope import Scope

@@ -19,8 +19,7 @@ export const recognizersApi = {
       body: chosen as unknown as string, // the server's description types octets as text
       bodySerializer: (octets) => octets,
     }),
-  remove: (name: string) =>
-    del("/api/camera/recognizers/{name}", { params: { path: { name } } }),
+  remove: (name: string) => del("/api/camera/recognizers/{name}", { params: { path: { name } } }),
 };
 
 /**

@@ -4,7 +4,8 @@ import { changed, hand, sightOf } from "../../camera/testing/camera_events";
 import { passesAxe } from "../../kit/testing/control";
 
 const cameraApi = { status: vi.fn() };
-vi.mock("../../api/camera", () => ({ cameraApi, previewAddress: () => "" }));
+const recognizersApi = { list: () => new Promise(() => {}) };
+vi.mock("../../api/camera", () => ({ cameraApi, recognizersApi, previewAddress: () => "" }));
 
 const { CameraPart } = await import("./CameraPart");
 const { receive } = await import("../../camera/sight");

@@ -4,8 +4,8 @@ import { CameraPicture } from "../../camera/CameraPicture";
 import { CurrentSign } from "../../camera/CurrentSign";
 import { texts } from "../../i18n";
 import { useInstance } from "../../kit/instance";
-import { DetectorChoice } from "./DetectorChoice";
 import { CameraCheck, POINTS, type Point, type PointStatus } from "./camera_check";
+import { DetectorChoice } from "./DetectorChoice";
 
 /**
  * Camera check before a lesson: the picture, and whether it is good enough. The camera is on while
@@ -42,7 +42,6 @@ export function CameraPart() {
           </div>
         </div>
       </div>
-      <DetectorChoice />
       <section class="panel card">
         <h2>{labels.before}</h2>
         <ul class="camera-try__advice">
@@ -51,6 +50,7 @@ export function CameraPart() {
           ))}
         </ul>
       </section>
+      <DetectorChoice />
     </>
   );
 }

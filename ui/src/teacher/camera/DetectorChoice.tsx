@@ -36,7 +36,8 @@ function Choice({ known, onChange }: ChoiceProps) {
   const { busy, fault, act } = useAction(asTeacher);
   const change = (ask: () => Promise<Recognizers>) => act(async () => onChange(await ask()));
   const { chosen, detectors, of_command: command } = known;
-  if (command !== null) return <p data-testid="detector-of-command">{labels.byCommand({ command })}</p>;
+  if (command !== null)
+    return <p data-testid="detector-of-command">{labels.byCommand({ command })}</p>;
   return (
     <>
       <div class="button-row">

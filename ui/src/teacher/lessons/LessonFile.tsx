@@ -8,6 +8,7 @@ import { Button } from "../../kit/Button";
 import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
+import { valueIn } from "../../kit/requests/load_state";
 import { fileName, saveFile } from "../../shell/files/save_file";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { OpenLessonFile, openedText } from "../../work/OpenLessonFile";
@@ -23,6 +24,8 @@ interface LessonFileProps {
 export function LessonFile({ lesson, onOpened }: LessonFileProps) {
   const { file: labels } = texts.value.making;
   const folders = useTeacherLoaded("folders", async () => (await exchange.folders()).folders);
+  // the buttons do not wait for the folders: what is below would move away from a click
+  const found = valueIn(folders) ?? [];
   const status = useSignal("");
   const { fault, act } = useAction(asTeacher);
   const openFound = (file: FileFound) =>
@@ -34,31 +37,28 @@ export function LessonFile({ lesson, onOpened }: LessonFileProps) {
     <section class="panel card">
       <h2>{labels.title}</h2>
       <p class="teacher__hint">{labels.hint}</p>
-      <Loaded of={folders}>
-        {(found) => (
-          <div class="button-row">
-            {lesson && <SaveButtons lesson={lesson} folders={found} status={status} act={act} />}
-            <OpenLessonFile
-              onOpened={async (opened) => {
-                status.value = openedText(opened);
-                await onOpened();
-              }}
-            />
-            {found
-              .flatMap((folder) => folder.files.filter((file) => file.lesson))
-              .map((file) => (
-                <Button
-                  key={file.path}
-                  icon={FolderOpen}
-                  testId="lesson-file-found"
-                  onPress={() => openFound(file)}
-                >
-                  {labels.openFound({ name: file.name })}
-                </Button>
-              ))}
-          </div>
-        )}
-      </Loaded>
+      <div class="button-row">
+        {lesson && <SaveButtons lesson={lesson} folders={found} status={status} act={act} />}
+        <OpenLessonFile
+          onOpened={async (opened) => {
+            status.value = openedText(opened);
+            await onOpened();
+          }}
+        />
+        {found
+          .flatMap((folder) => folder.files.filter((file) => file.lesson))
+          .map((file) => (
+            <Button
+              key={file.path}
+              icon={FolderOpen}
+              testId="lesson-file-found"
+              onPress={() => openFound(file)}
+            >
+              {labels.openFound({ name: file.name })}
+            </Button>
+          ))}
+      </div>
+      {folders.status === "failed" && <Loaded of={folders}>{() => null}</Loaded>}
       <p role="status" class="teacher__done" data-testid="lesson-file-done">
         {status.value}
       </p>

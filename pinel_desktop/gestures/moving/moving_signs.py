@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pinel_desktop.gestures import movements, warping
-from pinel_desktop.gestures.movements import GROWTH, N_FRAMES, PATH, SHAPE, TIME, Movement
+from pinel_desktop.gestures.moving import movements, warping
+from pinel_desktop.gestures.moving.movements import GROWTH, N_FRAMES, PATH, SHAPE, TIME, Movement
 
 Array = NDArray[np.float64]
 

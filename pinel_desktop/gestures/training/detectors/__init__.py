@@ -1,0 +1,1 @@
+"""Trains detectors, and compares them with the landmarks."""
