@@ -4,11 +4,15 @@ import json
 import sys
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from pinel_desktop.commands.printing import Failure
 from pinel_desktop.errors import PinelError
+
+if TYPE_CHECKING:
+    from pinel_desktop.gestures.training.photos import Photo
 
 _FOLDER = click.Path(path_type=Path, file_okay=False)
 _FILE = click.Path(path_type=Path, dir_okay=False)
@@ -107,18 +111,17 @@ def _compared(
         features = load_photo_features(photos, recordings, lambda: progress.update(1))
     files = {source: Path(file) for source, file in left_out.items()}
     report = compare(Comparison(photos, features, detector, files))
-    return report, _average_precision(folder, detector)
+    return report, _average_precision(photos, detector) if "valid" in report["sets"] else None
 
 
-def _average_precision(folder: Path, detector: Path) -> dict[str, float] | None:
+def _average_precision(photos: "list[Photo]", detector: Path) -> dict[str, float] | None:
     """Returns None without the extra."""
     from pinel_desktop.gestures.training.detectors.average_precision import average_precision  # noqa: PLC0415
     from pinel_desktop.gestures.training.detectors.dataset import write_dataset  # noqa: PLC0415
-    from pinel_desktop.gestures.training.photos import read_photos  # noqa: PLC0415 - slow
     from pinel_desktop.gestures.yolo.detector import open_detector  # noqa: PLC0415
 
     with tempfile.TemporaryDirectory() as place:
-        data = write_dataset(read_photos(folder), Path(place))
+        data = write_dataset(photos, Path(place))
         try:
             return average_precision(detector, data, max(open_detector(detector).size))
         except PinelError as error:

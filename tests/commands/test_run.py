@@ -1,6 +1,7 @@
 """`pinel run` on the command line."""
 
 import json
+import math
 import os
 import re
 from collections.abc import Callable
@@ -389,7 +390,7 @@ def test_webcam_that_is_not_there_ends_with_2_before_the_robot_moves(number: str
     assert re.findall(r"\d+", printed["message"]) == [number]
 
 
-@pytest.mark.parametrize(("colour", "pose"), [(GREEN, (0.2, 0.0)), (RED, (0.0, 90.0))])
+@pytest.mark.parametrize(("colour", "pose"), [(GREEN, (0.2, 0.0)), (RED, (0.0, math.pi / 2))])
 def test_a_detector_answers_captures(
     tmp_path: Path, colour: tuple[int, int, int], pose: tuple[float, float]
 ) -> None:
@@ -404,7 +405,7 @@ def test_a_detector_answers_captures(
     looking = ("--camera", str(pictures), "--recognizer", f"yolo:{detector}")
     status, printed = run_json(str(file), *looking, "--no-store")
     assert status == 0
-    assert (printed["pose"]["x_m"], printed["pose"]["theta_deg"]) == pytest.approx(pose, abs=0.1)
+    assert (printed["pose"]["x_m"], printed["pose"]["yaw_rad"]) == pytest.approx(pose, abs=0.01)
 
 
 def test_a_detector_that_cannot_be_used_ends_with_2_before_the_robot_moves(tmp_path: Path) -> None:
