@@ -49,7 +49,7 @@ setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE) $(PAGE_TYPES) $(HANDS)  #
 test: setup $(ROS)  ## lint, types, unit and end-to-end tests, wheel, package and smoke test
 	@$(PYTHON) scripts/run_tests.py
 
-nightly: setup $(ROS) deb portable  ## the long tests, the package in other systems and the benchmarks too
+nightly: setup $(ROS) $(DETECTOR) deb portable  ## the long tests, the package in other systems and the benchmarks too
 	@sh scripts/system-packages.sh nightly
 	@$(PYTHON) scripts/run_tests.py --nightly
 
