@@ -80,10 +80,11 @@ def train(
     resumed = (weights / "last.pt").is_file() and not (training.folder / "model.onnx").is_file()
     model = ultralytics.YOLO(str(weights / "last.pt") if resumed else _ARCHITECTURE)
 
-    def tell(state: Any) -> None:
-        on_epoch(state.epoch + 1, float((state.metrics or {}).get(_MAP50, 0.0)))
+    def report(state: Any) -> None:
+        if state.epoch < training.epochs:  # ultralytics calls it once more for the best weights
+            on_epoch(state.epoch + 1, float((state.metrics or {}).get(_MAP50, 0.0)))
 
-    model.add_callback("on_fit_epoch_end", tell)
+    model.add_callback("on_fit_epoch_end", report)
     if resumed:
         _resume(model)
     else:
