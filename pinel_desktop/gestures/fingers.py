@@ -9,8 +9,8 @@ not matter. Each finger has one measure and one limit:
   lies along the fist (A) or across the palm (B) does not stand out.
 
 A logistic function of measure and limit is the probability that the finger is raised. Fingers are taken as independent,
-so the convolution of their probabilities is the probability of each count (Poisson binomial distribution), also over two
-hands. A finger near its limit leaves two counts likely: that is the doubt.
+so the convolution of their probabilities is the probability of each count (Poisson binomial distribution), also over
+two hands. A finger near its limit leaves two counts likely: that is the doubt.
 """
 
 from collections.abc import Sequence

@@ -48,6 +48,8 @@ describe("what can be said of a number", () => {
     expect(numberStateOf(numberOf())).toMatchObject({ kind: "sure", best: "3" });
     const doubt = numberOf({ sure: false, confidence: 0.6 });
     expect(numberStateOf(doubt)).toMatchObject({ kind: "unsure", best: "3", second: "4" });
+    const turned = numberOf({ best: "4", second: "3", sure: false });
+    expect(numberStateOf(turned)).toMatchObject({ kind: "unsure", best: "3", second: "4" });
     const none = { best: "", second: "", sure: false, confidence: 0 };
     expect(numberStateOf(numberOf(none))).toEqual({ kind: "no letter" });
     expect(numberStateOf({ ...numberOf(none), hands: [] })).toEqual({ kind: "no hand" });

@@ -10,7 +10,10 @@ export function numberStateOf(sight: CameraSightEvent | null): SignState {
   if (!sight?.number) return { kind: "blind" };
   const { best, second, confidence, sure } = sight.number;
   if (best === "") return { kind: sight.hands.length > 0 ? "no letter" : "no hand" };
-  return { kind: sure ? "sure" : "unsure", best, second, confidence };
+  if (sure) return { kind: "sure", best, second, confidence };
+  // a doubt is told in the order of counting, so that it does not change places from frame to frame
+  const [one = best, other = second] = [best, second].sort((a, b) => Number(a) - Number(b));
+  return { kind: "unsure", best: one, second: other, confidence };
 }
 
 /**
