@@ -125,6 +125,18 @@ def test_number_shown_is_minus_one_before_any_capture_and_after_a_timeout(
 
 def test_driving_without_a_number_fails_in_words_at_its_block(execute_commands: Any) -> None:
     result, _ = execute_commands(READ, {**DRIVE, "block": "d"})
-    assert (result.ended.state, result.ended.reason) == ("failed", "distance_out_of_range")
+    assert (result.ended.state, result.ended.reason) == ("failed", "no_number_shown")
     assert result.ended.block == "d"
-    assert result.ended.params["value"] == -1
+    half = {**DRIVE, "distance": {"op": "/", "args": [{"gesture": "number"}, 2]}}
+    assert execute_commands(READ, half)[0].ended.reason == "distance_out_of_range"
+
+
+def test_number_shown_may_be_too_large_as_any_number(execute_commands: Any) -> None:
+    wait = {"action": "set_speed", "linear": {"gesture": "number"}}
+    result, _ = execute_commands(READ, wait, inputs=ScriptedInputs(["9"]))
+    assert result.ended.reason == "speed_out_of_range"
+
+
+def test_turning_by_no_number_is_a_turn_by_minus_one_degree(execute_commands: Any) -> None:
+    turn = {"action": "turn", "angle": {"gesture": "number"}}
+    assert execute_commands(READ, turn)[0].ended.state == "finished"
