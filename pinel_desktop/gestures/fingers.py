@@ -24,10 +24,10 @@ Array = NDArray[np.float64]
 MIN_CONFIDENCE = 0.97  # as the stability filter demands of letters
 _TIPS, _MIDDLE_JOINTS = [8, 12, 16, 20], [6, 10, 14, 18]
 _THUMB_TIP, _INDEX_BASE, _LITTLE_BASE = 4, 5, 17
-# Limits: midway between folded and raised fingers of two people (docs/gestures.md). The scale is the distance from the
-# limit at which one of the two is e times as probable as the other.
+# Limits: midway between folded and raised fingers (docs/gestures.md). The scale is the distance from the limit at which
+# one of the two is e times as probable as the other.
 _FINGER_LIMIT, _FINGER_SCALE = 1.15, 0.025
-_THUMB_LIMIT, _THUMB_SCALE = 0.55, 0.06
+_THUMB_LIMIT, _THUMB_SCALE = 0.47, 0.04
 
 
 @dataclass(frozen=True)

@@ -1,17 +1,25 @@
-"""Raised fingers, counted on recorded hands of letters and on hands made from them."""
+"""Raised fingers, counted on recorded hands of letters, on hands made from them, and on drawn hands."""
 
+import cv2
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pinel_desktop.gestures.features import palm_landmarks
-from pinel_desktop.gestures.fingers import MIN_CONFIDENCE, count_fingers, raised_probabilities
+from pinel_desktop.gestures.features import features, palm_landmarks
+from pinel_desktop.gestures.fingers import (
+    MIN_CONFIDENCE,
+    NumberPrediction,
+    count_fingers,
+    raised_probabilities,
+)
+from pinel_desktop.gestures.hands import HandDetector
 from pinel_desktop.gestures.stability import MIN_CONFIDENCE as OF_STEADY_SIGNS
 from tests.camera.taught_hands import shown
+from tests.gestures.drawn import LETTER_L, OPEN, Picture, drawn_hand, mirrored, on_wall
 
 Array = NDArray[np.float64]
 RAISED = {"A": 0, "L": 2, "W": 3, "B": 4}
-THUMB, FINGERS = slice(1, 5), slice(5, 21)
+THUMB = slice(1, 5)
 
 
 def hand(letter: str) -> Array:
@@ -50,6 +58,38 @@ def test_size_makes_no_difference_nor_whether_palm_or_back_is_seen() -> None:
     for letter, n in RAISED.items():
         other_side = 1.7 * hand(letter) * [1.0, 1.0, -1.0]
         assert count_fingers([other_side]).best == str(n)
+
+
+@pytest.fixture(scope="module")
+def detector() -> HandDetector:
+    return HandDetector()
+
+
+def counted(detector: HandDetector, picture: Picture) -> NumberPrediction:
+    return count_fingers([palm_landmarks(features(hand)) for hand in detector.detect(picture)])
+
+
+@pytest.mark.parametrize("degrees", [0, 45, -45])
+@pytest.mark.parametrize("is_other_hand", [False, True])
+@pytest.mark.parametrize("n", range(2, 6))
+def test_drawn_hands_are_counted_with_their_thumb_tilted_too_and_of_either_side(
+    detector: HandDetector, n: int, is_other_hand: bool, degrees: int
+) -> None:
+    picture = drawn_hand(OPEN[: n - 1])
+    picture = mirrored(picture) if is_other_hand else picture
+    middle = (picture.shape[1] / 2, picture.shape[0] / 2)
+    turn = cv2.getRotationMatrix2D(middle, degrees, 0.8)
+    size = picture.shape[1::-1]
+    turned = cv2.warpAffine(picture, turn, size, borderMode=cv2.BORDER_REPLICATE)
+    assert counted(detector, np.asarray(turned, np.uint8)).best == str(n)
+
+
+def test_two_drawn_hands_are_counted_together(detector: HandDetector) -> None:
+    picture = on_wall(drawn_hand(OPEN, 320), 960, 540, 20, 40)
+    picture[40:360, 600:920] = mirrored(drawn_hand(LETTER_L, 320))
+    assert counted(detector, picture).best == "7"
+    picture[40:360, 600:920] = mirrored(drawn_hand(OPEN, 320))
+    assert counted(detector, picture).best == "10"
 
 
 def test_half_bent_finger_is_a_doubt_between_two_numbers() -> None:
