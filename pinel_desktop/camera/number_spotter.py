@@ -31,7 +31,7 @@ def shown_number(hands: list[DetectedSign]) -> NumberPrediction | None:
         not _is_number(hand) or hand.prediction.best == count.best
         for hand, count in zip(hands, counts, strict=True)
     )
-    return together if is_plain else together.as_doubt()
+    return together if is_plain else together.as_unsure()
 
 
 def _is_number(hand: DetectedSign) -> bool:

@@ -42,7 +42,7 @@ class NumberPrediction:
     second: str
     is_sure: bool
 
-    def as_doubt(self) -> "NumberPrediction":
+    def as_unsure(self) -> "NumberPrediction":
         """Returns the same prediction as one that does not count."""
         return replace(self, is_sure=False)
 

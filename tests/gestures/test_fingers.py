@@ -108,4 +108,4 @@ def test_half_bent_finger_is_a_doubt_between_two_numbers() -> None:
 
 def test_sure_number_becomes_steady_as_a_letter_does() -> None:
     assert MIN_CONFIDENCE >= OF_STEADY_SIGNS  # else a number could be sure and never count
-    assert not count_fingers([hand("W")]).as_doubt().is_sure
+    assert not count_fingers([hand("W")]).as_unsure().is_sure

@@ -1,7 +1,7 @@
 import type { CaptureOf } from "../api/model";
 import { type Texts, texts } from "../i18n";
 import { CameraTrouble } from "./CameraTrouble";
-import { SignStateView, type StateWords } from "./SignStateView";
+import { SignStateView, type StateLabels } from "./SignStateView";
 import { camera, hasPicture, sight } from "./sight";
 import { numberStateOf, signStateOf } from "./sign_state";
 
@@ -18,15 +18,15 @@ interface CurrentSignProps {
 export function CurrentSign({ progress, next, what = "sign" }: CurrentSignProps) {
   const { problem } = camera.value;
   const state = what === "number" ? numberStateOf(sight.value) : signStateOf(sight.value);
-  const words = wordsOf(what, texts.value.camera);
+  const labels = labelsOf(what, texts.value.camera);
   if (!hasPicture.value) return null;
   if (problem && !("best" in state)) return <CameraTrouble problem={problem} />;
   return (
-    <SignStateView state={state} words={words} progress={progress} next={next ?? words.hold} />
+    <SignStateView state={state} labels={labels} progress={progress} next={next ?? labels.hold} />
   );
 }
 
-function wordsOf(what: CaptureOf, of: Texts["camera"]): StateWords {
+function labelsOf(what: CaptureOf, of: Texts["camera"]): StateLabels {
   if (what === "sign") return of;
   const { noNumber: noLetter, unsureNumber: unsure, showHands: showHand, holdHands: hold } = of;
   return { ...of, noLetter, unsure, showHand, hold };

@@ -8,14 +8,14 @@ import type { SignState } from "./sign_state";
 const RADIUS = 50 / Math.PI;
 
 /** What is said of each state: a sign is looked for, or a number. */
-export type StateWords = Pick<
+export type StateLabels = Pick<
   Texts["camera"],
   "unsure" | "either" | "noLetter" | "twoSigns" | "showHand" | "hold"
 >;
 
 interface SignStateViewProps {
   state: SignState;
-  words: StateWords;
+  labels: StateLabels;
   /** Fraction of the hold time that has passed, 0 to 1. */
   progress: number;
   /** Instruction while a sign is held. */
@@ -23,7 +23,7 @@ interface SignStateViewProps {
 }
 
 /** The detected sign, its confidence, and the progress of its hold time. */
-export function SignStateView({ state, words, progress, next }: SignStateViewProps) {
+export function SignStateView({ state, labels, progress, next }: SignStateViewProps) {
   const { steady } = texts.value.camera;
   const whole = Math.round(100 * progress);
   return (
@@ -48,7 +48,7 @@ export function SignStateView({ state, words, progress, next }: SignStateViewPro
         </svg>
         <Middle state={state} />
       </div>
-      <StateText state={state} words={words} next={progress > 0 ? next : null} />
+      <StateText state={state} labels={labels} next={progress > 0 ? next : null} />
     </div>
   );
 }
@@ -71,11 +71,11 @@ const long = (sign: string) => (sign.length > 1 ? "reading__letter--long" : "");
 
 interface StateTextProps {
   state: SignState;
-  words: StateWords;
+  labels: StateLabels;
   next: string | null;
 }
 
-function StateText({ state, words: camera, next }: StateTextProps) {
+function StateText({ state, labels: camera, next }: StateTextProps) {
   switch (state.kind) {
     case "sure":
       return <Sure {...state} next={next} />;

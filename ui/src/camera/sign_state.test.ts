@@ -46,8 +46,8 @@ describe("what can be said of a number", () => {
 
   test("is the count, the doubt between two, and whether there is a hand at all", () => {
     expect(numberStateOf(numberOf())).toMatchObject({ kind: "sure", best: "3" });
-    const doubt = numberOf({ sure: false, confidence: 0.6 });
-    expect(numberStateOf(doubt)).toMatchObject({ kind: "unsure", best: "3", second: "4" });
+    const unsure = numberOf({ sure: false, confidence: 0.6 });
+    expect(numberStateOf(unsure)).toMatchObject({ kind: "unsure", best: "3", second: "4" });
     const turned = numberOf({ best: "4", second: "3", sure: false });
     expect(numberStateOf(turned)).toMatchObject({ kind: "unsure", best: "3", second: "4" });
     const none = { best: "", second: "", sure: false, confidence: 0 };

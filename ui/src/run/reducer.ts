@@ -182,10 +182,7 @@ export function reduce(view: RunView, event: RunEvent): RunView {
     case "block_ended":
       return withBlockEnded(next, event.pointer);
     case "capture_started":
-      return {
-        ...next,
-        capture: captureOf(event),
-      };
+      return { ...next, capture: captureOf(event) };
     case "countdown":
       return view.capture ? { ...next, capture: { ...view.capture, leftS: event.left_s } } : next;
     case "gesture_result":
