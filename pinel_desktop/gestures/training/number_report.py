@@ -18,7 +18,7 @@ from pinel_desktop.gestures.training.photos import Photo
 # Raised fingers, as the page draws the letters. Not here are letters whose fingers are half bent (C, E, F, O, T),
 # crossed (R), beside the thumb (G, K), or point downwards or at the camera (M, N, P, Q).
 RAISED = {"A": 0, "S": 0, "D": 1, "I": 1, "L": 2, "U": 2, "V": 2, "W": 3, "B": 4}
-# the people from whose hands the limits of `fingers.py` come
+# the people from whose hands the limit of the fingers in `fingers.py` comes
 LIMITS_FROM = ("p1_webcam", "p2_webcam")
 # fingers neither raised nor folded: there is no right answer, only doubt
 CURVED = ("C", "O")
