@@ -242,6 +242,7 @@ def _plain_commands(texts: Strategy) -> list[Strategy]:
         st.just({"action": "beep"}),
         _command("ask", question=TEXTS, variable=NUMBER_NAMES),
         _command("classify_gestures", timeout=st.floats(0.01, 1)),
+        _command("read_number", timeout=st.floats(0.01, 1)),
         _command("set_gesture_result", result=texts),
     ]
 

@@ -29,6 +29,7 @@ _DOT_M = 0.01  # a shorter line is invisible
 _COUNTED_RAD = np.radians(2.0)
 # the telemetry columns that checks use
 COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
+_CAPTURES = {"classify_gestures": "sign", "read_number": "number"}
 _NO_END: Mapping[str, Any] = {
     "type": RunEnded.type,
     "state": "failed",
@@ -323,8 +324,9 @@ class Evidence:
         counted = {"mark": "marked", "say": "said", "ask": "asked", "beep": "beeped"}
         if action in counted:
             return len(self._of_type(counted[action]))
-        if action == "classify_gestures":
-            return len(self._of_type("capture_started"))  # with or without a result
+        if action in _CAPTURES:
+            captures = self._of_type("capture_started")  # with or without a result
+            return sum(one.get("what", "sign") == _CAPTURES[action] for one in captures)
         return sum(one.action == action for one in self.started_commands)
 
     def motion_at(self, tick: int) -> StartedCommand | None:

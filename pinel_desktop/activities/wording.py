@@ -167,7 +167,8 @@ def expression_label(value: Any, language: str) -> str | None:
     if "var" in value:
         return str(value["var"])
     if "gesture" in value:
-        return describe("value_gesture", {}, language).message
+        code = "value_number_shown" if value["gesture"] == "number" else "value_gesture"
+        return describe(code, {}, language).message
     if "sensor" in value:
         return _sensor_label(value, language)
     return _operation_label(value, language) if "op" in value else None

@@ -227,7 +227,7 @@ class CameraClient:
         kind, run = event["type"], event["run"]
         if kind == "capture_started":
             self.switch_on()
-            self._begin_capture(run)
+            self._begin_capture(run, is_number=event.get("what") == "number")
         elif kind == "run_state" and run == self._run:
             self._hold(is_paused=event["state"] == "paused")
         elif kind in ("gesture_result", "run_ended") and run == self._run:
@@ -268,10 +268,10 @@ class CameraClient:
         if self._watchdog:
             self._watchdog.join()
 
-    def _begin_capture(self, run: str) -> None:
+    def _begin_capture(self, run: str, *, is_number: bool) -> None:
         with self._lock:
             self._run = run
-            self._update_desired(capture=str(next(self._numbers)))
+            self._update_desired(capture=str(next(self._numbers)), capture_number=is_number)
 
     def _hold(self, *, is_paused: bool) -> None:
         """Suspends the capture while the run is paused, and starts it again afterwards."""

@@ -14,7 +14,8 @@ class DesiredState:
     Attributes:
         source: address of the camera, as for `frames.open_reader`; None switches the camera off.
         mirror: whether the preview is mirrored; recognition does not depend on it.
-        capture: id of the capture that waits for a sign; None if no capture waits.
+        capture: id of the capture that waits for a sign or a number; None if no capture waits.
+        capture_number: whether it waits for a number shown by hand.
         preview: whether the preview has a viewer.
         annotated: whether the preview with hands and signs drawn into it has a viewer.
         caption: a line of text in the annotated preview.
@@ -26,6 +27,7 @@ class DesiredState:
     source: str | None = None
     mirror: bool = True
     capture: str | None = None
+    capture_number: bool = False
     preview: bool = False
     annotated: bool = False
     caption: str = ""

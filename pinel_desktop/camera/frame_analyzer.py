@@ -82,11 +82,17 @@ class FrameAnalyzer:
         """
         self._landmarks.classifier, self._taught = classifier, taught
 
-    def analyze(self, frame: RawFrame) -> list[DetectedSign]:
-        """Returns the hands of the next frame, at most two."""
+    def analyze(self, frame: RawFrame, *, both: bool = False) -> list[DetectedSign]:
+        """Returns the hands of the next frame, at most two.
+
+        Args:
+            both: looks for a second hand, too, while one is tracked.
+        """
         if frame.hands is not None:
             return [self._recorded(hand) for hand in frame.hands]
-        return [self._detected_sign(sign) for sign in self._recognizer.track(frame.picture)]
+        return [
+            self._detected_sign(sign) for sign in self._recognizer.track(frame.picture, both=both)
+        ]
 
     def reset(self) -> None:
         """Resets hand tracking, because the next frame comes from another source."""

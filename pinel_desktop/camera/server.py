@@ -16,6 +16,12 @@ from numpy.typing import NDArray
 from pinel_desktop.camera.annotation import annotated
 from pinel_desktop.camera.desired_state import DesiredState
 from pinel_desktop.camera.frame_analyzer import DetectedSign, FrameAnalyzer
+from pinel_desktop.camera.number_spotter import (
+    NO_NUMBER_SHOWN,
+    NUMBERS,
+    NumberSpotter,
+    shown_number,
+)
 from pinel_desktop.camera.recognizer_loading import RecognizerLoader
 from pinel_desktop.camera.sign_training import MovementCollector, SampleCollector, SignTrainer
 from pinel_desktop.camera.source import CameraSource, StampedFrame
@@ -128,7 +134,7 @@ class _Session:
         self._loader = loader
         self._source: CameraSource | None = None
         self._desired = DesiredState()
-        self._spotter = SignSpotter()
+        self._spotter, self._number_spotter = SignSpotter(), NumberSpotter()
         self._trainer = SignTrainer(analyzer.classifier)
         self._sample_collector, self._movement_collector = SampleCollector(), MovementCollector()
         self._moving: MovingSignClassifier | None = None
@@ -140,6 +146,10 @@ class _Session:
     @property
     def is_on(self) -> bool:
         return self._source is not None
+
+    @property
+    def _waits_for_number(self) -> bool:
+        return self._desired.capture is not None and self._desired.capture_number
 
     def handle(self, order: Message) -> None:
         """Handles a message: new taught signs, or a new desired state."""
@@ -156,6 +166,7 @@ class _Session:
             self._loader.load(desired.recognizer)
         if desired.capture != self._desired.capture:
             self._spotter.reset()
+            self._number_spotter.reset()
         if desired.record != self._desired.record:
             self._sample_collector.reset()
             self._movement_collector.reset()
@@ -171,6 +182,7 @@ class _Session:
             self._analyzer.recognizer.min_confidence,
             self._moving if self._analyzer.has_landmarks else None,
         )
+        self._number_spotter = NumberSpotter(self._analyzer.recognizer.min_confidence)
         self._send(loaded.as_message(self._analyzer.recognizer.signs))
 
     def poll_frame(self) -> None:
@@ -206,11 +218,14 @@ class _Session:
             self._moving = trained.moving
             if self._analyzer.has_landmarks:
                 self._spotter.set_moving_signs(trained.moving)
-        hands = self._analyzer.analyze(frame.raw)
+        hands = self._analyzer.analyze(frame.raw, both=self._waits_for_number)
         self._record(frame, hands)
         decision = self._spotter.update(*_frame_prediction(frame, hands))
         if decision and decision.is_moving:
             self._moved, self._moved_s = decision, frame.time_s
+        if self._waits_for_number:
+            number = self._number_spotter.update(frame.time_s, hands)
+            decision = decision if decision and _is_moving_number(decision) else number
         is_learning = self._trainer.is_busy or self._loader.is_busy
         if self._desired.capture and decision and not is_learning:
             taught = decision.is_moving or any(
@@ -256,6 +271,7 @@ class _Session:
                 "moved": moved.label if moved else "",
                 "moved_confidence": moved.confidence if moved else 0.0,
                 "aspect": round(width / height, 4),
+                "number": self._number_message(hands) if self._waits_for_number else None,
             }
         )
         if self._desired.preview:
@@ -263,6 +279,17 @@ class _Session:
         if self._desired.annotated:
             shown = annotated(self._shown(picture), hand_messages, self._desired.caption)
             self._send({"type": "annotated", "jpeg": _base64(shown)})
+
+    def _number_message(self, hands: list[DetectedSign]) -> Message:
+        """Returns the number that the hands of a frame show, as in the event `camera_sight`."""
+        number = shown_number(hands) or NO_NUMBER_SHOWN
+        return {
+            "best": number.best,
+            "confidence": round(number.confidence, 3),
+            "second": number.second,
+            "sure": number.is_sure,
+            "progress": round(self._number_spotter.progress, 2),
+        }
 
     def _shown(self, picture: Picture) -> Picture:
         """Returns the picture for the preview: at most `_PREVIEW_SIDE` px a side, mirrored if desired."""
@@ -300,6 +327,11 @@ def _frame_prediction(
         frame.time_s, label, prediction.confidence, prediction.second, first.outline
     )
     return frame_prediction, first.handedness == "left"
+
+
+def _is_moving_number(decision: Decision) -> bool:
+    """Returns whether a movement that the class taught as a number was shown."""
+    return decision.is_moving and decision.label in NUMBERS
 
 
 def _as_message(hand: DetectedSign, width: int, height: int, *, mirror: bool) -> dict[str, Any]:

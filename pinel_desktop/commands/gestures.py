@@ -106,12 +106,20 @@ def classify(
 @click.option(
     "--sequences", is_flag=True, help="Also make short videos of the pictures; some minutes more."
 )
+@click.option(
+    "--numbers", is_flag=True, help="Measure only how raised fingers are counted; some minutes."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @_recordings_option
 def evaluate(
-    folder: Path, table: Path | None, sequences: bool, as_json: bool, recordings: Path | None
+    folder: Path,
+    table: Path | None,
+    sequences: bool,
+    numbers: bool,
+    as_json: bool,
+    recordings: Path | None,
 ) -> None:
-    """Measure the accuracy of letter recognition in the labelled pictures of DIR.
+    """Measure the accuracy of letter recognition in the labelled pictures of DIR, or the counting of fingers.
 
     sources.csv is in DIR, or beside it. Without --leave-one-source-out, the shipped letters are measured. They were
     trained on the same people, so the results do not apply to other people.
@@ -121,13 +129,16 @@ def evaluate(
         from pinel_desktop.gestures.training import evaluation, photos  # noqa: PLC0415
 
         found = photos.read_photos(folder, table)
-        recorded = _recorded(found, recordings)
-        if table:
-            report = evaluation.evaluate_unseen(recorded)
+        if numbers:
+            report = _counted(found)
         else:
-            report = evaluation.evaluate_known(recorded, weights_file.load())
-        report["speed_ms"] = evaluation.speed_ms(found)
-        if sequences:
+            recorded = _recorded(found, recordings)
+            if table:
+                report = evaluation.evaluate_unseen(recorded)
+            else:
+                report = evaluation.evaluate_known(recorded, weights_file.load())
+            report["speed_ms"] = evaluation.speed_ms(found)
+        if sequences and not numbers:
             from pinel_desktop.gestures.training.moving_report import (  # noqa: PLC0415
                 moving_report,
             )
@@ -261,6 +272,16 @@ def _recorded(found: "list[Photo]", recordings_file: Path | None) -> "PhotoFeatu
 
     with click.progressbar(length=len(found), file=sys.stderr) as progress:
         return load_photo_features(found, recordings_file, lambda: progress.update(1))
+
+
+def _counted(found: "list[Photo]") -> dict[str, Any]:
+    from pinel_desktop.gestures.training.number_report import (  # noqa: PLC0415 - slow to import
+        n_counted,
+        number_report,
+    )
+
+    with click.progressbar(length=n_counted(found), file=sys.stderr) as progress:
+        return number_report(found, lambda: progress.update(1))
 
 
 def _classified(recognizer: "SignRecognizer", image: Path, aspect: float | None) -> dict[str, Any]:

@@ -145,6 +145,24 @@ class DetectedHand(TypedDict):
     sure: bool
 
 
+class DetectedNumber(TypedDict):
+    """The number that the hands in the camera's frame show together.
+
+    Attributes:
+        best: the likeliest number, in digits; "" if no hand is there to count.
+        confidence: confidence of `best`, 0 to 1.
+        second: the second likeliest number; "" without one.
+        sure: whether `best` counts for a capture.
+        progress: progress of `best` towards the answer of the capture, 0 to 1.
+    """
+
+    best: str
+    confidence: float
+    second: str
+    sure: bool
+    progress: float
+
+
 @dataclass(frozen=True, slots=True)
 class CameraSight(StreamEvent):
     """Hands and signs in the newest frame of the camera, without the frame. Sent at most 10 times a second.
@@ -156,6 +174,7 @@ class CameraSight(StreamEvent):
         moved: the last sign that a movement showed, for about a second; "" without one.
         moved_confidence: confidence of `moved`, 0 to 1; higher for a movement closer to the samples of the class.
         aspect: width of the frame divided by its height.
+        number: the number shown by hand; null unless a capture waits for one.
     """
 
     type: ClassVar[str] = "camera_sight"
@@ -166,6 +185,7 @@ class CameraSight(StreamEvent):
     moved: str
     moved_confidence: float
     aspect: float
+    number: DetectedNumber | None = None
 
 
 @dataclass(frozen=True, slots=True)

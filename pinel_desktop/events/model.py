@@ -42,6 +42,7 @@ class NullIfInterrupted:
 
 
 PauseCause = Literal["person", "breakpoint", "step"]
+CaptureOf = Literal["sign", "number"]
 CaptureBy = Literal["camera", "taught", "person", "list"]
 _NULL_IF_INTERRUPTED: Final = NullIfInterrupted()
 
@@ -120,30 +121,33 @@ class BlockEnded(Event):
 
 @dataclass(frozen=True, slots=True)
 class CaptureStarted(Event):
-    """The program waits for a sign.
+    """The program waits for a sign, or for a number shown by hand.
 
     Attributes:
         block: id of the block that waits.
         timeout_s: longest time that it waits, in s.
+        what: what it waits for.
     """
 
     type: ClassVar[str] = "capture_started"
     urgent: ClassVar[bool] = True
     block: str | None
     timeout_s: float
+    what: CaptureOf = "sign"
 
 
 @dataclass(frozen=True, slots=True)
 class GestureResult(Event):
-    """The gesture result has a new value.
+    """The gesture result has a new value, or the number shown has.
 
     Attributes:
-        result: name of the sign; "" when none was recognised.
+        result: name of the sign, or the number in digits; "" when none was recognised.
         source: whether a capture recognised the sign or a block set it.
         by: source of a captured sign: the camera (`taught`: with a sign that the class taught it), a person by hand,
             or a list given beforehand; null after the timeout and for a block.
         confidence: confidence of the camera, 0 to 1; null for all other sources.
         second: the camera's second best sign; "" without one.
+        what: what was captured; a number leaves the gesture result as it is.
     """
 
     type: ClassVar[str] = "gesture_result"
@@ -152,6 +156,7 @@ class GestureResult(Event):
     by: CaptureBy | None = None
     confidence: float | None = None
     second: str = ""
+    what: CaptureOf = "sign"
 
 
 @dataclass(frozen=True, slots=True)
@@ -253,12 +258,14 @@ class Watch(Event):
         variables: value of each visible variable by its name; long texts and lists are shortened.
         stack: the running function calls, the outermost first.
         gesture: the gesture result; "" without one.
+        number: the number shown by hand; -1 without one.
     """
 
     type: ClassVar[str] = "watch"
     variables: dict[str, Any]
     stack: list[StackEntry]
     gesture: str
+    number: int = -1
 
 
 @dataclass(frozen=True, slots=True)

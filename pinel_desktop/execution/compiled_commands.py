@@ -6,12 +6,14 @@ from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from typing import Any
 
-from pinel_desktop.execution.context import RunContext
+from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.expressions.parameters import bounds_of, checked
 from pinel_desktop.execution.expressions.values import Value
+from pinel_desktop.execution.inputs import NO_NUMBER
 from pinel_desktop.execution.primitives import TABLE, Primitive
 from pinel_desktop.execution.requests import Invoke, Preempt, Routine
 from pinel_desktop.program.base import Model
+from pinel_desktop.program.expressions import NumberShown
 
 Values = tuple[Value | None, ...]
 
@@ -39,6 +41,7 @@ class _Parameter:
         self._bounds = bounds_of(command, name)
         self._evaluator = context.evaluator
         self._compiled = None if expression is None else self._evaluator.compiled(expression)
+        self._is_number_shown = isinstance(expression, NumberShown)
         self.is_constant = not isinstance(expression, Model)
         self.weight = self._compiled.weight if self._compiled else 0
 
@@ -50,7 +53,14 @@ class _Parameter:
         """The value of a simple parameter. Raises RunFailureError."""
         if self._compiled is None or self._compiled.simple is None:
             return None
-        return checked(self._bounds, self._compiled.simple())
+        value = self._compiled.simple()
+        try:
+            return checked(self._bounds, value)
+        except RunFailureError as failure:
+            if self._is_number_shown and value == NO_NUMBER:
+                # names the cause: "-1 is out of range" would not tell a pupil where the -1 comes from
+                raise RunFailureError("no_number_shown") from failure
+            raise
 
     def in_steps(self) -> Generator[Invoke | Preempt, Value | None, Value | None]:
         if self._compiled is None:

@@ -12,7 +12,7 @@ from pinel_desktop.events.model import Event
 from pinel_desktop.execution.expressions.evaluation import Evaluator
 from pinel_desktop.execution.expressions.variables import Variables
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.inputs import Capture, InputSource
+from pinel_desktop.execution.inputs import NO_NUMBER, Capture, InputSource
 from pinel_desktop.execution.output import Output
 from pinel_desktop.execution.places import MarkedPlaces
 from pinel_desktop.execution.semantics import CURRENT
@@ -69,6 +69,7 @@ class RunContext:
         marked: the marks by place.
         output: texts, marks, beeps, questions and pen of the program.
         gesture_result: the last result of a capture, or the value set by a block.
+        number_shown: the last number that a hand showed; `NO_NUMBER` without one.
         unreported: "result" and "pen" if set since the last report. They are reported once a tick: a loop without
             motion may set them a thousand times a tick.
         n_evaluated: evaluated parts of expressions, which count as work.
@@ -102,6 +103,7 @@ class RunContext:
     marked: MarkedPlaces = field(default_factory=MarkedPlaces)
     output: Output = field(init=False)
     gesture_result: str = ""
+    number_shown: int = NO_NUMBER
     unreported: set[str] = field(default_factory=set)
     n_evaluated: int = 0
     waited_s: float = 0.0

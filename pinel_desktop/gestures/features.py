@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 
 N_SHAPE, N_ACTIVATIONS = 852, 896
 N_FEATURES = N_SHAPE + N_ACTIVATIONS
+_IN_PALM = slice(60, 120)  # position of the landmarks in the palm's frame, in the order of `_shape`
 # all features of a block, and both blocks, weigh equally in the classifier
 BLOCKS = (slice(0, N_SHAPE), slice(N_SHAPE, N_SHAPE + N_ACTIVATIONS))
 
@@ -42,6 +43,15 @@ def features(hand: Hand) -> NDArray[np.float32]:
     """Returns the feature vector of a hand, (1748,)."""
     shape = [np.ravel(part) for part in _shape(hand)]
     return np.concatenate([*shape, _sampled_activations(hand)]).astype(np.float32)
+
+
+def palm_landmarks(features: NDArray[np.float32]) -> Array:
+    """Returns the landmarks (21, 3) of a hand from its feature vector (1748,).
+
+    Frame: across the palm, along it towards the middle finger, perpendicular to it; the wrist is the origin, the unit
+    is three mean bone lengths. It turns with the hand, and left hands are mirrored.
+    """
+    return np.vstack([np.zeros(3), features[_IN_PALM].astype(np.float64).reshape(20, 3)])
 
 
 def _shape(hand: Hand) -> Iterator[Array | list[float]]:

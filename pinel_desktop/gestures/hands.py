@@ -20,6 +20,7 @@ _LOST_PRESENCE = 0.3  # lower than MIN_PRESENCE: the presence of a tracked hand 
 _PADDINGS = (1, 1.5, 2, 3)
 _PALM_SCORES = (0.5, 0.3)
 _CERTAINLY_OTHER = 0.3
+_SECOND_HAND_FRAMES = 3
 _SAME_HAND = 0.5  # as a fraction of the smaller hand's size
 
 
@@ -74,15 +75,26 @@ class HandTracker:
     def __init__(self, detector: HandDetector) -> None:
         self._detector = detector
         self._hands: list[Hand] = []
-        self._n_empty = 0
+        self._n_frames = 0
 
-    def update(self, picture: Picture) -> list[Hand]:
-        """Returns the hands of the next frame. If all hands are lost, detects palms again."""
+    def update(self, picture: Picture, *, both: bool = False) -> list[Hand]:
+        """Returns the hands of the next frame. If all hands are lost, detects palms again.
+
+        Args:
+            both: whether to look for the second hand, too, while one is tracked: every `_SECOND_HAND_FRAMES` frames,
+                because it takes four times as long as tracking.
+        """
         followed = without_duplicates([self._follow(picture, hand) for hand in self._hands])
         self._hands = [hand for hand in followed if hand.presence > _LOST_PRESENCE]
         if not self._hands:
             found = self._detector.detect(picture)
             self._hands = [hand for hand in found if hand.presence > MIN_PRESENCE]
+        elif both and len(self._hands) < MAX_HANDS:
+            self._n_frames += 1
+            if self._n_frames % _SECOND_HAND_FRAMES == 0:
+                found = self._detector.detect(picture, exhaustive=False)
+                new = [hand for hand in found if hand.presence > MIN_PRESENCE]
+                self._hands = without_duplicates([*self._hands, *new])
         return self._hands
 
     def _follow(self, picture: Picture, hand: Hand) -> Hand:

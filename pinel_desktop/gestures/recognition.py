@@ -54,9 +54,13 @@ class LandmarkRecognizer:
             if hand.presence > MIN_PRESENCE
         ]
 
-    def track(self, picture: Picture) -> list[RecognizedSign]:
-        """Returns the hands of the next frame of a video; detects new hands only if none is tracked."""
-        return [self._recognised(hand) for hand in self._tracker.update(picture)]
+    def track(self, picture: Picture, *, both: bool = False) -> list[RecognizedSign]:
+        """Returns the hands of the next frame of a video; detects new hands only if none is tracked.
+
+        Args:
+            both: detects a second hand, too, while one is tracked.
+        """
+        return [self._recognised(hand) for hand in self._tracker.update(picture, both=both)]
 
     def reset_tracking(self) -> None:
         """Detects hands again in the next frame, because it comes from another source."""

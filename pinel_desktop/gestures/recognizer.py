@@ -46,8 +46,12 @@ class SignRecognizer(Protocol):
     def read(self, picture: Picture) -> Sequence[RecognizedSign]:
         """Returns the signs of one unstretched RGB picture (height, width, 3), at most `MAX_SIGNS`, the best first."""
 
-    def track(self, picture: Picture) -> Sequence[RecognizedSign]:
-        """Returns the signs of the next frame of a video."""
+    def track(self, picture: Picture, *, both: bool = False) -> Sequence[RecognizedSign]:
+        """Returns the signs of the next frame of a video.
+
+        Args:
+            both: looks for a second hand, too, while one is tracked.
+        """
 
     def reset_tracking(self) -> None:
         """Forgets the video, because the next frame comes from another source."""

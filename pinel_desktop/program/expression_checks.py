@@ -136,7 +136,7 @@ class ExpressionChecker:
             self.name(value["var"])
             return None
         if "gesture" in value:
-            return "text"
+            return "number" if value["gesture"] == "number" else "text"
         if "call" in value:
             signature = self.call(value["call"], value.get("arguments"), path, "call")
             if signature is not None and not signature.gives_value:

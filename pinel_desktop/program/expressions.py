@@ -70,6 +70,12 @@ class GestureResult(Model):
     gesture: Literal["result"]
 
 
+class NumberShown(Model):
+    """The last number that a hand showed, -1 without one."""
+
+    gesture: Literal["number"]
+
+
 class Variable(Model):
     """The value of a variable, or of a parameter of the enclosing function."""
 
@@ -125,7 +131,7 @@ class FunctionCall(Model):
     arguments: dict[Name, "Expression"] = field(default_factory=dict)
 
 
-AnyNode = Operation | Variable | GestureResult | SensorReading | FunctionCall
+AnyNode = Operation | Variable | GestureResult | NumberShown | SensorReading | FunctionCall
 
 # Tags appear in pydantic's error locations; with a space they cannot be taken for keys of the document.
 _SENSOR_KINDS = {name: f"a {model.__name__.lower()}" for name, model in READINGS.items()}
@@ -133,6 +139,7 @@ _MODELS: dict[type[Model], str] = {
     Operation: "an operation",
     Variable: "a variable",
     GestureResult: "a gesture",
+    NumberShown: "a number shown",
     FunctionCall: "a call",
     **{READINGS[name]: kind for name, kind in _SENSOR_KINDS.items()},
 }
@@ -150,7 +157,7 @@ def _node_kind(value: Any) -> str | None:
         sensor = value["sensor"]
         return _SENSOR_KINDS.get(sensor, "a measure") if isinstance(sensor, str) else "a measure"
     if "gesture" in value:
-        return "a gesture"
+        return "a number shown" if value["gesture"] == "number" else "a gesture"
     return "a call" if "call" in value else None
 
 

@@ -196,6 +196,14 @@ class ClassifyGestures(CommandBase):
         return "classify_gestures"
 
 
+class ReadNumber(CommandBase):
+    """Waits for 0 to 10 raised fingers, in real time; the number shown is then that, or -1 after the timeout."""
+
+    python = "robot.read_number(timeout=10)"
+    action: Literal["read_number"]
+    timeout: Timeout = 10.0
+
+
 class SetGestureResult(CommandBase):
     """Sets the gesture result by hand."""
 
@@ -355,6 +363,7 @@ Command = Annotated[
     | Say
     | Beep
     | ClassifyGestures
+    | ReadNumber
     | SetGestureResult
     | SetVariable
     | ChangeVariable

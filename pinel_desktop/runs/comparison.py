@@ -21,8 +21,11 @@ from storage.runs.telemetry import COLUMNS, STEPS, Rows, pack, unpack
 
 EQUAL_M = 1e-4  # tolerance between platforms: their math functions differ in the last digit
 _EQUAL_OVER_ALL_M = 1e-2  # a long path's length sums up many such differences
-# records of releases before 0.3 lack this field; their replay gives null
+# Fields that earlier records lack, with what their replay gives for them: of releases before 0.3 the metric, of those
+# before numbers were shown by hand the others.
 _ADDED_METRIC = "estimated_closing_error_m"
+_ADDED_FIELDS: Mapping[str, Any] = {_ADDED_METRIC: None, "what": "sign", "number": -1}
+_ABSENT = object()
 _ANGLES = ("yaw_rad", "goal_yaw_rad", "true_yaw_rad")
 _SHA256 = re.compile(r"[0-9a-f]{64}\Z")
 _HEAD = ("v", "type", "run", "seq", "tick")
@@ -219,7 +222,7 @@ def _comparable(was: Wire, now: Wire, *, everything: bool) -> dict[str, Any]:
     return {
         name: value
         for name, value in now.items()
-        if name in was or (everything and not (name == _ADDED_METRIC and value is None))
+        if name in was or (everything and _ADDED_FIELDS.get(name, _ABSENT) != value)
     }
 
 

@@ -62,12 +62,12 @@ def on(activity: Activity, **setting: str) -> Activity:
     return activity.model_copy(update=setting)
 
 
-def test_there_are_twenty_five_in_four_paths_and_the_game() -> None:
+def test_there_are_twenty_six_in_four_paths_and_the_game() -> None:
     paths = [choose_activity(name).path for name in activity_names()]
     assert {path: paths.count(path) for path in paths} == {
         "moves": 6,
         "shapes": 7,
-        "decisions": 6,
+        "decisions": 7,
         "sensors": 6,
         "games": 2,
     }

@@ -52,6 +52,7 @@ JUDGED = (
     "b_or_a",
     "until_b",
     "up_to_three_metres",
+    "metres_by_fingers",
 )
 EMPTY = "empty_room"
 

@@ -123,6 +123,7 @@ def test_of_a_run_whose_engine_was_lost_no_block_is_to_blame(tmp_path: Path) -> 
         ("polygon", 3),
         ("up_to_three_metres", 4),
         ("b_or_a", 3),
+        ("metres_by_fingers", 2),
     ],
 )
 def test_a_run_is_recognised_as_the_case_that_it_was(name: str, case: int, tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""A hand that shows no letter, as a recording: what the features of A and B have in common."""
+"""Recorded hands, and hands between two of them: one that shows no letter, one that shows no clear number."""
 
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from pinel_desktop.camera.landmark_sequence import (
 RECORDINGS = Path(__file__).parent / "recordings"
 N_FRAMES = 60
 _NOISE = 0.01
+_HALF_RAISED = 0.55  # from the little finger of W towards that of B
 
 
 def shown(letter: str) -> list[RecordedHand]:
@@ -29,9 +30,18 @@ def packed(hands: list[RecordedHand]) -> bytes:
 
 def write_unknown_hand(path: Path) -> Path:
     """Between A and B, at rest, with a little noise in each frame."""
-    first, second = shown("A")[0], shown("B")[0]
+    return _write_between(path, "A", "B", 0.5)
+
+
+def write_doubtful_number(path: Path) -> Path:
+    """Between W and B: three raised fingers, or four."""
+    return _write_between(path, "W", "B", _HALF_RAISED)
+
+
+def _write_between(path: Path, one: str, other: str, part: float) -> Path:
+    first, second = shown(one)[0], shown(other)[0]
     chance = np.random.default_rng(5)
-    middle = (first.features + second.features) / 2
+    middle = (1.0 - part) * first.features + part * second.features
 
     def frame() -> RecordedHand:
         noise = chance.normal(0, _NOISE, middle.shape)

@@ -48,6 +48,12 @@ class Harness:
             **options,
         )
 
+    def number(self) -> dict[str, Any]:
+        """The next number that is told; null without a capture of one."""
+        while not (number := self.events.get(timeout=WAIT_S)["number"]):
+            pass
+        return dict(number)
+
     def event(self, kind: str, **fields: Any) -> None:
         self.camera.observe({"type": kind, "run": "r", **fields})
 
@@ -91,6 +97,28 @@ def test_capture_is_answered_with_what_is_shown_and_how_sure_that_is(harness: Ha
         assert capture.second not in ("", expected)
 
 
+@pytest.mark.parametrize(("letter", "number"), [("a", "0"), ("l", "2"), ("w", "3"), ("b", "4")])
+def test_capture_of_a_number_is_answered_with_the_raised_fingers(
+    harness: Harness, letter: str, number: str
+) -> None:
+    harness.camera.set_source(str(RECORDINGS / f"{letter}.npz"))
+    harness.event("capture_started", what="number")
+    shown = harness.number()
+    run, capture = harness.answers.get(timeout=WAIT_S)
+    assert (run, capture.label, capture.by) == ("r", number, "camera")
+    assert set(shown) == {"best", "confidence", "second", "sure", "progress"}
+
+
+def test_capture_of_a_number_is_answered_with_a_number_that_the_class_taught(
+    harness: Harness,
+) -> None:
+    harness.camera.set_taught_signs((("7", packed(shown("L")), b""),))
+    harness.camera.set_source(str(RECORDINGS / "l.npz"))
+    harness.event("capture_started", what="number")
+    capture = harness.answers.get(timeout=WAIT_S)[1]
+    assert (capture.label, capture.by) == ("7", "taught")
+
+
 def test_capture_that_a_person_answers_is_not_answered_again(harness: Harness) -> None:
     harness.camera.switch_on()
     harness.until("on")
@@ -118,7 +146,7 @@ def test_what_is_seen_is_told_at_most_ten_times_a_second_and_never_as_a_picture(
     while time.monotonic() - start_s < 2.0:
         event = harness.events.get(timeout=WAIT_S)
         steady, moved = {"label", "progress"}, {"moved", "moved_confidence"}
-        assert set(event) == set(first) == {"type", "hands", "aspect"} | steady | moved
+        assert set(event) == set(first) == {"type", "hands", "aspect", "number"} | steady | moved
         assert all(
             0.0 <= value <= 1.0 for hand in event["hands"] for p in hand["points"] for value in p
         )

@@ -352,6 +352,18 @@ def test_the_start_must_have_room_for_the_robot_that_runs(home: Path) -> None:
     assert small == 0
 
 
+@pytest.mark.waits
+@pytest.mark.parametrize(("letter", "metres"), [("l", 2), ("w", 3)])
+def test_robot_drives_as_many_metres_as_fingers_are_raised_in_front_of_the_camera(
+    letter: str, metres: int
+) -> None:
+    hand = Path(__file__).parents[1] / "camera" / "recordings" / f"{letter}.npz"
+    program = "robot.read_number(timeout=30)\nrobot.move_forward(robot.number_shown)\n"
+    status, printed = run_json("-", "--camera", str(hand), "--no-store", text=program)
+    assert (status, printed["state"]) == (0, "finished")
+    assert printed["pose"]["x_m"] == pytest.approx(metres, abs=0.001)
+
+
 def no_video(folder: Path) -> Path:
     path = folder / "lesson.mp4"
     path.write_bytes(b"no video")

@@ -11,7 +11,7 @@ from playwright.sync_api import Locator, expect
 from pinel_desktop.camera.client import IDLE_OFF_S
 from pinel_desktop.messages import LANGUAGES
 from storage import open_store
-from tests.camera.taught_hands import packed, shown, write_unknown_hand
+from tests.camera.taught_hands import packed, shown, write_doubtful_number, write_unknown_hand
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
@@ -25,6 +25,9 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 RECORDINGS = Path(__file__).parents[1] / "camera" / "recordings"
 NO_CAMERA = "9"
 UNKNOWN_SIGN = "strange"
+DOUBTFUL_NUMBER = "doubtful"
+THREE_FINGERS = str(RECORDINGS / "w.npz")
+AS_MANY_METRES = "robot.read_number(timeout=60)\nrobot.move_forward(robot.number_shown)\n"
 IF_B = 'if robot.gesture_result == "B":\n    robot.move_forward(0.2)\n'
 WAITS_FOR_B = f"robot.classify_gestures(timeout=60)\n{IF_B}"
 # the camera may be slow to open on a busy PC
@@ -40,6 +43,8 @@ def camera() -> str:
 def app(tmp_path: Path, camera: str) -> Iterator[AppProcess]:
     if camera == UNKNOWN_SIGN:  # a hand that shows no letter
         camera = str(write_unknown_hand(tmp_path / "strange.npz"))
+    if camera == DOUBTFUL_NUMBER:
+        camera = str(write_doubtful_number(tmp_path / "doubtful.npz"))
     app = AppProcess(tmp_path, "--camera", camera)
     app.start()
     yield app
@@ -53,6 +58,53 @@ def test_a_sign_that_the_camera_sees_decides_what_the_robot_does(studio: Studio)
     studio.wait_for_phase("finished", RUN_MS + CAMERA_MS)
     studio.expect_number("pose-x", pytest.approx(0.2, abs=0.001))
     expect(studio["status-line"]).to_contain_text("A câmera viu B (")
+
+
+@pytest.mark.parametrize("camera", [THREE_FINGERS])
+def test_the_robot_drives_as_many_metres_as_fingers_are_raised(studio: Studio) -> None:
+    studio.enter_new_group()
+    write_program(studio, AS_MANY_METRES)
+    assert studio.commands()[1]["distance"] == {"gesture": "number"}
+    studio.run()
+    studio.wait_for_phase("finished", RUN_MS + CAMERA_MS)
+    studio.expect_number("pose-x", pytest.approx(3.0, abs=0.001))
+    group = studio.api(f"/programs/{studio.program_id}")["group_id"]
+    (run,) = studio.api(f"/groups/{group}/runs")["runs"]
+    events = studio.api(f"/runs/{run['id']}/events")["events"]
+    numbers = [event for event in events if event["type"] == "gesture_result"]
+    assert [(one["what"], one["result"], one["by"]) for one in numbers] == [
+        ("number", "3", "camera")
+    ]
+    studio.page.goto(f"{studio.origin}/#/run/{run['id']}")
+    expect(studio["replay-slider"]).to_be_visible()
+
+
+@pytest.mark.parametrize("camera", [DOUBTFUL_NUMBER])
+def test_a_number_in_doubt_is_shown_as_two_and_answered_by_hand(studio: Studio) -> None:
+    studio.enter_new_group()
+    write_program(studio, AS_MANY_METRES)
+    studio.run()
+    expect(studio["reading"]).to_have_attribute("data-kind", "unsure", timeout=CAMERA_MS)
+    expect(studio["reading"]).to_contain_text("3 ou 4?")
+    assert violations(studio, "reading") == []
+    studio["capture-letter"].and_(studio.page.locator('[data-letter="2"]')).click()
+    studio.wait_for_phase("finished")
+    studio.expect_number("pose-x", pytest.approx(2.0, abs=0.001))
+
+
+@pytest.mark.parametrize("camera", [NO_CAMERA])
+def test_a_number_is_answered_without_a_camera_and_no_button_is_cut_off(studio: Studio) -> None:
+    studio.enter_new_group()
+    write_program(studio, AS_MANY_METRES.replace("60", "600"))
+    studio.run()
+    expect(studio["capture-letter"]).to_have_count(12)
+    for layout in each_layout(studio):
+        assert cut(studio, "capture-letter") == [], layout
+        expect(studio["capture-letter"].last, layout).to_be_in_viewport(ratio=1)
+    assert violations(studio, "capture-letter") == []
+    studio["capture-letter"].last.click()
+    studio.wait_for_phase("failed")
+    expect(studio["status-line"]).to_contain_text("−1")
 
 
 def test_signs_are_practised_and_spelled_without_a_program(studio: Studio) -> None:

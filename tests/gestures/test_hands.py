@@ -90,6 +90,19 @@ def test_a_moving_hand_is_followed_without_searching(detector: CountingDetector)
     assert middle(hand) - middle(before) == pytest.approx(100, abs=10)
 
 
+def test_a_second_hand_is_found_beside_a_followed_one_where_both_are_looked_for(
+    detector: HandDetector,
+) -> None:
+    alone, both = frame(20), frame(20)
+    both[40:360, 600:920] = mirrored(drawn_hand(OPEN, 320))
+    for asked in (True, False):
+        tracker = HandTracker(detector)
+        assert len(tracker.update(alone, both=asked)) == 1
+        seen = [len(tracker.update(both, both=asked)) for _ in range(6)]
+        assert seen[-1] == (2 if asked else 1)
+        assert len(tracker.update(alone, both=asked)) == 1
+
+
 def test_a_hand_that_left_is_given_up_and_found_again_elsewhere(detector: HandDetector) -> None:
     tracker = HandTracker(detector)
     assert len(tracker.update(frame(100))) == 1

@@ -29,6 +29,7 @@ from pinel_desktop.gestures.training.accuracy_metrics import Proportion
 from pinel_desktop.gestures.training.evaluation import TAUGHT_PEOPLE, first_of_each_letter
 from pinel_desktop.gestures.training.folds import PEOPLE, strict
 from pinel_desktop.gestures.training.moving_report import moving_report
+from pinel_desktop.gestures.training.number_report import RAISED, number_report
 from pinel_desktop.gestures.training.photo_features import PhotoFeatures, load_photo_features
 from pinel_desktop.gestures.training.photos import read_photos
 from pinel_desktop.gestures.training.sequences import sequences_report
@@ -61,6 +62,20 @@ def test_letters_of_people_at_a_webcam_are_read() -> None:
     assert len(found) == N_CHECKED * 21
     assert sum(found) >= 0.98 * len(found)
     assert sum(right) >= 0.95 * len(right)
+
+
+def test_raised_fingers_of_people_at_a_webcam_are_counted() -> None:
+    """Some pictures of each letter whose fingers can be counted; `--numbers` measures all."""
+    counted: Counter[str] = Counter()
+    some = []
+    for photo in read_photos(Path(PHOTOS)):
+        counted[photo.letter] += photo.source in PEOPLE
+        if photo.source in PEOPLE and counted[photo.letter] <= N_CHECKED:
+            some.append(photo)
+    report = number_report([photo for photo in some if photo.letter in RAISED])
+    for view in ("as_it_is", "mirrored", "tilted"):
+        assert share(report, view, "answered") >= 0.9
+        assert share(report, view, "right_of_answered") >= 0.97
 
 
 @pytest.fixture(scope="module")

@@ -148,6 +148,7 @@ class Language:
             self._command("say", text=self.values),
             self._command("beep"),
             self._command("classify_gestures", timeout=maybe_seconds),
+            self._command("read_number", timeout=maybe_seconds),
             self._command("set_gesture_result", result=texts),
             self._command("set_variable", name=NAMES, value=self.values),
             self._command("change_variable", name=NAMES, by=any_number),

@@ -50,6 +50,8 @@ PROGRAM = {
             ],
         },
         {"action": "ask", "question": "?", "variable": "b", "block": "ask"},
+        {"action": "read_number", "timeout": 1, "block": "count"},
+        {"action": "turn", "angle": {"gesture": "number"}, "block": "by_number"},
         {"action": "classify_gestures", "timeout": 1, "block": "see"},
         {
             "action": "conditional_execution",

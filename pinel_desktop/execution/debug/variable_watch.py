@@ -23,9 +23,10 @@ class VariableWatch:
         self._due = 0
         self._reported = self._state()
 
-    def _state(self) -> tuple[int, int, str]:
+    def _state(self) -> tuple[int, int, str, int]:
         context = self._context
-        return context.variables.version, self._stack.n_calls, context.gesture_result
+        captured = (context.gesture_result, context.number_shown)
+        return context.variables.version, self._stack.n_calls, *captured
 
     def report(self, *, now: bool = False) -> None:
         """Reports changes since the last report, when due or `now`."""
@@ -34,7 +35,8 @@ class VariableWatch:
             return
         self._reported, self._due = state, context.tick + _PAUSE_TICKS
         calls = [call.copy() for call in self._stack.calls]
-        context.emit(Watch(_cut(context.variables.visible()), calls, context.gesture_result))
+        shown = _cut(context.variables.visible())
+        context.emit(Watch(shown, calls, context.gesture_result, context.number_shown))
 
 
 def _cut(variables: dict[str, Value]) -> dict[str, Any]:

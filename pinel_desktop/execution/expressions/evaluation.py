@@ -24,6 +24,7 @@ from pinel_desktop.program.expressions import (
     READINGS,
     FunctionCall,
     GestureResult,
+    NumberShown,
     Operation,
     SensorReading,
     Variable,
@@ -69,6 +70,7 @@ class Evaluator:
             Operation: self._operation,
             Variable: self._variable,
             GestureResult: lambda _: Compiled(1, lambda: self._context.gesture_result),
+            NumberShown: lambda _: Compiled(1, lambda: float(self._context.number_shown)),
             FunctionCall: self._call,
             **dict.fromkeys(READINGS.values(), self._sensor),
         }

@@ -35,6 +35,7 @@ class EvaluationContext(Protocol):
     tick: int
     variables: Variables
     gesture_result: str
+    number_shown: int
     marked: MarkedPlaces
     semantics: int
     n_evaluated: int

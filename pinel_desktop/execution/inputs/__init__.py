@@ -2,6 +2,7 @@
 
 from pinel_desktop.execution.inputs.sources import (
     NO_CAPTURE,
+    NO_NUMBER,
     Capture,
     Inputs,
     InputSource,
@@ -10,10 +11,12 @@ from pinel_desktop.execution.inputs.sources import (
     PersonInput,
     Script,
     ScriptedInputs,
+    number_of,
 )
 
 __all__ = [
     "NO_CAPTURE",
+    "NO_NUMBER",
     "Capture",
     "InputSource",
     "Inputs",
@@ -22,4 +25,5 @@ __all__ = [
     "PersonInput",
     "Script",
     "ScriptedInputs",
+    "number_of",
 ]

@@ -30,6 +30,14 @@ class Capture:
 
 
 NO_CAPTURE = Capture("")
+# The number shown when nobody showed one: no count of fingers, and a program can compare with it.
+NO_NUMBER = -1
+_NUMBERS = frozenset(map(str, range(11)))
+
+
+def number_of(capture: Capture) -> int:
+    """Returns the number that a capture read, 0 to 10; `NO_NUMBER` for any other sign."""
+    return int(capture.label) if capture.label in _NUMBERS else NO_NUMBER
 
 
 class Pending(Enum):

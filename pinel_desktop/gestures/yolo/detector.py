@@ -62,7 +62,7 @@ class YoloDetector:
             for box, score in zip(boxes, scores, strict=True)
         ]
 
-    def track(self, picture: Picture) -> list[RecognizedSign]:
+    def track(self, picture: Picture, *, both: bool = False) -> list[RecognizedSign]:
         """Returns the signs of the next frame of a video; each frame is read alone."""
         return self.read(picture)
 

@@ -95,7 +95,8 @@ SENSOR_CALLS = {
     if sensor.argument is not None
 }
 MEASURES = tuple(name for name in SENSORS if name not in SENSOR_CALLS)
-GESTURE_RESULT = "gesture_result"
+# what captures have read: attribute of the robot -> value of the document's key "gesture"
+CAPTURED = {"gesture_result": "result", "number_shown": "number"}
 
 # precedence of operators, from the lowest
 OR, AND, NOT, COMPARISON, SUM, PRODUCT, SIGN, POWER, ATOM = range(9)

@@ -10,10 +10,10 @@ from typing import Any
 from pinel_desktop.program.limits import MAX_NESTING
 from pinel_desktop.program.python_text.diagnostics import Diagnostics, Positioned
 from pinel_desktop.program.python_text.forms import (
+    CAPTURED,
     COMMANDS,
     EQUIVALENTS,
     FUNCTIONS,
-    GESTURE_RESULT,
     MEASURES,
     RESERVED,
     SENSOR_CALLS,
@@ -54,7 +54,7 @@ _SIGNS: dict[type[ast.AST], str] = {
     ast.In: "in",
     ast.NotIn: "not in",
 }
-_SENSORS = (*SENSOR_CALLS, *MEASURES, GESTURE_RESULT)
+_SENSORS = (*SENSOR_CALLS, *MEASURES, *CAPTURED)
 _FAULTS: dict[type[ast.expr], str] = {
     ast.JoinedStr: "python_format_text",
     ast.Subscript: "python_index",
@@ -225,8 +225,8 @@ class ExpressionReader:
     def _Attribute(self, node: ast.Attribute, _pointer: str) -> Any:  # noqa: N802
         if not is_robot(node.value):
             return self._fault(node, "python_attribute", value=node.attr)
-        if node.attr == GESTURE_RESULT:
-            return {"gesture": "result"}
+        if node.attr in CAPTURED:
+            return {"gesture": CAPTURED[node.attr]}
         if node.attr in MEASURES:
             return {"sensor": node.attr}
         if node.attr in SENSOR_CALLS:
@@ -263,7 +263,7 @@ class ExpressionReader:
 
     def _sensor(self, node: ast.Call, function: ast.Attribute, pointer: str) -> Any:
         name = function.attr
-        if name in MEASURES or name == GESTURE_RESULT:
+        if name in MEASURES or name in CAPTURED:
             return self._fault(node, "python_no_parentheses", value=name)
         form = SENSOR_CALLS.get(name)
         if form is None:

@@ -7,8 +7,8 @@ from typing import Any
 from pinel_desktop.program.python_text.forms import (
     AND,
     ATOM,
+    CAPTURED,
     COMPARISON,
-    GESTURE_RESULT,
     NOT,
     OR,
     POWER,
@@ -18,6 +18,7 @@ from pinel_desktop.program.python_text.forms import (
 )
 from pinel_desktop.program.python_text.names import python_name
 
+_CAPTURED_NAMES = {what: name for name, what in CAPTURED.items()}
 # parameters of functions, by name of the function
 Signatures = Mapping[str, Sequence[str]]
 _MAX_WHOLE = 1e16  # larger doubles are written with an exponent
@@ -89,7 +90,7 @@ class _Writer:
         if "var" in node:
             return python_name(node["var"]), ATOM
         if "gesture" in node:
-            return f"robot.{GESTURE_RESULT}", ATOM
+            return f"robot.{_CAPTURED_NAMES[node['gesture']]}", ATOM
         if "call" in node:
             return call_text(node["call"], node.get("arguments", {}), self._signatures), ATOM
         return self._sensor(node), ATOM

@@ -138,7 +138,8 @@ class OpenRun:
                 self.capture_started_s = time.monotonic()
             case "gesture_result":
                 self.capture_started_s = None
-                self.result = self._run_result = event["result"]
+                if event["what"] == "sign":  # the original knows no numbers
+                    self.result = self._run_result = event["result"]
             case "block_ended":
                 self._command_done(event["pointer"])
             case "commands_awaited":

@@ -1,5 +1,6 @@
 import type {
   Event,
+  GestureResultEvent,
   NewRun,
   NewVersion,
   SavedVersion,
@@ -13,6 +14,8 @@ import type {
 export type * from "./types";
 
 export type RunEvent = Event;
+/** What a capture waits for: a sign, or a number shown by hand. */
+export type CaptureOf = NonNullable<GestureResultEvent["what"]>;
 export type Language = Status["language"];
 /** Sensors around the robot that a page may subscribe to. */
 export type Ring = Subscribe["sensors"][number];

@@ -4,7 +4,7 @@ import type { CameraSightEvent } from "../api/model";
 import { passesAxe } from "../kit/testing/control";
 import { CurrentSign } from "./CurrentSign";
 import { receive } from "./sight";
-import { changed, hand, sightOf } from "./testing/camera_events";
+import { changed, hand, numberOf, sightOf } from "./testing/camera_events";
 
 beforeEach(() => receive(changed("on")));
 afterEach(() => {
@@ -46,6 +46,28 @@ describe("what the camera sees, in words", () => {
     const { container, getByTestId } = shown(sight);
     expect(getByTestId("reading").dataset.kind).toBe(kind);
     expect(container.textContent).toBe(text);
+  });
+
+  test.each([
+    [
+      numberOf({ sure: false, confidence: 0.6 }),
+      "Ainda não é certo. Levantem bem os dedos:3 ou 4?",
+    ],
+    [{ ...numberOf({ best: "" }), hands: [] }, "Mostrem uma ou duas mãos"],
+    [numberOf({ best: "" }), "O número ainda não foi reconhecido"],
+  ])("is the doubt between two numbers, and what to do, where a number is waited for", (sight, text) => {
+    receive(sight);
+    const { container } = render(<CurrentSign what="number" progress={0} />);
+    expect(container.textContent).toBe(text);
+  });
+
+  test("is the number of raised fingers", async () => {
+    receive(numberOf());
+    const { container, getByTestId } = render(<CurrentSign what="number" progress={0.5} />);
+    expect(getByTestId("reading").dataset.kind).toBe("sure");
+    expect(container.querySelector(".reading__letter")?.textContent).toBe("3");
+    expect(container.textContent).toContain("Mantenham as mãos paradas");
+    await passesAxe(container);
   });
 
   test("asks for a hand that is kept still while the sign becomes steady, and shows how near it is", () => {

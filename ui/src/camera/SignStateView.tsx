@@ -1,5 +1,5 @@
 import { CircleQuestionMark, Hand, type LucideIcon } from "lucide-preact";
-import { language, texts } from "../i18n";
+import { language, type Texts, texts } from "../i18n";
 import { percent } from "../i18n/format";
 import { namedSign } from "../i18n/phrases";
 import type { SignState } from "./sign_state";
@@ -7,8 +7,15 @@ import type { SignState } from "./sign_state";
 /** Radius of the ring around the letter; its circumference is 100. */
 const RADIUS = 50 / Math.PI;
 
+/** What is said of each state: a sign is looked for, or a number. */
+export type StateLabels = Pick<
+  Texts["camera"],
+  "unsure" | "either" | "noLetter" | "twoSigns" | "showHand" | "hold"
+>;
+
 interface SignStateViewProps {
   state: SignState;
+  labels: StateLabels;
   /** Fraction of the hold time that has passed, 0 to 1. */
   progress: number;
   /** Instruction while a sign is held. */
@@ -16,7 +23,7 @@ interface SignStateViewProps {
 }
 
 /** The detected sign, its confidence, and the progress of its hold time. */
-export function SignStateView({ state, progress, next }: SignStateViewProps) {
+export function SignStateView({ state, labels, progress, next }: SignStateViewProps) {
   const { steady } = texts.value.camera;
   const whole = Math.round(100 * progress);
   return (
@@ -41,7 +48,7 @@ export function SignStateView({ state, progress, next }: SignStateViewProps) {
         </svg>
         <Middle state={state} />
       </div>
-      <StateText state={state} next={progress > 0 ? next : null} />
+      <StateText state={state} labels={labels} next={progress > 0 ? next : null} />
     </div>
   );
 }
@@ -62,8 +69,13 @@ function Middle({ state }: { state: SignState }) {
 /** CSS class for the name of a taught sign, which may have several letters. */
 const long = (sign: string) => (sign.length > 1 ? "reading__letter--long" : "");
 
-function StateText({ state, next }: { state: SignState; next: string | null }) {
-  const { camera } = texts.value;
+interface StateTextProps {
+  state: SignState;
+  labels: StateLabels;
+  next: string | null;
+}
+
+function StateText({ state, labels: camera, next }: StateTextProps) {
   switch (state.kind) {
     case "sure":
       return <Sure {...state} next={next} />;

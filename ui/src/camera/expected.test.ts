@@ -11,6 +11,14 @@ const when = (condition: object, ...commands: object[]) => ({
 });
 const program = (...commands: object[]) => ({ pinel_ir: 1, functions: [], commands });
 
+const NUMBER = { gesture: "number" };
+
+test("a program that waits for a number needs the camera, and expects no sign of it", () => {
+  const document = program({ action: "read_number" }, when(is(NUMBER, 3)), when(is(NUMBER, "B")));
+  expect(hasCapture(document)).toBe(true);
+  expect(expectedSigns(document)).toEqual([]);
+});
+
 describe("the signs that a program expects", () => {
   test("are those that it compares the answer of a capture with, each once, in their order", () => {
     const document = program(

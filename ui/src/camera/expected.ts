@@ -12,9 +12,11 @@ function* within(node: unknown): Generator<Record<string, unknown>> {
   for (const value of Object.values(node)) yield* within(value);
 }
 
-/** Whether the document has a command that waits for a sign. */
+const CAPTURES: ReadonlySet<unknown> = new Set(["classify_gestures", "read_number"]);
+
+/** Whether the document has a command that waits for a sign or a number. */
 export function hasCapture(document: unknown): boolean {
-  return [...within(document)].some(({ action }) => action === "classify_gestures");
+  return [...within(document)].some(({ action }) => CAPTURES.has(action));
 }
 
 /** Maximum length of an answer that the server accepts, in characters. */
@@ -43,4 +45,5 @@ export function expectedSigns(document: unknown): string[] {
   return signs.filter((one, at) => signs.findIndex((other) => isSameSign(one, other)) === at);
 }
 
-const isResult = (value: unknown) => isTree(value) && "gesture" in value;
+const isResult = (value: unknown) =>
+  isTree(value) && "gesture" in value && value.gesture === "result";

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { signStateOf } from "./sign_state";
-import { hand, sightOf } from "./testing/camera_events";
+import { numberStateOf, signStateOf } from "./sign_state";
+import { hand, numberOf, sightOf } from "./testing/camera_events";
 
 describe("what can be said of a sign", () => {
   test("is nothing while the camera gives nothing, or sees no hand", () => {
@@ -35,5 +35,27 @@ describe("what can be said of a sign", () => {
   test("names a sign that has just moved, whatever the hand shows at rest", () => {
     const sight = { ...sightOf(hand({ best: "I" })), moved: "J", moved_confidence: 0.7 };
     expect(signStateOf(sight)).toEqual({ kind: "sure", best: "J", second: "", confidence: 0.7 });
+  });
+});
+
+describe("what can be said of a number", () => {
+  test("is nothing until the camera counts", () => {
+    expect(numberStateOf(null)).toEqual({ kind: "blind" });
+    expect(numberStateOf(sightOf(hand()))).toEqual({ kind: "blind" });
+  });
+
+  test("is the count, the doubt between two, and whether there is a hand at all", () => {
+    expect(numberStateOf(numberOf())).toMatchObject({ kind: "sure", best: "3" });
+    const unsure = numberOf({ sure: false, confidence: 0.6 });
+    expect(numberStateOf(unsure)).toMatchObject({ kind: "unsure", best: "3", second: "4" });
+    const turned = numberOf({ best: "4", second: "3", sure: false });
+    expect(numberStateOf(turned)).toMatchObject({ kind: "unsure", best: "3", second: "4" });
+    const none = { best: "", second: "", sure: false, confidence: 0 };
+    expect(numberStateOf(numberOf(none))).toEqual({ kind: "no letter" });
+    expect(numberStateOf({ ...numberOf(none), hands: [] })).toEqual({ kind: "no hand" });
+  });
+
+  test("does not depend on the sign that the same hand shows", () => {
+    expect(signStateOf(numberOf())).toEqual({ kind: "no letter" });
   });
 });

@@ -5,6 +5,17 @@ export type SignState =
   | { readonly kind: "blind" | "no hand" | "no letter" | "two signs" }
   | ({ readonly kind: "unsure" | "sure" } & Pick<DetectedHand, "best" | "second" | "confidence">);
 
+/** Summarises a frame while a capture waits for a number, whatever signs the hands show. */
+export function numberStateOf(sight: CameraSightEvent | null): SignState {
+  if (!sight?.number) return { kind: "blind" };
+  const { best, second, confidence, sure } = sight.number;
+  if (best === "") return { kind: sight.hands.length > 0 ? "no letter" : "no hand" };
+  if (sure) return { kind: "sure", best, second, confidence };
+  // a doubt is told in the order of counting, so that it does not change places from frame to frame
+  const [one = best, other = second] = [best, second].sort((a, b) => Number(a) - Number(b));
+  return { kind: "unsure", best: one, second: other, confidence };
+}
+
 /**
  * Summarises a frame by the rules of a capture: a movement that has just ended counts; two hands
  * with different signs do not.

@@ -4,7 +4,7 @@ import type { Captured } from "./reducer";
 
 /** Describes the answer to a capture: the sign, and its source, such as the camera or a person. */
 export function captureText(given: Captured, { status }: Texts, language: Language): string {
-  const { captured } = status;
+  const captured = given.what === "number" ? status.capturedNumber : status.captured;
   const { label, by, confidence } = given;
   if (by === null) return captured.noneSeen;
   if (by === "person") return label ? captured.person({ sign: label }) : captured.personNone;

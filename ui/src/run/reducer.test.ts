@@ -230,19 +230,38 @@ describe("a capture", () => {
 
   test("asks until there is a result", () => {
     const asked = viewAfter(started(30, "/commands/0", "classify_gestures"), captureStart());
-    expect(asked.capture).toEqual({ block: "c", timeoutS: 10, leftS: 10 });
+    expect(asked.capture).toEqual({ block: "c", timeoutS: 10, leftS: 10, what: "sign" });
     const answered = reduce(asked, result());
     expect(answered.capture).toBeNull();
     expect(answered.gesture).toBe("B");
   });
 
   test("keeps who answered it and how sure the camera was; a block that sets the result does not", () => {
-    const answer = { label: "B", by: "camera", confidence: 0.97, tick: 60, nextLine: 0 };
+    const answer = {
+      what: "sign",
+      label: "B",
+      by: "camera",
+      confidence: 0.97,
+      tick: 60,
+      nextLine: 0,
+    };
     const asked = viewAfter(captureStart());
     const view = reduce(asked, { ...result(), by: "camera", confidence: 0.97 } as RunEvent);
     expect(view.captured).toEqual(answer);
     const set = { ...head(70), type: "gesture_result", result: "A", source: "block" } as RunEvent;
     expect(reduce(view, set).captured).toEqual(answer);
+  });
+
+  test("of a number keeps the number apart from the sign; without one it is -1", () => {
+    const asked = viewAfter(result(), { ...captureStart(), what: "number" } as RunEvent);
+    expect(asked.capture?.what).toBe("number");
+    expect(asked.number).toBeNull();
+    const shown = (digits: string): RunEvent =>
+      ({ ...result(), what: "number", result: digits, by: "person" }) as RunEvent;
+    const answered = reduce(asked, shown("3"));
+    expect(answered).toMatchObject({ capture: null, gesture: "B", number: 3 });
+    expect(answered.captured).toMatchObject({ what: "number", label: "3", by: "person" });
+    expect(reduce(asked, shown("")).number).toBe(-1);
   });
 
   test("counts down in the seconds that the run tells, which stand while it is paused", () => {

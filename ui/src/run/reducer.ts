@@ -1,4 +1,10 @@
-import type { GestureResultEvent, RunEndedEvent, RunEvent, TelemetryEvent } from "../api/model";
+import type {
+  CaptureOf,
+  GestureResultEvent,
+  RunEndedEvent,
+  RunEvent,
+  TelemetryEvent,
+} from "../api/model";
 import { NOTHING, type Output, reduceOutput } from "./output";
 import { EMPTY_TRAIL, extend, type Trail } from "./trail";
 
@@ -39,11 +45,13 @@ export interface Capture {
   readonly timeoutS: number;
   /** Seconds of real time until the timeout. */
   readonly leftS: number;
+  readonly what: CaptureOf;
 }
 
 /** The answer to a capture. */
 export interface Captured {
-  /** Name of the sign; "" if none was recognised. */
+  readonly what: CaptureOf;
+  /** Name of the sign, or the number in digits; "" if none was recognised. */
   readonly label: string;
   /** Null after the timeout. */
   readonly by: CaptureBy | null;
@@ -97,6 +105,8 @@ export interface RunView {
   readonly speed: Speed;
   readonly capture: Capture | null;
   readonly gesture: string | null;
+  /** The last number shown by hand, -1 if a capture got none; null before any. */
+  readonly number: number | null;
   /** The newest answer of a capture. */
   readonly captured: Captured | null;
   readonly output: Output;
@@ -134,6 +144,7 @@ export const IDLE: RunView = {
   speed: AT_REST,
   capture: null,
   gesture: null,
+  number: null,
   captured: null,
   output: NOTHING,
   ending: null,
@@ -171,16 +182,13 @@ export function reduce(view: RunView, event: RunEvent): RunView {
     case "block_ended":
       return withBlockEnded(next, event.pointer);
     case "capture_started":
-      return {
-        ...next,
-        capture: { block: event.block, timeoutS: event.timeout_s, leftS: event.timeout_s },
-      };
+      return { ...next, capture: captureOf(event) };
     case "countdown":
       return view.capture ? { ...next, capture: { ...view.capture, leftS: event.left_s } } : next;
     case "gesture_result":
-      return { ...next, gesture: event.result, capture: null, captured: capturedSign(view, event) };
+      return { ...next, ...readBy(event), capture: null, captured: capturedSign(view, event) };
     case "watch":
-      return { ...next, gesture: event.gesture || null };
+      return { ...next, gesture: event.gesture || null, number: numberShown(view, event.number) };
     case "things":
       return { ...next, boxes: { ...view.boxes, ...event.boxes } };
     case "run_ended":
@@ -190,11 +198,33 @@ export function reduce(view: RunView, event: RunEvent): RunView {
   }
 }
 
+function captureOf({ block, timeout_s: s, what = "sign" }: CaptureStarted): Capture {
+  return { block, timeoutS: s, leftS: s, what };
+}
+
+const NO_NUMBER = -1;
+
+/** The sign or the number of a result; older recordings have signs only. */
+function readBy({
+  what,
+  result,
+}: GestureResultEvent): Pick<RunView, "gesture"> | Pick<RunView, "number"> {
+  if (what !== "number") return { gesture: result };
+  return { number: result === "" ? NO_NUMBER : Number(result) };
+}
+
+/** Before the first capture of a number, none is shown. */
+function numberShown({ number }: RunView, given = NO_NUMBER): number | null {
+  return number === null && given === NO_NUMBER ? null : given;
+}
+
+type CaptureStarted = Extract<RunEvent, { type: "capture_started" }>;
+
 function capturedSign(view: RunView, event: GestureResultEvent): Captured | null {
   if (event.source !== "capture") return view.captured;
-  const { result: label, by = null, confidence = null, tick } = event;
+  const { result: label, what = "sign", by = null, confidence = null, tick } = event;
   const nextLine = (view.output.talk.at(-1)?.number ?? -1) + 1;
-  return { label, by, confidence, tick, nextLine };
+  return { what, label, by, confidence, tick, nextLine };
 }
 
 function withTelemetry(view: RunView, event: TelemetryEvent): RunView {

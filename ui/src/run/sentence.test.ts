@@ -109,7 +109,7 @@ describe("what the robot does, in words", () => {
   ] as const)("the answer of a capture tells who gave it: %s %s", (by, label, confidence, text) => {
     const view = {
       ...moving("wait", 3, 1),
-      captured: { label, by, confidence, tick: 30, nextLine: 0 },
+      captured: { what: "sign", label, by, confidence, tick: 30, nextLine: 0 } as const,
     };
     expect(sentenceOf({ ...view, tick: 60 }, context)?.detail).toBe(text);
     expect(sentenceOf({ ...view, tick: 300 }, context)?.detail).toBe("");
@@ -118,9 +118,24 @@ describe("what the robot does, in words", () => {
     ).toMatchObject({ detail: text });
   });
 
+  test.each([
+    ["camera", "3", 0.991, "A câmera contou 3 (99%)"],
+    ["person", "", null, "Vocês responderam: nenhum número (−1)"],
+    [null, "", null, "Nenhum número visto (−1)"],
+  ] as const)("a number tells who gave it, too: %s %s", (by, label, confidence, text) => {
+    const captured = { what: "number", label, by, confidence, tick: 30, nextLine: 0 } as const;
+    const view = { ...moving("wait", 3, 1), captured, tick: 60 };
+    expect(sentenceOf(view, context)?.detail).toBe(text);
+    const capture = { block: "a", timeoutS: 10, leftS: 9, what: "number" } as const;
+    expect(sentenceText({ ...command("read_number"), capture })).toBe(
+      "Esperando um número mostrado com os dedos",
+    );
+  });
+
   test("of what was said and what was answered, the newest is told", () => {
     const line = { kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 } as const;
-    const captured = { label: "B", by: "person", confidence: null, tick: 30, nextLine: 1 } as const;
+    const answer = { what: "sign", label: "B", by: "person", confidence: null } as const;
+    const captured = { ...answer, tick: 30, nextLine: 1 };
     const view = { ...moving("wait", 3, 1), tick: 40, captured };
     // all in one tick, as when a program refuses a sign and asks again
     const outputWith = (number: number) => ({ ...IDLE.output, talk: [{ ...line, number }] });

@@ -74,7 +74,7 @@ function doing(view: RunView, context: SentenceContext): string {
   const { status } = context.texts;
   const current = view.stack.at(-1);
   if (view.output.question) return status.asking;
-  if (view.capture) return status.capture;
+  if (view.capture) return view.capture.what === "number" ? status.captureNumber : status.capture;
   if (!current) return status.running;
   if (view.motion) return moving(view.motion, context);
   return (

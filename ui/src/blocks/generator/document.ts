@@ -29,7 +29,7 @@ export type Literal = number | string | boolean;
 export type Expression =
   | Literal
   | readonly Literal[]
-  | { gesture: "result" }
+  | { gesture: "result" | "number" }
   | { var: string }
   | { op: string; args: Expression[] }
   | { sensor: string } // with its arguments; sensor_rows.ts lists them

@@ -77,6 +77,16 @@ const CASES: [string, BlockState, Command][] = [
     { action: "classify_gestures", timeout: 10, block: "a" },
   ],
   [
+    "read number",
+    block("read_number", "a", { inputs: { TIMEOUT: number(5) } }),
+    { action: "read_number", timeout: 5, block: "a" },
+  ],
+  [
+    "as many metres as fingers",
+    block("move_forward", "a", { inputs: { DISTANCE: { block: block("number_shown", "n") } } }),
+    { action: "move_forward", distance: { gesture: "number" }, block: "a" },
+  ],
+  [
     "set gesture result",
     block("set_gesture_result", "a", { inputs: { RESULT: { shadow: letter("L", "l") } } }),
     { action: "set_gesture_result", result: "L", block: "a" },

@@ -26,6 +26,7 @@ export const VALUES: Readonly<Record<ValueBlockType, (block: Blockly.Block) => E
   list_data: valuesOf,
   variable: (block) => ({ var: String(block.getFieldValue("NAME")) }),
   gesture_result: () => ({ gesture: "result" }),
+  number_shown: () => ({ gesture: "number" }),
 
   compare: chosen("A", "B"),
   logic_operation: (block) => ({ op: operator(block), args: items(block) }),

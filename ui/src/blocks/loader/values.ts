@@ -15,7 +15,9 @@ export function valueBlock(expression: Expression): BlockState {
   if (typeof expression !== "object") return literalBlock(expression as Literal);
   if ("op" in expression) return operationBlock(expression.op, expression.args);
   if ("var" in expression) return { type: "variable", fields: { NAME: expression.var } };
-  if ("gesture" in expression) return { type: "gesture_result" };
+  if ("gesture" in expression) {
+    return { type: expression.gesture === "number" ? "number_shown" : "gesture_result" };
+  }
   if ("call" in expression) {
     return { type: "call_value", ...callParts(expression.call, expression.arguments) };
   }
@@ -123,7 +125,7 @@ function comparedWith(side: Expression, other: Expression): Connection {
   if (isSensor(other, "floor") && COLOURS.some((colour) => colour === side)) {
     return { shadow: { type: "colour", fields: { COLOUR: side } } };
   }
-  const isGesture = typeof other === "object" && "gesture" in other;
+  const isGesture = typeof other === "object" && "gesture" in other && other.gesture === "result";
   return { shadow: literalBlock(side, isGesture ? "text_letter" : "text") };
 }
 

@@ -30,6 +30,22 @@ export const gestures = [
   },
   {
     ...statement,
+    type: "read_number",
+    level: 1,
+    makes: { action: "read_number" },
+    icon: "hand",
+    args0: [numberInput("TIMEOUT", "timeout", 10, TIMEOUT)],
+  },
+  {
+    type: "number_shown",
+    style: "gestures",
+    level: 1,
+    makes: { expression: "gesture" },
+    args0: [],
+    output: "Number",
+  },
+  {
+    ...statement,
     type: "set_gesture_result",
     level: 1,
     makes: { action: "set_gesture_result" },

@@ -1,4 +1,9 @@
-import type { CameraChangedEvent, CameraSightEvent, DetectedHand } from "../../api/model";
+import type {
+  CameraChangedEvent,
+  CameraSightEvent,
+  DetectedHand,
+  DetectedNumber,
+} from "../../api/model";
 
 const POINTS = Array.from({ length: 21 }, (_, n) => [0.4 + n / 100, 0.5]);
 
@@ -28,6 +33,13 @@ export const sightOf = (...hands: DetectedHand[]): CameraSightEvent => ({
   moved: "",
   moved_confidence: 0,
   aspect: 4 / 3,
+  number: null,
+});
+
+/** The result of a frame while a capture waits for a number: one hand with this number. */
+export const numberOf = (more: Partial<DetectedNumber> = {}): CameraSightEvent => ({
+  ...sightOf(hand({ best: "", sure: false })),
+  number: { best: "3", confidence: 0.99, second: "4", sure: true, progress: 0.5, ...more },
 });
 
 /** A change of the camera's state; a code stands for a problem. */

@@ -17,11 +17,13 @@ export function RunOutput({ view, more }: RunOutputProps) {
   const calls = useComputed(() => view.value.output.calls.map((call) => call.function).join(" › "));
   const paused = useComputed(() => view.value.phase === "paused");
   const gesture = useComputed(() => view.value.gesture);
+  const number = useComputed(() => view.value.number);
   const { debug } = texts.value;
   const rows: (readonly [string, unknown])[] = Object.entries(variables.value);
   if (paused.value) {
     if (calls.value) rows.unshift([debug.calls, calls.value]);
     if (gesture.value !== null) rows.push([debug.gesture, gesture.value]);
+    if (number.value !== null) rows.push([debug.number, number.value]);
     rows.push(...(more?.value ?? []));
   }
   if (talk.value.length === 0 && rows.length === 0) return null;

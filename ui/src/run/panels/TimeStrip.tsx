@@ -30,6 +30,7 @@ const ICONS: Record<string, LucideIcon> = {
   stop: Square,
   wait: Clock,
   classify_gestures: Hand,
+  read_number: Hand,
   set_gesture_result: Pencil,
   arc: Spline,
   go_to: MapPin,

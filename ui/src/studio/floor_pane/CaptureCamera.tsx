@@ -1,4 +1,5 @@
 import { ArrowLeftRight } from "lucide-preact";
+import type { CaptureOf } from "../../api/model";
 import { CameraPicture } from "../../camera/CameraPicture";
 import { CurrentSign } from "../../camera/CurrentSign";
 import { drawnHand } from "../../camera/drawn_hand";
@@ -10,14 +11,16 @@ import { namedSign } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
 
 interface CaptureCameraProps {
+  what: CaptureOf;
   /** The signs that the program compares the answer with. */
   expected: readonly string[];
   onAnswer(result: string): void;
 }
 
 /** The camera's picture and prediction while the program waits for a sign, and the expected signs. */
-export function CaptureCamera({ expected, onAnswer }: CaptureCameraProps) {
+export function CaptureCamera({ what, expected, onAnswer }: CaptureCameraProps) {
   const signState = signStateOf(sight.value);
+  const { number, progress } = sight.value ?? {};
   return (
     <div class="capture__camera">
       <div class="capture__picture">
@@ -27,7 +30,7 @@ export function CaptureCamera({ expected, onAnswer }: CaptureCameraProps) {
         class="capture__seen column shrinks gap-1"
         hidden={!hasPicture.value && expected.length === 0}
       >
-        <CurrentSign progress={sight.value?.progress ?? 0} />
+        <CurrentSign what={what} progress={(number ? number.progress : progress) ?? 0} />
         {expected.length > 0 && (
           <Expected signs={expected} signState={signState} onAnswer={onAnswer} />
         )}

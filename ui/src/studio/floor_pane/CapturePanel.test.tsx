@@ -1,6 +1,6 @@
 import { act, cleanup, fireEvent, render, waitFor } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { changed, hand, sightOf } from "../../camera/testing/camera_events";
+import { changed, hand, numberOf, sightOf } from "../../camera/testing/camera_events";
 import { setLanguage } from "../../i18n";
 import { passesAxe } from "../../kit/testing/control";
 
@@ -15,7 +15,7 @@ const { SignDrawing } = await import("../../camera/SignDrawing");
 const { chooseSigns, LETTERS } = await import("../../camera/signs");
 const { receive } = await import("../../camera/sight");
 
-const capture = { block: "b", timeoutS: 10, leftS: 7.2 };
+const capture = { block: "b", timeoutS: 10, leftS: 7.2, what: "sign" } as const;
 const onAnswer = vi.fn();
 
 /** Loads the sign list of a class that taught these signs. */
@@ -172,5 +172,40 @@ describe("a program that waits for a sign", () => {
     await act(() => setLanguage("en"));
     expect(trouble.textContent).toContain("Camera 1");
     await act(() => setLanguage("pt-BR"));
+  });
+});
+
+describe("a program that waits for a number", () => {
+  const drawNumber = () =>
+    render(
+      <CapturePanel
+        capture={{ ...capture, what: "number" }}
+        expected={["B"]}
+        onAnswer={onAnswer}
+      />,
+    );
+
+  test("is answered with a button for each number that two hands can show, or with a digit", async () => {
+    const { container, getAllByTestId, queryAllByTestId, findByTestId } = drawNumber();
+    await findByTestId("reading");
+    const answers = getAllByTestId("capture-letter");
+    const digits = Array.from({ length: 11 }, (_, number) => String(number));
+    expect(answers.map((one) => one.dataset.letter)).toEqual([...digits, ""]);
+    expect(queryAllByTestId("expected-sign")).toHaveLength(0);
+    fireEvent.click(answers[10] as HTMLElement);
+    fireEvent.click(answers[11] as HTMLElement);
+    fireEvent.keyDown(document.body, { key: "7" });
+    fireEvent.keyDown(document.body, { key: "b" });
+    expect(onAnswer.mock.calls).toEqual([["10"], [""], ["7"]]);
+    expect(container.querySelector("h2")?.textContent).toBe("Mostrem um número com os dedos");
+    await passesAxe(container);
+  });
+
+  test("shows the doubt of the camera between two numbers", async () => {
+    const { findByTestId } = drawNumber();
+    const reading = await findByTestId("reading");
+    act(() => receive(numberOf({ sure: false, confidence: 0.6 })));
+    expect(reading.dataset.kind).toBe("unsure");
+    expect(reading.textContent).toContain("3 ou 4?");
   });
 });

@@ -6,7 +6,7 @@ import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import type { Capture } from "../../run/reducer";
 import { fetchPart, lazy } from "../../shell/lazy";
-import { SignAnswers } from "./SignAnswers";
+import { listenForDigits, NumberAnswers, SignAnswers } from "./SignAnswers";
 
 const load = async () => (await import("./CaptureCamera")).CaptureCamera;
 const CaptureCamera = lazy(load);
@@ -28,32 +28,43 @@ interface CapturePanelProps {
   onAnswer(result: string): void;
 }
 
-/** Panel while the program waits for a sign: the camera recognises the sign, or the group chooses it. */
+/**
+ * Panel while the program waits for a sign or a number: the camera recognises it, or the group
+ * chooses it.
+ */
 export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps) {
   const labels = texts.value.capture;
-  useLayoutEffect(() => listenForSigns(onAnswer));
+  const { what } = capture;
+  const isNumber = what === "number";
+  useLayoutEffect(() => (isNumber ? listenForDigits(onAnswer) : listenForSigns(onAnswer)));
   return (
     <section
       class={`capture column shrinks-down ${hasPicture.value ? "capture--camera" : ""}`}
-      aria-label={labels.title}
+      aria-label={isNumber ? labels.numberTitle : labels.title}
       data-testid="capture"
     >
       <Head capture={capture} />
-      <CaptureCamera expected={expected} onAnswer={onAnswer} />
-      <SignAnswers expected={expected} onAnswer={onAnswer} />
+      <CaptureCamera what={what} expected={isNumber ? [] : expected} onAnswer={onAnswer} />
+      {isNumber ? (
+        <NumberAnswers onAnswer={onAnswer} />
+      ) : (
+        <SignAnswers expected={expected} onAnswer={onAnswer} />
+      )}
     </section>
   );
 }
 
-function Head({ capture: { leftS, timeoutS } }: { capture: Capture }) {
+function Head({ capture: { leftS, timeoutS, what } }: { capture: Capture }) {
   const labels = texts.value.capture;
+  const [show, title] =
+    what === "number" ? [labels.numberShow, labels.numberTitle] : [labels.show, labels.title];
   const count = Math.ceil(leftS);
   const shown = decimal(count, 0, language.value);
   return (
     <>
       <div class="capture__head row middle gap-3">
         <Hand class="icon capture__hand" aria-hidden="true" />
-        <h2 class="capture__title">{hasPicture.value ? labels.show : labels.title}</h2>
+        <h2 class="capture__title">{hasPicture.value ? show : title}</h2>
         <CameraChoice />
         <span
           class="capture__left"

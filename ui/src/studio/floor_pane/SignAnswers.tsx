@@ -3,6 +3,7 @@ import { LETTERS, signNames } from "../../camera/signs";
 import { texts } from "../../i18n";
 import { namedSign } from "../../i18n/phrases";
 import { Button } from "../../kit/Button";
+import { listenForKeys } from "../../kit/listen";
 import { rove } from "../../kit/roving";
 import { Tabs } from "../../kit/Tabs";
 
@@ -54,6 +55,33 @@ export function SignAnswers({ expected, onAnswer }: SignAnswersProps) {
           <None onAnswer={onAnswer} />
         </div>
       )}
+    </>
+  );
+}
+
+const NUMBERS = Array.from({ length: 11 }, (_, number) => String(number));
+
+/** Calls back if the user presses a digit and no other element has the keyboard focus. */
+export function listenForDigits(onAnswer: (result: string) => void): () => void {
+  return listenForKeys((key) => {
+    const isDigit = /^\d$/.test(key);
+    if (isDigit) onAnswer(key);
+    return isDigit;
+  });
+}
+
+/** A button for every number that two hands can show, and for none. */
+export function NumberAnswers({ onAnswer }: Pick<SignAnswersProps, "onAnswer">) {
+  const labels = texts.value.capture;
+  return (
+    <>
+      <p class="capture__by-hand aside">{labels.byHand}</p>
+      <fieldset class="capture__letters" aria-label={labels.numbers}>
+        {NUMBERS.map((number) => (
+          <Answer key={number} result={number} label={number} onAnswer={onAnswer} />
+        ))}
+        <None label={labels.noNumber} onAnswer={onAnswer} />
+      </fieldset>
     </>
   );
 }
@@ -115,14 +143,16 @@ interface AnswerProps {
   result: string;
   /** Set if only one of several buttons is a stop of the Tab key. */
   tabIndex?: number;
+  /** What is read aloud; by default, what a sign of this name is called. */
+  label?: string;
   onAnswer(result: string): void;
 }
 
-function Answer({ result, tabIndex, onAnswer }: AnswerProps) {
+function Answer({ result, tabIndex, label, onAnswer }: AnswerProps) {
   return (
     <Button
       class="capture__letter"
-      label={namedSign(result, texts.value)}
+      label={label ?? namedSign(result, texts.value)}
       testId="capture-letter"
       data-letter={result}
       {...(tabIndex === undefined ? {} : { tabIndex, "data-rove": "" })}
@@ -133,12 +163,12 @@ function Answer({ result, tabIndex, onAnswer }: AnswerProps) {
   );
 }
 
-function None({ onAnswer }: Pick<AnswerProps, "onAnswer">) {
+function None({ label, onAnswer }: Pick<AnswerProps, "label" | "onAnswer">) {
   const labels = texts.value.capture;
   return (
     <Button
       class="capture__letter capture__none"
-      label={labels.noneHelp}
+      label={label ?? labels.noneHelp}
       testId="capture-letter"
       data-letter=""
       onPress={() => onAnswer("")}

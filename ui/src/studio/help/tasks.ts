@@ -9,7 +9,7 @@ export const TASKS = {
     examples: ["vacuum_cleaner", "line_follower"],
   },
   decide: {
-    blocks: ["if", "classify_gestures", "ask"],
+    blocks: ["if", "classify_gestures", "read_number", "ask"],
     examples: ["dance_of_signs", "guessing_game"],
   },
   repeat: { blocks: ["repeat", "forever", "until"], examples: ["snail", "shy"] },

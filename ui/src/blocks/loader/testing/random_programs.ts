@@ -125,6 +125,7 @@ export class RandomPrograms {
     () => ({ action: "say", text: this.any(3) }),
     () => ({ action: "beep" }),
     () => ({ action: "classify_gestures", timeout: this.number(0.0001, 600) }),
+    () => ({ action: "read_number", timeout: this.number(0.0001, 600) }),
     () => ({ action: "set_gesture_result", result: this.text(2) }),
     () => ({ action: "set_variable", name: this.name(), value: this.any(3) }),
     () => ({ action: "change_variable", name: this.name(), by: this.number(-9, 9) }),

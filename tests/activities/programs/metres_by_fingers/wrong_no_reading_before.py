@@ -1,0 +1,2 @@
+robot.move_forward(robot.number_shown)
+robot.read_number(timeout=10)
