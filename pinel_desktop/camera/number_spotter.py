@@ -22,8 +22,8 @@ MIN_HOLD_S = 0.8
 def shown_number(hands: list[DetectedSign]) -> NumberPrediction | None:
     """Returns the number that the hands show together; None without a hand that can be counted.
 
-    A taught number on the only hand takes precedence, because numerals of Libras differ from raised fingers from 5 on. A
-    detector finds no fingers: its classes named 0 to 10 count like taught numbers.
+    A taught number on the only hand takes precedence, because numerals of Libras differ from raised fingers from 5 on.
+    A detector finds no fingers: its classes named 0 to 10 count like taught numbers.
     Of two hands the fingers count; a taught number that is not its own count of fingers then makes it doubtful.
     """
     taught = [hand.prediction for hand in hands if _is_number(hand)]
