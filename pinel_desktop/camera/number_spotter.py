@@ -44,8 +44,8 @@ def shown_number(hands: list[DetectedSign]) -> NumberPrediction | None:
 
 def _is_number(hand: DetectedSign) -> bool:
     """Returns whether the hand surely shows a number that the class taught, or that a detector knows."""
-    is_learnt = hand.is_taught or hand.features is None
-    return is_learnt and hand.prediction.sign in NUMBERS
+    is_trained = hand.is_taught or hand.features is None
+    return is_trained and hand.prediction.sign in NUMBERS
 
 
 class NumberSpotter:
