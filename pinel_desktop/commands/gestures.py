@@ -109,6 +109,7 @@ def classify(
 @click.option(
     "--numbers", is_flag=True, help="Measure only how raised fingers are counted; some minutes."
 )
+@recognizer_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @_recordings_option
 def evaluate(
@@ -116,20 +117,27 @@ def evaluate(
     table: Path | None,
     sequences: bool,
     numbers: bool,
+    recognizer: str | None,
     as_json: bool,
     recordings: Path | None,
 ) -> None:
     """Measure the accuracy of letter recognition in the labelled pictures of DIR, or the counting of fingers.
 
     sources.csv is in DIR, or beside it. Without --leave-one-source-out, the shipped letters are measured. They were
-    trained on the same people, so the results do not apply to other people.
+    trained on the same people, so the results do not apply to other people. With --recognizer yolo:FILE, a detector is
+    measured as it is.
     """
+    is_detector = recognizer not in (None, LANDMARKS)
+    if is_detector and (table or sequences or numbers):
+        raise click.UsageError("a detector is measured as it is: leave out the other options")
     with _exit_on_error():
         from pinel_desktop.gestures import weights_file  # noqa: PLC0415 - slow to import
         from pinel_desktop.gestures.training import evaluation, photos  # noqa: PLC0415
 
         found = photos.read_photos(folder, table)
-        if numbers:
+        if is_detector:
+            report = _detected(found, str(recognizer))
+        elif numbers:
             report = _counted(found)
         else:
             recorded = _recorded(found, recordings)
@@ -272,6 +280,15 @@ def _recorded(found: "list[Photo]", recordings_file: Path | None) -> "PhotoFeatu
 
     with click.progressbar(length=len(found), file=sys.stderr) as progress:
         return load_photo_features(found, recordings_file, lambda: progress.update(1))
+
+
+def _detected(found: "list[Photo]", recognizer: str) -> dict[str, Any]:
+    from pinel_desktop.gestures.recognizers import open_recognizer  # noqa: PLC0415 - slow to import
+    from pinel_desktop.gestures.training.detectors.comparison import figures  # noqa: PLC0415
+
+    opened = open_recognizer(recognizer)
+    with click.progressbar(length=len(found), file=sys.stderr) as progress:
+        return {"photos": len(found), **figures(opened, found, lambda: progress.update(1))}
 
 
 def _counted(found: "list[Photo]") -> dict[str, Any]:

@@ -106,6 +106,19 @@ def test_landmarks_and_a_detector_are_compared_in_one_table(tmp_path: Path) -> N
     ]
 
 
+def test_a_detector_is_evaluated_as_it_is(tmp_path: Path) -> None:
+    photos = str(make_photos(tmp_path / "photos").parent)
+    detector = f"yolo:{write_detector(tmp_path / 'colours.onnx')}"
+    done = pinel("gestures", "evaluate", photos, "--recognizer", detector, "--json")
+    report = json.loads(done.stdout)
+    assert report["photos"] == report["right"]["of"] == report["painted_over_answered"]["of"] == 24
+    assert set(report) == {
+        "photos", "right", "answered", "right_of_answered", "painted_over_answered",
+    }  # fmt: skip
+    refused = pinel("gestures", "evaluate", photos, "--recognizer", detector, "--numbers")
+    assert refused.exit_code == 2
+
+
 @pytest.mark.parametrize("data", ["none.yaml", "text.yaml"])
 def test_a_detector_is_not_trained_without_data(tmp_path: Path, data: str) -> None:
     (tmp_path / "text.yaml").write_text("nothing")

@@ -52,8 +52,8 @@ def compare(comparison: Comparison, tick: Callable[[], object] = lambda: None) -
     return {
         "sets": {
             name: {
-                "landmarks": _figures(_landmarks(comparison, trained), tested, tick),
-                "yolo": _figures(open_recognizer(f"yolo:{detector}"), tested, tick),
+                "landmarks": figures(_landmarks(comparison, trained), tested, tick),
+                "yolo": figures(open_recognizer(f"yolo:{detector}"), tested, tick),
             }
             for name, trained, tested, detector in _sets(comparison)
         },
@@ -80,8 +80,10 @@ def _landmarks(comparison: Comparison, trained: np.ndarray) -> LandmarkRecognize
     return LandmarkRecognizer(letter_training.fit_letters(comparison.features.where(trained)))
 
 
-def _figures(
-    recognizer: SignRecognizer, photos: Sequence[Photo], tick: Callable[[], object]
+def figures(
+    recognizer: SignRecognizer,
+    photos: Sequence[Photo],
+    tick: Callable[[], object] = lambda: None,
 ) -> Report:
     """Returns the shares of right letters, of answers, of right answers, and of answers to a hand painted over."""
     right, answered, painted = [], [], []
