@@ -40,7 +40,11 @@ def test_what_nobody_chose_has_its_default() -> None:
     settings = Settings()
     assert (settings["pinel_camera"], settings["pinel_theme"]) == ("0", "")
     assert settings.language in LANGUAGES
-    assert settings.of_page().keys() == SETTINGS.keys() - {"pinel_camera", "pinel_kiosk"}
+    assert settings.of_page().keys() == SETTINGS.keys() - {
+        "pinel_camera",
+        "pinel_kiosk",
+        "pinel_recognizer",
+    }
 
 
 @pytest.mark.parametrize("name", SETTINGS)
