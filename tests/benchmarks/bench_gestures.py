@@ -19,6 +19,7 @@ from pinel_desktop.camera.frames import HEIGHT, WIDTH
 from pinel_desktop.gestures.pictures import Picture
 from pinel_desktop.gestures.recognition import LandmarkRecognizer
 from pinel_desktop.gestures.recognizer import RecognizedSign
+from pinel_desktop.gestures.yolo.detector import open_detector
 from tests.gestures.drawn import drawn_hand, on_wall
 
 PEER = Path(__file__).parent / "peers" / "on_ultralytics.py"
@@ -28,6 +29,11 @@ MIN_GAIN = 2.0
 TRACKING_MS, COLD_MS = 15, 50
 N_PICTURES, N_ROUNDS = 4, 12
 MIN_GAIN_ON_DETECTOR = 5.0
+MIN_GAIN_ON_ONNX, ONNX_MS = 1.5, 45
+needs_detector = pytest.mark.skipif(
+    not (PEERS / ".ready-detector").exists(),
+    reason="PyTorch or ultralytics could not be installed into build/peers: not compared",
+)
 
 
 def median_ms(work: Callable[[], object]) -> float:
@@ -70,7 +76,9 @@ def seconds_of(
 
 
 @contextmanager
-def detector(pictures: list[Picture], folder: Path) -> Iterator[Callable[[], list[float]]]:
+def detector(
+    pictures: list[Picture], folder: Path, **options: str
+) -> Iterator[Callable[[], list[float]]]:
     """The detector in its process: gives the processor time of each picture."""
     np.save(folder / "pictures.npy", np.array(pictures))
     with subprocess.Popen(
@@ -79,7 +87,11 @@ def detector(pictures: list[Picture], folder: Path) -> Iterator[Callable[[], lis
         assert process.stdin is not None
         assert process.stdout is not None
         requests, output = process.stdin, process.stdout
-        print(json.dumps({"pictures": str(folder / "pictures.npy")}), file=requests, flush=True)
+        print(
+            json.dumps({"pictures": str(folder / "pictures.npy"), **options}),
+            file=requests,
+            flush=True,
+        )
 
         def seconds() -> list[float]:
             print("go", file=requests, flush=True)
@@ -89,10 +101,7 @@ def detector(pictures: list[Picture], folder: Path) -> Iterator[Callable[[], lis
         requests.close()
 
 
-@pytest.mark.skipif(
-    not (PEERS / ".ready-detector").exists(),
-    reason="PyTorch or ultralytics could not be installed into build/peers: not compared",
-)
+@needs_detector
 def test_a_hand_and_its_letter_take_a_fifth_of_a_detector_at_640(tmp_path: Path) -> None:
     recogniser, pictures = LandmarkRecognizer(), moving_hand()
     with detector(pictures, tmp_path) as detect:
@@ -116,3 +125,30 @@ def test_a_hand_and_its_letter_take_a_fifth_of_a_detector_at_640(tmp_path: Path)
         f" looked for {gains['cold']:.1f} times"
     )
     assert gains["tracking"] >= MIN_GAIN_ON_DETECTOR
+
+
+@needs_detector
+def test_a_detectors_file_is_read_faster_than_by_ultralytics(tmp_path: Path) -> None:
+    """The same ONNX file, at 320 px, in ours and in ultralytics' predict."""
+    pictures, file = moving_hand(), tmp_path / "yolov8n.onnx"
+    packages = str(Path(np.__file__).parents[1])
+    with detector(pictures, tmp_path, onnx=str(file), packages=packages) as theirs:
+        theirs()
+        ours = open_detector(file)
+
+        def read() -> list[float]:
+            times = []
+            for picture in pictures:
+                start_s = time.process_time()
+                ours.read(picture)
+                times.append(time.process_time() - start_s)
+            return times
+
+        rounds = [(sum(read()), sum(theirs())) for _ in range(N_ROUNDS + 2)][2:]
+    gain = median(other / own for own, other in rounds)
+    ms = [1000 * median(side) / N_PICTURES for side in zip(*rounds, strict=True)]
+    print(
+        f"\nYOLOv8n from one ONNX file at 320, one thread each, processor time: {ms[0]:.1f} ms, wanted {ONNX_MS};"
+        f" ultralytics' predict {ms[1]:.1f} ms: {gain:.2f} times, at least {MIN_GAIN_ON_ONNX}"
+    )
+    assert gain >= MIN_GAIN_ON_ONNX
