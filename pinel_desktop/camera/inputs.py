@@ -20,22 +20,8 @@ WRONG_SOURCE = (
     "camera_source_unreadable",
     "camera_folder_empty",
 )
-# These prevent the run: other signs, or none, would be read than the person asked for.
-WRONG_RECOGNIZER = (
-    "recognizer_unknown",
-    "recognizer_slow",
-    "detector_extra_missing",
-    "detector_missing",
-    "detector_names_missing",
-    "detector_not_alone",
-    "detector_output_invalid",
-    "detector_pickle_refused",
-    "detector_shape_wrong",
-    "detector_task_wrong",
-    "detector_too_large",
-    "detector_type_wrong",
-    "detector_unreadable",
-)
+# Codes that begin so prevent the run: other signs, or none, would be read than the person asked for.
+WRONG_RECOGNIZER = ("recognizer_", "detector_")
 _OF_INTEREST = (CaptureStarted, GestureResult, RunState, RunEnded)
 
 

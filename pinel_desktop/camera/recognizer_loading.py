@@ -1,7 +1,6 @@
-"""Loads the chosen recognizer on a thread of its own, because it may take seconds."""
+"""Loads the chosen recognizer for the camera process, and says what became of it."""
 
-import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from pinel_desktop.errors import PinelError
@@ -36,49 +35,9 @@ class LoadedRecognizer:
         }
 
 
-class RecognizerLoader:
-    """Loads recognizers one after the other; of several the last one counts.
-
-    Args:
-        notify: called on the loading thread when a result can be fetched with `pop_result`.
-    """
-
-    def __init__(self, notify: Callable[[], None]) -> None:
-        self._notify = notify
-        self._lock = threading.Lock()
-        self._n_started = 0
-        self._result: LoadedRecognizer | None = None
-        self._is_busy = False
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether a recognizer is being loaded; the one before must not answer captures meanwhile."""
-        return self._is_busy
-
-    def load(self, name: str) -> None:
-        """Starts to load a recognizer, as `open_recognizer` names it."""
-        with self._lock:
-            self._n_started += 1
-            self._is_busy = True
-            number = self._n_started
-        threading.Thread(
-            target=self._work, args=(number, name), name="recognizer-loader", daemon=True
-        ).start()
-
-    def pop_result(self) -> LoadedRecognizer | None:
-        """Returns the result of the last loading, once; None without one."""
-        with self._lock:
-            result, self._result = self._result, None
-            self._is_busy = self._is_busy and result is None
-            return result
-
-    def _work(self, number: int, name: str) -> None:
-        try:
-            recognizer = None if name == LANDMARKS else open_recognizer(name)
-            result = LoadedRecognizer(name, recognizer)
-        except PinelError as error:
-            result = LoadedRecognizer(name, problem=error)
-        with self._lock:
-            if number == self._n_started:  # else a newer one is being loaded
-                self._result = result
-        self._notify()
+def load_recognizer(name: str) -> LoadedRecognizer:
+    """Loads a recognizer, as `open_recognizer` names it. May take seconds."""
+    try:
+        return LoadedRecognizer(name, None if name == LANDMARKS else open_recognizer(name))
+    except PinelError as error:
+        return LoadedRecognizer(name, problem=error)

@@ -8,6 +8,7 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -16,13 +17,14 @@ from numpy.typing import NDArray
 from pinel_desktop.camera.annotation import annotated
 from pinel_desktop.camera.desired_state import DesiredState
 from pinel_desktop.camera.frame_analyzer import DetectedSign, FrameAnalyzer
+from pinel_desktop.camera.latest_job import LatestJob
 from pinel_desktop.camera.number_spotter import (
     NO_NUMBER_SHOWN,
     NUMBERS,
     NumberSpotter,
     shown_number,
 )
-from pinel_desktop.camera.recognizer_loading import RecognizerLoader
+from pinel_desktop.camera.recognizer_loading import LoadedRecognizer, load_recognizer
 from pinel_desktop.camera.sign_training import MovementCollector, SampleCollector, SignTrainer
 from pinel_desktop.camera.source import CameraSource, StampedFrame
 from pinel_desktop.errors import PinelError
@@ -85,7 +87,7 @@ class CameraServer:
         except PinelError as error:
             self._refuse(error)
             return
-        loader = RecognizerLoader(lambda: self._orders.put(_LOADED))
+        loader = LatestJob[LoadedRecognizer]("recognizer-loader", lambda: self._orders.put(_LOADED))
         session = _Session(analyzer, loader, self._send, self._open_source)
         self._send({"type": "camera_ready"})
         while (order := self._next_order(session)) is not _END:
@@ -126,7 +128,7 @@ class _Session:
     def __init__(
         self,
         analyzer: FrameAnalyzer,
-        loader: RecognizerLoader,
+        loader: LatestJob[LoadedRecognizer],
         send: Callable[[Message], None],
         open_source: Callable[[str], CameraSource],
     ) -> None:
@@ -163,7 +165,7 @@ class _Session:
         if desired.source != self._desired.source:
             self._change_source(desired.source)
         if desired.recognizer != self._desired.recognizer:
-            self._loader.load(desired.recognizer)
+            self._loader.start(partial(load_recognizer, desired.recognizer))
         if desired.capture != self._desired.capture:
             self._spotter.reset()
             self._number_spotter.reset()

@@ -2,15 +2,16 @@
 
 import base64
 import logging
-import threading
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.camera.frame_analyzer import DetectedSign
+from pinel_desktop.camera.latest_job import LatestJob
 from pinel_desktop.gestures.classifier import Samples, SignClassifier
 from pinel_desktop.gestures.features import N_FEATURES
 from pinel_desktop.gestures.moving.movements import (
@@ -42,15 +43,12 @@ class SignTrainer:
 
     def __init__(self, classifier: SignClassifier) -> None:
         self._letters = classifier
-        self._lock = threading.Lock()
-        self._n_started = 0
-        self._trained: TrainedSigns | None = None
-        self._is_busy = False
+        self._job = LatestJob[TrainedSigns]("camera-learner")
 
     @property
     def is_busy(self) -> bool:
         """Whether training is in progress; predictions of the old classifier must not answer captures meanwhile."""
-        return self._is_busy
+        return self._job.is_busy
 
     def train(self, signs: Sequence[dict[str, Any]]) -> None:
         """Starts training on the shipped letters and these signs.
@@ -58,30 +56,18 @@ class SignTrainer:
         Args:
             signs: for each sign its name as `sign`; `samples` and `movements` as base64 of float16 (n, 1748).
         """
-        with self._lock:
-            self._n_started += 1
-            self._is_busy = True
-            number = self._n_started
-        threading.Thread(
-            target=self._work, args=(number, signs), name="camera-learner", daemon=True
-        ).start()
+        self._job.start(partial(self._trained, signs))
 
     def pop_result(self) -> TrainedSigns | None:
         """Returns the result of a training that ended since the last call, else None."""
-        with self._lock:
-            trained, self._trained = self._trained, None
-            self._is_busy = self._is_busy and trained is None
-            return trained
+        return self._job.pop_result()
 
-    def _work(self, number: int, signs: Sequence[dict[str, Any]]) -> None:
+    def _trained(self, signs: Sequence[dict[str, Any]]) -> TrainedSigns:
         try:
-            trained = self._taught(signs)
+            return self._taught(signs)
         except (KeyError, TypeError, ValueError, np.linalg.LinAlgError):
             _log.exception("signs cannot be learnt")
-            trained = TrainedSigns(self._letters)
-        with self._lock:
-            if number == self._n_started:  # else a newer training has started
-                self._trained = trained
+            return TrainedSigns(self._letters)
 
     def _taught(self, signs: Sequence[dict[str, Any]]) -> TrainedSigns:
         moves = {sign["sign"]: _unpacked(sign["movements"]) for sign in signs}

@@ -59,7 +59,6 @@ _INVALID_REASONS = (
     "bridge_option_unclear",
     "bridge_option_alone",
     *WRONG_SOURCE,
-    *WRONG_RECOGNIZER,
 )
 
 
@@ -177,7 +176,8 @@ def _wrong_plot(file: str | None) -> PinelError | None:
 
 
 def _status(summary: dict[str, Any]) -> int:
-    if summary["reason"] in _INVALID_REASONS:
+    reason = summary["reason"]
+    if reason in _INVALID_REASONS or (reason or "").startswith(WRONG_RECOGNIZER):
         return _INVALID
     return _FINISHED if summary["state"] == "finished" else _NOT_FINISHED
 

@@ -2,6 +2,7 @@
 
 import contextlib
 import re
+import shutil
 import unicodedata
 from pathlib import Path
 
@@ -48,46 +49,45 @@ class Detectors:
             return sorted(file.stem for file in self._folder.glob(f"*{ENDING}") if file.is_file())
         return []
 
+    def wait_until_known(self) -> None:
+        """Waits until the camera has loaded the chosen detector, or has found that it cannot."""
+        if self._camera.recognizer.name != LANDMARKS:
+            self._camera.wait_for_recognizer(_LOAD_S)
+
     def choose(self, name: str) -> None:
         """Reads signs with a detector, from now on; "" stands for the landmarks. Waits until it is loaded.
 
         Raises:
             PinelError: `recognizer_of_command`, or why it cannot be used; the one before then stays.
         """
-        if self.command is not None:
-            raise PinelError("recognizer_of_command", name=self.command)
+        self._require_choice()
         if name and name not in self.names():
             raise PinelError("detector_missing", file=f"{name}{ENDING}")
-        before = self._camera.recognizer.in_use
-        self._camera.set_recognizer(self._address(name))
-        if name:
-            self._require_loaded(before)
+        self._load(self._address(name))
         self._settings.choose(RECOGNIZER, name)
 
     def add(self, upload: Path, file_name: str) -> str:
-        """Copies a detector file into the folder and chooses it; returns its name.
+        """Moves a detector file into the folder and chooses it; returns its name.
 
         Raises:
-            PinelError: as `choose`; the file is then not kept.
+            PinelError: as `choose`; the file is then not kept, and one of the same name stays.
         """
-        name = _as_name(file_name)
-        target = self._folder / f"{name}{ENDING}"
+        self._require_choice()
         if not file_name.lower().endswith(ENDING):
             raise PinelError("detector_type_wrong", file=file_name, allowed=ENDING)
-        check_file(upload.rename(upload.with_suffix(ENDING)))
-        is_new = name not in self.names()
+        name = _as_name(file_name)
+        tried = upload.rename(upload.with_name(f"{name}{ENDING}"))
+        check_file(tried)
+        self._load(f"{YOLO}:{tried}")
+        target = self._folder / tried.name
         try:
             self._folder.mkdir(parents=True, exist_ok=True)
             with atomic_write(target) as part:
-                part.write_bytes(upload.with_suffix(ENDING).read_bytes())
+                shutil.copyfile(tried, part)
         except OSError as error:
+            self._camera.set_recognizer(self._address(self.chosen))
             raise PinelError("export_failed", path=str(target)) from error
-        try:
-            self.choose(name)
-        except PinelError:
-            if is_new:
-                target.unlink(missing_ok=True)
-            raise
+        self.choose(name)
         return name
 
     def remove(self, name: str) -> None:
@@ -102,15 +102,21 @@ class Detectors:
     def _address(self, name: str) -> str:
         return f"{YOLO}:{self._folder / f'{name}{ENDING}'}" if name else LANDMARKS
 
-    def _require_loaded(self, before: str) -> None:
-        """Raises the problem of the new recognizer, and goes back to the one before."""
+    def _require_choice(self) -> None:
+        """Raises PinelError `recognizer_of_command`."""
+        if self.command is not None:
+            raise PinelError("recognizer_of_command", name=self.command)
+
+    def _load(self, address: str) -> None:
+        """Makes the camera load a recognizer. Raises PinelError if it cannot; the chosen one then reads on."""
+        self._camera.set_recognizer(address)
+        if address == LANDMARKS:
+            return
         state = self._camera.wait_for_recognizer(_LOAD_S)
-        problem = state.problem or (
-            None if state.is_loaded else PinelError("recognizer_slow", name=state.name)
-        )
-        if problem:
-            self._camera.set_recognizer(before)
-            raise problem
+        if state.is_loaded and not state.problem:
+            return
+        self._camera.set_recognizer(self._address(self.chosen))
+        raise state.problem or PinelError("recognizer_slow", name=Path(address).name)
 
 
 def _as_name(file_name: str) -> str:

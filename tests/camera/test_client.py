@@ -14,7 +14,7 @@ import psutil
 import pytest
 
 from pinel_desktop.camera import sample_recording
-from pinel_desktop.camera.client import CameraClient, CameraState, RecognizerState
+from pinel_desktop.camera.client import CameraClient, CameraState
 from pinel_desktop.camera.landmark_sequence import read_landmark_sequence, write_landmark_sequence
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.gestures.features import N_FEATURES
@@ -23,7 +23,6 @@ from pinel_desktop.processes.heartbeat import HangTimeouts
 from tests.camera.moving_hands import movements, write_moving_hand
 from tests.camera.moving_hands import packed as packed_movements
 from tests.camera.taught_hands import packed, shown, write_unknown_hand
-from tests.gestures.colour_detector import GREEN, RED, write_detector, write_pictures
 from tests.in_time import in_time
 
 pytestmark = pytest.mark.waits
@@ -429,54 +428,3 @@ class TestSignsThatMove:
         harness.event("capture_started")
         _, capture = harness.answers.get(timeout=WAIT_S)
         assert (capture.label, capture.by) == ("B", "camera")
-
-
-class TestDetector:
-    """Another recognizer than the landmarks, over pictures of one colour."""
-
-    def test_its_signs_answer_captures_and_no_landmarks_are_told(self, tmp_path: Path) -> None:
-        detector = write_detector(tmp_path / "colours.onnx")
-        harness = Harness(str(write_pictures(tmp_path / "green", GREEN)))
-        try:
-            harness.camera.set_recognizer(f"yolo:{detector}")
-            state = harness.camera.wait_for_recognizer(WAIT_S)
-            assert (state.problem, state.signs) == (None, ("A", "B"))
-            harness.event("capture_started")
-            _, capture = harness.answers.get(timeout=WAIT_S)
-            assert (capture.label, capture.by, capture.second) == ("B", "camera", "A")
-            (hand,) = next(
-                event["hands"] for event in iter(harness.events.get, None) if event["hands"]
-            )
-            assert (hand["points"], hand["handedness"], hand["sure"]) == ([], None, True)
-            assert all(0.0 <= side <= 1.0 for side in hand["box"])
-        finally:
-            harness.camera.close()
-
-    def test_one_that_cannot_be_used_leaves_the_landmarks(
-        self, harness: Harness, tmp_path: Path
-    ) -> None:
-        (tmp_path / "text.onnx").write_text("no model")
-        harness.camera.set_recognizer(f"yolo:{tmp_path / 'text.onnx'}")
-        state = harness.camera.wait_for_recognizer(WAIT_S)
-        assert state.problem is not None
-        assert (state.problem.code, state.in_use) == ("detector_unreadable", "landmarks")
-        harness.event("capture_started")
-        assert harness.answers.get(timeout=WAIT_S)[1].label == "B"
-
-    @pytest.mark.skipif(os.name == "nt", reason="Windows kills in another way")
-    def test_a_new_process_loads_it_again(self, tmp_path: Path) -> None:
-        detector = write_detector(tmp_path / "colours.onnx")
-        loaded: queue.Queue[RecognizerState] = queue.Queue()
-        harness = Harness(str(write_pictures(tmp_path / "red", RED)), on_recognizer=loaded.put)
-        try:
-            harness.camera.set_recognizer(f"yolo:{detector}")
-            harness.camera.start()
-            assert loaded.get(timeout=WAIT_S).is_loaded
-            pid = harness.camera.pid
-            assert pid is not None
-            os.kill(pid, signal.SIGKILL)
-            assert loaded.get(timeout=WAIT_S).signs == ("A", "B")
-            harness.event("capture_started")
-            assert harness.answers.get(timeout=WAIT_S)[1].label == "A"
-        finally:
-            harness.camera.close()

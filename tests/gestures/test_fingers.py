@@ -41,7 +41,7 @@ def test_letters_have_as_many_raised_fingers_as_they_are_drawn_with(letter: str)
         assert int(number.best) == RAISED[letter]
 
 
-def test_each_finger_is_told_apart() -> None:
+def test_each_finger_is_counted_apart() -> None:
     assert (raised_probabilities(hand("L")) > 0.5).tolist() == [True, True, False, False, False]
     assert (raised_probabilities(hand("W")) > 0.5).tolist() == [False, True, True, True, False]
 
@@ -54,7 +54,7 @@ def test_two_hands_show_the_sum_up_to_ten() -> None:
     assert (ten.best, ten.is_sure) == ("10", True)
 
 
-def test_size_makes_no_difference_nor_whether_palm_or_back_is_seen() -> None:
+def test_neither_size_nor_side_of_the_hand_makes_a_difference() -> None:
     for letter, n in RAISED.items():
         other_side = 1.7 * hand(letter) * [1.0, 1.0, -1.0]
         assert count_fingers([other_side]).best == str(n)

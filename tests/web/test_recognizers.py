@@ -87,7 +87,7 @@ def test_the_choice_is_remembered(tmp_path: Path, pictures: Path) -> None:
         ),
     ],
 )
-def test_a_file_that_is_no_detector_is_told_and_not_kept(
+def test_a_file_that_is_no_detector_is_refused_and_not_kept(
     browser: Browser, tmp_path: Path, name: str, content: bytes, code: str
 ) -> None:
     add(browser, "good.onnx", model().SerializeToString())
@@ -96,6 +96,38 @@ def test_a_file_that_is_no_detector_is_told_and_not_kept(
     assert refused.error["remedy"]
     now = browser.get(ROUTE).data
     assert (now["chosen"], now["in_use"], now["detectors"]) == ("good", "good", ["good"])
+
+
+def test_a_new_file_replaces_the_one_of_its_name_only_if_it_is_usable(
+    browser: Browser, tmp_path: Path
+) -> None:
+    kept = tmp_path / "detectors" / "x.onnx"
+    add(browser, "x.onnx", model().SerializeToString())
+    before = kept.read_bytes()
+    assert add(browser, "x.onnx", b"no model").error["code"] == "detector_unreadable"
+    assert kept.read_bytes() == before
+    assert browser.get(ROUTE).data["signs"] == ["A", "B"]
+    other = model({**METADATA, "names": "['C', 'L']"}).SerializeToString()
+    assert add(browser, "x.onnx", other).data["signs"] == ["C", "L"]
+    assert kept.read_bytes() == other
+
+
+def test_a_chosen_file_that_is_gone_leaves_the_landmarks_and_is_named(
+    tmp_path: Path, pictures: Path
+) -> None:
+    for is_first in (True, False):
+        with App(tmp_path / "pinel.db", camera=str(pictures)) as app:
+            browser = Browser.signed_in(app.address)
+            if is_first:
+                browser.put("/api/teacher/pin", {"pin": "2468"})
+                add(browser, "x.onnx", model().SerializeToString())
+            else:
+                browser.post("/api/teacher/enter", {"pin": "2468"})
+                found = browser.get(ROUTE).data
+                assert (found["chosen"], found["in_use"], found["detectors"]) == ("x", "", [])
+                assert found["problem"]["code"] == "detector_missing"
+                assert browser.put(ROUTE, {"name": ""}).data["problem"] is None
+        (tmp_path / "detectors" / "x.onnx").unlink(missing_ok=True)
 
 
 def test_only_the_teacher_chooses(app: App, browser: Browser) -> None:

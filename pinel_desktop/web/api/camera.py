@@ -67,6 +67,7 @@ def preview_camera() -> Response:
 def list_recognizers() -> Response:
     """What reads the signs, and which detectors this PC has. For the teacher."""
     require_teacher()
+    services().detectors.wait_until_known()
     return _recognizers()
 
 

@@ -36,6 +36,8 @@ function Choice({ known, onChange }: ChoiceProps) {
   const { busy, fault, act } = useAction(asTeacher);
   const change = (ask: () => Promise<Recognizers>) => act(async () => onChange(await ask()));
   const { chosen, detectors, of_command: command } = known;
+  // the file of the chosen one may be gone
+  const names = [...new Set([...detectors, chosen])].filter(Boolean);
   if (command !== null)
     return <p data-testid="detector-of-command">{labels.byCommand({ command })}</p>;
   return (
@@ -46,7 +48,7 @@ function Choice({ known, onChange }: ChoiceProps) {
           label={labels.title}
           testId="detector-choice"
           value={chosen}
-          options={[[LANDMARKS, labels.landmarks], ...detectors.map((one) => [one, one] as const)]}
+          options={[[LANDMARKS, labels.landmarks], ...names.map((one) => [one, one] as const)]}
           onChange={(name) => change(() => recognizersApi.choose(name))}
         />
         <FileButton
@@ -57,7 +59,7 @@ function Choice({ known, onChange }: ChoiceProps) {
         >
           {labels.add}
         </FileButton>
-        {chosen !== LANDMARKS && (
+        {detectors.includes(chosen) && (
           <Button
             kind="plain"
             icon={Trash2}
