@@ -1,5 +1,7 @@
 """Kiosk mode over HTTP: who may change and leave it, and the files on drives."""
 
+import queue
+import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,6 +16,7 @@ from pinel_desktop.web.services import WindowRequest
 from tests.web.browser import ApiResponse, Browser
 
 PIN = {"pin": "314159"}
+WITHIN_S = 10
 
 
 @dataclass
@@ -21,10 +24,26 @@ class RecordedWindow:
     """A window that records what the app asks of it."""
 
     kiosk: Literal["setting", "command"] | None = None
-    asked: list[WindowRequest] = field(default_factory=list)
+    asked: "queue.Queue[WindowRequest]" = field(default_factory=queue.Queue)
 
     def ask(self, request: WindowRequest) -> None:
-        self.asked.append(request)
+        self.asked.put(request)
+
+    def next_request(self) -> WindowRequest:
+        """Waits for a request, which may follow the answer to the page."""
+        return self.asked.get(timeout=WITHIN_S)
+
+
+@dataclass
+class ClosingWindow(RecordedWindow):
+    """A window that closes the app unless the page gets its answer first."""
+
+    answered: threading.Event = field(default_factory=threading.Event)
+    closed_early: bool = False
+
+    def ask(self, request: WindowRequest) -> None:
+        self.closed_early = not self.answered.wait(WITHIN_S)
+        super().ask(request)
 
 
 @pytest.fixture
@@ -64,10 +83,10 @@ def test_only_the_teacher_leaves_or_prints(
 ) -> None:
     assert pupil.post(f"/api/kiosk/{action}", {}).error["code"] == "teacher_only"
     assert pupil.put("/api/kiosk", {"is_chosen": False}).error["code"] == "teacher_only"
-    assert window.asked == []
+    assert window.asked.empty()
     pupil.post("/api/teacher/enter", PIN)
     assert pupil.post(f"/api/kiosk/{action}", {}).status == 200
-    assert window.asked == [{"leave": "close", "print": "allow_print"}[action]]
+    assert window.next_request() == {"leave": "close", "print": "allow_print"}[action]
 
 
 def test_the_switch_opens_the_window_again_in_the_other_mode(
@@ -75,9 +94,26 @@ def test_the_switch_opens_the_window_again_in_the_other_mode(
 ) -> None:
     assert teacher.get("/api/kiosk").data["is_chosen"] is True
     assert teacher.put("/api/kiosk", {"is_chosen": True}).data["is_active"] is True
-    assert window.asked == []
+    assert window.asked.empty()
     assert teacher.put("/api/kiosk", {"is_chosen": False}).data["is_chosen"] is False
-    assert window.asked == ["restart"]
+    assert window.next_request() == "restart"
+
+
+@pytest.mark.parametrize("method", ["POST", "PUT"])
+def test_the_page_has_its_answer_before_the_app_closes(
+    start_app: Callable[..., App], method: str
+) -> None:
+    window = ClosingWindow(kiosk="setting")
+    tab = Browser.signed_in(start_app(window=window).address)
+    tab.put("/api/teacher/pin", PIN)
+    if method == "POST":
+        answer = tab.post("/api/kiosk/leave", {})
+    else:
+        answer = tab.put("/api/kiosk", {"is_chosen": False})
+    window.answered.set()
+    assert answer.status == 200
+    assert window.next_request() == {"POST": "close", "PUT": "restart"}[method]
+    assert not window.closed_early
 
 
 def test_the_page_knows_the_mode(
@@ -103,7 +139,7 @@ def test_what_the_system_decides_is_not_changed_by_the_switch(
     tab.put("/api/teacher/pin", PIN)
     state = tab.put("/api/kiosk", {"is_chosen": False}).data
     assert (state["is_active"], state["is_by_command"]) == (True, True)
-    assert window.asked == []
+    assert window.asked.empty()
 
 
 def test_a_browser_has_no_kiosk_mode(start_app: Callable[..., App], tmp_path: Path) -> None:

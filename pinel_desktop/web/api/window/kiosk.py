@@ -8,7 +8,7 @@ from pinel_desktop.web.api import TEACHER, Resource, responses
 from pinel_desktop.web.models import Empty
 from pinel_desktop.web.models.kiosk import KioskChoice, KioskState
 from pinel_desktop.web.responses import json_response
-from pinel_desktop.web.services import WindowLink, services
+from pinel_desktop.web.services import WindowLink, WindowRequest, services
 from pinel_desktop.web.teaching import require_teacher
 
 api = Resource("kiosk", "Kiosk mode.", __name__)
@@ -28,15 +28,16 @@ def choose_kiosk(body: KioskChoice) -> Response:
     answer = _state()
     window = services().window
     if window is not None and window.kiosk != "command" and _is_kiosk(window) != body.is_chosen:
-        window.ask("restart")
+        _ask_afterwards(answer, window, "restart")
     return answer
 
 
 @api.post("/kiosk/leave", responses=responses(Empty, *TEACHER, "kiosk_not_active"))
 def leave_kiosk() -> Response:
     """Closes the app. For the teacher."""
-    _locked_window().ask("close")
-    return json_response(Empty())
+    answer = json_response(Empty())
+    _ask_afterwards(answer, _locked_window(), "close")
+    return answer
 
 
 @api.post("/kiosk/print", responses=responses(Empty, *TEACHER, "kiosk_not_active"))
@@ -52,6 +53,11 @@ def _locked_window() -> WindowLink:
     if window is None or not _is_kiosk(window):
         raise PinelError("kiosk_not_active")
     return window
+
+
+def _ask_afterwards(answer: Response, window: WindowLink, request: WindowRequest) -> None:
+    """Sends a request that ends this process, once the answer is sent: it would be lost otherwise."""
+    answer.call_on_close(lambda: window.ask(request))
 
 
 def _is_kiosk(window: WindowLink) -> bool:
