@@ -25,6 +25,8 @@ from tests.gestures.drawn import drawn_hand, on_wall
 
 WAIT_S = 60.0
 RUN_S = 10.0
+# One run measures what else the PC does at that moment: its ratio lies between 0.4 and 4 on one and the same code.
+N_RUNS = 5
 N_CAPTURES = 40
 MAX_JITTER_RATIO = 2.0
 DRIVE = {
@@ -99,12 +101,16 @@ def test_control_loop_is_as_punctual_as_a_sleeper(tmp_path: Path) -> None:
     frame = on_wall(drawn_hand(size=320), 1280, 720, 300, 100)
     cv2.imwrite(str(tmp_path / "hand.png"), cv2.cvtColor(frame, cv2.COLOR_RGB2BGR))
     with looking_at(tmp_path) as probe:
-        _compare(probe)
+        ratio = statistics.median(_ratio(probe) for _ in range(N_RUNS))
         memory_mb = psutil.Process(probe.camera.pid).memory_info().rss / 2**20
-    print(f"the camera's process takes {memory_mb:.0f} MB")
+    print(
+        f"median of {N_RUNS}: {ratio:.2f}, at most {MAX_JITTER_RATIO}\nthe camera's process takes {memory_mb:.0f} MB"
+    )
+    assert ratio <= MAX_JITTER_RATIO
 
 
-def _compare(probe: CameraProbe) -> None:
+def _ratio(probe: CameraProbe) -> float:
+    """How late 95 % of the ticks of a run come at most, beside a bare sleeper at the same time."""
     arrived: list[float] = []
     ended: queue.Queue[dict[str, Any]] = queue.Queue()
 
@@ -126,9 +132,9 @@ def _compare(probe: CameraProbe) -> None:
     ours_ms, sleeper_ms = _spread_ms(arrived), _percentile_of(late_ms)
     print(
         f"\ncontrol loop beside a capture: 95 % of ticks within {ours_ms:.2f} ms, a bare sleeper {sleeper_ms:.2f} ms, "
-        f"ratio {ours_ms / sleeper_ms:.2f}, at most {MAX_JITTER_RATIO}"
+        f"ratio {ours_ms / sleeper_ms:.2f}"
     )
-    assert ours_ms <= MAX_JITTER_RATIO * sleeper_ms
+    return ours_ms / sleeper_ms
 
 
 def _spread_ms(arrived: list[float]) -> float:
