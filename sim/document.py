@@ -19,6 +19,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError, PydanticKnownError
 
 from sim.floor import MAX_NAME, Color
+from sim.looks import Ground, Print, Thing
 from sim.world import (
     DEFAULT_BOX_MASS_KG,
     MAX_MOVABLE_KG,
@@ -115,6 +116,7 @@ class Box(_Rectangle):
 
     movable: bool = False
     mass_kg: Annotated[float, Field(ge=0.1, le=100.0)] = DEFAULT_BOX_MASS_KG
+    kind: Thing | None = None
 
 
 class _Named(_Part):
@@ -139,6 +141,13 @@ class RectangularPaint(_Rectangle, _Painted):
 
 class RoundPaint(_Disc, _Painted):
     """A circle of the floor with a colour."""
+
+
+class Printed(_Rectangle):
+    """A picture on the floor. The robot neither measures it nor touches it."""
+
+    kind: Print
+    color: Color | None = None
 
 
 def _shape(area: Any) -> str:
@@ -176,7 +185,8 @@ def _not_boolean(version: Any) -> Any:
 class WorldDocument(_Part):
     """A floor centred at (0, 0), its obstacles and painted areas, and the robot's start pose.
 
-    `title` is one text, or one in each language. Later zones and paints cover earlier ones.
+    `title` is one text, or one in each language. Later zones and paints cover earlier ones. `ground`, `prints` and the
+    `kind` of a box are for the eye only.
     """
 
     pinel_world: Annotated[Literal[1], BeforeValidator(_not_boolean)]
@@ -188,3 +198,5 @@ class WorldDocument(_Part):
     boxes: Annotated[list[Box], Field(default_factory=list, max_length=MAX_BOXES)]
     zones: Annotated[list[_Zone], Field(default_factory=list, max_length=MAX_AREAS)]
     floor: Annotated[list[_Paint], Field(default_factory=list, max_length=MAX_AREAS)]
+    ground: Ground | None = None
+    prints: Annotated[list[Printed], Field(default_factory=list, max_length=MAX_AREAS)]

@@ -2,11 +2,12 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, get_args
 
 from pydantic_core import ErrorDetails
 
 from sim.floor import COLORS
+from sim.looks import Ground, Print, Thing
 
 Path = tuple[str | int, ...]
 Params = dict[str, object]
@@ -72,7 +73,10 @@ def _length(error: ErrorDetails, name: str) -> tuple[str, Params]:
 def _constant(error: ErrorDetails, name: str) -> tuple[str, Params]:
     if name == "pinel_world":
         return "world_version_unknown", {"value": _shown(error["input"])}
-    return "unknown_color", {"value": _shown(error["input"]), "allowed": list(COLORS)}
+    if name == "color":
+        return "unknown_color", {"value": _shown(error["input"]), "allowed": list(COLORS)}
+    looks = _LOOKS[str(error["loc"][0])]
+    return "unknown_look", {"value": _shown(error["input"]), "allowed": list(get_args(looks))}
 
 
 def _name(error: ErrorDetails, name: str) -> tuple[str, Params]:
@@ -101,11 +105,13 @@ _CODES = {
     "string_unicode": "text_not_unicode",
     "union_tag_not_found": "world_title_invalid",
 }
+_LOOKS = {"ground": Ground, "prints": Print, "boxes": Thing}
 _TOO_MANY = {
     "walls": "too_many_walls",
     "boxes": "too_many_boxes",
     "zones": "too_many_zones",
     "floor": "too_many_paints",
+    "prints": "too_many_prints",
 }
 _SPECIAL: dict[str, Callable[[ErrorDetails, str], tuple[str, Params]]] = {
     "missing": lambda error, _: ("missing_parameter", {"name": str(error["loc"][-1])}),

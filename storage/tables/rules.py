@@ -33,8 +33,9 @@ _TIME = re.compile(r"[0-9]{4}(-[0-9]{2}){2}T[0-9]{2}(:[0-9]{2}){2}(\.[0-9]{1,6})
 # control characters, and characters that change the direction of the text after them
 _UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 _WORLD_PARTS = {
-    **dict.fromkeys(("size_m", "walls", "boxes", "zones", "floor"), list),
+    **dict.fromkeys(("size_m", "walls", "boxes", "zones", "floor", "prints"), list),
     "start": dict,
+    "ground": str,
 }
 
 

@@ -76,6 +76,19 @@ def test_the_normal_form_fills_in_what_was_left_out_and_reads_as_itself() -> Non
     assert json.dumps(read(normal).document) == json.dumps(normal)
 
 
+def test_the_normal_form_has_a_look_only_where_one_is_given() -> None:
+    plain = read(world(boxes=[BOX], prints=[], ground=None)).document
+    assert plain is not None
+    assert not {"prints", "ground"} & plain.keys()
+    assert "kind" not in plain["boxes"][0]
+    looks = {"ground": "town", "prints": [{"kind": "rug", **BOX, "heading_deg": 0.0}]}
+    dressed = read(world(boxes=[{**BOX, "kind": "table"}], **looks)).document
+    assert dressed is not None
+    assert {key: dressed[key] for key in looks} == looks
+    assert dressed["boxes"][0]["kind"] == "table"
+    assert list(dressed)[-2:] == ["ground", "prints"]
+
+
 def test_what_is_null_is_as_if_it_were_absent() -> None:
     area = {"name": "A", "center": [0, 0], "size": [1, 1], "radius": None}
     assert read(world(zones=[area], boxes=[{**BOX, "mass_kg": None}])).faults == ()
@@ -202,6 +215,13 @@ def test_what_is_no_world_at_all_is_one_fault(source: Any, code: str) -> None:
         ({"boxes": [BOX] * 201}, "too_many_boxes", "/boxes"),
         ({"zones": [{"name": "A", **DISC}] * 201}, "too_many_zones", "/zones"),
         ({"floor": [{"color": "red", **DISC}] * 201}, "too_many_paints", "/floor"),
+        ({"ground": "moon"}, "unknown_look", "/ground"),
+        ({"ground": ["town"]}, "unknown_look", "/ground"),
+        ({"boxes": [{**BOX, "kind": "sofa"}]}, "unknown_look", "/boxes/0/kind"),
+        ({"prints": [{"kind": "river", **BOX}]}, "unknown_look", "/prints/0/kind"),
+        ({"prints": [{"kind": "rug", "color": "pink", **BOX}]}, "unknown_color", "/prints/0/color"),
+        ({"prints": [{"kind": "rug", **DISC}]}, "missing_parameter", "/prints/0"),
+        ({"prints": [{"kind": "rug", **BOX}] * 201}, "too_many_prints", "/prints"),
     ],
     ids=lambda value: str(value)[:40] if isinstance(value, str) else "",
 )

@@ -6,6 +6,7 @@ from pydantic import ConfigDict, Field
 
 from pinel_desktop.web.models import RequestModel, ResponseModel
 from pinel_desktop.web.models.errors import Fault
+from sim.looks import Ground, Print, Thing
 
 Metres2 = tuple[float, float]
 
@@ -44,6 +45,7 @@ class Box(ResponseModel):
     heading_deg: float
     movable: bool = False
     mass_kg: Annotated[float, Field(description="of a movable one")] = 2.0
+    kind: Annotated[Thing | None, Field(description="what it looks like")] = None
 
 
 class Area(ResponseModel):
@@ -67,8 +69,18 @@ class Paint(Area):
     color: str
 
 
+class Printed(ResponseModel):
+    """A picture on the floor, which the robot neither measures nor touches."""
+
+    kind: Print
+    center: Metres2
+    size: Metres2
+    heading_deg: float = 0
+    color: str | None = None
+
+
 class World(ResponseModel):
-    """A floor with walls, boxes, zones and colours."""
+    """A floor with walls, boxes, zones, colours and prints."""
 
     pinel_world: Literal[1]
     name: str
@@ -79,6 +91,8 @@ class World(ResponseModel):
     boxes: list[Box]
     zones: list[Zone] = Field(default=[])
     floor: list[Paint] = Field(default=[])
+    ground: Annotated[Ground | None, Field(description="what the whole floor looks like")] = None
+    prints: list[Printed] = Field(default=[])
 
 
 class WorldToCheck(RequestModel):

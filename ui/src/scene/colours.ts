@@ -16,6 +16,7 @@ const TOKENS = {
   wheel: "--robot-wheel",
   mark: "--robot-mark",
   shadow: "--robot-shadow",
+  print: "--floor-print",
   markX: "--floor-mark-x",
   markO: "--floor-mark-o",
   font: "--font",

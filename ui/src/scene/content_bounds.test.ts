@@ -13,6 +13,8 @@ const world = (over: Partial<World> = {}): World => ({
   size_m: [8, 8],
   start: { x_m: 0, y_m: 0, heading_deg: 0 },
   walls: [{ from: [-4, -4], to: [4, -4] }],
+  ground: null,
+  prints: [],
   boxes: [],
   zones: [],
   floor: [],
@@ -51,6 +53,7 @@ describe("what is shown of a room", () => {
         heading_deg: 0,
         movable: false,
         mass_kg: 2,
+        kind: null,
       },
     ];
     const box = contentBounds(world({ boxes }), IDLE);

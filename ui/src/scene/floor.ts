@@ -3,6 +3,8 @@ import type { BoxPoses } from "../run/reducer";
 import type { Colours } from "./colours";
 import { roomOf, startOf, toStart, toWorld } from "./frames";
 import { drawPaint, drawZones } from "./ground";
+import { drawGround, drawPrints, drawThing, hasGround } from "./mat/draw";
+import { drawPlates } from "./mat/places";
 import { EDGE, type Size, toScreen, type Viewport } from "./viewport";
 
 /** Height of the world selector over the upper left corner, pixels. */
@@ -26,12 +28,15 @@ export function drawFloor(
   ctx.fillStyle = colours.tile;
   ctx.fill();
   ctx.clip();
+  if (world) drawGround(ctx, world, colours);
+  drawPrints(ctx, world, colours);
   drawTiles(ctx, world, colours, scale);
   ctx.restore();
   drawPaint(ctx, world, colours, 1 / scale);
   drawZones(ctx, world, colours, 1 / scale);
   for (const box of world?.boxes ?? []) if (withMovable || !box.movable) drawBox(ctx, box, colours);
   drawWalls(ctx, world, colours);
+  if (world) drawPlates(ctx, world, colours, 1 / scale);
 }
 
 /** Range of the start frame that the room covers, metres. */
@@ -51,16 +56,21 @@ function spanOf(world: World | null): [left: number, right: number, bottom: numb
   ];
 }
 
+/** The metre grid is quieter than a print. */
+const GRID_ON_PRINT = 0.45;
+
 function drawTiles(ctx: Ctx, world: World | null, colours: Colours, scale: number): void {
   const start = startOf(world);
   const [left, right, bottom, top] = spanOf(world);
   ctx.translate(start.x, start.y);
   ctx.rotate(start.yaw);
   ctx.fillStyle = colours.otherTile;
-  for (let x = left; x < right; x++) {
+  const isPrinted = hasGround(world, colours);
+  for (let x = left; x < right && !isPrinted; x++) {
     for (let y = bottom; y < top; y++) if ((x + y) % 2 !== 0) ctx.fillRect(x, y, 1, 1);
   }
   ctx.strokeStyle = colours.line;
+  if (isPrinted) ctx.globalAlpha = GRID_ON_PRINT;
   ctx.lineWidth = 1 / scale;
   ctx.beginPath();
   for (let x = left; x <= right; x++) {
@@ -88,6 +98,11 @@ function drawWalls(ctx: Ctx, world: World | null, colours: Colours): void {
 }
 
 function drawBox(ctx: Ctx, box: World["boxes"][number], colours: Colours): void {
+  drawBody(ctx, box, colours);
+  if (box.kind) drawThing(ctx, box, box.kind, colours);
+}
+
+function drawBody(ctx: Ctx, box: World["boxes"][number], colours: Colours): void {
   const [width = 0, depth = 0] = box.size;
   ctx.save();
   ctx.translate(box.center[0] ?? 0, box.center[1] ?? 0);
@@ -96,8 +111,9 @@ function drawBox(ctx: Ctx, box: World["boxes"][number], colours: Colours): void 
   ctx.roundRect(-width / 2, -depth / 2, width, depth, 0.05);
   ctx.save();
   ctx.shadowColor = colours.shadow;
-  ctx.shadowBlur = 10;
-  ctx.shadowOffsetY = 3;
+  ctx.shadowBlur = 8;
+  ctx.shadowOffsetX = 4;
+  ctx.shadowOffsetY = 5;
   ctx.fillStyle = colours.box;
   ctx.fill();
   ctx.restore();

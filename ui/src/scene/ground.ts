@@ -2,6 +2,7 @@ import type { World } from "../api/model";
 import { texts } from "../i18n";
 import { areaOf, trace } from "./areas";
 import type { Colours } from "./colours";
+import { drawPictogram, inkOn, isPictured } from "./mat/places";
 import { edgeOf, paintOf } from "./paints";
 
 type Ctx = CanvasRenderingContext2D;
@@ -21,9 +22,10 @@ export function drawPaint(ctx: Ctx, world: World | null, colours: Colours, pixel
     ctx.stroke();
     ctx.fillStyle = colours.tile;
     ctx.fill();
-    if (areas[0].color === BARE_FLOOR) continue;
+    if (areas[0].color === BARE_FLOOR && !world?.ground) continue;
     ctx.fillStyle = paint;
-    ctx.globalAlpha = 0.5;
+    // full beside a print, which is paler
+    ctx.globalAlpha = world?.ground ? 1 : 0.5;
     ctx.fill();
     ctx.globalAlpha = 1;
   }
@@ -47,18 +49,25 @@ function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
 export function drawZones(ctx: Ctx, world: World | null, colours: Colours, pixel: number): void {
   const zones = world?.zones ?? [];
   ctx.save();
-  ctx.strokeStyle = colours.number;
-  ctx.lineWidth = 2 * pixel;
   for (const zone of zones) {
     ctx.beginPath();
     trace(ctx, areaOf(zone));
+    const isField = world !== null && isPictured(world, zone) && inkOn(world, zone) !== null;
+    ctx.strokeStyle = isField ? colours.tile : colours.number;
+    ctx.lineWidth = isField ? FIELD_EDGE_M : 2 * pixel;
     ctx.stroke();
   }
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
-  for (const zone of zones) drawName(ctx, zone, widthBeside(zone, zones), colours, pixel);
+  for (const zone of zones) {
+    if (world && isPictured(world, zone)) drawPictogram(ctx, world, zone, colours);
+    else drawName(ctx, zone, widthBeside(zone, zones), colours, pixel);
+  }
   ctx.restore();
 }
+
+/** Width of the edge of a painted field with a pictogram. */
+const FIELD_EDGE_M = 0.05;
 
 /** Largest width of a name, as a fraction of the zone's width. */
 const NAME_PART = 0.8;

@@ -5,14 +5,17 @@ import { Button } from "../kit/Button";
 import { NumberField } from "../kit/NumberField";
 import { RadioGroup } from "../kit/RadioGroup";
 import type { Area } from "../scene/areas";
+import type { PrintKind } from "../scene/mat/prints";
 import type { EditorStore } from "./editor_store";
 import { clean, FINE, GRID } from "./geometry";
+import { PrintChoice, ThingChoice } from "./LookChoices";
 import { nameOf } from "./labels";
 import {
   type AreaObject,
   type FloorPlan,
   isArea,
   ofKind,
+  type Print,
   type Start,
   type Wall,
   type WorldObject,
@@ -53,7 +56,7 @@ function Acts({ store, object }: { store: EditorStore; object: WorldObject }) {
   const labels = texts.value.world;
   return (
     <div class="world-panel__acts row wrap gap-2">
-      {(object.kind === "paint" || object.kind === "zone") && (
+      {(object.kind === "paint" || object.kind === "zone" || object.kind === "print") && (
         <Button icon={Layers} onPress={() => store.layer(true)}>
           {labels.onTop}
         </Button>
@@ -137,7 +140,9 @@ function AreaFields({ store, plan, object }: PanelProps<AreaObject>) {
   return (
     <>
       <OwnFields store={store} plan={plan} object={object} />
-      {object.kind !== "box" && <ShapeChoice store={store} object={object} />}
+      {(object.kind === "zone" || object.kind === "paint") && (
+        <ShapeChoice store={store} object={object} />
+      )}
       <div class="numbers">
         {place("x", labels.x)}
         {place("y", labels.y)}
@@ -208,23 +213,48 @@ function OwnFields({ store, object }: PanelProps<AreaObject>) {
       </label>
     );
   }
+  if (object.kind === "print") return <PrintFields store={store} object={object} />;
   return (
-    <RadioGroup
-      label={labels.kinds.box}
-      testId="world-movable"
-      options={[
-        [false, labels.fixed],
-        [true, labels.movable],
-      ]}
-      value={object.movable}
-      onChange={(movable) =>
-        store.alter({ ...object, movable, mass: movable ? object.mass : null })
-      }
-    />
+    <>
+      <ThingChoice value={object.thing} onThing={(thing) => store.alter({ ...object, thing })} />
+      <RadioGroup
+        label={labels.kinds.box}
+        testId="world-movable"
+        options={[
+          [false, labels.fixed],
+          [true, labels.movable],
+        ]}
+        value={object.movable}
+        onChange={(movable) =>
+          store.alter({ ...object, movable, mass: movable ? object.mass : null })
+        }
+      />
+    </>
   );
 }
 
-type Flat = Exclude<AreaObject, { kind: "box" }>;
+/** Prints that can have any colour. */
+const COLOURED: readonly PrintKind[] = ["roof", "rug"];
+
+function PrintFields({ store, object }: { store: EditorStore; object: Print }) {
+  return (
+    <>
+      <PrintChoice
+        value={object.print}
+        onPrint={(print) => store.alter({ ...object, print, color: null })}
+      />
+      {COLOURED.includes(object.print) && (
+        <Swatches
+          label={texts.value.world.printColor}
+          color={object.color}
+          onColor={(color) => store.alter({ ...object, color })}
+        />
+      )}
+    </>
+  );
+}
+
+type Flat = Extract<AreaObject, { kind: "zone" | "paint" }>;
 
 function ShapeChoice({ store, object }: { store: EditorStore; object: Flat }) {
   const labels = texts.value.world;

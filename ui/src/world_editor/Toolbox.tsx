@@ -1,10 +1,11 @@
-import { BrickWall, Flag, MapPin, MousePointer2, Package, PaintBucket } from "lucide-preact";
+import { BrickWall, Flag, MapPin, MousePointer2, Package, PaintBucket, Trees } from "lucide-preact";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { RadioGroup } from "../kit/RadioGroup";
 import { paintOf } from "../scene/paints";
 import { TOOLS } from "./drag_gestures";
 import type { EditorStore } from "./editor_store";
+import { PrintChoice, ThingChoice } from "./LookChoices";
 import { COLORS, colorLabel } from "./labels";
 
 const ICONS = {
@@ -13,6 +14,7 @@ const ICONS = {
   box: Package,
   zone: MapPin,
   paint: PaintBucket,
+  print: Trees,
   start: Flag,
 } as const;
 
@@ -53,31 +55,55 @@ function NextObject({ store }: { store: EditorStore }) {
   if (store.tool.value === "paint") {
     return <Swatches color={store.color.value} onColor={(color) => store.setPaint(color)} />;
   }
+  if (store.tool.value === "print") {
+    return (
+      <PrintChoice
+        value={store.print.value}
+        onPrint={(print) => {
+          store.print.value = print;
+        }}
+      />
+    );
+  }
   if (store.tool.value !== "box") return null;
   return (
-    <RadioGroup
-      label={labels.tools.box}
-      options={[
-        [false, labels.fixed],
-        [true, labels.movable],
-      ]}
-      value={store.movable.value}
-      onChange={(movable) => {
-        store.movable.value = movable;
-      }}
-    />
+    <>
+      <ThingChoice
+        value={store.thing.value}
+        onThing={(thing) => {
+          store.thing.value = thing;
+        }}
+      />
+      <RadioGroup
+        label={labels.tools.box}
+        options={[
+          [false, labels.fixed],
+          [true, labels.movable],
+        ]}
+        value={store.movable.value}
+        onChange={(movable) => {
+          store.movable.value = movable;
+        }}
+      />
+    </>
   );
 }
 
+interface SwatchesProps {
+  color: string | null;
+  /** What gets the colour, if not the floor. */
+  label?: string;
+  onColor(color: string): void;
+}
+
 /** The colours that a floor sensor can distinguish. */
-export function Swatches({ color, onColor }: { color: string; onColor(color: string): void }) {
+export function Swatches({ color, label, onColor }: SwatchesProps) {
   return (
-    <fieldset class="swatches" aria-label={texts.value.world.color}>
+    <fieldset class="swatches" aria-label={label ?? texts.value.world.color}>
       {COLORS.map((one) => {
-        const label = colorLabel(one, language.value);
         return (
           <Button
-            label={label}
+            label={colorLabel(one, language.value)}
             kind="bare"
             class="swatch"
             key={one}

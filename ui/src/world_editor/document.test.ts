@@ -22,7 +22,7 @@ const EVERYTHING = {
   start: { x_m: -1, y_m: 0.5, heading_deg: 90 },
   walls: [{ from: [0, 0], to: [1, 1] }],
   boxes: [
-    { center: [1, 1], size: [0.5, 0.4], heading_deg: 30, movable: true, mass_kg: 3 },
+    { center: [1, 1], size: [0.5, 0.4], heading_deg: 30, movable: true, mass_kg: 3, kind: "chair" },
     { center: [2, 1], size: [0.5, 0.4], heading_deg: 0 },
   ],
   zones: [
@@ -30,6 +30,11 @@ const EVERYTHING = {
     { name: "B", center: [1, 0], radius: 0.5 },
   ],
   floor: [{ color: "red", center: [0, 0], radius: 0.3 }],
+  ground: "town",
+  prints: [
+    { kind: "street", center: [0, 1], size: [4, 0.7], heading_deg: 0 },
+    { kind: "roof", center: [0, -1], size: [1, 0.7], heading_deg: 10, color: "blue" },
+  ],
 };
 
 test("a world with one of everything is the same too", () => {

@@ -3,7 +3,13 @@ import { type Area, areaOf } from "../scene/areas";
 import { type FloorPlan, type Kind, newId, ofKind, type WorldObject } from "./plan";
 
 /** Lists of the document and the kind of object in each, in drawing order. */
-export const LISTS = { walls: "wall", boxes: "box", zones: "zone", floor: "paint" } as const;
+export const LISTS = {
+  walls: "wall",
+  boxes: "box",
+  zones: "zone",
+  floor: "paint",
+  prints: "print",
+} as const;
 
 type Point = [number, number];
 type Shape = { center: Point; size?: Point; heading_deg?: number; radius?: number };
@@ -16,6 +22,7 @@ export function planOf(world: World): FloorPlan {
     title: world.title,
     width: world.size_m[0],
     depth: world.size_m[1],
+    ground: world.ground ?? null,
     start: { x: start.x_m, y: start.y_m, heading: start.heading_deg },
     objects: [
       ...world.walls.map((wall) => ({
@@ -37,6 +44,14 @@ export function planOf(world: World): FloorPlan {
         ...areaOf(paint),
         color: paint.color,
       })),
+      ...(world.prints ?? []).map((print) => ({
+        id: newId(),
+        kind: "print" as const,
+        ...areaOf(print),
+        radius: null,
+        print: print.kind,
+        color: print.color ?? null,
+      })),
     ],
   };
 }
@@ -49,6 +64,7 @@ function boxOf(box: World["boxes"][number]): WorldObject {
     radius: null,
     movable: box.movable ?? false,
     mass: box.movable ? (box.mass_kg ?? null) : null,
+    thing: box.kind ?? null,
   };
 }
 
@@ -59,6 +75,7 @@ export function documentOf(plan: FloorPlan): World {
   const { start } = plan;
   const zones = ofKind(plan, "zone").map(entryOf);
   const floor = ofKind(plan, "paint").map(entryOf);
+  const prints = ofKind(plan, "print").map(entryOf);
   const document = {
     pinel_world: 1,
     name: plan.name,
@@ -69,6 +86,8 @@ export function documentOf(plan: FloorPlan): World {
     boxes: ofKind(plan, "box").map(entryOf),
     ...(zones.length > 0 && { zones }),
     ...(floor.length > 0 && { floor }),
+    ...(plan.ground && { ground: plan.ground }),
+    ...(prints.length > 0 && { prints }),
   };
   // default values are omitted, as in the shipped worlds
   return document as unknown as World;
@@ -83,11 +102,18 @@ function entryOf(item: WorldObject): object {
         ...shapeOf(item),
         ...(item.movable && { movable: true }),
         ...(item.mass !== null && { mass_kg: item.mass }),
+        ...(item.thing && { kind: item.thing }),
       };
     case "zone":
       return { name: item.name, ...shapeOf(item) };
     case "paint":
       return { color: item.color, ...shapeOf(item) };
+    case "print":
+      return {
+        kind: item.print,
+        ...shapeOf(item),
+        ...(item.color && { color: item.color }),
+      };
   }
 }
 

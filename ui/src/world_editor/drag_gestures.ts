@@ -1,4 +1,6 @@
 import type { XY } from "../scene/frames";
+import type { PrintKind } from "../scene/mat/prints";
+import type { Thing } from "../scene/mat/things";
 import {
   between,
   clean,
@@ -26,13 +28,15 @@ import {
 } from "./plan";
 
 /** Drawing tools. */
-export type Tool = "select" | "wall" | "box" | "zone" | "paint" | "start";
-export const TOOLS: readonly Tool[] = ["select", "wall", "box", "zone", "paint", "start"];
+export type Tool = "select" | "wall" | "box" | "zone" | "paint" | "print" | "start";
+export const TOOLS: readonly Tool[] = ["select", "wall", "box", "zone", "paint", "print", "start"];
 
 /** Properties of the next object to draw. */
 export interface NextObjectOptions {
   readonly color: string;
   readonly movable: boolean;
+  readonly thing: Thing | null;
+  readonly print: PrintKind;
   /** Name of the next zone. */
   readonly name: string;
 }
@@ -141,16 +145,17 @@ function made(
   tool: Tool,
   id: string,
   rectangle: Rectangle,
-  { color, movable, name }: NextObjectOptions,
+  { color, movable, thing, print, name }: NextObjectOptions,
 ): WorldObject {
   const area = { ...rectangle, heading: 0, radius: null };
-  if (tool === "box") return { id, kind: "box", ...area, movable, mass: null };
+  if (tool === "box") return { id, kind: "box", ...area, movable, mass: null, thing };
   if (tool === "zone") return { id, kind: "zone", ...area, name };
+  if (tool === "print") return { id, kind: "print", ...area, print, color: null };
   return { id, kind: "paint", ...area, color };
 }
 
 /** Width and depth of an object placed by a tap, metres. */
-const TAPPED = { box: 0.6, zone: 1, paint: 1 } as const;
+const TAPPED = { box: 0.6, zone: 1, paint: 1, print: 1 } as const;
 
 /** Places an object at a point, for a tap or a key. */
 export function tapped(plan: FloorPlan, tool: Tool, at: XY, options: NextObjectOptions): FloorPlan {

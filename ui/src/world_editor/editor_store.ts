@@ -1,6 +1,9 @@
 import { batch, computed, signal } from "@preact/signals";
 import type { Fault, World } from "../api/model";
 import type { XY } from "../scene/frames";
+import type { Ground } from "../scene/mat/grounds";
+import type { PrintKind } from "../scene/mat/prints";
+import type { Thing } from "../scene/mat/things";
 import { aboutOf, documentOf, planOf } from "./document";
 import {
   type DragGesture,
@@ -39,6 +42,8 @@ export class EditorStore {
   readonly selected = signal<string | null>(null);
   readonly color = signal("red");
   readonly movable = signal(false);
+  readonly thing = signal<Thing | null>(null);
+  readonly print = signal<PrintKind>("street");
   readonly faults = signal<readonly Fault[]>([]);
   /** Counts the changes, so that `canUndo` and `canRedo` are computed again. */
   private readonly changes = signal(0);
@@ -208,6 +213,10 @@ export class EditorStore {
     this.change(resized(this.plan.value, width, depth), "floor");
   }
 
+  cover(ground: Ground | null): void {
+    this.change({ ...this.plan.value, ground });
+  }
+
   rename(newTitle: string): void {
     this.change({ ...this.plan.value, title: newTitle }, "title");
   }
@@ -239,6 +248,8 @@ export class EditorStore {
     return {
       color: this.color.value,
       movable: this.movable.value,
+      thing: this.thing.value,
+      print: this.print.value,
       name: freeName(this.plan.value),
     };
   }
@@ -249,6 +260,7 @@ const EMPTY: FloorPlan = {
   title: "",
   width: 8,
   depth: 8,
+  ground: null,
   start: { x: 0, y: 0, heading: 0 },
   objects: [],
 };

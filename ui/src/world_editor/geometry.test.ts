@@ -21,6 +21,7 @@ const box = (over: Partial<Box> = {}): Box => ({
   radius: null,
   movable: false,
   mass: null,
+  thing: null,
   ...over,
 });
 
@@ -29,6 +30,7 @@ const plan = (...objects: FloorPlan["objects"]): FloorPlan => ({
   title: "",
   width: 8,
   depth: 6,
+  ground: null,
   start: { x: 0, y: 0, heading: 0 },
   objects,
 });

@@ -154,7 +154,7 @@ export function corneredTo(area: AreaObject, corner: number, point: XY, free: bo
 
 /** Sets the radius of a disc so that it reaches a point. */
 export function reachingTo(area: AreaObject, point: XY, free: boolean): AreaObject {
-  if (area.kind === "box") return area;
+  if (area.kind === "box" || area.kind === "print") return area;
   const away = Math.hypot(point.x - area.x, point.y - area.y);
   const radius = Math.max(MIN_SIZE_M, snap(away, free ? FINE : GRID));
   return { ...area, radius, width: 2 * radius, depth: 2 * radius };

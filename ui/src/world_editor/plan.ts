@@ -1,9 +1,12 @@
 import type { World } from "../api/model";
 import type { Area } from "../scene/areas";
 import type { XY } from "../scene/frames";
+import type { Ground } from "../scene/mat/grounds";
+import type { PrintKind } from "../scene/mat/prints";
+import type { Thing } from "../scene/mat/things";
 
 /** An object on the floor. `id` is valid while the editor is open; a document identifies objects by index. */
-export type WorldObject = Wall | Box | Zone | Paint;
+export type WorldObject = Wall | Box | Zone | Paint | Print;
 export type Kind = WorldObject["kind"];
 
 interface ObjectBase<K extends string> {
@@ -20,6 +23,7 @@ export interface Box extends ObjectBase<"box">, Area {
   readonly radius: null;
   readonly movable: boolean;
   readonly mass: number | null;
+  readonly thing: Thing | null;
 }
 
 export interface Zone extends ObjectBase<"zone">, Area {
@@ -30,7 +34,13 @@ export interface Paint extends ObjectBase<"paint">, Area {
   readonly color: string;
 }
 
-export type AreaObject = Box | Zone | Paint;
+export interface Print extends ObjectBase<"print">, Area {
+  readonly radius: null;
+  readonly print: PrintKind;
+  readonly color: string | null;
+}
+
+export type AreaObject = Box | Zone | Paint | Print;
 
 export interface Start extends XY {
   readonly heading: number;
@@ -42,6 +52,7 @@ export interface FloorPlan {
   readonly title: World["title"];
   readonly width: number;
   readonly depth: number;
+  readonly ground: Ground | null;
   readonly start: Start;
   readonly objects: readonly WorldObject[];
 }

@@ -3,7 +3,7 @@ import type { FloorPlan } from "./plan";
 import { fromStart, onFloor, reach } from "./start_frame";
 
 const plan = (x: number, y: number, heading: number): FloorPlan => ({
-  ...{ name: "own", title: null as never, width: 8, depth: 6, objects: [] },
+  ...{ name: "own", title: null as never, width: 8, depth: 6, ground: null, objects: [] },
   start: { x, y, heading },
 });
 

@@ -15,6 +15,8 @@ const WORLD: World = {
   boxes: [],
   zones: [],
   floor: [],
+  ground: null,
+  prints: [],
 };
 const goal = (more: Partial<Goal>): Goal => ({
   world: WORLD,

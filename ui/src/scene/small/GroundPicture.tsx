@@ -1,5 +1,11 @@
 import type { GoalPicture, World } from "../../api/model";
 import { areaOf, lineThrough, outlineOf } from "../areas";
+import { GROUNDS } from "../mat/grounds";
+import { PartsPicture } from "../mat/PartsPicture";
+import { PICTOGRAM_SIZE, pictogramOf } from "../mat/pictograms";
+import { inkOn, isPictured, PICTOGRAM_PART } from "../mat/places";
+import { layersOf } from "../mat/prints";
+import { THINGS } from "../mat/things";
 import { paintOf } from "../paints";
 import { type GoalViewport, pointsOf } from "./goal_viewport";
 import { Grid } from "./parts";
@@ -14,12 +20,13 @@ export function GroundPicture({ goal: { world, zones }, viewport }: GroundProps)
   return (
     <>
       <Tiles frame={viewport} />
+      <PrintsPicture world={world} viewport={viewport} />
       {world.floor.map((paint, index) => (
         <Shape
           key={index}
           area={paint}
           viewport={viewport}
-          class="goal__paint"
+          class={world.ground ? "goal__paint goal__paint--full" : "goal__paint"}
           fill={paintOf(paint.color)}
         />
       ))}
@@ -35,6 +42,28 @@ export function GroundPicture({ goal: { world, zones }, viewport }: GroundProps)
   );
 }
 
+/** The ground of a world and what is printed on it. */
+function PrintsPicture({ world, viewport }: { world: World; viewport: GoalViewport }) {
+  const [width, depth] = world.size_m;
+  const room = areaOf({ center: [0, 0], size: [width, depth] });
+  const [ground] = world.ground ? GROUNDS[world.ground](width, depth) : [];
+  return (
+    <g class="goal__prints">
+      {ground && <PartsPicture parts={[ground]} area={room} viewport={viewport} class="" />}
+      {layersOf(world.prints ?? [], paintOf).map(({ print, part }, index) => (
+        <PartsPicture
+          key={index}
+          parts={[part]}
+          area={areaOf(print)}
+          viewport={viewport}
+          class=""
+        />
+      ))}
+      {world.ground && <Grid viewport={viewport} />}
+    </g>
+  );
+}
+
 /** The objects on the floor: walls, boxes, and the targets of boxes to push. */
 export function ObjectsPicture({ goal: { world, boxes }, viewport }: GroundProps) {
   return (
@@ -42,6 +71,20 @@ export function ObjectsPicture({ goal: { world, boxes }, viewport }: GroundProps
       {world.boxes.map((box, index) => (
         <Shape key={index} area={box} viewport={viewport} class="goal__box" />
       ))}
+      {world.boxes.map((box, index) => {
+        const area = areaOf(box);
+        return (
+          box.kind && (
+            <PartsPicture
+              key={index}
+              parts={THINGS[box.kind](area.width, area.depth, "")}
+              area={area}
+              viewport={viewport}
+              class="goal__thing"
+            />
+          )
+        );
+      })}
       {Object.entries(boxes).map(([index, [x, y, yaw]]) => {
         const box = world.boxes[Number(index)];
         if (!box) return null;
@@ -66,12 +109,15 @@ const MAX_NAME_LENGTH = 2;
 const NAME_M = 0.34;
 const NAME_PLACE = 0.3;
 
-/** Names of zones, and a flag on each zone to reach if the goal has no lines. */
+/** Pictograms or names of zones, and a flag on each zone to reach if the goal has no lines. */
 export function NamesPicture({ goal: { world, zones, lines }, viewport }: GroundProps) {
   return (
     <>
-      {world.zones.map(({ name, center, size }) => {
+      {world.zones.map((zone) => {
+        const { name, center, size } = zone;
         const { x, y } = viewport.toPixels(areaOf({ center }));
+        if (isPictured(world, zone))
+          return <Pictogram key={name} world={world} zone={zone} viewport={viewport} />;
         if (name.length <= MAX_NAME_LENGTH) {
           // in a corner of its zone, because lines lead to the middle
           const [dx = 0, dy = 0] = (size ?? []).map((side) => NAME_PLACE * side * viewport.scale);
@@ -90,6 +136,29 @@ export function NamesPicture({ goal: { world, zones, lines }, viewport }: Ground
         );
       })}
     </>
+  );
+}
+
+interface PictogramProps {
+  world: World;
+  zone: World["zones"][number];
+  viewport: GoalViewport;
+}
+
+/** The pictogram of a place on its field. */
+function Pictogram({ world, zone, viewport }: PictogramProps) {
+  const area = areaOf(zone);
+  const { x, y } = viewport.toPixels(area);
+  const scale =
+    (PICTOGRAM_PART * Math.min(area.width, area.depth) * viewport.scale) / PICTOGRAM_SIZE;
+  return (
+    <path
+      class="goal__pictogram"
+      style={{ "--ink-on": inkOn(world, zone) ?? "var(--ink)" }}
+      fill-rule="evenodd"
+      transform={`translate(${x} ${y}) scale(${scale}) translate(${-PICTOGRAM_SIZE / 2} ${-PICTOGRAM_SIZE / 2})`}
+      d={pictogramOf(zone.name) ?? ""}
+    />
   );
 }
 

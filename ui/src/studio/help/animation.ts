@@ -66,6 +66,8 @@ export function floorOf({ poses, walls }: BlockAnimation): GoalPicture {
     boxes: [],
     zones: [],
     floor: [],
+    ground: null,
+    prints: [],
   } as World;
   return { world, lines: [{ points, color: null, sign: null }], zones: [], boxes: {} };
 }

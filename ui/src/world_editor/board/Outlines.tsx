@@ -19,8 +19,8 @@ interface OutlinesProps {
 export function Outlines({ store, view }: OutlinesProps) {
   const plan = store.shown.value;
   const faulty = useComputed(() => new Set(store.faults.value.map((one) => store.aboutFault(one))));
-  // drawing order: paint below, walls on top
-  const order = ["paint", "zone", "box", "wall"] as const;
+  // drawing order: prints below, walls on top
+  const order = ["print", "paint", "zone", "box", "wall"] as const;
   const objects = order.flatMap((kind) =>
     ofKind(plan, kind).map((object, index) => ({ object, index })),
   );

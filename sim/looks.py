@@ -1,0 +1,15 @@
+"""What a world looks like: names of grounds, prints and things. They change nothing that the robot measures.
+
+`ui/src/scene/mat` draws them.
+"""
+
+from typing import Literal
+
+# what covers the whole floor
+Ground = Literal["town", "living_room", "classroom", "court", "sea", "farm"]
+# what is printed on the ground
+Print = Literal["street", "crossing", "roof", "garden", "pond", "rug", "crops"]
+# what a box is
+Thing = Literal[
+    "crate", "table", "chair", "bed", "plant", "cone", "fence", "tree", "bin", "bookshelf", "house"
+]

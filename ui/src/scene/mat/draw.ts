@@ -1,0 +1,78 @@
+import type { World } from "../../api/model";
+import { type Area, areaOf } from "../areas";
+import type { Colours } from "../colours";
+import { paintOf } from "../paints";
+import { GROUNDS } from "./grounds";
+import { mixed, type Part } from "./parts";
+import { layersOf } from "./prints";
+import { THINGS, type Thing } from "./things";
+
+type Ctx = CanvasRenderingContext2D;
+type Ink = (colour: string) => string;
+type LookedAt = World["boxes"][number];
+
+/** How much of a print's colour shows: all by day, less at dusk, nothing in high contrast. */
+const strengthOf = ({ print }: Colours): number => Number(print) || 0;
+
+/** Whether the floor shows the print of a world instead of tiles. */
+export const hasGround = (world: World | null, colours: Colours): boolean =>
+  Boolean(world?.ground) && strengthOf(colours) > 0;
+
+/** Draws the ground and all prints of a world. World frame, metres. */
+export function drawGround(ctx: Ctx, world: World, colours: Colours): void {
+  const strength = strengthOf(colours);
+  if (!world.ground || strength === 0) return;
+  const ink: Ink = (colour) => mixed(colours.tile, colour, strength);
+  const [width, depth] = world.size_m;
+  for (const part of GROUNDS[world.ground](width, depth)) drawPart(ctx, part, ink);
+}
+
+export function drawPrints(ctx: Ctx, world: World | null, colours: Colours): void {
+  const strength = strengthOf(colours);
+  if (strength === 0) return;
+  const ink: Ink = (colour) => mixed(colours.tile, colour, strength);
+  // a world of the world editor omits empty lists
+  for (const { print, part } of layersOf(world?.prints ?? [], paintOf)) {
+    inFrame(ctx, areaOf(print), () => drawPart(ctx, part, ink));
+  }
+}
+
+/** How much of a thing's colour is lost at dusk. */
+const DUSK = 0.2;
+
+/** Draws the thing that a box is, on top of its shadow. */
+export function drawThing(ctx: Ctx, box: LookedAt, kind: Thing, colours: Colours): void {
+  const area = areaOf(box);
+  const strength = strengthOf(colours);
+  const ink: Ink = (colour) => (strength < 1 ? mixed(colour, colours.tile, DUSK) : colour);
+  inFrame(ctx, area, () => {
+    for (const part of THINGS[kind](area.width, area.depth, "")) {
+      drawPart(ctx, part, strength > 0 ? ink : null, colours);
+    }
+  });
+}
+
+function inFrame(ctx: Ctx, { x, y, heading }: Area, draw: () => void): void {
+  ctx.save();
+  ctx.translate(x, y);
+  ctx.rotate((heading * Math.PI) / 180);
+  draw();
+  ctx.restore();
+}
+
+/** Draws one shape; without `ink` in the two colours of a box, as high contrast needs it. */
+function drawPart(ctx: Ctx, part: Part, ink: Ink | null, colours?: Colours): void {
+  const path = new Path2D(part.d);
+  if (part.fill) {
+    ctx.fillStyle = ink ? ink(part.fill) : (colours?.box ?? part.fill);
+    ctx.fill(path);
+  }
+  if (!part.line) return;
+  ctx.strokeStyle = ink ? ink(part.line) : (colours?.boxSide ?? part.line);
+  ctx.lineWidth = part.width ?? 0.02;
+  ctx.lineJoin = "round";
+  ctx.lineCap = "butt";
+  ctx.setLineDash([...(part.dash ?? [])]);
+  ctx.stroke(path);
+  ctx.setLineDash([]);
+}

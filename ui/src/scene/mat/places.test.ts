@@ -1,0 +1,47 @@
+import { describe, expect, test } from "vitest";
+import neighbourhood from "../../../../sim/worlds/neighbourhood.json";
+import type { World } from "../../api/model";
+import { areaOf } from "../areas";
+import { inkOn, isPictured, plateOf } from "./places";
+
+const TOWN = { title: "", ...neighbourhood } as unknown as World;
+const zone = (name: string) => {
+  const found = TOWN.zones.find((one) => one.name === name);
+  if (!found) throw new Error(name);
+  return found;
+};
+const [WIDTH, DEPTH] = [0.7, 0.28];
+
+describe("the name of a place", () => {
+  test.each(TOWN.zones.map(({ name }) => name))("%s lies beside all fields and streets", (name) => {
+    const plate = plateOf(TOWN, zone(name), WIDTH, DEPTH);
+    const streets = (TOWN.prints ?? []).filter(({ kind }) => kind === "street");
+    for (const area of [...TOWN.zones, ...streets].map(areaOf)) {
+      const [dx, dy] = [Math.abs(plate.x - area.x), Math.abs(plate.y - area.y)];
+      expect(dx < (WIDTH + area.width) / 2 - 1e-9 && dy < (DEPTH + area.depth) / 2 - 1e-9).toBe(
+        false,
+      );
+    }
+  });
+
+  test("is in the room where the field lies at the wall", () => {
+    const last = { name: "meta", center: [3.6, -2.6], size: [0.8, 0.8], heading_deg: 0 } as const;
+    const plate = plateOf({ ...TOWN, zones: [] }, last as never, WIDTH, DEPTH);
+    expect(plate.x + WIDTH / 2).toBeLessThanOrEqual(4);
+    expect(plate.y - DEPTH / 2).toBeGreaterThanOrEqual(-3);
+  });
+});
+
+describe("a place has a pictogram", () => {
+  test("in a world with a print, by its name", () => {
+    expect(isPictured(TOWN, zone("padaria"))).toBe(true);
+    expect(isPictured(TOWN, { ...zone("padaria"), name: "A" })).toBe(false);
+    expect(isPictured({ ...TOWN, ground: null }, zone("padaria"))).toBe(false);
+  });
+
+  test("that stands out on its field", () => {
+    expect(inkOn(TOWN, zone("escola"))).toBe("#ffffff");
+    expect(inkOn(TOWN, zone("casa"))).not.toBe("#ffffff");
+    expect(inkOn({ ...TOWN, floor: [] }, zone("casa"))).toBeNull();
+  });
+});

@@ -1,0 +1,146 @@
+import type { World } from "../../api/model";
+import { texts } from "../../i18n";
+import { type Area, areaOf } from "../areas";
+import type { Colours } from "../colours";
+import { roomOf } from "../frames";
+import { contrast, paintOf } from "../paints";
+import { PICTOGRAM_SIZE, pictogramOf } from "./pictograms";
+
+type Ctx = CanvasRenderingContext2D;
+type Zone = World["zones"][number];
+
+/** Side of a pictogram as a part of its field's shorter side. */
+export const PICTOGRAM_PART = 0.62;
+const NAME_M = 0.2;
+const READABLE_PX = 13;
+const GAP_M = 0.06;
+
+/** Whether a place has a pictogram on its field and its name on a plate beside it. */
+export const isPictured = (world: World, zone: Zone): boolean =>
+  Boolean(world.ground) && pictogramOf(zone.name) !== null;
+
+/** Draws the pictogram of a place on its field. World frame, metres. */
+export function drawPictogram(ctx: Ctx, world: World, zone: Zone, colours: Colours): void {
+  const { x, y, width, depth } = areaOf(zone);
+  const scale = (PICTOGRAM_PART * Math.min(width, depth)) / PICTOGRAM_SIZE;
+  ctx.save();
+  ctx.translate(x, y);
+  ctx.scale(scale, -scale);
+  ctx.translate(-PICTOGRAM_SIZE / 2, -PICTOGRAM_SIZE / 2);
+  ctx.fillStyle = inkOn(world, zone) ?? colours.ink;
+  ctx.fill(new Path2D(pictogramOf(zone.name) ?? ""), "evenodd");
+  ctx.restore();
+}
+
+/** White does not stand out on yellow. */
+const DARK = "#3c2f12";
+const LOST = 1.7;
+
+/** The colour of a pictogram on its field; null if the field is not painted. */
+export function inkOn({ floor }: World, zone: Zone): string | null {
+  const { x, y } = areaOf(zone);
+  const below = (floor ?? []).filter(({ center: [cx = 0, cy = 0] }) => cx === x && cy === y).at(-1);
+  if (!below) return null;
+  return contrast("#ffffff", paintOf(below.color)) < LOST ? DARK : "#ffffff";
+}
+
+/** Draws the names of all pictured places on plates beside their fields, over all that stands there. */
+export function drawPlates(ctx: Ctx, world: World, colours: Colours, pixel: number): void {
+  for (const zone of world.zones ?? []) {
+    if (isPictured(world, zone)) drawPlate(ctx, world, zone, colours, pixel);
+  }
+}
+
+interface Plate {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly depth: number;
+}
+
+function drawPlate(ctx: Ctx, world: World, zone: Zone, colours: Colours, pixel: number): void {
+  const letters = Math.max(NAME_M, READABLE_PX * pixel);
+  ctx.save();
+  ctx.font = `700 100px ${colours.font}`;
+  const text = nameOf(zone.name);
+  const width = (ctx.measureText(text).width / 100 + 0.9) * letters;
+  const plate = plateOf(world, zone, width, 1.4 * letters);
+  ctx.translate(plate.x, plate.y);
+  ctx.beginPath();
+  ctx.roundRect(-plate.width / 2, -plate.depth / 2, plate.width, plate.depth, plate.depth / 2);
+  ctx.fillStyle = colours.tile;
+  ctx.fill();
+  ctx.strokeStyle = colours.line;
+  ctx.lineWidth = pixel;
+  ctx.stroke();
+  ctx.scale(letters / 100, -letters / 100);
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  ctx.fillStyle = colours.ink;
+  ctx.fillText(text, 0, 4);
+  ctx.restore();
+}
+
+/** The name that programs use, and the word for it in the language of the page. */
+function nameOf(name: string): string {
+  const known = new Map<string, string>(Object.entries(texts.peek().places)).get(name) ?? name;
+  return known === name ? name : `${name} · ${known}`;
+}
+
+/** Where a plate lies: beside its field, where it covers least. */
+export function plateOf(world: World, zone: Zone, width: number, depth: number): Plate {
+  const field = areaOf(zone);
+  const [down, across] = [(field.depth + depth) / 2 + GAP_M, (field.width + width) / 2 + GAP_M];
+  const aside = Math.abs(field.width - width) / 2;
+  const steps = [
+    ...[0, aside, -aside].flatMap((x) => [[x, -down] as const, [x, down] as const]),
+    [across, 0] as const,
+    [-across, 0] as const,
+  ];
+  const plates = steps.map(([x, y]) => ({ x: field.x + x, y: field.y + y, width, depth }));
+  const taken = takenBy(world, field);
+  const streets = (world.prints ?? []).filter(({ kind }) => kind === "street").map(areaOf);
+  const cost = (plate: Plate) =>
+    (isInside(world, plate) ? 0 : 100) +
+    10 * taken.filter((area) => isOn(plate, area)).length +
+    streets.filter((area) => isOn(plate, area)).length;
+  const costs = plates.map(cost);
+  return plates[costs.indexOf(Math.min(...costs))] as Plate;
+}
+
+/** What a plate must not cover: other places and colours, things, walls. */
+function takenBy(world: World, field: Area): Area[] {
+  const areas = [...(world.zones ?? []), ...(world.floor ?? []), ...world.boxes].map(areaOf);
+  const walls = world.walls.map(({ from: [x1, y1], to: [x2, y2] }) =>
+    areaOf({
+      center: [(x1 + x2) / 2, (y1 + y2) / 2],
+      size: [Math.abs(x2 - x1) + WALL_M, Math.abs(y2 - y1) + WALL_M],
+    }),
+  );
+  return [...areas.filter(({ x, y }) => x !== field.x || y !== field.y), ...walls];
+}
+
+/** Width of a wall as it is drawn. */
+const WALL_M = 0.09;
+
+function isInside(world: World, { x, y, width, depth }: Plate): boolean {
+  const room = roomOf(world);
+  return (
+    x - width / 2 >= room.left &&
+    x + width / 2 <= room.right &&
+    y - depth / 2 >= room.bottom &&
+    y + depth / 2 <= room.top
+  );
+}
+
+/** Whether a plate overlaps the box around an area. */
+function isOn(plate: Plate, area: Area): boolean {
+  const turned = (area.heading * Math.PI) / 180;
+  const [cos, sin] = [Math.abs(Math.cos(turned)), Math.abs(Math.sin(turned))];
+  const width = area.width * cos + area.depth * sin;
+  const depth = area.width * sin + area.depth * cos;
+  return (
+    Math.abs(plate.x - area.x) < (plate.width + width) / 2 &&
+    Math.abs(plate.y - area.y) < (plate.depth + depth) / 2
+  );
+}
