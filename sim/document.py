@@ -19,7 +19,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError, PydanticKnownError
 
 from sim.floor import MAX_NAME, Color
-from sim.looks import Ground, Print, Thing
+from sim.looks import IF_GIVEN, Ground, Print, Thing
 from sim.world import (
     DEFAULT_BOX_MASS_KG,
     MAX_MOVABLE_KG,
@@ -116,7 +116,7 @@ class Box(_Rectangle):
 
     movable: bool = False
     mass_kg: Annotated[float, Field(ge=0.1, le=100.0)] = DEFAULT_BOX_MASS_KG
-    kind: Thing | None = None
+    kind: Annotated[Thing | None, IF_GIVEN] = None
 
 
 class _Named(_Part):
@@ -147,7 +147,7 @@ class Printed(_Rectangle):
     """A picture on the floor. The robot neither measures it nor touches it."""
 
     kind: Print
-    color: Color | None = None
+    color: Annotated[Color | None, IF_GIVEN] = None
 
 
 def _shape(area: Any) -> str:
@@ -198,5 +198,5 @@ class WorldDocument(_Part):
     boxes: Annotated[list[Box], Field(default_factory=list, max_length=MAX_BOXES)]
     zones: Annotated[list[_Zone], Field(default_factory=list, max_length=MAX_AREAS)]
     floor: Annotated[list[_Paint], Field(default_factory=list, max_length=MAX_AREAS)]
-    ground: Ground | None = None
-    prints: Annotated[list[Printed], Field(default_factory=list, max_length=MAX_AREAS)]
+    ground: Annotated[Ground | None, IF_GIVEN] = None
+    prints: Annotated[list[Printed], IF_GIVEN, Field(default_factory=list, max_length=MAX_AREAS)]

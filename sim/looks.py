@@ -5,6 +5,11 @@
 
 from typing import Literal
 
+from pydantic import Field
+
+# the normal form of a world without a look has none of its keys, as before there were looks
+IF_GIVEN = Field(exclude_if=lambda value: not value)
+
 # what covers the whole floor
 Ground = Literal["town", "living_room", "classroom", "court", "sea", "farm"]
 # what is printed on the ground

@@ -58,14 +58,8 @@ def read_world(source: Any, *, robot_radius_m: float) -> WorldParseResult:
     found = [*invalid, *islice(placement_faults(parts, robot_radius_m), MAX_FAULTS)]
     if found or model is None:
         return WorldParseResult(None, None, _in_order(found))
-    normal = _normal_form(model)
+    normal = model.model_dump(mode="json", by_alias=True)
     return WorldParseResult(world_from_document(normal), normal)
-
-
-def _normal_form(model: WorldDocument) -> dict[str, Any]:
-    """Returns the document with its defaults. A world without a look has none of its keys, as before there were any."""
-    normal = model.model_dump(mode="json", by_alias=True, exclude_none=True)
-    return normal if normal["prints"] else {k: v for k, v in normal.items() if k != "prints"}
 
 
 def _parsed(text: str | bytes) -> Any:

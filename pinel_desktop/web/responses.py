@@ -9,6 +9,7 @@ from typing import Any
 
 from flask import Response
 from pydantic import BaseModel
+from pydantic.fields import FieldInfo
 
 from pinel_desktop.messages import describe
 from pinel_desktop.web.models.errors import ErrorAnswer, ErrorBody, Fault, Notice
@@ -87,11 +88,23 @@ def plain(value: object) -> object:
     previous one.
     """
     if isinstance(value, BaseModel):
-        aliases = {name: field.alias or name for name, field in type(value).model_fields.items()}
-        return {aliases.get(name, name): plain(item) for name, item in value}
+        fields = type(value).model_fields
+        return {
+            _name(fields.get(name), name): plain(item)
+            for name, item in value
+            if not _is_excluded(fields.get(name), item)
+        }
     if isinstance(value, list | tuple):
         return [plain(item) for item in value]
     return value
+
+
+def _name(field: FieldInfo | None, name: str) -> str:
+    return (field and field.alias) or name
+
+
+def _is_excluded(field: FieldInfo | None, item: object) -> bool:
+    return field is not None and field.exclude_if is not None and field.exclude_if(item)
 
 
 def json_response(model: BaseModel, status: int = 200) -> Response:

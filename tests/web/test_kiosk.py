@@ -99,20 +99,23 @@ def test_the_switch_opens_the_window_again_in_the_other_mode(
     assert window.next_request() == "restart"
 
 
-@pytest.mark.parametrize("method", ["POST", "PUT"])
+@pytest.mark.parametrize(
+    ("method", "path", "body", "request_"),
+    [
+        ("POST", "/api/kiosk/leave", {}, "close"),
+        ("PUT", "/api/kiosk", {"is_chosen": False}, "restart"),
+    ],
+)
 def test_the_page_has_its_answer_before_the_app_closes(
-    start_app: Callable[..., App], method: str
+    start_app: Callable[..., App], method: str, path: str, body: object, request_: WindowRequest
 ) -> None:
     window = ClosingWindow(kiosk="setting")
     tab = Browser.signed_in(start_app(window=window).address)
     tab.put("/api/teacher/pin", PIN)
-    if method == "POST":
-        answer = tab.post("/api/kiosk/leave", {})
-    else:
-        answer = tab.put("/api/kiosk", {"is_chosen": False})
+    answer = tab.send(method, path, body)
     window.answered.set()
     assert answer.status == 200
-    assert window.next_request() == {"POST": "close", "PUT": "restart"}[method]
+    assert window.next_request() == request_
     assert not window.closed_early
 
 

@@ -6,7 +6,7 @@ from pydantic import ConfigDict, Field
 
 from pinel_desktop.web.models import RequestModel, ResponseModel
 from pinel_desktop.web.models.errors import Fault
-from sim.looks import Ground, Print, Thing
+from sim.looks import IF_GIVEN, Ground, Print, Thing
 
 Metres2 = tuple[float, float]
 
@@ -45,7 +45,7 @@ class Box(ResponseModel):
     heading_deg: float
     movable: bool = False
     mass_kg: Annotated[float, Field(description="of a movable one")] = 2.0
-    kind: Annotated[Thing | None, Field(description="what it looks like")] = None
+    kind: Annotated[Thing | None, IF_GIVEN, Field(description="what it looks like")] = None
 
 
 class Area(ResponseModel):
@@ -76,7 +76,7 @@ class Printed(ResponseModel):
     center: Metres2
     size: Metres2
     heading_deg: float = 0
-    color: str | None = None
+    color: Annotated[str | None, IF_GIVEN] = None
 
 
 class World(ResponseModel):
@@ -91,8 +91,8 @@ class World(ResponseModel):
     boxes: list[Box]
     zones: list[Zone] = Field(default=[])
     floor: list[Paint] = Field(default=[])
-    ground: Annotated[Ground | None, Field(description="what the whole floor looks like")] = None
-    prints: list[Printed] = Field(default=[])
+    ground: Annotated[Ground | None, IF_GIVEN, Field(description="of the whole floor")] = None
+    prints: Annotated[list[Printed], IF_GIVEN] = Field(default=[])
 
 
 class WorldToCheck(RequestModel):
