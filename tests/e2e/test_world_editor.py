@@ -33,6 +33,28 @@ def board(studio: Studio) -> WorldBoard:
     return board
 
 
+def test_the_robot_drives_over_a_print_and_stops_at_a_thing(
+    studio: Studio, board: WorldBoard
+) -> None:
+    board["ground"].select_option("town")
+    board.choose("print")
+    board["print-kind"].select_option("street")
+    board.drag((0.5, -0.4), (2, 0.4))
+    board.eventually(lambda: board.stored("prints", "kind"), ["street"])
+    board.choose("box")
+    board["thing-kind"].select_option("tree")
+    board.drag((2.5, -0.4), (3, 0.4))
+    board.eventually(lambda: board.stored("boxes", "kind"), ["tree"])
+    assert board.world()["ground"] == "town"
+    board.done()
+
+    add_move(studio, "3")
+    studio["speed"].select_option("10")
+    studio.run()
+    studio.wait_for_phase("failed")
+    studio.expect_number("pose-x", pytest.approx(2.25, abs=0.25))
+
+
 def test_a_wall_that_was_drawn_is_in_the_robots_way(studio: Studio, board: WorldBoard) -> None:
     board.choose("wall")
     board.drag((1, -1), (1, 1))
