@@ -1,4 +1,4 @@
-"""How long a frame of a replay takes: of a short run, and of one of ten thousand samples with a pen.
+"""How long a frame of a replay takes: of a short run, of one of ten thousand samples with a pen, on a printed floor.
 
 The real page replays a real run whose samples and events are exchanged for made ones on their way to the page.
 """
@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from playwright.sync_api import Browser, CDPSession, Page, sync_playwright
+from playwright.sync_api import Browser, CDPSession, Page, Route, sync_playwright
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import CHROMIUM
@@ -22,6 +22,9 @@ SHORT, LONG = 600, 10_500
 WATCHED_S = 5
 SHOWN_BEFORE_END = 400  # ticks: the replay plays on while it is watched
 MAX_TIMES_SHORT = 2.0
+FURNISHED = "furnished_room"
+LOOKS = ("ground", "prints", "kind")
+MAX_TIMES_PLAIN = 1.2
 COLUMNS = ("tick", "x_m", "y_m", "yaw_rad", "goal_x_m", "goal_y_m", "goal_yaw_rad")
 STROKE_TICKS = 500
 COLORS = ("red", "blue", "green", "black")
@@ -56,28 +59,47 @@ def browser() -> Iterator[Browser]:
         browser.close()
 
 
-def test_a_long_run_costs_a_frame_no_more_than_a_short_one(
-    browser: Browser, tmp_path: Path
-) -> None:
+@pytest.fixture
+def page(browser: Browser, tmp_path: Path) -> Iterator[Page]:
     app = AppProcess(tmp_path)
     app.start()
     try:
         context = browser.new_context(viewport={"width": 1366, "height": 768}, locale="pt-BR")
         page = context.new_page()
         page.goto(app.link)
-        run = _driven(Studio(page))
-        frames = {rows: _replayed(page, run, rows) for rows in (SHORT, LONG)}
+        yield page
     finally:
         app.stop()
-    for rows, (median, p95, work) in frames.items():
-        print(
-            f"{rows:6} samples: a frame every {median:.1f} ms (95 %: {p95:.1f}), {work:.1f} ms of work"
-        )
+
+
+def test_a_long_run_costs_a_frame_no_more_than_a_short_one(page: Page) -> None:
+    run = _driven(Studio(page))
+    frames = {rows: _replayed(page, run, rows) for rows in (SHORT, LONG)}
+    for rows, found in frames.items():
+        print(f"{rows:6} samples: {_words(found)}")
     assert frames[LONG].work < MAX_TIMES_SHORT * frames[SHORT].work
 
 
-def _driven(studio: Studio) -> str:
+def test_a_printed_floor_costs_a_frame_little_more_than_a_plain_one(page: Page) -> None:
+    """The same room with and without its print, in turns."""
+    run = _driven(Studio(page), FURNISHED)
+    found: dict[bool, list[Frames]] = {False: [], True: []}
+    for is_printed in (False, True) * 3:
+        found[is_printed].append(_replayed(page, run, SHORT, is_printed=is_printed))
+    plain, printed = (min(found[one], key=lambda frames: frames.work) for one in (False, True))
+    print(f"plain floor: {_words(plain)}; printed: {_words(printed)}")
+    assert printed.work < MAX_TIMES_PLAIN * plain.work
+
+
+def _words(frames: Frames) -> str:
+    median, p95, work = frames
+    return f"a frame every {median:.1f} ms (95 %: {p95:.1f}), {work:.1f} ms of work"
+
+
+def _driven(studio: Studio, world: str | None = None) -> str:
     studio.enter_group("Bancada")
+    if world is not None:
+        studio["world"].select_option(world)
     add_move(studio, "0,1")
     studio.run()
     studio.wait_for_phase("finished")
@@ -85,16 +107,18 @@ def _driven(studio: Studio) -> str:
     return str(studio.api(f"/groups/{group}/runs?limit=1")["runs"][0]["id"])
 
 
-def _replayed(page: Page, run: str, rows: int) -> Frames:
+def _replayed(page: Page, run: str, rows: int, *, is_printed: bool = True) -> Frames:
     origin = page.url.split("#")[0]
     page.unroute_all()
+    if not is_printed:
+        page.route("**/api/worlds", _without_looks)
     page.route("**/telemetry", lambda route: route.fulfill(body=_telemetry(rows)))
     page.route(
         "**/api/runs/*/events",
         lambda route: route.fulfill(json={"events": _events(run, rows)}),
     )
-    page.goto(f"{origin}#/")
     page.goto(f"{origin}#/run/{run}")
+    page.reload()
     slider = page.get_by_test_id("replay-slider")
     slider.fill(str(rows - SHOWN_BEFORE_END))
     page.get_by_test_id("replay-play").click()
@@ -105,6 +129,15 @@ def _replayed(page: Page, run: str, rows: int) -> Frames:
     gaps = page.evaluate(_GAPS, WATCHED_S)
     work = (_work_s(session) - before) * 1000 / len(gaps)
     return Frames(gaps[len(gaps) // 2], gaps[len(gaps) * 95 // 100], work)
+
+
+def _without_looks(route: Route) -> None:
+    """Answers with the worlds as they are without any look."""
+    answer = route.fetch()
+    worlds = json.loads(
+        answer.text(), object_hook=lambda part: {k: v for k, v in part.items() if k not in LOOKS}
+    )
+    route.fulfill(response=answer, json=worlds)
 
 
 def _work_s(session: CDPSession) -> float:

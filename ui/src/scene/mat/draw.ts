@@ -46,10 +46,32 @@ export function drawThing(ctx: Ctx, box: LookedAt, kind: Thing, colours: Colours
   const strength = strengthOf(colours);
   const ink: Ink = (colour) => (strength < 1 ? mixed(colour, colours.tile, DUSK) : colour);
   inFrame(ctx, area, () => {
-    for (const part of THINGS[kind](area.width, area.depth, "")) {
-      drawPart(ctx, part, strength > 0 ? ink : null, colours);
+    for (const shape of shapesOf(kind, area)) {
+      drawShape(ctx, shape, strength > 0 ? ink : null, colours);
     }
   });
+}
+
+interface Shape extends Part {
+  readonly path: Path2D;
+}
+
+/** Shapes of things by kind and size: movable things are drawn in every frame. */
+const SHAPES = new Map<string, readonly Shape[]>();
+/** Sizes change while a thing is drawn in the world editor. */
+const MAX_SHAPES = 300;
+
+function shapesOf(kind: Thing, { width, depth }: Area): readonly Shape[] {
+  const key = `${kind} ${width} ${depth}`;
+  const known = SHAPES.get(key);
+  if (known) return known;
+  if (SHAPES.size >= MAX_SHAPES) SHAPES.clear();
+  const shapes = THINGS[kind](width, depth, "").map((part) => ({
+    ...part,
+    path: new Path2D(part.d),
+  }));
+  SHAPES.set(key, shapes);
+  return shapes;
 }
 
 function inFrame(ctx: Ctx, { x, y, heading }: Area, draw: () => void): void {
@@ -60,9 +82,12 @@ function inFrame(ctx: Ctx, { x, y, heading }: Area, draw: () => void): void {
   ctx.restore();
 }
 
+const drawPart = (ctx: Ctx, part: Part, ink: Ink) =>
+  drawShape(ctx, { ...part, path: new Path2D(part.d) }, ink);
+
 /** Draws one shape; without `ink` in the two colours of a box, as high contrast needs it. */
-function drawPart(ctx: Ctx, part: Part, ink: Ink | null, colours?: Colours): void {
-  const path = new Path2D(part.d);
+function drawShape(ctx: Ctx, part: Shape, ink: Ink | null, colours?: Colours): void {
+  const { path } = part;
   if (part.fill) {
     ctx.fillStyle = ink ? ink(part.fill) : (colours?.box ?? part.fill);
     ctx.fill(path);
