@@ -87,6 +87,7 @@ def test_the_teacher_prints_and_closes_pinel(studio: Studio, pc: KioskPc, watch:
     assert pc.asked == ["allow_print"]
     studio.page.evaluate("location.hash = '#/teacher/computer'")
     expect(studio["kiosk"]).to_be_checked(checked=False)
+    expect(studio.page.get_by_text("a permissão acaba em 2 minutos")).to_be_visible()
     assert violations(studio, "kiosk") == []
     studio["kiosk-leave"].click()
     studio.eventually(lambda: pc.asked, ["allow_print", "close"])

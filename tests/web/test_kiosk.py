@@ -106,10 +106,8 @@ def test_the_page_has_its_answer_before_the_app_closes(
     window = ClosingWindow(kiosk="setting")
     tab = Browser.signed_in(start_app(window=window).address)
     tab.put("/api/teacher/pin", PIN)
-    if method == "POST":
-        answer = tab.post("/api/kiosk/leave", {})
-    else:
-        answer = tab.put("/api/kiosk", {"is_chosen": False})
+    leave = tab.post("/api/kiosk/leave", {}) if method == "POST" else None
+    answer = leave or tab.put("/api/kiosk", {"is_chosen": False})
     window.answered.set()
     assert answer.status == 200
     assert window.next_request() == {"POST": "close", "PUT": "restart"}[method]
