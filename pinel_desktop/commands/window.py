@@ -109,7 +109,7 @@ class WindowProcess:
             case "show" if self._presenter is not None:
                 self._presenter.show()
             case "allow_print" if self._kiosk is not None:
-                self._kiosk.print_allowed.set()
+                self._kiosk.print_permission.grant()
             case "close":
                 self.close()
             case "restart":
@@ -118,21 +118,19 @@ class WindowProcess:
 
     def _run(self) -> None:
         # while the other process is loading
-        from pinel_desktop.commands.pc.first_start import set_up_if_new  # noqa: PLC0415
+        from pinel_desktop.commands.pc.first_start import locked  # noqa: PLC0415
         from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
-        from pinel_desktop.instance import AlreadyRunningError, InstanceLock  # noqa: PLC0415
+        from pinel_desktop.instance import AlreadyRunningError  # noqa: PLC0415
         from pinel_desktop.processes.log_file import start_log  # noqa: PLC0415
 
-        instance = InstanceLock(self._database)
         try:
-            instance.acquire()
+            instance = locked(self._database)
         except AlreadyRunningError as first:
             first.running.show()
             _print_message(first)
             _print(first.running.fresh_link())
             return
         try:
-            set_up_if_new(self._database)
             if self._kiosk is None and Settings.beside(self._database).opens_kiosk:
                 self._restarts = True  # the set-up file has just chosen it
                 return
