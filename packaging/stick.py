@@ -2,8 +2,9 @@
 
     python packaging/stick.py [CODENAME...]    as root; without names all of systems.SYSTEMS
 
-It holds the package for Debian and Ubuntu, the portable version, instalar.sh, and for each system a folder of the
-packages that a minimal installation of it lacks. SHA256SUMS lists all files.
+It holds the package for Debian and Ubuntu, the portable version, instalar.sh, the installer for Windows if it was
+built, and for each system a folder of the packages that a minimal installation of it lacks, for the kiosk session too.
+SHA256SUMS lists all files.
 """
 
 import hashlib
@@ -12,29 +13,35 @@ import subprocess
 import sys
 from pathlib import Path
 
-import deb  # beside this file, as the next two
+import deb  # beside this file, as the next three
+import nsis
 import portable
 import systems
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "dist" / "stick"
 _TEXTS = ROOT / "packaging" / "stick"
+# what a session that runs nothing but PINEL needs besides PINEL (docs/kiosk.md); so in instalar.sh
+KIOSK = ("cage", "xwayland", "udiskie")
 
 
 def begin(folder: Path = FOLDER) -> None:
     """Makes the folder anew, with everything but the packages of the systems and the checksums."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    for file in (deb.deb_path(), portable.portable_path(), *_TEXTS.iterdir()):
+    built = [one for one in (nsis.installer_path(),) if one.is_file()]
+    for file in (deb.deb_path(), portable.portable_path(), *built, *_TEXTS.iterdir()):
         shutil.copy(file, folder)
     write_index(folder)
 
 
 def add_packages(codename: str, system: Path, folder: Path = FOLDER) -> None:
-    """Adds the packages that a system lacks for the program; apt downloads them in it."""
+    """Adds the packages that a system lacks for the program and the kiosk session; apt downloads them in it."""
     package = system / "tmp" / deb.deb_path().name
     shutil.copy(deb.deb_path(), package)
-    systems.run_inside(codename, system, "install", "--download-only", f"/tmp/{package.name}")
+    systems.run_inside(
+        codename, system, "install", "--download-only", f"/tmp/{package.name}", *KIOSK
+    )
     package.unlink()
     target = folder / codename
     target.mkdir()

@@ -27,6 +27,7 @@ from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.detectors import Detectors
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
+from pinel_desktop.school.opened_file import OpenedFile
 from pinel_desktop.school.robot_profiles import RobotProfiles
 from pinel_desktop.school.robot_status_feed import RobotStatusFeed
 from pinel_desktop.school.sign_teaching import SignTeaching
@@ -69,6 +70,7 @@ class App:
         recognizer: name of a recognizer of signs instead of the chosen one, as for `recognizers.open_recognizer`.
         bridge: where the HTTP interface of the original PINEL is served, and which robot its calls drive; None
             serves no such interface.
+        opened: path of the file with which a person has opened the app.
     """
 
     def __init__(  # noqa: PLR0913 - parts that the window and tests replace
@@ -86,6 +88,7 @@ class App:
         camera: str | None = None,
         recognizer: str | None = None,
         bridge: "BridgeChoice | None" = None,
+        opened: str | None = None,
     ) -> None:
         self._database = database
         self._port = port
@@ -98,6 +101,7 @@ class App:
         self._worlds = [titled(world) for world in list_worlds()] if worlds is None else worlds
         self._camera_source, self._recognizer = camera, recognizer
         self._bridge = bridge
+        self._opened = opened
         self._legacy: LegacyApi | None = None
         self._closing = contextlib.ExitStack()
 
@@ -267,6 +271,7 @@ class App:
             teacher=TeacherSessions(self._store.settings),
             robots=RobotProfiles(self._store.settings, LINK_NAMES),
             status_feed=self._status_feed,
+            opened_file=OpenedFile(self._hub.publish, self._opened),
             read_document=self._read,
             read_world=_read_world,
             worlds=self._worlds,

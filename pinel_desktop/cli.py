@@ -57,9 +57,10 @@ class _LazyGroup(click.Group):
     "--kiosk", is_flag=True, help="Fill the screen; only the teacher can close the window."
 )
 @click.option("--place", default="", hidden=True)  # where the page opens again in kiosk mode
+@click.option("--file", hidden=True)  # the file of `pinel FILE.pinel`, when PINEL opens again
 @click.pass_context
-def main(ctx: click.Context, self_check: bool, kiosk: bool, place: str) -> None:
-    """PINEL Desktop. Without a command, opens the window.
+def main(ctx: click.Context, self_check: bool, kiosk: bool, place: str, file: str | None) -> None:
+    """PINEL Desktop. Without a command, opens the window; with FILE.pinel, where the teacher merges that file.
 
     Data is in the user's data folder; the variable PINEL_HOME or the option --db chooses another place.
     """
@@ -69,4 +70,4 @@ def main(ctx: click.Context, self_check: bool, kiosk: bool, place: str) -> None:
 
         if self_check:
             ctx.exit(window.self_check(db))
-        ctx.exit(window.open_app(db, kiosk=kiosk, place=place))
+        ctx.exit(window.open_app(db, kiosk=kiosk, place=place, file=file))

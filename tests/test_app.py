@@ -99,6 +99,22 @@ def test_a_second_start_is_led_to_the_first(start_app: Callable[..., App]) -> No
     assert browser.get("/api/status").status == 200
 
 
+def test_a_second_start_with_a_file_offers_it_to_the_first(
+    start_app: Callable[..., App], tmp_path: Path
+) -> None:
+    shown = threading.Event()
+    first = start_app(window=ShownWindow(shown))
+    with pytest.raises(AlreadyRunningError) as caught:
+        start_app()
+    file = str(tmp_path / "ação \n.pinel")
+    caught.value.running.open(file)
+    assert shown.is_set()
+    browser = Browser.signed_in(first.address)
+    browser.put("/api/teacher/pin", {"pin": "314159"})
+    offer = browser.get("/api/folders").data["opened"]
+    assert (offer["name"], offer["problem"]["code"]) == ("ação \n.pinel", "bundle_missing")
+
+
 def test_an_instance_file_that_was_left_behind_is_taken_over(
     database: Path, start_app: Callable[..., App]
 ) -> None:

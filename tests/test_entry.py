@@ -19,7 +19,7 @@ def test_without_a_command_the_window_opens(
 ) -> None:
     asked: list[str | None] = []
 
-    def open_app(db: str | None, *, kiosk: bool, place: str = "") -> int:
+    def open_app(db: str | None, *, kiosk: bool, place: str = "", file: str | None = None) -> int:
         asked.append(db)
         return 7
 
@@ -28,6 +28,18 @@ def test_without_a_command_the_window_opens(
     with pytest.raises(SystemExit) as end:
         __main__.main()
     assert (asked, end.value.code) == ([database], 7)
+
+
+@pytest.mark.parametrize("file", ["/stick/PC 07.pinel", "-h.PINEL"])
+def test_with_a_bundle_the_window_opens_to_merge_it(
+    file: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str | None] = []
+    monkeypatch.setattr(window, "open_app", lambda db, *, kiosk, file: asked.append(file))
+    monkeypatch.setattr(sys, "argv", ["pinel", file])
+    with pytest.raises(SystemExit):
+        __main__.main()
+    assert asked == [file]
 
 
 def test_a_command_is_run(

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs PINEL Desktop on this PC without internet, from the folder of this script.
 #
-#   sudo sh instalar.sh
+#   sudo sh instalar.sh            PINEL
+#   sudo sh instalar.sh --kiosk    PINEL, and the session that runs nothing else (docs/kiosk.md)
 #
 # apt reads only this folder, so the PC's own sources stay as they are. Exits with apt's status.
 set -eu
@@ -14,6 +15,9 @@ say() {
         *) echo "$1" ;;
     esac
 }
+
+packages=pinel-desktop
+[ "${1:-}" != --kiosk ] || packages="$packages cage xwayland udiskie"
 
 fail() {
     say "$@" >&2
@@ -67,7 +71,8 @@ apt() {
 }
 
 apt update
-apt install pinel-desktop || fail \
+# shellcheck disable=SC2086 # one argument for each package
+apt install $packages || fail \
     "A instalação não terminou. As linhas acima dizem por quê; nada dos grupos foi mexido." \
     "The installation did not finish. The lines above say why; nothing of the groups was touched." \
     "La instalación no terminó. Las líneas de arriba dicen por qué; nada de los grupos se tocó." \

@@ -251,7 +251,7 @@ Section "-Entries"
   WriteRegStr SHCTX "Software\Classes\.pinel" "" "${FILE_TYPE}"
   WriteRegStr SHCTX "Software\Classes\${FILE_TYPE}" "" "$(FILE_TYPE_NAME)"
   WriteRegStr SHCTX "Software\Classes\${FILE_TYPE}\DefaultIcon" "" "$INSTDIR\pinel-desktop.exe,0"
-  WriteRegStr SHCTX "Software\Classes\${FILE_TYPE}\shell\open\command" "" '"$INSTDIR\pinel-desktop.exe"'
+  WriteRegStr SHCTX "Software\Classes\${FILE_TYPE}\shell\open\command" "" '"$INSTDIR\pinel-desktop.exe" "%1"'
   ${RefreshShellIcons}
 
   RMDir /r "$SMPROGRAMS\PINEL"

@@ -1,7 +1,8 @@
 """`pinel app`: the process with web server, store and engine client, started by the window's process.
 
 Both exchange JSON lines over pipes. The window sends `{"do": "start"}` once it has the lock on the database, and
-`{"do": "address"}` for each further address; `--kiosk` says why it is in kiosk mode. The app sends:
+`{"do": "address"}` for each further address; `--kiosk` says why it is in kiosk mode, `--opened` with which file a
+person has opened PINEL. The app sends:
 
 - `{"type": "address", "address": ...}`, the first one without a request;
 - `{"type": "ready", "language": ...}` when it has started;
@@ -13,6 +14,7 @@ The app exits at the end of its input.
 """
 
 import contextlib
+import functools
 import gc
 import json
 import logging
@@ -50,7 +52,8 @@ _log = logging.getLogger(__name__)
 @click.option("--db", type=click.Path(dir_okay=False), required=True)
 @click.option("--camera")
 @click.option("--kiosk", type=click.Choice(["setting", "command"]))
-def command(db: str, camera: str | None, kiosk: KioskReason | None) -> None:
+@click.option("--opened")
+def command(db: str, camera: str | None, kiosk: KioskReason | None, opened: str | None) -> None:
     """Run the app for a window: messages on standard input and output."""
     # Ctrl+C in a terminal reaches the whole process group; the window ends the app by its pipe.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -58,7 +61,8 @@ def command(db: str, camera: str | None, kiosk: KioskReason | None) -> None:
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit())
     with os.fdopen(reserve_output(), "w", encoding="utf-8") as answers:
         send = _sender(answers)
-        _serve(Path(db), camera, _Window(send, kiosk), _messages(sys.stdin.buffer), send)
+        start = functools.partial(_started, Path(db), camera=camera, opened=opened)
+        _serve(Path(db), start, _Window(send, kiosk), _messages(sys.stdin.buffer), send)
 
 
 class _Window:
@@ -80,7 +84,7 @@ class _Window:
 
 def _serve(
     database: Path,
-    camera: str | None,
+    start: Callable[..., "App | None"],
     window: _Window,
     messages: Iterator[Message],
     send: Callable[..., None],
@@ -92,7 +96,7 @@ def _serve(
         start_log("app", database)
         server = EarlyServer(settings=Settings.beside(database), is_kiosk=window.kiosk is not None)
         send(type="address", address=server.guard.fresh_link())
-        app = _started(database, camera, window, server, send)
+        app = start(window, server, send)
     if app is not None:
         _serve_requests(app, window, messages, send)
 
@@ -116,10 +120,12 @@ def _loading() -> Iterator[None]:
 
 def _started(
     database: Path,
-    camera: str | None,
     window: _Window,
     server: EarlyServer,
     send: Callable[..., None],
+    *,
+    camera: str | None,
+    opened: str | None,
 ) -> "App | None":
     from pinel_desktop.app import App  # noqa: PLC0415 - see above
 
@@ -130,6 +136,7 @@ def _started(
         engine_after_s=_ENGINE_AFTER_S,
         window=window,
         camera=camera,
+        opened=opened,
     )
     try:
         app.start()

@@ -11,6 +11,7 @@ import click
 from pinel_desktop.app import App
 from pinel_desktop.camera.address import check_address, check_recognizer
 from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
+from pinel_desktop.commands.pc.first_start import locked
 from pinel_desktop.commands.printing import Failure, print_problem
 from pinel_desktop.commands.real_robot import chosen_robot
 from pinel_desktop.errors import PinelError
@@ -87,7 +88,14 @@ def command(
             check_recognizer(recognizer)
         database = chosen_database(ctx)
         start_log("app", database)
-        app = App(database, port=port, camera=camera, recognizer=recognizer, bridge=choice)
+        app = App(
+            database,
+            port=port,
+            instance=locked(database),
+            camera=camera,
+            recognizer=recognizer,
+            bridge=choice,
+        )
         _serve(app, choice)
     except AlreadyRunningError as first:
         print_problem(first)

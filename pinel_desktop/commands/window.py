@@ -7,6 +7,7 @@ the watchdog (desktop/kiosk/watchdog.py), and the window is in another one (comm
 
 import gc
 import json
+import os
 import signal
 import sys
 import threading
@@ -31,51 +32,64 @@ RESTARTS = 75
 _ICON_ERROR = 0x10  # MB_ICONERROR
 
 
-def open_app(db: str | None, *, kiosk: bool, place: str = "") -> int:
+def open_app(db: str | None, *, kiosk: bool, place: str = "", file: str | None = None) -> int:
     """Shows the page until the person closes it; a second start brings the first window forward.
 
     Args:
         kiosk: opens in kiosk mode, also if the teacher has not chosen it on this PC.
         place: where the page opens in kiosk mode.
+        file: a bundle, such as one that was double-clicked: the page opens where the teacher merges it.
 
     Returns the exit status: 0, or 1 if the app cannot start.
     """
+    if file:
+        # bytes that are no text would not pass the pipes and requests; the page names the file all the same
+        file = os.fsencode(os.path.abspath(file)).decode("utf-8", "replace")
     if kiosk or Settings.beside(database_path(db)).opens_kiosk:
-        status = _run_kiosk(db, "command" if kiosk else "setting", place)
+        status = _run_kiosk(db, "command" if kiosk else "setting", place, file)
     else:
-        status = WindowProcess(db).run()
+        status = WindowProcess(db, file=file).run()
     if status == RESTARTS:
-        become(pinel_command(db, kiosk=kiosk))
+        become(pinel_command(db, kiosk=kiosk, file=file))
     end_process(status)
     return status
 
 
-def _run_kiosk(db: str | None, reason: "KioskReason", place: str) -> int:
+def _run_kiosk(db: str | None, reason: "KioskReason", place: str, file: str | None) -> int:
     from pinel_desktop.desktop.kiosk.watchdog import Watchdog  # noqa: PLC0415 - only in kiosk mode
 
     chosen = ["--db", db] if db else []
+    opened = [f"--file={file}"] if file else []
 
     def command(place: str) -> list[str]:
-        return own_command(*chosen, "kiosk", "--reason", reason, "--place", place)
+        # only at first: after a crash, the page is where it was
+        first, opened[:] = opened[:], []
+        return own_command(*chosen, "kiosk", "--reason", reason, "--place", place, *first)
 
     watchdog = Watchdog(command, final=(0, RESTARTS), place=place)
     watchdog.end_at_signals()
     return watchdog.run()
 
 
-def pinel_command(db: str | None, *, kiosk: bool, place: str = "") -> list[str]:
+def pinel_command(
+    db: str | None, *, kiosk: bool, place: str = "", file: str | None = None
+) -> list[str]:
     """Returns the command line that opens the window (see `open_app`)."""
     chosen = [*(["--db", db] if db else []), *(["--kiosk"] if kiosk else [])]
-    return own_command(*chosen, *(["--place", place] if place else []))
+    opened = [f"--file={file}"] if file else []
+    return own_command(*chosen, *(["--place", place] if place else []), *opened)
 
 
 class WindowProcess:
     """The window with its app; `close` may be called on any thread."""
 
-    def __init__(self, db: str | None, kiosk: "KioskMode | None" = None) -> None:
+    def __init__(
+        self, db: str | None, kiosk: "KioskMode | None" = None, file: str | None = None
+    ) -> None:
         gc.set_threshold(_GC_THRESHOLD)
         self._database = database_path(db)
         self._kiosk = kiosk
+        self._file = file
         self._presenter: Presenter | None = None
         self._is_closing = False
         self._restarts = False
@@ -84,6 +98,7 @@ class WindowProcess:
             on_request=self._handle,
             on_lost=self.close,
             kiosk=kiosk.reason if kiosk else None,
+            opened=file,
         )
 
     def run(self) -> int:
@@ -109,7 +124,7 @@ class WindowProcess:
             case "show" if self._presenter is not None:
                 self._presenter.show()
             case "allow_print" if self._kiosk is not None:
-                self._kiosk.print_allowed.set()
+                self._kiosk.print_permission.grant()
             case "close":
                 self.close()
             case "restart":
@@ -118,21 +133,22 @@ class WindowProcess:
 
     def _run(self) -> None:
         # while the other process is loading
-        from pinel_desktop.commands.pc.first_start import set_up_if_new  # noqa: PLC0415
+        from pinel_desktop.commands.pc.first_start import locked  # noqa: PLC0415
         from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
-        from pinel_desktop.instance import AlreadyRunningError, InstanceLock  # noqa: PLC0415
+        from pinel_desktop.instance import AlreadyRunningError  # noqa: PLC0415
         from pinel_desktop.processes.log_file import start_log  # noqa: PLC0415
 
-        instance = InstanceLock(self._database)
         try:
-            instance.acquire()
+            instance = locked(self._database)
         except AlreadyRunningError as first:
-            first.running.show()
+            if self._file:
+                first.running.open(self._file)
+            else:
+                first.running.show()
             _print_message(first)
             _print(first.running.fresh_link())
             return
         try:
-            set_up_if_new(self._database)
             if self._kiosk is None and Settings.beside(self._database).opens_kiosk:
                 self._restarts = True  # the set-up file has just chosen it
                 return

@@ -38,6 +38,7 @@ class AppProcess:
         on_lost: Callable[[], None],
         camera: str | None = None,
         kiosk: KioskReason | None = None,
+        opened: str | None = None,
     ) -> None:
         """
         Args:
@@ -45,6 +46,7 @@ class AppProcess:
             on_lost: called when the app has died or could not start.
             camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
             kiosk: why the window is in kiosk mode; None if it is not.
+            opened: path of the file with which a person has opened the app.
         """
         self._on_request = on_request
         self._on_lost = on_lost
@@ -61,6 +63,7 @@ class AppProcess:
                 *("--db", str(database)),
                 *(("--camera", camera) if camera else ()),
                 *(("--kiosk", kiosk) if kiosk else ()),
+                *((f"--opened={opened}",) if opened else ()),
             ),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,

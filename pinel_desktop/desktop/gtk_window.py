@@ -86,7 +86,7 @@ class GtkWindow:
     def lock(self, kiosk: KioskMode) -> None:
         """Locks the window in kiosk mode, and tells the places of the page."""
         self._page.connect("notify::uri", lambda *_: kiosk.on_place(self._place()))
-        lock_window(self._view, kiosk.print_allowed)
+        lock_window(self._view, kiosk.print_permission)
 
     def reload_after_crash(self, address: Callable[[], str]) -> None:
         """Loads the page again, at its place, after a crash of one of WebKit's processes.

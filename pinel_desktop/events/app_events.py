@@ -286,3 +286,10 @@ class SignsChanged(StreamEvent):
 
     type: ClassVar[str] = "signs_changed"
     classroom: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class FileOpened(StreamEvent):
+    """A person has opened a file with PINEL, such as by a double click: pages show where the teacher merges it."""
+
+    type: ClassVar[str] = "file_opened"

@@ -9,7 +9,6 @@ from pinel_desktop.web.services import services
 _SECURITY_POLICY = "; ".join(
     (
         "default-src 'self'",
-        "style-src 'self' 'unsafe-inline'",  # Blockly writes its style sheet into the page
         "img-src 'self' data:",
         "object-src 'none'",
         "base-uri 'none'",

@@ -20,6 +20,7 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import ParseResult
     from pinel_desktop.school.detectors import Detectors
+    from pinel_desktop.school.opened_file import OpenedFile
     from pinel_desktop.school.robot_profiles import RobotProfiles
     from pinel_desktop.school.robot_status_feed import RobotStatusFeed
     from pinel_desktop.school.sign_teaching import SignTeaching
@@ -93,6 +94,7 @@ class Services:
     teacher: TeacherSessions
     robots: RobotProfiles
     status_feed: RobotStatusFeed
+    opened_file: OpenedFile
     read_document: ReadDocument
     read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]

@@ -118,7 +118,11 @@ def _read_anonymous_flag(path: Path, size_bytes: int, modified_s: float) -> bool
         return bool(found and found[0])
 
 
-def _copied(path: Path, copy: Path) -> None:
+def check_head(path: Path) -> None:
+    """Checks kind, size and head of a file, and nothing of its content.
+
+    Raises StoreError `bundle_missing`, `bundle_too_large`, `bundle_foreign`, `bundle_damaged`, `bundle_unreadable`.
+    """
     try:
         if not path.is_file():
             raise StoreError("bundle_missing", path=str(path))
@@ -132,6 +136,10 @@ def _copied(path: Path, copy: Path) -> None:
             raise StoreError("bundle_damaged", path=str(path), problem="cut off")
     except OSError as error:
         raise StoreError("bundle_unreadable", path=str(path), problem=error.strerror) from error
+
+
+def _copied(path: Path, copy: Path) -> None:
+    check_head(path)
     try:
         if shutil.disk_usage(copy.parent).free < path.stat().st_size:
             raise StoreError("disk_full", path=str(copy.parent))

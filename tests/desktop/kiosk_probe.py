@@ -173,7 +173,7 @@ class Probe:
 
     def _print_as_teacher(self, before: list[str]) -> bool:
         """Whether the print dialog opens once it is allowed; it is closed again."""
-        self.mode.print_allowed.set()
+        self.mode.print_permission.grant()
         self._xdotool("mousemove", "300", str(_HEIGHT_PX // 2))
         self._xdotool("click", "1")
         time.sleep(2 * _PAUSE_S)

@@ -1,5 +1,8 @@
 """Work is transferred between PCs by USB stick, and deleted for good."""
 
+import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -84,6 +87,45 @@ def test_the_work_of_one_pc_comes_to_another(studio: Studio, far_pc: Browser, st
     assert violations(studio, "merge-results") == []
     studio["home"].click()
     expect(studio["group-card"].filter(has_text="Os Tatus")).to_be_visible()
+
+
+def test_a_double_click_on_a_file_leads_the_teacher_of_an_open_pinel_to_it(
+    studio: Studio, far_pc: Browser, stick: Path, watch: Watch, tmp_path: Path
+) -> None:
+    make_group(far_pc)
+    file = Path(save_bundle(far_pc, stick))
+    file = file.rename(stick / "turma; rm -rf $HOME %n.pinel")
+    (stick / "outro.pinel").write_bytes(file.read_bytes())
+    at_the_files(studio, stick)
+    studio.send("POST", "/teacher/leave", {})
+    studio.page.goto(f"{studio.origin}/#/practice")
+    studio.page.reload()
+    watch.expect("403 (FORBIDDEN)")  # before the PIN
+    double_click(tmp_path, stick / "foto.pinel")
+    studio["pin"].fill(PIN)
+    studio["sign-in"].click()
+    expect(studio["opened-file"]).to_contain_text("foto.pinel")
+    expect(studio["opened-file"]).to_contain_text("Não há um arquivo em foto.pinel.")
+    assert violations(studio, "opened-file") == []
+    double_click(tmp_path, file)
+    expect(studio["opened-file"].get_by_role("checkbox")).to_be_checked()
+    expect(studio["merge-files"]).to_have_text("Juntar 1 arquivo")
+    assert violations(studio, "opened-file") == []
+    assert studio.api("/groups") == {"groups": []}
+    studio["merge-files"].click()
+    expect(studio["merge-results"]).to_contain_text("1 grupo, 1 programa")
+    expect(studio["opened-file"]).to_have_count(0)
+
+
+def double_click(home: Path, file: Path) -> None:
+    """Starts PINEL with a file while it is open, as the desktop does at a double click on it."""
+    subprocess.run(
+        [sys.executable, "-m", "pinel_desktop", str(file)],
+        env=os.environ | {"PINEL_HOME": str(home)},
+        capture_output=True,
+        timeout=60,
+        check=True,
+    )
 
 
 def test_a_group_is_deleted_for_good(studio: Studio, stick: Path) -> None:

@@ -1,5 +1,6 @@
 """Kiosk mode in the page: files go to and come from drives, and the teacher closes PINEL."""
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from pinel_desktop.desktop.app_process import AppProcess
+from pinel_desktop.instance import RunningInstance
 from pinel_desktop.school.teacher import TeacherSessions
 from storage import open_store
 from storage.exchange.backup_share import SHARED_FOLDER
@@ -27,11 +29,21 @@ class KioskPc:
         with open_store(database) as store:
             store.settings.set(SHARED_FOLDER, str(self.drive))
             TeacherSessions(store.settings).set_pin(PIN)
+            written = folder / "some.pinel"
+            store.exchange.export(written, app_version="1", computer=store.computers.this())
+            self.bundle = written.read_bytes()
         self.asked: list[str] = []
         self.app = AppProcess(
             database, on_request=self.asked.append, on_lost=lambda: None, kiosk="setting"
         )
         self.app.start()
+        self._database = database
+
+    def second_start(self) -> RunningInstance:
+        """The open PINEL, as a second start finds it."""
+        self.app.language()
+        known = json.loads(self._database.with_name("pinel.instance.json").read_text("utf-8"))
+        return RunningInstance(known["url"], known["secret"], known["pid"])
 
 
 @pytest.fixture
@@ -76,6 +88,26 @@ def test_a_program_goes_to_a_drive_and_comes_back(studio: Studio, pc: KioskPc) -
     assert pc.asked == []
 
 
+def test_an_opened_file_waits_for_the_teacher(studio: Studio, pc: KioskPc, watch: Watch) -> None:
+    watch.expect("403 (FORBIDDEN)")  # before the PIN
+    file = pc.drive / "turma.pinel"
+    file.write_bytes(pc.bundle)
+    pc.second_start().open(str(file))
+    expect(studio["pin"]).to_be_visible()
+    assert pc.asked == ["show"]
+    refused = studio.page.evaluate(
+        "path => fetch('/api/bundles/merge', {method: 'POST', body: JSON.stringify({paths: [path]}),"
+        " headers: {'Content-Type': 'application/json'}}).then(answer => answer.status)",
+        str(file),
+    )
+    assert refused == 403
+    studio["pin"].fill(PIN)
+    studio["sign-in"].click()
+    expect(studio["opened-file"].get_by_role("checkbox")).to_be_checked()
+    studio["merge-files"].click()
+    expect(studio["merge-results"]).to_contain_text("nada de novo")
+
+
 def test_the_teacher_prints_and_closes_pinel(studio: Studio, pc: KioskPc, watch: Watch) -> None:
     watch.expect("403 (FORBIDDEN)")  # before the PIN
     studio.page.evaluate("window.printed = 0; window.print = () => { window.printed += 1 }; null")
@@ -87,6 +119,7 @@ def test_the_teacher_prints_and_closes_pinel(studio: Studio, pc: KioskPc, watch:
     assert pc.asked == ["allow_print"]
     studio.page.evaluate("location.hash = '#/teacher/computer'")
     expect(studio["kiosk"]).to_be_checked(checked=False)
+    expect(studio.page.get_by_text("a permissão acaba em 2 minutos")).to_be_visible()
     assert violations(studio, "kiosk") == []
     studio["kiosk-leave"].click()
     studio.eventually(lambda: pc.asked, ["allow_print", "close"])

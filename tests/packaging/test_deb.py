@@ -59,6 +59,14 @@ def test_files_have_their_places_and_permissions(program: Path, tmp_path: Path) 
         assert files[place] == "-rw-r--r-- root/root"
 
 
+def test_a_double_click_on_a_bundle_opens_it_with_pinel() -> None:
+    entry = (deb.TEXTS / "pinel-desktop.desktop").read_text("utf-8").splitlines()
+    types = (deb.TEXTS / "pinel-desktop.xml").read_text("utf-8")
+    assert {"Exec=pinel %f", "MimeType=application/x-pinel;"} <= set(entry)
+    assert 'type="application/x-pinel"' in types
+    assert 'pattern="*.pinel"' in types
+
+
 def test_the_same_program_gives_the_same_bytes(program: Path, tmp_path: Path) -> None:
     first, again = built(program, tmp_path / "one"), built(program, tmp_path / "again")
     assert first.read_bytes() == again.read_bytes()

@@ -75,7 +75,7 @@ def test_an_installation_writes_files_menu_and_registry(pc: WinePc, mode: str) -
     assert pc.value(root, APP_PATHS) == rf"{folder}\pinel.exe"
     assert pc.value(root, BUNDLES) == "PINEL.Work"
     command = pc.value(root, rf"{BUNDLE_TYPE}\shell\open\command")
-    assert command == rf'"{folder}\pinel-desktop.exe"'
+    assert command == rf'"{folder}\pinel-desktop.exe" "%1"'
     assert pc.message == ""
     other = next(one for one in MODES if one != mode)
     assert not pc.program(other).exists()

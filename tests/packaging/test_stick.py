@@ -35,10 +35,10 @@ class Pc:
         self._calls = folder / "calls"
         self._calls.touch()
 
-    def install(self, **environment: str) -> "subprocess.CompletedProcess[str]":
+    def install(self, *options: str, **environment: str) -> "subprocess.CompletedProcess[str]":
         path = f"{self._programs}:{os.environ['PATH']}"
         return subprocess.run(
-            ["sh", str(self.stick / "instalar.sh")],
+            ["sh", str(self.stick / "instalar.sh"), *options],
             env={"PATH": path, "LANG": "pt_BR.UTF-8", "CALLS": str(self._calls), **environment},
             capture_output=True,
             text=True,
@@ -70,6 +70,31 @@ def test_apt_reads_the_stick_only(pc: Pc) -> None:
     sources = {line for line in pc.calls.splitlines() if line.startswith("deb ")}
     place = "".join(letter if letter == "/" else _escaped(letter) for letter in str(pc.stick))
     assert sources == {f"deb [trusted=yes] file:{place} ./"}
+
+
+def test_the_kiosk_session_is_installed_from_the_stick_if_it_is_wanted(pc: Pc) -> None:
+    done = pc.install("--kiosk")
+    assert done.returncode == 0, done.stderr
+    wanted = "".join(f"argument {package}\n" for package in ("pinel-desktop", *stick.KIOSK))
+    assert f"argument install\n{wanted}" in pc.calls
+
+
+@pytest.mark.parametrize("is_built", [True, False])
+def test_the_installer_for_windows_is_on_the_stick_if_it_was_built(
+    is_built: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files = {name: tmp_path / name for name in ("some.deb", "some.tar.xz", "some-setup.exe")}
+    for file in files.values():
+        file.write_bytes(b"built")
+    if not is_built:
+        files["some-setup.exe"].unlink()
+    monkeypatch.setattr(stick.deb, "deb_path", lambda: files["some.deb"])
+    monkeypatch.setattr(stick.portable, "portable_path", lambda: files["some.tar.xz"])
+    monkeypatch.setattr(stick.nsis, "installer_path", lambda: files["some-setup.exe"])
+    monkeypatch.setattr(stick, "write_index", lambda folder: None)
+    stick.begin(tmp_path / "stick")
+    assert (tmp_path / "stick" / "some-setup.exe").is_file() is is_built
+    assert (tmp_path / "stick" / "instalar.sh").is_file()
 
 
 def _escaped(letter: str) -> str:

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from pinel_desktop.app import App
+from pinel_desktop.commands import serve
 from pinel_desktop.commands.pc import first_start, for_all
 from pinel_desktop.errors import PinelError
 from pinel_desktop.school.pc_setup import PcSetupError, read_pc_setup
@@ -244,6 +246,22 @@ def test_the_first_start_of_an_account_is_set_up_and_no_later_one(
     file_of_pc.write_text('language = "es"', "utf-8")
     first_start.set_up_if_new(database)
     assert Settings.beside(database)[LANGUAGE] == "fr"
+
+
+def test_the_first_start_without_a_window_is_set_up_too(
+    file_of_pc: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    database = tmp_path / "home" / "pinel.db"
+    file_of_pc.write_text('language = "fr"', "utf-8")
+    served: list[str] = []
+    monkeypatch.setattr(serve, "_serve", lambda app, choice: _begin(app, served))
+    assert pinel("--db", str(database), "serve").exit_code == 0
+    assert served == ["fr"]
+
+
+def _begin(app: App, served: list[str]) -> None:
+    with app:
+        served.append(app.language)
 
 
 def test_a_wrong_file_is_named_and_keeps_nobody_from_starting(

@@ -62,6 +62,37 @@ def test_all_work_goes_to_another_pc_by_stick(
     assert [group["name"] for group in other.get("/api/groups").data["groups"]] == ["Os Robôs"]
 
 
+def test_the_file_with_which_the_app_was_opened_is_offered_to_the_teacher_until_it_is_merged(
+    teacher: Browser,
+    start_app: Callable[..., App],
+    version: dict[str, Any],
+    stick: Path,
+    tmp_path: Path,
+) -> None:
+    file = teacher.post("/api/bundles", {"folder": str(stick)}).data["path"]
+    opened = Browser.signed_in(start_app(tmp_path / "other" / "pinel.db", opened=file).address)
+    assert opened.get("/api/folders").error["code"] == "pin_missing"
+    opened.put("/api/teacher/pin", PIN)
+    offer = opened.get("/api/folders").data["opened"]
+    assert (offer["file"]["path"], offer["problem"]) == (file, None)
+    assert opened.get("/api/groups").data["groups"] == []
+    opened.post("/api/bundles/merge", {"paths": [file]})
+    assert opened.get("/api/folders").data["opened"] is None
+    assert len(opened.get("/api/groups").data["groups"]) == 1
+
+
+def test_an_opened_file_that_is_no_bundle_is_refused_by_its_name(
+    start_app: Callable[..., App], stick: Path
+) -> None:
+    file = stick / "foto.pinel"
+    file.write_text("no database", "utf-8")
+    opened = Browser.signed_in(start_app(opened=str(file)).address)
+    opened.put("/api/teacher/pin", PIN)
+    offer = opened.get("/api/folders").data["opened"]
+    assert (offer["file"], offer["problem"]["code"]) == (None, "bundle_foreign")
+    assert offer["problem"]["message"] == "The file foto.pinel was not exported by PINEL."
+
+
 def test_what_other_pcs_would_refuse_is_said(
     app: App, teacher: Browser, version: dict[str, Any], stick: Path
 ) -> None:
@@ -267,7 +298,7 @@ def test_a_shared_folder_that_does_not_answer_stays_chosen(teacher: Browser, sti
         False,
         False,
     )
-    none = {"folders": [], "shared": "", "takes_backups": False}
+    none: dict[str, Any] = {"folders": [], "opened": None, "shared": "", "takes_backups": False}
     assert teacher.put("/api/folders/shared", {"path": ""}).data == none
 
 

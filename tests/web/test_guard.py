@@ -132,7 +132,7 @@ def test_what_a_person_sees_without_the_key_is_a_page_in_words(app: App) -> None
     assert "pinel serve" in answer.text
 
 
-@pytest.mark.parametrize("what", ["link", "show"])
+@pytest.mark.parametrize("what", ["link", "open", "show"])
 @pytest.mark.parametrize("secret", ["", "guessed", "não-ascii"])
 def test_another_start_without_the_secret_is_refused(app: App, what: str, secret: str) -> None:
     browser = Browser.at(app.address)

@@ -22,8 +22,9 @@ from pinel_desktop.processes.standard_streams import reserve_output
 @click.command(hidden=True)
 @click.option("--reason", type=click.Choice(["setting", "command"]), required=True)
 @click.option("--place", default="")
+@click.option("--file")
 @click.pass_context
-def command(ctx: click.Context, reason: KioskReason, place: str) -> None:
+def command(ctx: click.Context, reason: KioskReason, place: str, file: str | None) -> None:
     """Open the window in kiosk mode for the watchdog."""
     db = chosen_file(ctx)
     places = os.fdopen(reserve_output(), "w", encoding="utf-8")
@@ -35,7 +36,7 @@ def command(ctx: click.Context, reason: KioskReason, place: str) -> None:
             places.write(json.dumps({"place": place}) + "\n")
             places.flush()
 
-    window = WindowProcess(db, KioskMode(reason, place, report_place))
+    window = WindowProcess(db, KioskMode(reason, place, report_place), file)
     watchdog_ended = threading.Event()
 
     def close_with_watchdog() -> None:

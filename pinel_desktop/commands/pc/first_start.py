@@ -4,6 +4,7 @@ import sys
 from pathlib import Path
 
 from pinel_desktop.database_locations import is_location_missing
+from pinel_desktop.instance import InstanceLock
 
 
 def setup_file_path(platform: str = sys.platform, program: str = sys.executable) -> Path:
@@ -17,6 +18,14 @@ def setup_file_path(platform: str = sys.platform, program: str = sys.executable)
 
 
 SETUP_FILE = setup_file_path()
+
+
+def locked(database: Path) -> InstanceLock:
+    """Acquires the lock on a database, and sets up a new one. Raises as `InstanceLock.acquire`."""
+    instance = InstanceLock(database)
+    instance.acquire()
+    set_up_if_new(database)
+    return instance
 
 
 def set_up_if_new(database: Path) -> None:

@@ -1,19 +1,20 @@
 """Locks GTK's window in kiosk mode: what the toolkit and WebKit would let a pupil do is refused."""
 
-import threading
 from typing import Any
+
+from pinel_desktop.desktop.kiosk.mode import PrintPermission
 
 _REGRAB_MS = 500
 # GTK's pickers of emoji, which open over the page
 _PICKER_KEYS = ("period", "semicolon")
 
 
-def lock_window(view: Any, print_allowed: threading.Event) -> None:
+def lock_window(view: Any, print_permission: PrintPermission) -> None:
     """Locks a window; docs/install.md says what only the operating system can lock.
 
     Args:
         view: pywebview's `BrowserView`, on its thread.
-        print_allowed: if set, the next print dialog is shown, and it is cleared.
+        print_permission: whether a print dialog may open.
     """
     from gi.repository import GLib  # noqa: PLC0415 - optional, see backends.gtk_problem
 
@@ -25,9 +26,7 @@ def lock_window(view: Any, print_allowed: threading.Event) -> None:
     GLib.timeout_add(_REGRAB_MS, _grab_keyboard, window)
 
     def decide_print(_page: Any, _operation: Any) -> bool:
-        is_allowed = print_allowed.is_set()
-        print_allowed.clear()
-        return not is_allowed
+        return not print_permission.use()
 
     page.connect("print", decide_print)
     page.connect("run-file-chooser", _refuse_dialog)

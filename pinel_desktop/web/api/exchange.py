@@ -19,6 +19,7 @@ from pinel_desktop.web.models.exchange import (
     Bundle,
     BundlesToMerge,
     FileFound,
+    FileOpened,
     Folder,
     FolderList,
     ImportedProgram,
@@ -112,6 +113,9 @@ def merge_bundles(body: BundlesToMerge) -> Response:
     """Merges bundles; a refused one does not stop the others. For the teacher."""
     require_teacher()
     merged = [_merged(Path(path), body) for path in body.paths]
+    for one in merged:
+        if one.problem is None:
+            services().opened_file.forget(Path(one.path))
     services().signs.refresh()
     services().confirm_runs()
     return json_response(
@@ -241,10 +245,25 @@ def _folders() -> Response:
     return json_response(
         FolderList(
             folders=[_folder(one) for one in found],
+            opened=_opened(services().opened_file.path),
             shared=json_safe(shared or ""),
             takes_backups=bool(settings.get(COPIES_BACKUPS)),
         )
     )
+
+
+def _opened(path: Path | None) -> FileOpened | None:
+    from pinel_desktop.school.opened_file import examined  # noqa: PLC0415 - see above
+
+    if path is None:
+        return None
+    name = json_safe(path.name)
+    try:
+        with naming_file(path, path.name):
+            return FileOpened(name=name, file=_file(examined(path)), problem=None)
+    except (PinelError, StoreError) as error:
+        problem = notice(error.code, error.params, services().settings.language)
+        return FileOpened(name=name, file=None, problem=problem)
 
 
 def _folder(folder: "FolderOnDisk") -> Folder:

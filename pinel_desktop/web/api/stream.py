@@ -1,7 +1,7 @@
 """The event stream. One stream has all events, because browsers allow only about six connections to a host."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from flask import Response
 
@@ -29,13 +29,13 @@ def stream_events() -> Response:
     """
     parts = services()
     subscription = parts.hub.subscribe()
-    hello = Hello(parts.engine.live_run)
-    return Response(_lines(subscription, hello.to_wire()), mimetype="text/event-stream")
+    first = [Hello(parts.engine.live_run).to_wire(), *parts.opened_file.news()]
+    return Response(_lines(subscription, first), mimetype="text/event-stream")
 
 
-def _lines(subscription: Subscription, hello: object) -> Iterator[str]:
+def _lines(subscription: Subscription, first: Iterable[object]) -> Iterator[str]:
     with subscription:
-        yield _line(hello)
+        yield from map(_line, first)
         while not subscription.closed:
             event = subscription.get(timeout_s=HEARTBEAT_INTERVAL_S)
             yield ": still here\n\n" if event is None else _line(event)

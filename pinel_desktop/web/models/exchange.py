@@ -39,13 +39,29 @@ class Folder(ResponseModel):
     files: list[FileFound]
 
 
+class FileOpened(ResponseModel):
+    """The file with which a person has opened the app: what it is, or the problem with it."""
+
+    name: str
+    file: FileFound | None
+    problem: Notice | None
+
+
+class FileToOpen(RequestModel):
+    """A file of this PC."""
+
+    path: _Path
+
+
 class FolderList(ResponseModel):
     """Removable drives first; `shared` is the path of the shared folder, "" for none.
 
-    If `takes_backups` is true, this PC also copies its backups to the shared folder.
+    If `takes_backups` is true, this PC also copies its backups to the shared folder. `opened` is null if the app was
+    opened without a file, or if that file has been merged.
     """
 
     folders: list[Folder]
+    opened: FileOpened | None
     shared: str
     takes_backups: bool
 

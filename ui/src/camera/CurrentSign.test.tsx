@@ -67,6 +67,7 @@ describe("what the camera sees, in words", () => {
     expect(getByTestId("reading").dataset.kind).toBe("sure");
     expect(container.querySelector(".reading__letter")?.textContent).toBe("3");
     expect(container.textContent).toContain("Mantenham as mãos paradas");
+    expect(container.querySelector(".visually-hidden")?.textContent).toMatch(/^Número 3, com /);
     await passesAxe(container);
   });
 

@@ -1,5 +1,6 @@
 import type { CaptureOf } from "../api/model";
 import { type Texts, texts } from "../i18n";
+import { namedSign } from "../i18n/phrases";
 import { CameraTrouble } from "./CameraTrouble";
 import { SignStateView, type StateLabels } from "./SignStateView";
 import { camera, hasPicture, sight } from "./sight";
@@ -18,7 +19,7 @@ interface CurrentSignProps {
 export function CurrentSign({ progress, next, what = "sign" }: CurrentSignProps) {
   const { problem } = camera.value;
   const state = what === "number" ? numberStateOf(sight.value) : signStateOf(sight.value);
-  const labels = labelsOf(what, texts.value.camera);
+  const labels = labelsOf(what, texts.value);
   if (!hasPicture.value) return null;
   if (problem && !("best" in state)) return <CameraTrouble problem={problem} />;
   return (
@@ -26,8 +27,10 @@ export function CurrentSign({ progress, next, what = "sign" }: CurrentSignProps)
   );
 }
 
-function labelsOf(what: CaptureOf, of: Texts["camera"]): StateLabels {
-  if (what === "sign") return of;
+function labelsOf(what: CaptureOf, all: Texts): StateLabels {
+  const of = all.camera;
+  if (what === "sign") return { ...of, called: (sign) => namedSign(sign, all) };
   const { noNumber: noLetter, unsureNumber: unsure, showHands: showHand, holdHands: hold } = of;
-  return { ...of, noLetter, unsure, showHand, hold };
+  const called = (number: string) => all.sign.number({ number });
+  return { ...of, noLetter, unsure, showHand, hold, called };
 }

@@ -1,17 +1,20 @@
 import { CircleQuestionMark, Hand, type LucideIcon } from "lucide-preact";
 import { language, type Texts, texts } from "../i18n";
 import { percent } from "../i18n/format";
-import { namedSign } from "../i18n/phrases";
 import type { SignState } from "./sign_state";
 
 /** Radius of the ring around the letter; its circumference is 100. */
 const RADIUS = 50 / Math.PI;
 
 /** What is said of each state: a sign is looked for, or a number. */
-export type StateLabels = Pick<
-  Texts["camera"],
-  "unsure" | "either" | "noLetter" | "twoSigns" | "showHand" | "hold"
->;
+export interface StateLabels
+  extends Pick<
+    Texts["camera"],
+    "unsure" | "either" | "noLetter" | "twoSigns" | "showHand" | "hold"
+  > {
+  /** What the recognised sign or number is called. */
+  called(best: string): string;
+}
 
 interface SignStateViewProps {
   state: SignState;
@@ -78,7 +81,7 @@ interface StateTextProps {
 function StateText({ state, labels: camera, next }: StateTextProps) {
   switch (state.kind) {
     case "sure":
-      return <Sure {...state} next={next} />;
+      return <Sure {...state} name={camera.called(state.best)} next={next} />;
     case "unsure":
       return (
         <p class="reading__words">
@@ -100,18 +103,18 @@ function StateText({ state, labels: camera, next }: StateTextProps) {
 }
 
 interface SureProps {
-  best: string;
+  name: string;
   second: string;
   confidence: number;
   next: string | null;
 }
 
-function Sure({ best, second, confidence, next }: SureProps) {
+function Sure({ name, second, confidence, next }: SureProps) {
   const { camera } = texts.value;
   const share = percent(confidence, language.value);
   return (
     <div class="reading__words">
-      <p class="visually-hidden">{camera.sure({ sign: namedSign(best, texts.value), share })}</p>
+      <p class="visually-hidden">{camera.sure({ sign: name, share })}</p>
       <div class="row middle gap-2" aria-hidden="true">
         <span class="reading__bar">
           <span style={{ width: `${100 * confidence}%` }} />

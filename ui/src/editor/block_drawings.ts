@@ -90,6 +90,7 @@ export function onStage<Drawn>(
   const workspace = Blockly.inject(container, {
     theme: blocklyTheme(theme),
     renderer: RENDERER,
+    css: false, // the renderer adds it
     media: "/media/",
     sounds: false,
     readOnly: true,

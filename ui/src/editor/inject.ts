@@ -31,6 +31,7 @@ export function injectWorkspace(
     toolbox: toolbox(options.level, offered()),
     theme: blocklyTheme(options.theme),
     renderer: RENDERER,
+    css: false, // the renderer adds it
     plugins: TOOLBOX_PLUGINS,
     media: options.mediaPath,
     sounds: false,

@@ -16,6 +16,10 @@ const CLASSES: Readonly<Record<Ring, string>> = {
   moved: "pinelMoved",
 };
 
+/** Where the page has the cursors that the rules name. */
+const MEDIA = "/media";
+const addedRules = new Set<string>();
+
 /**
  * Draws rings above everything inside a block, because the next block would cover half of an
  * outline. Loose blocks are dimmed; Blockly would hatch them.
@@ -47,7 +51,37 @@ class PathObject extends Blockly.zelos.PathObject {
   }
 }
 
+/**
+ * Adds style rules before all others of the page, once for each name. Blockly would put them into
+ * style elements, which the page's security policy refuses.
+ */
+function addRules(name: string, rules: () => string): void {
+  const [first] = document.styleSheets;
+  if (!first || addedRules.has(name)) return;
+  addedRules.add(name);
+  first.insertRule(`@media all {${rules()}}`);
+}
+
+/** The rules for all workspaces. Blockly gives them only as a style element, here in no document. */
+function commonRules(): string {
+  const outside = document.createElement("div").attachShadow({ mode: "open" });
+  const container = outside.appendChild(document.createElement("div"));
+  Blockly.Css.inject(container, true, MEDIA);
+  return outside.querySelector("style")?.textContent ?? "";
+}
+
+class Constants extends Blockly.zelos.ConstantProvider {
+  protected override injectCSS_(_root: Document | ShadowRoot, selector: string): void {
+    addRules("common", commonRules);
+    addRules(selector, () => this.getCSS_(selector).join("\n"));
+  }
+}
+
 class Renderer extends Blockly.zelos.Renderer {
+  protected override makeConstants_(): Blockly.zelos.ConstantProvider {
+    return new Constants();
+  }
+
   override makePathObject(
     root: SVGElement,
     style: Blockly.Theme.BlockStyle,

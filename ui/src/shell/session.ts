@@ -24,7 +24,7 @@ import { isLanguage } from "../i18n/languages";
 import { reportTo } from "../kit/report";
 import { type Problem, problemOf } from "../kit/requests/problem";
 import { serverStatus } from "./first_answers";
-import { navigationBlocked, ROUTES, route } from "./route";
+import { go, navigationBlocked, ROUTES, route } from "./route";
 import { choose, setting } from "./settings";
 import { openStream } from "./stream";
 
@@ -196,6 +196,9 @@ function onStream(
       break;
     case "program":
       changed.value = event;
+      break;
+    case "file_opened":
+      go({ screen: "teacher", part: "files" });
       break;
     default:
       runs.receive(event);

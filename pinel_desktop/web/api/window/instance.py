@@ -5,6 +5,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from pinel_desktop.web.api import Resource, responses
 from pinel_desktop.web.models import Empty
+from pinel_desktop.web.models.exchange import FileToOpen
 from pinel_desktop.web.models.status import InstanceLink
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
@@ -29,6 +30,17 @@ def create_instance_link(header: Secret) -> Response:
 @api.post("/instance/show", responses=responses(Empty))
 def show_instance(header: Secret) -> Response:
     """Brings the window forward."""
+    return _show()
+
+
+@api.post("/instance/open", responses=responses(Empty))
+def open_file(header: Secret, body: FileToOpen) -> Response:
+    """Leads all pages to where the teacher merges a file of this PC, and brings the window forward."""
+    services().opened_file.choose(body.path)
+    return _show()
+
+
+def _show() -> Response:
     window = services().window
     if window is not None:
         window.ask("show")

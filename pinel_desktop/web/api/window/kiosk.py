@@ -42,7 +42,7 @@ def leave_kiosk() -> Response:
 
 @api.post("/kiosk/print", responses=responses(Empty, *TEACHER, "kiosk_not_active"))
 def allow_print() -> Response:
-    """Lets the page open the print dialog once, from which a pupil could reach files. For the teacher."""
+    """Lets the page open the print dialog, which leads to files: once, within 2 minutes. For the teacher."""
     _locked_window().ask("allow_print")
     return json_response(Empty())
 

@@ -53,6 +53,7 @@ export class BlocksViewer {
     this.workspace = Blockly.inject(options.container, {
       theme: blocklyTheme(options.theme),
       renderer: RENDERER,
+      css: false, // the renderer adds it
       media: options.mediaPath,
       sounds: false,
       readOnly: true,

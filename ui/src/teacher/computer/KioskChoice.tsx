@@ -44,16 +44,19 @@ function Choice({ state, onChange }: ChoiceProps) {
       </label>
       <p class="labelled__hint">{hint(state)}</p>
       {state.is_active && (
-        <div class="button-row">
-          <Button
-            icon={DoorOpen}
-            busy={busy}
-            testId="kiosk-leave"
-            onPress={() => act(kioskApi.leave)}
-          >
-            {labels.leave}
-          </Button>
-        </div>
+        <>
+          <p class="labelled__hint">{labels.printing}</p>
+          <div class="button-row">
+            <Button
+              icon={DoorOpen}
+              busy={busy}
+              testId="kiosk-leave"
+              onPress={() => act(kioskApi.leave)}
+            >
+              {labels.leave}
+            </Button>
+          </div>
+        </>
       )}
       <FaultLine fault={fault} />
     </>

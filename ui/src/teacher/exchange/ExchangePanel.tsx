@@ -48,7 +48,8 @@ interface BoxesProps {
   known: Loadable<Known>;
 }
 
-function Boxes({ found: { folders, shared, takes_backups }, places, known }: BoxesProps) {
+function Boxes({ found, places, known }: BoxesProps) {
+  const { folders, shared, takes_backups } = found;
   const saved = useSignal<Saved | null>(null);
   // shows a newly plugged-in stick; ignores failures, because the first request reports them
   usePolling(() => exchange.folders().then(places.set, () => {}), { everyMs: POLL_MS });
@@ -69,7 +70,7 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
   const undecided = waiting.filter(({ path }) => !merging.isAsked(path));
   return (
     <>
-      <MergeBox folders={folders} merging={merging} undecided={undecided} onReload={reload} />
+      <MergeBox found={found} merging={merging} undecided={undecided} onReload={reload} />
       <Loaded of={known}>
         {({ knownComputers, classes }) => (
           <>

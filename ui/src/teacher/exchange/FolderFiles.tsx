@@ -1,8 +1,7 @@
 import { HardDrive, Usb } from "lucide-preact";
 import type { FileFound, Folder } from "../../api/model";
-
 import { language, texts } from "../../i18n";
-import { relativeTime } from "../../i18n/format";
+import { FileRow } from "./FileRow";
 import { size } from "./size";
 
 interface FolderFilesProps {
@@ -36,42 +35,6 @@ export function FolderFiles({ folder, isChosen, onToggle }: FolderFilesProps) {
         />
       ))}
     </fieldset>
-  );
-}
-
-interface FileRowProps {
-  file: FileFound;
-  isChosen: boolean;
-  onToggle(): void;
-}
-
-/** A bundle file. Marks an anonymous bundle, because merging it duplicates groups. */
-function FileRow({ file, isChosen, onToggle }: FileRowProps) {
-  const labels = texts.value.exchange;
-  return (
-    <>
-      <label class="exchange__file" data-testid="found-file">
-        <input
-          type="checkbox"
-          checked={isChosen}
-          aria-label={labels.choose({ name: file.name })}
-          onChange={onToggle}
-        />
-        <span class="exchange__name">{file.name}</span>
-        {file.anonymous && <span class="exchange__nameless">{labels.nameless}</span>}
-        <span class="exchange__about">
-          {labels.file({
-            size: size(file.size_bytes, language.value),
-            when: relativeTime(file.modified_at, new Date(), language.value, texts.value),
-          })}
-        </span>
-      </label>
-      {file.anonymous && isChosen && (
-        <p class="notice-box" role="status">
-          {labels.doubles}
-        </p>
-      )}
-    </>
   );
 }
 

@@ -1,15 +1,17 @@
 import { useSignal } from "@preact/signals";
 import { Combine, RefreshCw } from "lucide-preact";
-import type { FileFound, Folder, KnownComputerList } from "../../api/model";
+import { useRef } from "preact/hooks";
+import type { FileFound, FolderList, KnownComputerList } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { FolderFiles } from "./FolderFiles";
 import { MergeResult } from "./MergeResult";
+import { OpenedFile } from "./OpenedFile";
 import { Undecided } from "./Undecided";
 import type { Merging } from "./useMerging";
 
 interface MergeBoxProps {
-  folders: readonly Folder[];
+  found: FolderList;
   merging: Merging;
   /** Deletions that wait for a decision. */
   undecided: KnownComputerList["undecided"];
@@ -17,15 +19,27 @@ interface MergeBoxProps {
   onReload(): Promise<void>;
 }
 
-/** Merges files of sticks; all except anonymous files are selected initially. */
-export function MergeBox({ folders, merging, undecided, onReload }: MergeBoxProps) {
+/**
+ * Merges files of sticks. Initially the file with which PINEL was opened is selected, without one all
+ * files except anonymous ones.
+ */
+export function MergeBox({
+  found: { folders, opened },
+  merging,
+  undecided,
+  onReload,
+}: MergeBoxProps) {
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
   const { results, progress, mergeAll, deleteToo, declineDeletion } = merging;
   const labels = texts.value.exchange;
-  const isChosen = (file: FileFound) => ticked.value.get(file.path) ?? !file.anonymous;
-  const chosen = folders.flatMap((folder) => folder.files.filter(isChosen));
-  const found = folders.flatMap(({ files }) => files);
-  const lessons = new Set(found.filter(({ lesson }) => lesson).map(({ path }) => path));
+  const isChosen = ({ path, anonymous }: FileFound) =>
+    ticked.value.get(path) ?? (opened?.file ? path === opened.file.path : !anonymous);
+  const found = [...(opened?.file ? [opened.file] : []), ...folders.flatMap(({ files }) => files)];
+  // the opened file may be on a stick, too
+  const chosen = [...new Set(found.filter(isChosen).map(({ path }) => path))];
+  // also of a file that is no longer listed, as its result is shown
+  const lessons = useRef(new Set<string>()).current;
+  for (const { path, lesson } of found) if (lesson) lessons.add(path);
   const toggle = (file: FileFound) => {
     ticked.value = new Map(ticked.value).set(file.path, !isChosen(file));
   };
@@ -37,7 +51,8 @@ export function MergeBox({ folders, merging, undecided, onReload }: MergeBoxProp
           {labels.lookAgain}
         </Button>
       </header>
-      {folders.length === 0 && (
+      {opened && <OpenedFile opened={opened} isChosen={isChosen} onToggle={toggle} />}
+      {folders.length === 0 && !opened && (
         <p>
           <strong>{labels.nowhere}</strong> {labels.nowhereHint}
         </p>
@@ -51,7 +66,7 @@ export function MergeBox({ folders, merging, undecided, onReload }: MergeBoxProp
           class="exchange__merge"
           icon={Combine}
           testId="merge-files"
-          onPress={() => mergeAll(chosen.map(({ path }) => path))}
+          onPress={() => mergeAll(chosen)}
         >
           {progress.value
             ? labels.merging({ n: progress.value.n, of: progress.value.of })

@@ -40,9 +40,10 @@ export async function savePage(
   saveFile(`${fileName}.html`, new Blob([text], { type: "text/html" }));
 }
 
-function rulesOf({ cssRules }: CSSStyleSheet): Promise<string>[] {
+function rulesOf({ cssRules }: CSSStyleSheet | CSSMediaRule): Promise<string>[] {
   return [...cssRules].flatMap((rule) => {
     if (rule instanceof CSSFontFaceRule) return [withFont(rule.cssText)];
+    if (rule instanceof CSSMediaRule && rule.conditionText === "all") return rulesOf(rule);
     const isNeeded = NEEDED.some((name) => rule.cssText.includes(name));
     return isNeeded ? [Promise.resolve(rule.cssText)] : [];
   });
