@@ -159,6 +159,22 @@ class App:
 
     def _assemble(self, undo: contextlib.ExitStack) -> None:
         """Creates the parts, which end in reverse order: engine, hub, server, recorder, last backup, store."""
+        self._open_store(undo)
+        self._hub = Hub()
+        self._create_recording(undo)
+        server = self._early_server or EarlyServer(self._port, self._settings)
+        undo.callback(server.close)
+        undo.callback(self._hub.close)
+        self._guard = server.guard
+        self._create_devices(undo)
+        services = self._services()
+        server.open(create_app(services))
+        self._serve_bridge(services, undo)
+        self._maintenance.start()
+        self._content_check.start()
+        self._start_engine(undo)
+
+    def _open_store(self, undo: contextlib.ExitStack) -> None:
         self._store = open_database(self._database)
         undo.callback(self._store.close)
         self._maintenance = Maintenance(self._store, self._publish_storage_notice)
@@ -167,24 +183,21 @@ class App:
         self._settings = early.settings if early else Settings.beside(self._database)
         with contextlib.suppress(StoreError):
             self._settings.import_from_database(self._store.settings.get)
-        self._hub = Hub()
+
+    def _create_recording(self, undo: contextlib.ExitStack) -> None:
+        """Creates what records, judges and checks."""
         self._recorder = RunRecorder(
             self._store, self._publish_recording, recorded=RECORDED, urgent=URGENT
         )
         undo.callback(self._end_recording)
         self._grader = Grader(
-            self._store,
-            self._flush_recording,
-            self._hub.publish,
-            lambda: self._settings.language,
+            self._store, self._flush_recording, self._hub.publish, lambda: self._settings.language
         )
         undo.callback(self._grader.close)
         self._confirmer = Confirmer(self._store, self._grader.verdict_on, self._grader.grade)
         undo.callback(self._confirmer.close)
         self._live_checks = LiveChecks(
-            lambda: self._grader.judge,
-            self._hub.publish,
-            lambda: self._settings.language,
+            lambda: self._grader.judge, self._hub.publish, lambda: self._settings.language
         )
         undo.callback(self._live_checks.close)
         undo.callback(self._maintenance.close)
@@ -192,10 +205,9 @@ class App:
         undo.callback(self._content_check.close)
         if self._store.unfinished:
             self._recorder.flush()  # retries until the disk has free space
-        server = self._early_server or EarlyServer(self._port, self._settings)
-        undo.callback(server.close)
-        undo.callback(self._hub.close)
-        self._guard = server.guard
+
+    def _create_devices(self, undo: contextlib.ExitStack) -> None:
+        """Creates engine, camera, and what belongs to them."""
         self._status_feed = RobotStatusFeed(self._hub.publish, lambda: self._settings.language)
         self._engine = self._make_engine(
             self._on_engine_event,
@@ -217,12 +229,6 @@ class App:
         self._detectors = Detectors(
             self._database.with_name("detectors"), self._settings, self._camera, self._recognizer
         )
-        services = self._services()
-        server.open(create_app(services))
-        self._serve_bridge(services, undo)
-        self._maintenance.start()
-        self._content_check.start()
-        self._start_engine(undo)
 
     def _serve_bridge(self, services: Services, undo: contextlib.ExitStack) -> None:
         if self._bridge is None:
