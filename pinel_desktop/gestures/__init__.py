@@ -2,5 +2,5 @@
 
 import os
 
-# Otherwise ONNX Runtime 1.31 writes a device id into the home folder and sends usage data; it is read at its import.
+# Otherwise ONNX Runtime 1.31 writes a device id into the home folder, and may send usage data; read at its import.
 os.environ["ORT_DISABLE_TELEMETRY"] = "1"

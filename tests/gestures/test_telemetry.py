@@ -1,4 +1,4 @@
-"""ONNX Runtime's telemetry is off: it would write a device id to the home folder, and send usage data."""
+"""ONNX Runtime's telemetry is off: it would write a device id to the home folder, and may send usage data."""
 
 import os
 import subprocess
