@@ -3,10 +3,14 @@
     python packaging/smoke.py [FOLDER]    with FOLDER: an installed package, which is tried where it lies
 
 Checks the shared libraries of dist/pinel-desktop against system-libraries.txt. Copies the package to a folder whose
-name has spaces and accents, runs `--self-check` there and checks the JSON output. Root switches to the user `nobody` in
-a network namespace with loopback only. An ordinary user and Windows cannot do so, and the output reports this.
+name has spaces and accents, runs `--self-check` there and checks the JSON output. Then its commands read the work of an
+earlier release, export and merge it, and record runs, one of which is killed. At the end no process may be left, and no
+file outside the data folder. Root switches to the user `nobody` in a network namespace with loopback only. An ordinary
+user and Windows cannot do so, and the output reports this.
 """
 
+import contextlib
+import gzip
 import json
 import os
 import shutil
@@ -14,6 +18,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +26,10 @@ import contents  # beside this file
 
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "dist" / "pinel-desktop"
+RELEASED = ROOT / "tests" / "compatibility" / "files"
+SQUARE = ROOT / "tests" / "programs" / "square.json"
+# of GTK, GStreamer, Mesa and fontconfig, which every program with a window writes
+_CACHES = ("dconf", "fontconfig", "gstreamer-1.0", "gtk-3.0", "mesa_shader_cache")
 _NOBODY = 65534
 _OF_WINDOWS = (
     "SYSTEMROOT",
@@ -67,18 +76,18 @@ def environment_for(home: Path) -> dict[str, str]:
     )
 
 
-def command_for(program: Path, home: Path) -> list[str]:
-    """Returns the command line of the self-check with an empty environment."""
-    check = [str(program), "--self-check"]
+def launcher_for(home: Path, inputs: Path) -> list[str]:
+    """Returns what starts a program with an empty environment, as the user `nobody` if this one is root."""
     if sys.platform == "win32":
-        return check
+        return []
     bare = ["/usr/bin/env", "-i", f"HOME={home}", "LANG=pt_BR.UTF-8"]
     if os.geteuid() != 0:
         print("Not root: the check runs as this user, and the network is not cut off.")
-        return [*bare, *check]
-    os.chown(home, _NOBODY, _NOBODY)
+        return bare
+    for path in (home, inputs, *inputs.rglob("*")):
+        os.chown(path, _NOBODY, _NOBODY)
     locked = ["unshare", "--net", "/usr/bin/python3", "-c", _LOCKED_UP, str(_NOBODY)]
-    return [*locked, *bare, *check]
+    return [*locked, *bare]
 
 
 def library_faults(package: Path) -> list[str]:
@@ -129,12 +138,100 @@ def files_of(folder: Path) -> dict[str, int]:
     return {str(file): file.stat().st_size for file in folder.rglob("*") if file.is_file()}
 
 
-def try_program(program: Path, home: Path) -> None:
-    """Runs the self-check of a program; ends this script with a message if it fails."""
-    before = files_of(program.parent)
-    started = time.monotonic()
-    done = subprocess.run(
-        command_for(program, home),
+def check_faults(program: Path, home: Path, launcher: Sequence[str]) -> list[str]:
+    """Returns the faults that the self-check of a program finds."""
+    done = _run(program, home, launcher, "--self-check")
+    try:
+        found = json.loads(done.stdout)
+    except ValueError:
+        return [f"no JSON (status {done.returncode}): {done.stdout} {done.stderr}"]
+    print(json.dumps(found, ensure_ascii=False, indent=2))
+    return faults_of(found) + [f"status {done.returncode}: {done.stderr}"] * bool(done.returncode)
+
+
+def write_inputs(folder: Path) -> None:
+    """Writes what `work_faults` needs: the work of an earlier release, its recorded hash, and a program."""
+    for packed in (RELEASED / "database").rglob("*.gz"):
+        file = folder / packed.relative_to(RELEASED).with_suffix("")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(gzip.decompress(packed.read_bytes()))
+    shutil.copy(RELEASED / "summary.json", folder)
+    shutil.copy(SQUARE, folder)
+
+
+def work_faults(program: Path, home: Path, launcher: Sequence[str], inputs: Path) -> list[str]:
+    """Returns what fails with the work of an earlier release, its export and merge, and a run that is killed.
+
+    `inputs` is the folder of `write_inputs`; the database in it is changed.
+    """
+    database, square = str(inputs / "database" / "pinel.db"), str(inputs / "square.json")
+
+    def pinel(*arguments: str) -> list[Any]:
+        done = _run(program, home, launcher, "--db", database, *arguments, "--json")
+        return [json.loads(line) for line in done.stdout.splitlines()] or [{"error": done.stderr}]
+
+    (exported,) = pinel("export", str(inputs))
+    (merged,) = pinel("merge", "--db", str(inputs / "merged.db"), str(exported.get("path")))
+    with _started(
+        program, home, launcher, "--db", database, "run", square, "--pace=live"
+    ) as killed:
+        _wait_for(lambda: pinel("runs", "list")[0].get("state") == "running")
+        killed.kill()
+    with _started(program, home, launcher, "--db", database, "serve") as served:
+        assert served.stdout is not None
+        has_address = "http" in served.stdout.readline()
+        served.terminate()
+    (ran,) = pinel("run", square)
+    states = [run.get("state") for run in pinel("runs", "list")[:2]]
+    summary = json.loads((inputs / "summary.json").read_text("utf-8"))
+    expected = summary["database"]["content_hash"]
+    right = {
+        f"the work of an earlier release: {exported}": exported.get("content_hash") == expected,
+        f"export and merge: {merged}": merged.get("content_hash") == expected,
+        f"start after a crash, status {served.returncode}": has_address and not served.returncode,
+        f"a run after a crash: {ran}": ran.get("state") == "finished",
+        f"a killed run, and the next one: {states}": states == ["finished", "failed"],
+    }
+    return [name for name, is_right in right.items() if not is_right]
+
+
+def leftover_faults(package: Path, home: Path) -> list[str]:
+    """Returns the processes of the package that still run, and the files in `home` outside the data folder."""
+    running = []
+    for file in Path("/proc").glob("[0-9]*/exe") if sys.platform == "linux" else ():
+        with contextlib.suppress(OSError):  # ended meanwhile
+            if package in file.readlink().parents:
+                running.append(f"still runs: {file.parent.name}")
+    files = (Path(file) for file in (files_of(home) if sys.platform == "linux" else ()))
+    return running + [
+        f"outside the data folder: {file}" for file in files if is_outside(file, home)
+    ]
+
+
+def is_outside(file: Path, home: Path) -> bool:
+    """Whether a file in a home folder is neither PINEL's work nor a cache of the desktop's own libraries."""
+    place = file.relative_to(home)
+    is_cache = place.parts[0] == ".cache" and place.parts[1].startswith(_CACHES)
+    return not (is_cache or Path(".local/share/pinel") in place.parents)
+
+
+def faults_of_package(
+    package: Path, home: Path, launcher: Sequence[str], inputs: Path
+) -> list[str]:
+    """Returns all faults of a package, whose programs `launcher` starts; `inputs` is the folder of `write_inputs`."""
+    before, faults = files_of(package), []
+    for program in programs_of(package):
+        faults += check_faults(program, home, launcher)
+    faults += work_faults(programs_of(package)[0], home, launcher, inputs)
+    faults += ["own folder changed"] * (files_of(package) != before)
+    return faults + leftover_faults(package, home)
+
+
+def _run(
+    program: Path, home: Path, launcher: Sequence[str], *arguments: str
+) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run(
+        [*launcher, str(program), *arguments],
         cwd=home,
         env=environment_for(home),
         capture_output=True,
@@ -142,20 +239,24 @@ def try_program(program: Path, home: Path) -> None:
         timeout=_TIMEOUT_S,
         check=False,
     )
-    seconds = time.monotonic() - started
-    try:
-        found = json.loads(done.stdout)
-    except ValueError:
-        sys.exit(f"No JSON (status {done.returncode}):\n{done.stdout}\n{done.stderr}")
-    print(json.dumps(found, ensure_ascii=False, indent=2))
-    faults = (
-        faults_of(found)
-        + [f"status {done.returncode}"] * bool(done.returncode)
-        + ["own folder changed"] * (files_of(program.parent) != before)
+
+
+def _started(
+    program: Path, home: Path, launcher: Sequence[str], *arguments: str
+) -> "subprocess.Popen[str]":
+    return subprocess.Popen(
+        [*launcher, str(program), *arguments],
+        cwd=home,
+        env=environment_for(home),
+        stdout=subprocess.PIPE,
+        encoding="utf-8",
     )
-    if faults:
-        sys.exit(f"The package does not work: {', '.join(faults)}\n{done.stderr}")
-    print(f"The package works: self-check of {program.name} in {seconds:.0f} s.")
+
+
+def _wait_for(is_reached: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + _TIMEOUT_S
+    while not is_reached() and time.monotonic() < deadline:
+        time.sleep(0.1)
 
 
 def main() -> None:
@@ -169,10 +270,15 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="pinel-smoke-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
         folder.chmod(0o755)
-        home = folder / "casa"
+        home, inputs = folder / "casa", folder / "entradas"
         home.mkdir()
-        for program in programs_of(installed or copy_to(folder)):
-            try_program(program, home)
+        write_inputs(inputs)
+        started = time.monotonic()
+        launcher = launcher_for(home, inputs)
+        faults = faults_of_package(installed or copy_to(folder), home, launcher, inputs)
+    if faults:
+        sys.exit("\n".join(["The package does not work:", *faults]))
+    print(f"The package works: smoke test in {time.monotonic() - started:.0f} s.")
 
 
 if __name__ == "__main__":

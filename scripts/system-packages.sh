@@ -27,6 +27,7 @@ DDS_PACKAGES='g++|builds a robot for tests|compila um robô para os testes|compi
 libfastrtps-dev|the network of that robot|a rede desse robô|la red de ese robot'
 NIGHTLY_PACKAGES='dpkg-dev|lists the packages of the stick|lista os pacotes do pendrive|lista los paquetes de la memoria USB
 debootstrap|makes other systems to try the package in|cria outros sistemas para testar o pacote|crea otros sistemas para probar el paquete
+strace|records where the program sends to|registra para onde o programa envia|registra adónde envía el programa
 wine|runs the installer for Windows|executa o instalador para Windows|ejecuta el instalador para Windows
 locales|languages for that test|idiomas para esse teste|idiomas para esa prueba'
 

@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 import threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from socketserver import TCPServer
 from typing import IO
 
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit
@@ -83,6 +84,14 @@ def show_page(toolkit: Toolkit, timeout_s: float) -> None:
         raise NoWindowError("doctor_window_silent", backend=toolkit, seconds=timeout_s)
 
 
+class _LoopbackServer(ThreadingHTTPServer):
+    """Does not look for the name of its address, for which its base class may ask a name server of the network."""
+
+    def server_bind(self) -> None:
+        TCPServer.server_bind(self)
+        self.server_name, self.server_port = "127.0.0.1", self.socket.getsockname()[1]
+
+
 def _server(shown: threading.Event) -> ThreadingHTTPServer:
     """Returns a server for the page on the loopback address; a request for the page's script sets `shown`."""
 
@@ -101,4 +110,4 @@ def _server(shown: threading.Event) -> ThreadingHTTPServer:
         def log_message(self, *_args: object) -> None:
             """Logs nothing, because standard error is for the toolkit's faults."""
 
-    return ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    return _LoopbackServer(("127.0.0.1", 0), Handler)

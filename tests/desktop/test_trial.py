@@ -1,6 +1,8 @@
 """The doctor's try of the window: it tells whether a page is shown, and why not."""
 
+import socket
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -67,3 +69,12 @@ def test_a_window_that_hangs_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = trial.window_problem("gtk", timeout_s=0.5)
     assert problem is not None
     assert problem.code == "doctor_window_silent"
+
+
+def test_no_name_server_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Some systems have no file of host names, and asked the network for the name of the loopback address."""
+    asked: list[str] = []
+    monkeypatch.setattr(socket, "getfqdn", asked.append)
+    with trial._server(threading.Event()) as server:
+        assert server.server_port == server.server_address[1]
+    assert asked == []

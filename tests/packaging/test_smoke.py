@@ -1,5 +1,8 @@
 """The judge of the smoke test is not to be lenient."""
 
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -116,3 +119,31 @@ def test_a_library_of_the_system_that_nobody_has_looked_at_is_named(
     assert faults == [
         f"_internal/{name} ships, and packaging/system-libraries.txt does not name it"
     ]
+
+
+@pytest.mark.parametrize(
+    ("place", "is_outside"),
+    [
+        (".local/share/pinel/pinel.db", False),
+        (".local/share/pinel/logs/app.log", False),
+        (".cache/gtk-3.0/compose/a.cache", False),
+        (".cache/Microsoft/DeveloperTools/.onnxruntime/deviceid", True),
+        (".local/share/other/file", True),
+        ("Desktop/file", True),
+    ],
+)
+def test_files_outside_the_data_folder_are_found(place: str, is_outside: bool) -> None:
+    home = Path("/home/nobody")
+    assert smoke.is_outside(home / place, home) is is_outside
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_a_process_of_the_package_that_still_runs_is_found(tmp_path: Path) -> None:
+    program = tmp_path / "package" / "pinel"
+    program.parent.mkdir()
+    shutil.copy("/usr/bin/sleep", program)
+    with subprocess.Popen([program, "60"]) as process:
+        faults = smoke.leftover_faults(program.parent, tmp_path / "home")
+        process.kill()
+    assert faults == [f"still runs: {process.pid}"]
+    assert smoke.leftover_faults(program.parent, tmp_path / "home") == []
