@@ -193,7 +193,7 @@ def save(client: Client, program: str, document: Json, setup: Json | None = None
     return version
 
 
-def _signed_polygons() -> Json:
+def signed_polygons() -> Json:
     """Returns a program that waits for B and draws a square, then waits for A and draws a triangle."""
     commands: list[Json] = []
     for sign, n_sides in zip(EXPECTED_SIGNS, (4, 3), strict=True):
@@ -211,8 +211,13 @@ def _signed_polygons() -> Json:
 
 def show_signs(client: Client, program: str) -> list[str]:
     """Runs a program that depends on recorded signs; returns the signs that the camera recognised, each once."""
-    run = drive(client, save(client, program, _signed_polygons()), speed=10.0)
-    events = client.get(f"/api/runs/{run['id']}/events")["events"]
+    run = drive(client, save(client, program, signed_polygons()), speed=10.0)
+    return signs_of(client, run["id"])
+
+
+def signs_of(client: Client, run: str) -> list[str]:
+    """Returns the signs that the camera recognised in a run, each once."""
+    events = client.get(f"/api/runs/{run}/events")["events"]
     signs = [event["result"] for event in events if event.get("by") == "camera"]
     return list(dict.fromkeys(signs))
 
