@@ -153,7 +153,7 @@ class Probe:
 
 
 def main() -> None:
-    windows.GtkWindow = WindowWithoutWebGl  # type: ignore[misc]
+    windows.GtkWindow = WindowWithoutWebGl  # type: ignore[attr-defined]
     probe = Probe(Path(sys.argv[1]))
     probe.run()
     print(json.dumps(probe.found), flush=True)
