@@ -29,6 +29,8 @@ WireEvent = dict[str, Any]
 Taught = tuple[tuple[str, bytes, bytes], ...]
 
 IDLE_OFF_S = 20.0  # idle timeout after the last use, so that the next capture finds the camera open
+# Idle timeout of the process; the page calls `start` once a minute while a program with a capture is open.
+IDLE_END_S = 300.0
 
 # The process answers probes between two frames. Drivers and libraries may use the processor
 # while it hangs, so a busy process gets no longer timeout.
@@ -78,11 +80,12 @@ class CameraClient:
             ended.
         command: command line that starts the process.
         idle_off_s: idle timeout after the last use of the camera, in s.
+        idle_end_s: idle timeout after the last `start` or use of the camera until the process ends, in s.
         timeouts: after these timeouts a hung process is replaced.
         on_recognizer: called when a recognizer was loaded or cannot be used.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - callbacks and timeouts, most with a default
         self,
         source: str,
         publish: Callable[[WireEvent], None],
@@ -92,6 +95,8 @@ class CameraClient:
         idle_off_s: float = IDLE_OFF_S,
         timeouts: HangTimeouts = _TIMEOUTS,
         on_recognizer: Callable[[RecognizerState], None] = lambda state: None,
+        *,
+        idle_end_s: float = IDLE_END_S,
     ) -> None:
         self._source, self._idle_off_s = source, idle_off_s
         self._publish, self._on_change, self._answer = publish, on_change, answer
@@ -105,6 +110,7 @@ class CameraClient:
             on_ready=self._send_all,
             on_lost=self._lost,
             timeouts=timeouts,
+            idle_end_s=idle_end_s,
         )
         self._lock = threading.RLock()
         self._has_recognizer = threading.Condition(self._lock)
@@ -130,7 +136,7 @@ class CameraClient:
 
     @property
     def pid(self) -> int | None:
-        """Id of the process; None before its start."""
+        """Id of the process; None while it does not run."""
         return self._process.pid
 
     @property
@@ -153,7 +159,10 @@ class CameraClient:
             return self._recognizer
 
     def start(self) -> None:
-        """Starts the process, so that its networks are loaded before the first capture; the camera stays off."""
+        """Starts the process, so that its networks are loaded before a capture, or restarts its idle timeout.
+
+        The camera stays off.
+        """
         with self._lock:
             if self._closing.is_set():
                 return
@@ -224,6 +233,7 @@ class CameraClient:
 
     def observe(self, event: WireEvent) -> None:
         """Handles every event of a live run: a capture switches the camera on and is answered."""
+        self._process.mark_used()  # the run may capture again at any time
         kind, run = event["type"], event["run"]
         if kind == "capture_started":
             self.switch_on()
@@ -382,12 +392,14 @@ class CameraClient:
         self._change(CameraState("failed", PinelError("camera_process_lost")))
 
     def _watchdog_loop(self) -> None:
-        """Switches an idle camera off, and stops a recording that has timed out."""
+        """Switches an idle camera off, and stops a recording that has timed out. A camera that is on is in use."""
         while not self._closing.wait(_WATCHDOG_PERIOD_S):
             with self._lock:
                 is_used = self._run is not None or self._recording is not None
                 if not is_used and time.monotonic() - self._used_s > self._idle_off_s:
                     self._update_desired(source=None)
+                if self._desired.source is not None:
+                    self._process.mark_used()
                 is_given_up = self._recording is not None and self._recording.is_given_up
             if is_given_up:
                 self.stop_recording()

@@ -1,5 +1,6 @@
 """Inputs of `pinel run --camera`, without the app: a camera answers the captures, a list the questions."""
 
+import math
 import threading
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -47,7 +48,9 @@ class CameraInputs:
         self.gestures = PersonInput[Capture]()
         self.answers = ScriptedInputs(answers=answers).answers
         self._source, self._on_change = source, on_change
-        self._camera = CameraClient(source, lambda event: None, self._change, self._answer)
+        self._camera = CameraClient(
+            source, lambda event: None, self._change, self._answer, idle_end_s=math.inf
+        )
         self._camera.set_recognizer(recognizer)
         self._is_tried = threading.Event()
 

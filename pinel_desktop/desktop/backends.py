@@ -12,6 +12,7 @@ import shutil
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Literal
 
 from pinel_desktop.errors import PinelError
@@ -68,6 +69,11 @@ def qt_problem() -> str | None:
         if importlib.util.find_spec(package) is not None:
             return None
     return "PyQt6, PySide6"
+
+
+def has_graphics_device(folder: Path = Path("/dev/dri")) -> bool:
+    """Returns whether Linux has a device for OpenGL; without one, the processor would compute it."""
+    return any(folder.glob("renderD*"))
 
 
 class NoWindowError(PinelError):

@@ -11,7 +11,7 @@ from typing import Any
 import webview
 
 from pinel_desktop.desktop import saving
-from pinel_desktop.desktop.backends import NoWindowError
+from pinel_desktop.desktop.backends import NoWindowError, has_graphics_device
 from pinel_desktop.desktop.kiosk.lock import lock_window
 from pinel_desktop.desktop.kiosk.mode import KioskMode
 from pinel_desktop.desktop.policy import NavigationDecision, ReloadLimit
@@ -43,8 +43,14 @@ class GtkWindow:
         self._window = window
         self._view = BrowserView.instances[window.uid]
         self._page = self._view.webview
+        settings = self._page.get_settings().props
         # private mode disables local storage, which the page needs; nothing is written to disk
-        self._page.get_settings().props.enable_html5_local_storage = True
+        settings.enable_html5_local_storage = True
+        if not has_graphics_device():
+            from gi.repository import WebKit2  # noqa: PLC0415 - see above
+
+            # OpenGL on the processor would take 100 MB and twice the time for the same pictures
+            settings.hardware_acceleration_policy = WebKit2.HardwareAccelerationPolicy.NEVER
 
     def guard_navigation(self, judge: Callable[[str], NavigationDecision]) -> None:
         """Replaces pywebview's policy, which opens foreign links in the default browser."""

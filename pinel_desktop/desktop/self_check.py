@@ -118,9 +118,9 @@ def _in_window(app: AppProcess, result: Json) -> None:
         try:
             _wait_until_usable(window)
             result["window"]["ready_s"] = round(time.monotonic() - started, 2)
-            result["run"] = _drive(client, _saved(client, program, SQUARE, MISSION))
+            result["run"] = drive(client, save(client, program, SQUARE, MISSION))
             result["judged"] = _judged(client, result["run"]["id"])
-            result["signs"] = _sign(client, program)
+            result["signs"] = show_signs(client, program)
         except Exception as failure:  # re-raised on the main thread
             failures.append(failure)
         finally:
@@ -182,18 +182,18 @@ def make_program(client: Client) -> str:
     """Creates a group and its program, a square; returns the id of the program."""
     group = client.post("/api/groups", {"name": f"self-check {time.time_ns()}"})
     program = client.post(f"/api/groups/{group['id']}/programs", {"name": SQUARE["name"]})
-    _saved(client, program["id"], SQUARE)
+    save(client, program["id"], SQUARE)
     return str(program["id"])
 
 
-def _saved(client: Client, program: str, document: Json, setup: Json | None = None) -> str:
+def save(client: Client, program: str, document: Json, setup: Json | None = None) -> str:
     """Saves a version of a program; returns its id."""
     content = {"workspace": {}, "document": document, "setup": setup}
     version: str = client.post(f"/api/programs/{program}/versions", content)["id"]
     return version
 
 
-def _signed_polygons() -> Json:
+def signed_polygons() -> Json:
     """Returns a program that waits for B and draws a square, then waits for A and draws a triangle."""
     commands: list[Json] = []
     for sign, n_sides in zip(EXPECTED_SIGNS, (4, 3), strict=True):
@@ -209,10 +209,15 @@ def _signed_polygons() -> Json:
     return {**SQUARE, "commands": commands}
 
 
-def _sign(client: Client, program: str) -> list[str]:
+def show_signs(client: Client, program: str) -> list[str]:
     """Runs a program that depends on recorded signs; returns the signs that the camera recognised, each once."""
-    run = _drive(client, _saved(client, program, _signed_polygons()), speed=10.0)
-    events = client.get(f"/api/runs/{run['id']}/events")["events"]
+    run = drive(client, save(client, program, signed_polygons()), speed=10.0)
+    return signs_of(client, run["id"])
+
+
+def signs_of(client: Client, run: str) -> list[str]:
+    """Returns the signs that the camera recognised in a run, each once."""
+    events = client.get(f"/api/runs/{run}/events")["events"]
     signs = [event["result"] for event in events if event.get("by") == "camera"]
     return list(dict.fromkeys(signs))
 
@@ -223,7 +228,7 @@ def _judged(client: Client, run: str) -> bool:
     return bool(client.get(f"/api/runs/{run}")["passed"])
 
 
-def _drive(client: Client, version: str, speed: float = 1.0) -> Json:
+def drive(client: Client, version: str, speed: float = 1.0) -> Json:
     """Runs the version in the engine and returns the app's answer about the run."""
     _wait_for(lambda: client.get("/api/status")["engine"] == "ready", _READY_S)
     run = client.post("/api/runs", {"version_id": version, "world": "empty_room", "speed": speed})

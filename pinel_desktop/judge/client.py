@@ -1,4 +1,4 @@
-"""The app's client of the judge process: starts it on demand, sends requests, waits for verdicts."""
+"""The app's client of the judge process: starts it on demand, sends requests, waits for verdicts, ends it if idle."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -18,6 +18,7 @@ _TIMEOUTS = HangTimeouts(hang_timeout_s=30.0, busy_timeout_s=30.0, start_timeout
 # Grading, the check list and runs of other PCs may send a request each at the same time. The last
 # request then waits for two requests that hang.
 _RESPONSE_TIMEOUT_S = 90.0
+IDLE_END_S = 300.0
 
 
 class JudgeClient:
@@ -26,17 +27,23 @@ class JudgeClient:
     Args:
         command: command line that starts the process.
         timeouts: after these timeouts a hung process is replaced.
+        idle_end_s: time after the last request until the process ends.
     """
 
     def __init__(
-        self, command: Sequence[str] | None = None, timeouts: HangTimeouts = _TIMEOUTS
+        self,
+        command: Sequence[str] | None = None,
+        timeouts: HangTimeouts = _TIMEOUTS,
+        idle_end_s: float = IDLE_END_S,
     ) -> None:
         command = command or own_command("judge")
-        self._process = Supervisor("judge", command, "judge_lost", timeouts=timeouts)
+        self._process = Supervisor(
+            "judge", command, "judge_lost", timeouts=timeouts, idle_end_s=idle_end_s
+        )
 
     @property
     def pid(self) -> int | None:
-        """Id of the process; None before its start."""
+        """Id of the process; None while it does not run."""
         return self._process.pid
 
     def start(self) -> None:

@@ -1,4 +1,7 @@
-"""Supervisor of a child process: starts it, sends requests and probes, replaces it if it dies or hangs, ends it."""
+"""Supervisor of a child process: starts it, sends requests and probes, replaces it if it dies or hangs, ends it.
+
+A process that is needed now and then only has an idle timeout: it ends, and `start` starts the next one.
+"""
 
 import logging
 import subprocess
@@ -43,9 +46,10 @@ class Supervisor:
         on_ready: called on the reader thread when the process, or a replacement, is ready.
         on_lost: called when the supervisor gives up; must not block.
         timeouts: after these timeouts a hung process is killed, and so replaced.
+        idle_end_s: ends a process without a request or `mark_used` for so long, in s of `clock`; None never does.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - callbacks and timeouts, each with a default
         self,
         name: str,
         command: Sequence[str],
@@ -56,12 +60,15 @@ class Supervisor:
         on_ready: Callable[[], object] = _ignore,
         on_lost: Callable[[], object] = _ignore,
         timeouts: HangTimeouts = TIMEOUTS,
+        idle_end_s: float | None = None,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._name, self._command, self._lost_code = name, list(command), lost_code
         self._on_message, self._on_death = on_message, on_death
         self._on_ready, self._on_lost = on_ready, on_lost
         self._lock = threading.RLock()
         self._process: subprocess.Popen[bytes] | None = None
+        self._ending: subprocess.Popen[bytes] | None = None  # the last idle process
         self._reader: threading.Thread | None = None
         self._outbox = Outbox()
         self._state: ProcessState = "starting"
@@ -71,28 +78,35 @@ class Supervisor:
         self._n_received, self._is_receiving = 0, False
         self._numbers = count(1)
         self._requests: dict[int, Future[Any]] = {}
-        self._heartbeat = Heartbeat(
-            self._snapshot, lambda: self.send(PING), self._kill_hung, timeouts
-        )
+        self._idle_end_s, self._clock, self._used_s = idle_end_s, clock, 0.0
+        self._heartbeat = Heartbeat(self._snapshot, self._probe, self._kill_hung, timeouts)
+        self._has_heartbeat = False
 
     @property
     def state(self) -> ProcessState:
-        """`starting` until the process is ready; `lost` after the supervisor has given up."""
+        """`starting` until the process is ready, also after an idle one; `lost` after the supervisor has given up."""
         return self._state
 
     @property
     def pid(self) -> int | None:
-        """Id of the process; None before its start."""
+        """Id of the process; None before its start, and from its end as an idle process to the next start."""
         return self._process.pid if self._process else None
 
     def start(self) -> None:
-        """Starts the process, or restarts a lost process; does nothing while it runs. Returns at once."""
+        """Starts the process, or restarts an idle or lost one; else marks it as used. Returns at once."""
         with self._lock:
-            if self._process is None and self._state != "lost":
-                self._heartbeat.start(f"{self._name}-heartbeat")
-            elif self._state != "lost":
+            self.mark_used()
+            if self._process is not None and self._state != "lost":
                 return
+            if not self._has_heartbeat:
+                self._has_heartbeat = True
+                self._heartbeat.start(f"{self._name}-heartbeat")
+            self._kill_ending()
             self._launch()
+
+    def mark_used(self) -> None:
+        """Restarts the idle timeout."""
+        self._used_s = self._clock()
 
     def wait_until_ready(self, timeout_s: float) -> bool:
         """Waits for the process; False if it is not ready after `timeout_s`, or was closed or lost before."""
@@ -120,12 +134,14 @@ class Supervisor:
             if self._closing or self._state != "ready":
                 raise PinelError(self._lost_code)
             self._requests[number] = answer
+            self.mark_used()
         try:
             if not self.send({"request": number, **message}):
                 raise PinelError(self._lost_code)
             return answer.result(timeout_s)
         finally:
             self._requests.pop(number, None)
+            self.mark_used()
 
     def close(self) -> None:
         """Fails pending requests, closes the pipe after all sent messages, and waits until the process exits."""
@@ -134,6 +150,7 @@ class Supervisor:
             self._fail_requests()
             self._heartbeat.close()
             self._ready.set()  # releases callers of `wait_until_ready`
+            self._kill_ending()
             process, reader, outbox = self._process, self._reader, self._outbox
         if process is None or reader is None:
             return
@@ -173,6 +190,29 @@ class Supervisor:
             )
             self._reader.start()
 
+    def _probe(self) -> None:
+        if not self._end_if_idle():
+            self.send(PING)
+
+    def _end_if_idle(self) -> bool:
+        """Ends a ready process that nobody uses; returns whether it was ended."""
+        with self._lock:
+            if self._idle_end_s is None or self._clock() - self._used_s < self._idle_end_s:
+                return False
+            if self._requests or self._closing or self._state != "ready":
+                return False
+            self._ending, self._process = self._process, None
+            self._state = "starting"
+            self._ready.clear()
+            self._outbox.end()
+        _log.info("the %s is idle and ends", self._name)
+        return True
+
+    def _kill_ending(self) -> None:
+        """Kills an idle process that has not ended by itself; it has nothing left to do."""
+        if self._ending is not None:
+            self._ending.kill()
+
     def _kill_hung(self, pid: int) -> None:
         with self._lock:
             if self._process and self._process.pid == pid and not self._closing:
@@ -189,18 +229,21 @@ class Supervisor:
         born = time.monotonic()
         messages = _pipe(process.stdout)
         for message in read_messages(messages):
+            if process is not self._process:  # an idle process that is ending
+                continue
             self._n_received += 1
             self._is_receiving = True
             self._receive(message)
             self._is_receiving = False
         messages.close()
         status = process.wait()
-        if not self._closing:
+        if not self._closing and process is self._process:
             _log.error("the %s died with status %s", self._name, status)
             self._replace(is_fast_failure=time.monotonic() - born < _MIN_UPTIME_S)
 
     def _receive(self, message: Message) -> None:
         if message.get("type") == f"{self._name}_ready":
+            self.mark_used()
             self._state = "ready"
             self._ready.set()
             self._on_ready()

@@ -48,6 +48,7 @@ def seconds(display: str, home: Path, *arguments: str) -> float:
     done = subprocess.run(
         [sys.executable, *arguments],
         env=environment,
+        stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,
         timeout=60,

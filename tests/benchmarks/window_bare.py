@@ -1,4 +1,4 @@
-"""A minimal pywebview program with our editor; prints when its workspace is drawn.
+"""A minimal pywebview program with our editor; prints when its workspace is drawn, and closes at the end of its input.
 
 python window_bare.py INDEX_HTML
 """
@@ -18,6 +18,7 @@ def watch(window: webview.Window) -> None:
     while window.run_js(DRAWN) is not True:
         time.sleep(0.01)
     print(time.monotonic(), flush=True)
+    sys.stdin.read()
     window.destroy()
 
 

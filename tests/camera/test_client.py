@@ -428,3 +428,52 @@ class TestSignsThatMove:
         harness.event("capture_started")
         _, capture = harness.answers.get(timeout=WAIT_S)
         assert (capture.label, capture.by) == ("B", "camera")
+
+
+@pytest.fixture
+def short_lived() -> Iterator[Harness]:
+    made = Harness(idle_off_s=5.0, idle_end_s=2.0)
+    yield made
+    made.camera.close()
+
+
+def test_process_ends_when_the_camera_was_off_for_a_while_and_the_next_capture_starts_it(
+    short_lived: Harness,
+) -> None:
+    short_lived.camera.start()
+    assert short_lived.camera.wait_until_ready(WAIT_S)
+    wait_for(lambda: short_lived.camera.pid is None)
+    short_lived.event("capture_started")
+    _, capture = short_lived.answers.get(timeout=WAIT_S)
+    short_lived.event("gesture_result")
+    assert capture.label == "B"
+    wait_for(lambda: short_lived.camera.pid is None)
+    assert short_lived.camera.state == CameraState("off")
+
+
+def test_process_stays_while_somebody_watches_the_picture(short_lived: Harness) -> None:
+    short_lived.camera.switch_on()
+    short_lived.until("on")
+    pictures = short_lived.camera.previews()
+    next(pictures)
+    first, start_s = short_lived.camera.pid, time.monotonic()
+    while time.monotonic() - start_s < 5.0:
+        next(pictures)
+    assert short_lived.camera.pid == first
+    pictures.close()
+    wait_for(lambda: short_lived.camera.pid is None)
+
+
+def test_process_stays_during_a_run_that_may_capture_again(short_lived: Harness) -> None:
+    short_lived.event("capture_started")
+    short_lived.answers.get(timeout=WAIT_S)
+    short_lived.event("gesture_result")
+    first = short_lived.camera.pid
+    short_lived.until("off")
+    off_s = time.monotonic()
+    while time.monotonic() - off_s < 5.0:
+        short_lived.event("telemetry")
+        threading.Event().wait(0.05)
+    assert short_lived.camera.pid == first
+    short_lived.event("run_ended")
+    wait_for(lambda: short_lived.camera.pid is None)

@@ -7,7 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.desktop.backends import Pc, backends, find_browser, renderer_problem
+from pinel_desktop.desktop.backends import (
+    Pc,
+    backends,
+    find_browser,
+    has_graphics_device,
+    renderer_problem,
+)
 
 
 def pc_with(
@@ -107,3 +113,11 @@ def test_a_web_view_whose_library_does_not_load_is_a_problem_in_the_loader_s_wor
         check=True,
     )
     assert done.stdout == "libwebkit2gtk-4.1.so.0: file too short\n"
+
+
+def test_a_graphics_device_is_what_linux_draws_with_and_not_any_screen(tmp_path: Path) -> None:
+    assert not has_graphics_device(tmp_path / "absent")
+    (tmp_path / "card0").touch()
+    assert not has_graphics_device(tmp_path)
+    (tmp_path / "renderD128").touch()
+    assert has_graphics_device(tmp_path)

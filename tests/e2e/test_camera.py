@@ -121,6 +121,20 @@ def test_signs_are_practised_and_spelled_without_a_program(studio: Studio) -> No
     expect(studio["practice-text"]).to_have_value(re.compile("^B*$"))
 
 
+def test_practice_on_a_low_screen_shows_letter_and_choice_of_letters(studio: Studio) -> None:
+    studio.page.set_viewport_size({"width": 1024, "height": 600})
+    studio["practice"].click()
+    expect(studio["practice-text"]).to_have_value("B", timeout=CAMERA_MS)
+    drawing = studio.page.locator(".imitation .sign-drawing").bounding_box()
+    letters = studio.page.locator(".imitation__letters").bounding_box()
+    assert drawing is not None
+    assert letters is not None
+    assert drawing["height"] >= 100
+    assert letters["height"] >= 2 * 44  # two rows, the others scroll
+    for control in ("practice-text", "practice-clear", "camera-picture"):
+        expect(studio[control]).to_be_in_viewport(ratio=1)
+
+
 def each_layout(studio: Studio) -> Iterator[str]:
     """Yields each combination of language and window size; the texts of faults depend on the language."""
     for language in LANGUAGES:

@@ -50,7 +50,7 @@ _COVERED = """() => [...document.querySelectorAll('button, a, select, input')]
   .filter(([e, hit]) => !hit || !(e.contains(hit) || hit.closest('label')?.contains(e)))
   .map(([e, hit]) => `${e.dataset.testid ?? e.ariaLabel ?? e.className} under ${hit?.className}`)"""
 
-SCREENS = [(1366, 768), (1024, 768), (1920, 1080)]
+SCREENS = [(1366, 768), (1024, 768), (1024, 600), (1920, 1080)]
 
 
 @pytest.fixture

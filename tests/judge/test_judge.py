@@ -130,3 +130,14 @@ def test_closing_frees_who_waits_and_ends_the_process() -> None:
     assert not asking.is_alive()
     assert not psutil.pid_exists(pid)
     assert code_of(client, judge_request()) == "judge_lost"
+
+
+def test_the_process_ends_after_its_last_request_and_the_next_request_starts_it() -> None:
+    client = JudgeClient(idle_end_s=1.0)
+    for _ in range(2):
+        assert client.judge(judge_request()).passed is True
+        due_s = time.monotonic() + 60
+        while client.pid is not None:
+            assert time.monotonic() < due_s
+            threading.Event().wait(0.05)
+    client.close()

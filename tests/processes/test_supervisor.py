@@ -3,9 +3,10 @@
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
+import psutil
 import pytest
 
 from pinel_desktop.errors import PinelError
@@ -27,7 +28,8 @@ for line in sys.stdin:
     asked = json.loads(line)
     if asked.get("what") == "die": sys.exit()
     if asked.get("what") == "hang": time.sleep(600)
-    if asked.get("what") == "nothing" or "request" not in asked: continue
+    if asked.get("what") == "work": print('{{"type": "works"}}', flush=True)
+    if asked.get("what") in ("nothing", "work") or "request" not in asked: continue
     found = {{"value": asked["what"]}} if "what" in asked else {{"code": "refused", "params": {{"n": 1}}}}
     print(json.dumps({{"type": "response", "request": asked["request"], **found}}), flush=True)
 """
@@ -115,6 +117,123 @@ def test_who_waits_while_a_process_is_being_replaced_waits_for_the_next_one() ->
     waiting.join(WAIT_S)
     assert answers == [True]
     supervisor.close()
+
+
+class IdleHarness:
+    """A process with an idle timeout of 100 s on a clock that the test sets; it is probed often."""
+
+    def __init__(self) -> None:
+        self.now_s, self.n_asked = 0.0, 0
+        self.deaths: list[str] = []
+        self.works = threading.Event()
+        command = [sys.executable, "-c", RESPONDER]
+        self.supervisor = Supervisor(
+            "some",
+            command,
+            "some_lost",
+            on_message=lambda message: self.works.set(),
+            on_death=lambda: self.deaths.append("died"),
+            timeouts=HangTimeouts(beat_s=0.02),
+            idle_end_s=100.0,
+            clock=self._clock,
+        )
+        self.begin()
+
+    def begin(self) -> None:
+        self.supervisor.start()
+        assert self.supervisor.wait_until_ready(WAIT_S)
+
+    def pass_time(self, seconds: float) -> None:
+        """Lets the time pass at once, and waits until the process was probed after that."""
+        self.now_s += seconds
+        asked = self.n_asked
+        wait_for(lambda: self.n_asked >= asked + 3)
+
+    def _clock(self) -> float:
+        """Each probe reads the clock once."""
+        self.n_asked += 1
+        return self.now_s
+
+
+@pytest.fixture
+def idle() -> Iterator[IdleHarness]:
+    made = IdleHarness()
+    yield made
+    made.supervisor.close()
+
+
+def test_idle_process_ends_in_order_and_the_next_start_starts_another(idle: IdleHarness) -> None:
+    first = idle.supervisor.pid
+    idle.now_s = 100.0
+    wait_for(lambda: idle.supervisor.pid is None)
+    assert idle.supervisor.state == "starting"
+    with pytest.raises(PinelError, match="some_lost"):
+        idle.supervisor.request({"what": 1}, WAIT_S)
+    idle.begin()
+    assert idle.supervisor.pid not in (None, first)
+    assert idle.supervisor.request({"what": 1}, WAIT_S) == 1
+    assert idle.deaths == []
+
+
+def test_process_in_use_does_not_end(idle: IdleHarness) -> None:
+    first = idle.supervisor.pid
+    for use in (
+        idle.supervisor.start,
+        idle.supervisor.mark_used,
+        lambda: idle.supervisor.request({"what": 1}, WAIT_S),
+    ):
+        idle.pass_time(99.0)
+        use()
+    idle.pass_time(99.0)
+    assert (idle.supervisor.pid, idle.supervisor.state) == (first, "ready")
+
+
+def test_process_that_works_on_a_request_does_not_end(idle: IdleHarness) -> None:
+    first = idle.supervisor.pid
+
+    def ask() -> None:
+        with pytest.raises(PinelError):
+            idle.supervisor.request({"what": "work"}, WAIT_S)
+
+    asking = threading.Thread(target=ask)
+    asking.start()
+    assert idle.works.wait(WAIT_S)
+    idle.pass_time(1000.0)
+    assert idle.supervisor.pid == first
+    idle.supervisor.close()
+    asking.join(WAIT_S)
+
+
+def test_idle_process_that_does_not_end_is_replaced_by_the_next_start() -> None:
+    """It reads nothing, so that the end of its input does not end it."""
+    now_s = [0.0]
+    supervisor = Supervisor(
+        "some",
+        [sys.executable, "-c", UNRESPONSIVE],
+        "some_lost",
+        timeouts=HangTimeouts(hang_timeout_s=60.0, busy_timeout_s=60.0, beat_s=0.02),
+        idle_end_s=100.0,
+        clock=lambda: now_s[0],
+    )
+    supervisor.start()
+    assert supervisor.wait_until_ready(WAIT_S)
+    first = supervisor.pid
+    assert first is not None
+    now_s[0] = 100.0
+    wait_for(lambda: supervisor.pid is None)
+    assert psutil.pid_exists(first)
+    supervisor.start()
+    assert supervisor.wait_until_ready(WAIT_S)
+    assert supervisor.pid != first
+    wait_for(lambda: not psutil.pid_exists(first))
+    supervisor.close()
+
+
+def wait_for(holds: Callable[[], object]) -> None:
+    due_s = time.monotonic() + WAIT_S
+    while not holds():
+        assert time.monotonic() < due_s
+        threading.Event().wait(0.02)
 
 
 def lost(command: list[str]) -> list[str]:

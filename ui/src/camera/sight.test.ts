@@ -1,10 +1,10 @@
-import { waitFor } from "@testing-library/preact";
-import { beforeEach, describe, expect, test, vi } from "vitest";
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { changed, hand, sightOf } from "./testing/camera_events";
 
 const cameraApi = { status: vi.fn(), warmUp: vi.fn() };
 vi.mock("../api/camera", () => ({ cameraApi }));
 
+const MINUTE_MS = 60_000;
 let page: typeof import("./sight");
 
 beforeEach(async () => {
@@ -73,18 +73,24 @@ describe("why the camera is of no use", () => {
 });
 
 describe("a program that captures", () => {
-  test("wakes the camera once", () => {
-    page.warmUp();
-    page.warmUp();
+  beforeEach(() => void vi.useFakeTimers());
+  afterEach(() => void vi.useRealTimers());
+
+  test("starts the camera process at once, and keeps it running while it is open", () => {
+    const end = page.keepWarm();
     expect(cameraApi.warmUp).toHaveBeenCalledTimes(1);
+    vi.advanceTimersByTime(5 * MINUTE_MS);
+    expect(cameraApi.warmUp).toHaveBeenCalledTimes(6);
+    end();
+    vi.advanceTimersByTime(5 * MINUTE_MS);
+    expect(cameraApi.warmUp).toHaveBeenCalledTimes(6);
   });
 
-  test("wakes it at the next opening where it could not at the first", async () => {
+  test("asks again after a minute where the app did not answer", () => {
     cameraApi.warmUp.mockRejectedValueOnce(new Error("gone"));
-    page.warmUp();
-    await waitFor(() => {
-      page.warmUp();
-      expect(cameraApi.warmUp).toHaveBeenCalledTimes(2);
-    });
+    const end = page.keepWarm();
+    vi.advanceTimersByTime(MINUTE_MS);
+    expect(cameraApi.warmUp).toHaveBeenCalledTimes(2);
+    end();
   });
 });

@@ -78,16 +78,18 @@ function change(mode: CameraNow["mode"], problem: CameraProblem | null): void {
   });
 }
 
-let isWarmedUp = false;
+/** The app ends a camera process that nobody has asked for during five minutes. */
+const WARM_PERIOD_MS = 60_000;
 
 /**
- * Starts the camera process once, when a program that captures is opened. Its failures arrive as
- * camera state.
+ * Starts the camera process, and keeps it running until the returned function is called: while a
+ * program that captures is open. Its failures arrive as camera state.
  */
-export function warmUp(): void {
-  if (isWarmedUp) return;
-  isWarmedUp = true;
-  cameraApi.warmUp().catch(() => {
-    isWarmedUp = false;
-  });
+export function keepWarm(): () => void {
+  const warmUp = () => {
+    cameraApi.warmUp().catch(() => {}); // asked again after the period
+  };
+  warmUp();
+  const timer = setInterval(warmUp, WARM_PERIOD_MS);
+  return () => clearInterval(timer);
 }

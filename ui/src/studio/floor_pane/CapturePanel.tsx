@@ -1,6 +1,6 @@
 import { Hand } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
-import { hasPicture, warmUp } from "../../camera/sight";
+import { hasPicture, keepWarm } from "../../camera/sight";
 import { listenForSigns } from "../../camera/signs";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
@@ -13,12 +13,12 @@ const CaptureCamera = lazy(load);
 const CameraChoice = lazy(async () => (await import("../../camera/CameraChoice")).CameraChoice);
 
 /**
- * Starts the camera and loads its panel before the open program asks for a sign. A failure here is
- * reported only when the panel opens.
+ * Starts the camera process and loads its panel before the open program asks for a sign. A failure
+ * here is reported only when the panel opens. The returned function lets the process end when idle.
  */
-export function prepareCapture(): void {
-  warmUp();
+export function prepareCapture(): () => void {
   fetchPart(load).catch(() => {});
+  return keepWarm();
 }
 
 interface CapturePanelProps {

@@ -23,9 +23,7 @@ const HelpPanel = lazy(async () => (await import("../help/HelpPanel")).HelpPanel
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
-  useSignalEffect(() => {
-    if (control.captures.value) prepareCapture();
-  });
+  useSignalEffect(() => (control.captures.value ? prepareCapture() : undefined));
   // the help replaces the floor, so a run closes the help
   useSignalEffect(() => {
     if (robot.isRunning.value) helpIsOpen.value = false;
