@@ -19,7 +19,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError, PydanticKnownError
 
 from sim.floor import MAX_NAME, Color
-from sim.looks import IF_GIVEN, Ground, Print, Thing
+from sim.appearance import IF_GIVEN, Ground, Print, BoxKind
 from sim.world import (
     DEFAULT_BOX_MASS_KG,
     MAX_MOVABLE_KG,
@@ -116,7 +116,7 @@ class Box(_Rectangle):
 
     movable: bool = False
     mass_kg: Annotated[float, Field(ge=0.1, le=100.0)] = DEFAULT_BOX_MASS_KG
-    kind: Annotated[Thing | None, IF_GIVEN] = None
+    kind: Annotated[BoxKind | None, IF_GIVEN] = None
 
 
 class _Named(_Part):

@@ -7,7 +7,7 @@ from typing import Any, get_args
 from pydantic_core import ErrorDetails
 
 from sim.floor import COLORS
-from sim.looks import Ground, Print, Thing
+from sim.appearance import Ground, Print, BoxKind
 
 Path = tuple[str | int, ...]
 Params = dict[str, object]
@@ -75,8 +75,8 @@ def _constant(error: ErrorDetails, name: str) -> tuple[str, Params]:
         return "world_version_unknown", {"value": _shown(error["input"])}
     if name == "color":
         return "unknown_color", {"value": _shown(error["input"]), "allowed": list(COLORS)}
-    looks = _LOOKS[str(error["loc"][0])]
-    return "unknown_look", {"value": _shown(error["input"]), "allowed": list(get_args(looks))}
+    names = _APPEARANCE[str(error["loc"][0])]
+    return "unknown_appearance", {"value": _shown(error["input"]), "allowed": list(get_args(names))}
 
 
 def _name(error: ErrorDetails, name: str) -> tuple[str, Params]:
@@ -105,7 +105,7 @@ _CODES = {
     "string_unicode": "text_not_unicode",
     "union_tag_not_found": "world_title_invalid",
 }
-_LOOKS = {"ground": Ground, "prints": Print, "boxes": Thing}
+_APPEARANCE = {"ground": Ground, "prints": Print, "boxes": BoxKind}
 _TOO_MANY = {
     "walls": "too_many_walls",
     "boxes": "too_many_boxes",

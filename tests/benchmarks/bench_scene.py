@@ -23,7 +23,7 @@ WATCHED_S = 5
 SHOWN_BEFORE_END = 400  # ticks: the replay plays on while it is watched
 MAX_TIMES_SHORT = 2.0
 FURNISHED = "furnished_room"
-LOOKS = ("ground", "prints", "kind")
+APPEARANCE = ("ground", "prints", "kind")
 MAX_TIMES_PLAIN = 1.2
 COLUMNS = ("tick", "x_m", "y_m", "yaw_rad", "goal_x_m", "goal_y_m", "goal_yaw_rad")
 STROKE_TICKS = 500
@@ -111,7 +111,7 @@ def _replayed(page: Page, run: str, rows: int, *, is_printed: bool = True) -> Fr
     origin = page.url.split("#")[0]
     page.unroute_all()
     if not is_printed:
-        page.route("**/api/worlds", _without_looks)
+        page.route("**/api/worlds", _without_appearance)
     page.route("**/telemetry", lambda route: route.fulfill(body=_telemetry(rows)))
     page.route(
         "**/api/runs/*/events",
@@ -131,11 +131,11 @@ def _replayed(page: Page, run: str, rows: int, *, is_printed: bool = True) -> Fr
     return Frames(gaps[len(gaps) // 2], gaps[len(gaps) * 95 // 100], work)
 
 
-def _without_looks(route: Route) -> None:
+def _without_appearance(route: Route) -> None:
     """Answers with the worlds as they are without any look."""
     answer = route.fetch()
     worlds = json.loads(
-        answer.text(), object_hook=lambda part: {k: v for k, v in part.items() if k not in LOOKS}
+        answer.text(), object_hook=lambda part: {k: v for k, v in part.items() if k not in APPEARANCE}
     )
     route.fulfill(response=answer, json=worlds)
 

@@ -42,7 +42,7 @@ def test_the_robot_drives_over_a_print_and_stops_at_a_thing(
     board.drag((0.5, -0.4), (2, 0.4))
     board.eventually(lambda: board.stored("prints", "kind"), ["street"])
     board.choose("box")
-    board["thing-kind"].select_option("tree")
+    board["box-kind"].select_option("tree")
     board.drag((2.5, -0.4), (3, 0.4))
     board.eventually(lambda: board.stored("boxes", "kind"), ["tree"])
     assert board.world()["ground"] == "town"

@@ -81,10 +81,10 @@ def test_the_normal_form_has_a_look_only_where_one_is_given() -> None:
     assert plain is not None
     assert not {"prints", "ground"} & plain.keys()
     assert "kind" not in plain["boxes"][0]
-    looks = {"ground": "town", "prints": [{"kind": "rug", **BOX, "heading_deg": 0.0}]}
-    dressed = read(world(boxes=[{**BOX, "kind": "table"}], **looks)).document
+    appearance = {"ground": "town", "prints": [{"kind": "rug", **BOX, "heading_deg": 0.0}]}
+    dressed = read(world(boxes=[{**BOX, "kind": "table"}], **appearance)).document
     assert dressed is not None
-    assert {key: dressed[key] for key in looks} == looks
+    assert {key: dressed[key] for key in appearance} == appearance
     assert dressed["boxes"][0]["kind"] == "table"
     assert list(dressed)[-2:] == ["ground", "prints"]
 
@@ -215,10 +215,10 @@ def test_what_is_no_world_at_all_is_one_fault(source: Any, code: str) -> None:
         ({"boxes": [BOX] * 201}, "too_many_boxes", "/boxes"),
         ({"zones": [{"name": "A", **DISC}] * 201}, "too_many_zones", "/zones"),
         ({"floor": [{"color": "red", **DISC}] * 201}, "too_many_paints", "/floor"),
-        ({"ground": "moon"}, "unknown_look", "/ground"),
-        ({"ground": ["town"]}, "unknown_look", "/ground"),
-        ({"boxes": [{**BOX, "kind": "sofa"}]}, "unknown_look", "/boxes/0/kind"),
-        ({"prints": [{"kind": "river", **BOX}]}, "unknown_look", "/prints/0/kind"),
+        ({"ground": "moon"}, "unknown_appearance", "/ground"),
+        ({"ground": ["town"]}, "unknown_appearance", "/ground"),
+        ({"boxes": [{**BOX, "kind": "sofa"}]}, "unknown_appearance", "/boxes/0/kind"),
+        ({"prints": [{"kind": "river", **BOX}]}, "unknown_appearance", "/prints/0/kind"),
         ({"prints": [{"kind": "rug", "color": "pink", **BOX}]}, "unknown_color", "/prints/0/color"),
         ({"prints": [{"kind": "rug", **BOX}] * 201}, "too_many_prints", "/prints"),
     ],

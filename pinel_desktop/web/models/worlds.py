@@ -6,7 +6,7 @@ from pydantic import ConfigDict, Field
 
 from pinel_desktop.web.models import RequestModel, ResponseModel
 from pinel_desktop.web.models.errors import Fault
-from sim.looks import IF_GIVEN, Ground, Print, Thing
+from sim.appearance import IF_GIVEN, Ground, Print, BoxKind
 
 Metres2 = tuple[float, float]
 
@@ -45,7 +45,7 @@ class Box(ResponseModel):
     heading_deg: float
     movable: bool = False
     mass_kg: Annotated[float, Field(description="of a movable one")] = 2.0
-    kind: Annotated[Thing | None, IF_GIVEN, Field(description="what it looks like")] = None
+    kind: Annotated[BoxKind | None, IF_GIVEN, Field(description="what it looks like")] = None
 
 
 class Area(ResponseModel):

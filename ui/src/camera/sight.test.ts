@@ -77,7 +77,7 @@ describe("a program that captures", () => {
   afterEach(() => void vi.useRealTimers());
 
   test("starts the camera process at once, and keeps it running while it is open", () => {
-    const end = page.keepWarm();
+    const end = page.warmUpRegularly();
     expect(cameraApi.warmUp).toHaveBeenCalledTimes(1);
     vi.advanceTimersByTime(5 * MINUTE_MS);
     expect(cameraApi.warmUp).toHaveBeenCalledTimes(6);
@@ -88,7 +88,7 @@ describe("a program that captures", () => {
 
   test("asks again after a minute where the app did not answer", () => {
     cameraApi.warmUp.mockRejectedValueOnce(new Error("gone"));
-    const end = page.keepWarm();
+    const end = page.warmUpRegularly();
     vi.advanceTimersByTime(MINUTE_MS);
     expect(cameraApi.warmUp).toHaveBeenCalledTimes(2);
     end();

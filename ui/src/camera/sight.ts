@@ -85,7 +85,7 @@ const WARM_PERIOD_MS = 60_000;
  * Starts the camera process, and keeps it running until the returned function is called: while a
  * program that captures is open. Its failures arrive as camera state.
  */
-export function keepWarm(): () => void {
+export function warmUpRegularly(): () => void {
   const warmUp = () => {
     cameraApi.warmUp().catch(() => {}); // asked again after the period
   };

@@ -3,7 +3,7 @@ import type { BoxPoses } from "../run/reducer";
 import type { Colours } from "./colours";
 import { roomOf, startOf, toStart, toWorld } from "./frames";
 import { drawPaint, drawZones } from "./ground";
-import { drawGround, drawPrints, drawThing, hasGround } from "./mat/draw";
+import { drawAppearance, drawGround, drawPrints, hasGround } from "./mat/draw";
 import { drawPlates } from "./mat/places";
 import { EDGE, type Size, toScreen, type Viewport } from "./viewport";
 
@@ -99,7 +99,7 @@ function drawWalls(ctx: Ctx, world: World | null, colours: Colours): void {
 
 function drawBox(ctx: Ctx, box: World["boxes"][number], colours: Colours): void {
   drawBody(ctx, box, colours);
-  if (box.kind) drawThing(ctx, box, box.kind, colours);
+  if (box.kind) drawAppearance(ctx, box, box.kind, colours);
 }
 
 function drawBody(ctx: Ctx, box: World["boxes"][number], colours: Colours): void {

@@ -6,9 +6,9 @@ import { NumberField } from "../kit/NumberField";
 import { RadioGroup } from "../kit/RadioGroup";
 import type { Area } from "../scene/areas";
 import type { PrintKind } from "../scene/mat/prints";
+import { BoxKindField, PrintField } from "./AppearanceFields";
 import type { EditorStore } from "./editor_store";
 import { clean, FINE, GRID } from "./geometry";
-import { PrintChoice, ThingChoice } from "./LookChoices";
 import { nameOf } from "./labels";
 import {
   type AreaObject,
@@ -216,7 +216,10 @@ function OwnFields({ store, object }: PanelProps<AreaObject>) {
   if (object.kind === "print") return <PrintFields store={store} object={object} />;
   return (
     <>
-      <ThingChoice value={object.thing} onThing={(thing) => store.alter({ ...object, thing })} />
+      <BoxKindField
+        value={object.boxKind}
+        onChange={(boxKind) => store.alter({ ...object, boxKind })}
+      />
       <RadioGroup
         label={labels.kinds.box}
         testId="world-movable"
@@ -239,9 +242,9 @@ const COLOURED: readonly PrintKind[] = ["roof", "rug"];
 function PrintFields({ store, object }: { store: EditorStore; object: Print }) {
   return (
     <>
-      <PrintChoice
+      <PrintField
         value={object.print}
-        onPrint={(print) => store.alter({ ...object, print, color: null })}
+        onChange={(print) => store.alter({ ...object, print, color: null })}
       />
       {COLOURED.includes(object.print) && (
         <Swatches

@@ -3,9 +3,9 @@ import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { RadioGroup } from "../kit/RadioGroup";
 import { paintOf } from "../scene/paints";
+import { BoxKindField, PrintField } from "./AppearanceFields";
 import { TOOLS } from "./drag_gestures";
 import type { EditorStore } from "./editor_store";
-import { PrintChoice, ThingChoice } from "./LookChoices";
 import { COLORS, colorLabel } from "./labels";
 
 const ICONS = {
@@ -57,9 +57,9 @@ function NextObject({ store }: { store: EditorStore }) {
   }
   if (store.tool.value === "print") {
     return (
-      <PrintChoice
+      <PrintField
         value={store.print.value}
-        onPrint={(print) => {
+        onChange={(print) => {
           store.print.value = print;
         }}
       />
@@ -68,10 +68,10 @@ function NextObject({ store }: { store: EditorStore }) {
   if (store.tool.value !== "box") return null;
   return (
     <>
-      <ThingChoice
-        value={store.thing.value}
-        onThing={(thing) => {
-          store.thing.value = thing;
+      <BoxKindField
+        value={store.boxKind.value}
+        onChange={(boxKind) => {
+          store.boxKind.value = boxKind;
         }}
       />
       <RadioGroup

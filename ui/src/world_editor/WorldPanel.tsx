@@ -7,9 +7,9 @@ import { NumberField } from "../kit/NumberField";
 import { Select } from "../kit/Select";
 import { FileButton } from "../shell/files/FileButton";
 import { worlds } from "../shell/session";
+import { GroundField } from "./AppearanceFields";
 import type { EditorStore } from "./editor_store";
 import { GRID } from "./geometry";
-import { GroundChoice } from "./LookChoices";
 import type { FloorPlan } from "./plan";
 
 interface WorldPanelProps {
@@ -56,7 +56,7 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
         {side("width", labels.width)}
         {side("depth", labels.depth)}
       </div>
-      <GroundChoice value={plan.ground} onGround={(ground) => store.cover(ground)} />
+      <GroundField value={plan.ground} onChange={(ground) => store.cover(ground)} />
       <BeginFrom store={store} />
       <div class="world-panel__acts row wrap gap-2">
         <FileButton icon={FolderOpen} accept=".json" testId="world-file" onFile={onFile}>

@@ -64,7 +64,7 @@ function boxOf(box: World["boxes"][number]): WorldObject {
     radius: null,
     movable: box.movable ?? false,
     mass: box.movable ? (box.mass_kg ?? null) : null,
-    thing: box.kind ?? null,
+    boxKind: box.kind ?? null,
   };
 }
 
@@ -102,7 +102,7 @@ function entryOf(item: WorldObject): object {
         ...shapeOf(item),
         ...(item.movable && { movable: true }),
         ...(item.mass !== null && { mass_kg: item.mass }),
-        ...(item.thing && { kind: item.thing }),
+        ...(item.boxKind && { kind: item.boxKind }),
       };
     case "zone":
       return { name: item.name, ...shapeOf(item) };

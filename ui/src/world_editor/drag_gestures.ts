@@ -1,6 +1,6 @@
 import type { XY } from "../scene/frames";
+import type { BoxKind } from "../scene/mat/boxes";
 import type { PrintKind } from "../scene/mat/prints";
-import type { Thing } from "../scene/mat/things";
 import {
   between,
   clean,
@@ -35,7 +35,7 @@ export const TOOLS: readonly Tool[] = ["select", "wall", "box", "zone", "paint",
 export interface NextObjectOptions {
   readonly color: string;
   readonly movable: boolean;
-  readonly thing: Thing | null;
+  readonly boxKind: BoxKind | null;
   readonly print: PrintKind;
   /** Name of the next zone. */
   readonly name: string;
@@ -145,10 +145,10 @@ function made(
   tool: Tool,
   id: string,
   rectangle: Rectangle,
-  { color, movable, thing, print, name }: NextObjectOptions,
+  { color, movable, boxKind, print, name }: NextObjectOptions,
 ): WorldObject {
   const area = { ...rectangle, heading: 0, radius: null };
-  if (tool === "box") return { id, kind: "box", ...area, movable, mass: null, thing };
+  if (tool === "box") return { id, kind: "box", ...area, movable, mass: null, boxKind };
   if (tool === "zone") return { id, kind: "zone", ...area, name };
   if (tool === "print") return { id, kind: "print", ...area, print, color: null };
   return { id, kind: "paint", ...area, color };

@@ -1,9 +1,9 @@
 import { batch, computed, signal } from "@preact/signals";
 import type { Fault, World } from "../api/model";
 import type { XY } from "../scene/frames";
+import type { BoxKind } from "../scene/mat/boxes";
 import type { Ground } from "../scene/mat/grounds";
 import type { PrintKind } from "../scene/mat/prints";
-import type { Thing } from "../scene/mat/things";
 import { aboutOf, documentOf, planOf } from "./document";
 import {
   type DragGesture,
@@ -42,7 +42,7 @@ export class EditorStore {
   readonly selected = signal<string | null>(null);
   readonly color = signal("red");
   readonly movable = signal(false);
-  readonly thing = signal<Thing | null>(null);
+  readonly boxKind = signal<BoxKind | null>(null);
   readonly print = signal<PrintKind>("street");
   readonly faults = signal<readonly Fault[]>([]);
   /** Counts the changes, so that `canUndo` and `canRedo` are computed again. */
@@ -248,7 +248,7 @@ export class EditorStore {
     return {
       color: this.color.value,
       movable: this.movable.value,
-      thing: this.thing.value,
+      boxKind: this.boxKind.value,
       print: this.print.value,
       name: freeName(this.plan.value),
     };

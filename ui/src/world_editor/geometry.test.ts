@@ -21,7 +21,7 @@ const box = (over: Partial<Box> = {}): Box => ({
   radius: null,
   movable: false,
   mass: null,
-  thing: null,
+  boxKind: null,
   ...over,
 });
 

@@ -1,9 +1,9 @@
 import type { World } from "../api/model";
 import type { Area } from "../scene/areas";
 import type { XY } from "../scene/frames";
+import type { BoxKind } from "../scene/mat/boxes";
 import type { Ground } from "../scene/mat/grounds";
 import type { PrintKind } from "../scene/mat/prints";
-import type { Thing } from "../scene/mat/things";
 
 /** An object on the floor. `id` is valid while the editor is open; a document identifies objects by index. */
 export type WorldObject = Wall | Box | Zone | Paint | Print;
@@ -23,7 +23,7 @@ export interface Box extends ObjectBase<"box">, Area {
   readonly radius: null;
   readonly movable: boolean;
   readonly mass: number | null;
-  readonly thing: Thing | null;
+  readonly boxKind: BoxKind | null;
 }
 
 export interface Zone extends ObjectBase<"zone">, Area {

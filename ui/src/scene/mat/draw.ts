@@ -2,14 +2,14 @@ import type { World } from "../../api/model";
 import { type Area, areaOf } from "../areas";
 import type { Colours } from "../colours";
 import { paintOf } from "../paints";
+import { BOX_DRAWINGS, type BoxKind } from "./boxes";
 import { GROUNDS } from "./grounds";
 import { mixed, type Part } from "./parts";
 import { layersOf } from "./prints";
-import { THINGS, type Thing } from "./things";
 
 type Ctx = CanvasRenderingContext2D;
 type Ink = (colour: string) => string;
-type LookedAt = World["boxes"][number];
+type Box = World["boxes"][number];
 
 /** How much of a print's colour shows: all by day, less at dusk, nothing in high contrast. */
 const strengthOf = ({ print }: Colours): number => Number(print) || 0;
@@ -41,7 +41,7 @@ export function drawPrints(ctx: Ctx, world: World | null, colours: Colours): voi
 const DUSK = 0.2;
 
 /** Draws the thing that a box is, on top of its shadow. */
-export function drawThing(ctx: Ctx, box: LookedAt, kind: Thing, colours: Colours): void {
+export function drawAppearance(ctx: Ctx, box: Box, kind: BoxKind, colours: Colours): void {
   const area = areaOf(box);
   const strength = strengthOf(colours);
   const ink: Ink = (colour) => (strength < 1 ? mixed(colour, colours.tile, DUSK) : colour);
@@ -61,12 +61,12 @@ const SHAPES = new Map<string, readonly Shape[]>();
 /** Sizes change while a thing is drawn in the world editor. */
 const MAX_SHAPES = 300;
 
-function shapesOf(kind: Thing, { width, depth }: Area): readonly Shape[] {
+function shapesOf(kind: BoxKind, { width, depth }: Area): readonly Shape[] {
   const key = `${kind} ${width} ${depth}`;
   const known = SHAPES.get(key);
   if (known) return known;
   if (SHAPES.size >= MAX_SHAPES) SHAPES.clear();
-  const shapes = THINGS[kind](width, depth, "").map((part) => ({
+  const shapes = BOX_DRAWINGS[kind](width, depth, "").map((part) => ({
     ...part,
     path: new Path2D(part.d),
   }));

@@ -98,18 +98,18 @@ export function plateOf(world: World, zone: Zone, width: number, depth: number):
     [-across, 0] as const,
   ];
   const plates = steps.map(([x, y]) => ({ x: field.x + x, y: field.y + y, width, depth }));
-  const taken = takenBy(world, field);
+  const obstacles = obstaclesBeside(world, field);
   const streets = (world.prints ?? []).filter(({ kind }) => kind === "street").map(areaOf);
   const cost = (plate: Plate) =>
     (isInside(world, plate) ? 0 : 100) +
-    10 * taken.filter((area) => isOn(plate, area)).length +
+    10 * obstacles.filter((area) => isOn(plate, area)).length +
     streets.filter((area) => isOn(plate, area)).length;
   const costs = plates.map(cost);
   return plates[costs.indexOf(Math.min(...costs))] as Plate;
 }
 
 /** What a plate must not cover: other places and colours, things, walls. */
-function takenBy(world: World, field: Area): Area[] {
+function obstaclesBeside(world: World, field: Area): Area[] {
   const areas = [...(world.zones ?? []), ...(world.floor ?? []), ...world.boxes].map(areaOf);
   const walls = world.walls.map(({ from: [x1, y1], to: [x2, y2] }) =>
     areaOf({

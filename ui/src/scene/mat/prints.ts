@@ -1,6 +1,6 @@
 import type { World } from "../../api/model";
+import { ridge } from "./boxes";
 import { type Drawing, mixed, oval, type Part, rect, stripes } from "./parts";
-import { ridge } from "./things";
 
 export type Printed = NonNullable<World["prints"]>[number];
 export type PrintKind = Printed["kind"];

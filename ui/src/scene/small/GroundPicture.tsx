@@ -1,13 +1,13 @@
 import type { GoalPicture, World } from "../../api/model";
 import { areaOf, lineThrough, outlineOf } from "../areas";
+import { BOX_DRAWINGS } from "../mat/boxes";
 import { GROUNDS } from "../mat/grounds";
-import { PartsPicture } from "../mat/PartsPicture";
 import { PICTOGRAM_SIZE, pictogramOf } from "../mat/pictograms";
 import { inkOn, isPictured, PICTOGRAM_PART } from "../mat/places";
 import { layersOf } from "../mat/prints";
-import { THINGS } from "../mat/things";
 import { paintOf } from "../paints";
 import { type GoalViewport, pointsOf } from "./goal_viewport";
+import { PartsPicture } from "./PartsPicture";
 import { Grid } from "./parts";
 
 interface GroundProps {
@@ -77,7 +77,7 @@ export function ObjectsPicture({ goal: { world, boxes }, viewport }: GroundProps
           box.kind && (
             <PartsPicture
               key={index}
-              parts={THINGS[box.kind](area.width, area.depth, "")}
+              parts={BOX_DRAWINGS[box.kind](area.width, area.depth, "")}
               area={area}
               viewport={viewport}
               class="goal__thing"

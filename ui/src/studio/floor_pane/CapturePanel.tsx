@@ -1,6 +1,6 @@
 import { Hand } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
-import { hasPicture, keepWarm } from "../../camera/sight";
+import { hasPicture, warmUpRegularly } from "../../camera/sight";
 import { listenForSigns } from "../../camera/signs";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
@@ -18,7 +18,7 @@ const CameraChoice = lazy(async () => (await import("../../camera/CameraChoice")
  */
 export function prepareCapture(): () => void {
   fetchPart(load).catch(() => {});
-  return keepWarm();
+  return warmUpRegularly();
 }
 
 interface CapturePanelProps {

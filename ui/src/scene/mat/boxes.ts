@@ -1,7 +1,7 @@
 import type { World } from "../../api/model";
 import { type Drawing, oval, type Part, rect, stripes } from "./parts";
 
-export type Thing = NonNullable<World["boxes"][number]["kind"]>;
+export type BoxKind = NonNullable<World["boxes"][number]["kind"]>;
 
 const EDGE_M = 0.03;
 
@@ -167,7 +167,7 @@ export const ridge = (width: number, depth: number, line: string): Part => ({
 });
 
 /** Drawings of the things that a robot cannot pass. */
-export const THINGS: Readonly<Record<Thing, Drawing>> = {
+export const BOX_DRAWINGS: Readonly<Record<BoxKind, Drawing>> = {
   crate,
   table,
   chair,

@@ -7,7 +7,7 @@ from typing import Literal
 
 from pydantic import Field
 
-# the normal form of a world without a look has none of its keys, as before there were looks
+# the normal form of a world without any of these has none of the keys, as before they existed
 IF_GIVEN = Field(exclude_if=lambda value: not value)
 
 # what covers the whole floor
@@ -15,6 +15,6 @@ Ground = Literal["town", "living_room", "classroom", "court", "sea", "farm"]
 # what is printed on the ground
 Print = Literal["street", "crossing", "roof", "garden", "pond", "rug", "crops"]
 # what a box is
-Thing = Literal[
+BoxKind = Literal[
     "crate", "table", "chair", "bed", "plant", "cone", "fence", "tree", "bin", "bookshelf", "house"
 ]

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
+import { BOX_DRAWINGS, type BoxKind } from "./boxes";
 import type { Part } from "./parts";
-import { THINGS, type Thing } from "./things";
 
 interface Bounds {
   left: number;
@@ -46,9 +46,9 @@ const SIZES = [
   [0.05, 0.05],
 ] as const;
 
-describe.each(Object.keys(THINGS) as Thing[])("a %s", (kind) => {
+describe.each(Object.keys(BOX_DRAWINGS) as BoxKind[])("a %s", (kind) => {
   test.each(SIZES)("of %f m by %f m covers what stops the robot, and no more", (width, depth) => {
-    const parts = THINGS[kind](width, depth, "").map(boundsOf);
+    const parts = BOX_DRAWINGS[kind](width, depth, "").map(boundsOf);
     const all = {
       left: Math.min(...parts.map(({ left }) => left)),
       right: Math.max(...parts.map(({ right }) => right)),

@@ -1,6 +1,6 @@
 import type { Area } from "../areas";
-import type { GoalViewport } from "../small/goal_viewport";
-import type { Part } from "./parts";
+import type { Part } from "../mat/parts";
+import type { GoalViewport } from "./goal_viewport";
 
 interface PartsPictureProps {
   parts: readonly Part[];
