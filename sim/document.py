@@ -18,8 +18,8 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError, PydanticKnownError
 
+from sim.appearance import IF_GIVEN, BoxKind, Ground, Print
 from sim.floor import MAX_NAME, Color
-from sim.appearance import IF_GIVEN, Ground, Print, BoxKind
 from sim.world import (
     DEFAULT_BOX_MASS_KG,
     MAX_MOVABLE_KG,

@@ -6,8 +6,8 @@ from typing import Any, get_args
 
 from pydantic_core import ErrorDetails
 
+from sim.appearance import BoxKind, Ground, Print
 from sim.floor import COLORS
-from sim.appearance import Ground, Print, BoxKind
 
 Path = tuple[str | int, ...]
 Params = dict[str, object]

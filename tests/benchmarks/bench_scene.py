@@ -135,7 +135,8 @@ def _without_appearance(route: Route) -> None:
     """Answers with the worlds as they are without any look."""
     answer = route.fetch()
     worlds = json.loads(
-        answer.text(), object_hook=lambda part: {k: v for k, v in part.items() if k not in APPEARANCE}
+        answer.text(),
+        object_hook=lambda part: {k: v for k, v in part.items() if k not in APPEARANCE},
     )
     route.fulfill(response=answer, json=worlds)
 

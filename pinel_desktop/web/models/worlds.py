@@ -6,7 +6,7 @@ from pydantic import ConfigDict, Field
 
 from pinel_desktop.web.models import RequestModel, ResponseModel
 from pinel_desktop.web.models.errors import Fault
-from sim.appearance import IF_GIVEN, Ground, Print, BoxKind
+from sim.appearance import IF_GIVEN, BoxKind, Ground, Print
 
 Metres2 = tuple[float, float]
 
