@@ -30,7 +30,7 @@ export function MergeBox({
   onReload,
 }: MergeBoxProps) {
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
-  const { results, progress, mergeAll, deleteToo, declineDeletion } = merging;
+  const { progress, mergeAll } = merging;
   const labels = texts.value.exchange;
   const isChosen = ({ path, anonymous }: FileFound) =>
     ticked.value.get(path) ?? (opened?.file ? path === opened.file.path : !anonymous);
@@ -74,21 +74,34 @@ export function MergeBox({
         </Button>
       )}
       <Undecided deletions={undecided} onAsk={(path) => mergeAll([path])} />
-      <div role="status" aria-label={labels.results}>
-        {results.value.length > 0 && (
-          <ul class="grid gap-2" data-testid="merge-results">
-            {results.value.map((one) => (
-              <MergeResult
-                key={one.path}
-                merged={one}
-                isLesson={lessons.has(one.path)}
-                onDelete={(retained) => deleteToo(one.path, retained)}
-                onDecline={() => declineDeletion(one)}
-              />
-            ))}
-          </ul>
-        )}
-      </div>
+      <Results merging={merging} lessons={lessons} />
     </section>
+  );
+}
+
+interface ResultsProps {
+  merging: Merging;
+  /** Paths of lesson files. */
+  lessons: ReadonlySet<string>;
+}
+
+function Results({ merging, lessons }: ResultsProps) {
+  const { results, deleteToo, declineDeletion } = merging;
+  return (
+    <div role="status" aria-label={texts.value.exchange.results}>
+      {results.value.length > 0 && (
+        <ul class="grid gap-2" data-testid="merge-results">
+          {results.value.map((one) => (
+            <MergeResult
+              key={one.path}
+              merged={one}
+              isLesson={lessons.has(one.path)}
+              onDelete={(retained) => deleteToo(one.path, retained)}
+              onDecline={() => declineDeletion(one)}
+            />
+          ))}
+        </ul>
+      )}
+    </div>
   );
 }
