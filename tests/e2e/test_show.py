@@ -33,7 +33,7 @@ _WATCH_PIXELS = f"""([wanted, most]) => {{
 }}"""
 RED, GREEN = (215, 40, 31), (35, 154, 69)
 MARK_X, MARK_O = (122, 31, 162), (179, 71, 0)
-YELLOW_FLOOR = (247, 224, 137)
+YELLOW_FLOOR = (244, 200, 29)
 INK = (33, 31, 27)
 # pixels of the symbol of a beep; the robot itself has some pixels of this colour
 SIGN_PIXELS = 2000
