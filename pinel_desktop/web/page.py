@@ -20,16 +20,14 @@ page = Blueprint("page", __name__)
 
 _ROOT = re.compile(rb"(<html[^>]*)>")
 
+# with style attributes, because the security policy refuses style elements
 _MESSAGE = """<!doctype html>
 <html lang="{language}"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
 <title>PINEL</title>
-<style>
-body {{ font: 1.25rem/1.5 sans-serif; color: #23211d; background: #faf7f2; margin: 0;
-  min-height: 100vh; display: grid; place-items: center }}
-main {{ max-width: 34rem; padding: 2rem }}
-h1 {{ font-size: 1.75rem; line-height: 1.25 }}
-</style>
-<main><h1>{message}</h1><p>{remedy}</p></main></html>
+<body style="font: 1.25rem/1.5 sans-serif; color: #23211d; background: #faf7f2; margin: 0;
+  min-height: 100vh; display: grid; place-items: center">
+<main style="max-width: 34rem; padding: 2rem">
+<h1 style="font-size: 1.75rem; line-height: 1.25">{message}</h1><p>{remedy}</p></main></body></html>
 """
 
 

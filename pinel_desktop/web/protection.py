@@ -9,7 +9,7 @@ from pinel_desktop.web.services import services
 _SECURITY_POLICY = "; ".join(
     (
         "default-src 'self'",
-        # Blockly writes a style attribute into the text of a block's warning
+        # of messages that are pages, and Blockly writes one into the text of a block's warning
         "style-src-attr 'unsafe-inline'",
         "img-src 'self' data:",
         "object-src 'none'",

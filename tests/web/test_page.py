@@ -109,6 +109,7 @@ def test_a_page_that_was_not_built_says_what_to_do(
     answer = browser.get("/")
     assert answer.status == 503
     assert "make run" in answer.text
+    assert "<style" not in answer.text  # the security policy refuses it
 
 
 @pytest.mark.parametrize("path", ["/", "/api/status", "/api/nothing", "/nothing"])
