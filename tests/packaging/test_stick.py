@@ -72,7 +72,7 @@ def test_apt_reads_the_stick_only(pc: Pc) -> None:
     assert sources == {f"deb [trusted=yes] file:{place} ./"}
 
 
-def test_the_kiosk_session_is_installed_from_the_stick_if_it_is_wanted(pc: Pc) -> None:
+def test_the_kiosk_session_is_installed_from_the_stick_with_its_option(pc: Pc) -> None:
     done = pc.install("--kiosk")
     assert done.returncode == 0, done.stderr
     wanted = "".join(f"argument {package}\n" for package in ("pinel-desktop", *stick.KIOSK))

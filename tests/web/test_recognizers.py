@@ -87,7 +87,7 @@ def test_the_choice_is_remembered(tmp_path: Path, pictures: Path) -> None:
         ),
     ],
 )
-def test_a_file_that_is_no_detector_is_refused_and_not_kept(
+def test_a_file_that_is_no_detector_is_refused_and_not_stored(
     browser: Browser, tmp_path: Path, name: str, content: bytes, code: str
 ) -> None:
     add(browser, "good.onnx", model().SerializeToString())
@@ -112,7 +112,7 @@ def test_a_new_file_replaces_the_one_of_its_name_only_if_it_is_usable(
     assert kept.read_bytes() == other
 
 
-def test_a_chosen_file_that_is_gone_leaves_the_landmarks_and_is_named(
+def test_a_chosen_file_that_is_missing_is_named_and_the_landmarks_answer(
     tmp_path: Path, pictures: Path
 ) -> None:
     for is_first in (True, False):

@@ -11,6 +11,9 @@ export interface Area extends XY {
   readonly radius: number | null;
 }
 
+/** Width of a drawn wall, metres. */
+export const WALL_M = 0.09;
+
 /** An area in the form of a world document. */
 interface Written {
   readonly center: readonly number[];
@@ -37,6 +40,15 @@ export const CORNERS = [
 export function cornersOf({ x, y, width, depth, heading }: Area): XY[] {
   const frame = { x, y, yaw: (heading * Math.PI) / 180 };
   return CORNERS.map(([right, up]) => toWorld(frame, (right * width) / 2, (up * depth) / 2));
+}
+
+/** Whether a point of the floor is in an area or on its edge. */
+export function contains({ x, y, width, depth, heading, radius }: Area, point: XY): boolean {
+  const [dx, dy] = [point.x - x, point.y - y];
+  if (radius !== null) return Math.hypot(dx, dy) <= radius;
+  const angle = (heading * Math.PI) / 180;
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+  return Math.abs(dx * cos + dy * sin) <= width / 2 && Math.abs(dy * cos - dx * sin) <= depth / 2;
 }
 
 /** Adds the outline of an area to the path of a canvas, in metres. */

@@ -1,5 +1,6 @@
 import type { World } from "../api/model";
 import type { BoxPoses } from "../run/reducer";
+import { WALL_M } from "./areas";
 import type { Colours } from "./colours";
 import { roomOf, startOf, toStart, toWorld } from "./frames";
 import { drawPaint, drawZones } from "./ground";
@@ -88,7 +89,7 @@ function drawWalls(ctx: Ctx, world: World | null, colours: Colours): void {
   ctx.strokeStyle = colours.wall;
   ctx.lineCap = "round";
   ctx.lineJoin = "round";
-  ctx.lineWidth = 0.09;
+  ctx.lineWidth = WALL_M;
   ctx.beginPath();
   for (const wall of world?.walls ?? []) {
     ctx.moveTo(wall.from[0] ?? 0, wall.from[1] ?? 0);

@@ -1,8 +1,7 @@
 import type { World } from "../api/model";
-import { texts } from "../i18n";
 import { areaOf, trace } from "./areas";
 import type { Colours } from "./colours";
-import { drawPictogram, inkOn, isPictured } from "./mat/places";
+import { drawPictogram, inkOn, isPictured, translationOf } from "./mat/places";
 import { edgeOf, paintOf } from "./paints";
 
 type Ctx = CanvasRenderingContext2D;
@@ -92,17 +91,12 @@ function widthBeside(zone: Zone, zones: readonly Zone[]): number {
 }
 
 function drawName(ctx: Ctx, zone: Zone, maxWidth: number, colours: Colours, pixel: number): void {
-  const lines = [zone.name, ...translation(zone.name)];
+  const translation = translationOf(zone.name);
+  const lines = translation ? [zone.name, translation] : [zone.name];
   lines.forEach((line, index) => {
     const below = index - (lines.length - 1) / 2;
     drawLine(ctx, line, zone, below, maxWidth, colours, pixel);
   });
-}
-
-/** The name of a place in the language of the page, if it is another word. */
-function translation(name: string): readonly string[] {
-  const known = new Map<string, string>(Object.entries(texts.peek().places)).get(name) ?? name;
-  return known === name ? [] : [known];
 }
 
 /** Draws a line of text in a zone's centre, `below` line heights below it. */

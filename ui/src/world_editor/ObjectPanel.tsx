@@ -5,7 +5,7 @@ import { Button } from "../kit/Button";
 import { NumberField } from "../kit/NumberField";
 import { RadioGroup } from "../kit/RadioGroup";
 import type { Area } from "../scene/areas";
-import type { PrintKind } from "../scene/mat/prints";
+import { hasColour } from "../scene/mat/prints";
 import { BoxKindField, PrintField } from "./AppearanceFields";
 import type { EditorStore } from "./editor_store";
 import { clean, FINE, GRID } from "./geometry";
@@ -236,9 +236,6 @@ function OwnFields({ store, object }: PanelProps<AreaObject>) {
   );
 }
 
-/** Prints that can have any colour. */
-const COLOURED: readonly PrintKind[] = ["roof", "rug"];
-
 function PrintFields({ store, object }: { store: EditorStore; object: Print }) {
   return (
     <>
@@ -246,7 +243,7 @@ function PrintFields({ store, object }: { store: EditorStore; object: Print }) {
         value={object.print}
         onChange={(print) => store.alter({ ...object, print, color: null })}
       />
-      {COLOURED.includes(object.print) && (
+      {hasColour(object.print) && (
         <Swatches
           label={texts.value.world.printColor}
           color={object.color}

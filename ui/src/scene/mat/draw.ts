@@ -1,11 +1,10 @@
 import type { World } from "../../api/model";
 import { type Area, areaOf } from "../areas";
 import type { Colours } from "../colours";
-import { paintOf } from "../paints";
 import { BOX_DRAWINGS, type BoxKind } from "./boxes";
 import { GROUNDS } from "./grounds";
 import { mixed, type Part } from "./parts";
-import { layersOf } from "./prints";
+import { printedParts } from "./prints";
 
 type Ctx = CanvasRenderingContext2D;
 type Ink = (colour: string) => string;
@@ -32,7 +31,7 @@ export function drawPrints(ctx: Ctx, world: World | null, colours: Colours): voi
   if (strength === 0) return;
   const ink: Ink = (colour) => mixed(colours.tile, colour, strength);
   // a world of the world editor omits empty lists
-  for (const { print, part } of layersOf(world?.prints ?? [], paintOf)) {
+  for (const { print, part } of printedParts(world?.prints ?? [])) {
     inFrame(ctx, areaOf(print), () => drawPart(ctx, part, ink));
   }
 }

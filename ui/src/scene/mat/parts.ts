@@ -11,7 +11,7 @@ export interface Part {
   readonly dash?: readonly number[];
 }
 
-/** Draws something of a size in metres; what it draws fills the size exactly. */
+/** Draws something of a size in metres. The drawing of a box fills the size exactly. `colour` is that of a print. */
 export type Drawing = (width: number, depth: number, colour: string) => Part[];
 
 /** A rectangle around (x, y) with rounded corners. */

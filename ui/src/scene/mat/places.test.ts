@@ -43,5 +43,7 @@ describe("a place has a pictogram", () => {
     expect(inkOn(TOWN, zone("escola"))).toBe("#ffffff");
     expect(inkOn(TOWN, zone("casa"))).not.toBe("#ffffff");
     expect(inkOn({ ...TOWN, floor: [] }, zone("casa"))).toBeNull();
+    const wide = { color: "black", center: [-2, -2], size: [3, 1], heading_deg: 0 } as const;
+    expect(inkOn({ ...TOWN, floor: [wide] } as never, zone("casa"))).toBe("#ffffff");
   });
 });

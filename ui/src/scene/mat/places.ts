@@ -1,6 +1,6 @@
 import type { World } from "../../api/model";
 import { texts } from "../../i18n";
-import { type Area, areaOf } from "../areas";
+import { type Area, areaOf, contains, WALL_M } from "../areas";
 import type { Colours } from "../colours";
 import { roomOf } from "../frames";
 import { contrast, paintOf } from "../paints";
@@ -39,7 +39,7 @@ const LOST = 1.7;
 /** The colour of a pictogram on its field; null if the field is not painted. */
 export function inkOn({ floor }: World, zone: Zone): string | null {
   const { x, y } = areaOf(zone);
-  const below = (floor ?? []).filter(({ center: [cx = 0, cy = 0] }) => cx === x && cy === y).at(-1);
+  const below = floor?.findLast((paint) => contains(areaOf(paint), { x, y }));
   if (!below) return null;
   return contrast("#ffffff", paintOf(below.color)) < LOST ? DARK : "#ffffff";
 }
@@ -62,7 +62,8 @@ function drawPlate(ctx: Ctx, world: World, zone: Zone, colours: Colours, pixel: 
   const letters = Math.max(NAME_M, READABLE_PX * pixel);
   ctx.save();
   ctx.font = `700 100px ${colours.font}`;
-  const text = nameOf(zone.name);
+  const translation = translationOf(zone.name);
+  const text = translation ? `${zone.name} · ${translation}` : zone.name;
   const width = (ctx.measureText(text).width / 100 + 0.9) * letters;
   const plate = plateOf(world, zone, width, 1.4 * letters);
   ctx.translate(plate.x, plate.y);
@@ -81,10 +82,10 @@ function drawPlate(ctx: Ctx, world: World, zone: Zone, colours: Colours, pixel: 
   ctx.restore();
 }
 
-/** The name that programs use, and the word for it in the language of the page. */
-function nameOf(name: string): string {
+/** The name of a place in the language of the page; null if it is the same word, or none is known. */
+export function translationOf(name: string): string | null {
   const known = new Map<string, string>(Object.entries(texts.peek().places)).get(name) ?? name;
-  return known === name ? name : `${name} · ${known}`;
+  return known === name ? null : known;
 }
 
 /** Where a plate lies: beside its field, where it covers least. */
@@ -119,9 +120,6 @@ function obstaclesBeside(world: World, field: Area): Area[] {
   );
   return [...areas.filter(({ x, y }) => x !== field.x || y !== field.y), ...walls];
 }
-
-/** Width of a wall as it is drawn. */
-const WALL_M = 0.09;
 
 function isInside(world: World, { x, y, width, depth }: Plate): boolean {
   const room = roomOf(world);

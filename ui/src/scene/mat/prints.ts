@@ -1,4 +1,5 @@
 import type { World } from "../../api/model";
+import { paintOf } from "../paints";
 import { ridge } from "./boxes";
 import { type Drawing, mixed, oval, type Part, rect, stripes } from "./parts";
 
@@ -10,7 +11,6 @@ const PAVED = "#efe8db";
 const ASPHALT = "#cbc6bc";
 const PAINTED = "#ffffff";
 
-/** Which of two crossing streets lies above: pavements below all asphalt, asphalt below all lines. */
 const pavement: Drawing = (width, depth) => [
   { d: rect(0, 0, width + 2 * PAVEMENT_M, depth + 2 * PAVEMENT_M, 0.2), fill: PAVED },
 ];
@@ -58,7 +58,7 @@ const rug: Drawing = (width, depth, colour) => {
   const pale = mixed(colour, "#ffffff", PALE);
   return [
     { d: rect(0, 0, width, depth, 0.08), fill: pale },
-    { d: rect(0, 0, width - 0.2, depth - 0.2, 0.05), line: PAINTED, width: 0.04 },
+    { d: rect(0, 0, 0.85 * width, 0.85 * depth, 0.05), line: PAINTED, width: 0.04 },
   ];
 };
 
@@ -97,7 +97,10 @@ function spots(width: number, depth: number, every: number, radius: number): str
 
 const nothing: Drawing = () => [];
 
-/** The layers of each print, lowest first. */
+/**
+ * The layers of each print, lowest first. Where streets cross, all pavements lie below all asphalt,
+ * and all asphalt below all lines.
+ */
 const LAYERS: Readonly<Record<PrintKind, readonly [Drawing, Drawing, Drawing]>> = {
   street: [pavement, asphalt, dashes],
   garden: [nothing, garden, nothing],
@@ -108,17 +111,17 @@ const LAYERS: Readonly<Record<PrintKind, readonly [Drawing, Drawing, Drawing]>> 
   roof: [nothing, nothing, roof],
 };
 
+/** The colour of prints that can have any, where a world gives none. */
 const DEFAULT_COLOURS: Partial<Record<PrintKind, string>> = { roof: "#c2603f", rug: "#b5493c" };
 
-/** The parts of all prints of a floor, lowest first, each with its print. `paint` is the CSS colour of a name. */
-export function layersOf(
-  prints: readonly Printed[],
-  paint: (name: string) => string,
-): { print: Printed; part: Part }[] {
+export const hasColour = (kind: PrintKind): boolean => kind in DEFAULT_COLOURS;
+
+/** The parts of all prints of a floor, lowest first, each with its print. */
+export function printedParts(prints: readonly Printed[]): { print: Printed; part: Part }[] {
   return [0, 1, 2].flatMap((layer) =>
     prints.flatMap((print) => {
       const [width = 0, depth = 0] = print.size;
-      const colour = print.color ? paint(print.color) : (DEFAULT_COLOURS[print.kind] ?? "#888888");
+      const colour = print.color ? paintOf(print.color) : (DEFAULT_COLOURS[print.kind] ?? "");
       const parts = LAYERS[print.kind][layer]?.(width, depth, colour) ?? [];
       return parts.map((part) => ({ print, part }));
     }),

@@ -1,10 +1,10 @@
 import type { GoalPicture, World } from "../../api/model";
-import { areaOf, lineThrough, outlineOf } from "../areas";
+import { areaOf, lineThrough, outlineOf, WALL_M } from "../areas";
 import { BOX_DRAWINGS } from "../mat/boxes";
 import { GROUNDS } from "../mat/grounds";
 import { PICTOGRAM_SIZE, pictogramOf } from "../mat/pictograms";
 import { inkOn, isPictured, PICTOGRAM_PART } from "../mat/places";
-import { layersOf } from "../mat/prints";
+import { printedParts } from "../mat/prints";
 import { paintOf } from "../paints";
 import { type GoalViewport, pointsOf } from "./goal_viewport";
 import { PartsPicture } from "./PartsPicture";
@@ -50,7 +50,7 @@ function PrintsPicture({ world, viewport }: { world: World; viewport: GoalViewpo
   return (
     <g class="goal__prints">
       {ground && <PartsPicture parts={[ground]} area={room} viewport={viewport} class="" />}
-      {layersOf(world.prints ?? [], paintOf).map(({ print, part }, index) => (
+      {printedParts(world.prints ?? []).map(({ print, part }, index) => (
         <PartsPicture
           key={index}
           parts={[part]}
@@ -95,7 +95,7 @@ export function ObjectsPicture({ goal: { world, boxes }, viewport }: GroundProps
       })}
       <path
         class="goal__walls"
-        stroke-width={Math.max(2, 0.09 * viewport.scale)}
+        stroke-width={Math.max(2, WALL_M * viewport.scale)}
         d={world.walls
           .map(({ from, to }) => lineThrough(pointsOf([from, to]).map(viewport.toPixels)))
           .join("")}
