@@ -41,7 +41,9 @@ def test_the_permission_ends_after_a_short_time(permission: PrintPermission, clo
     assert not permission.use()
 
 
-def test_a_second_permission_has_its_own_two_minutes(permission: PrintPermission, clock: Clock) -> None:
+def test_a_second_permission_has_its_own_two_minutes(
+    permission: PrintPermission, clock: Clock
+) -> None:
     permission.grant()
     clock.now_s += PRINT_PERMISSION_S - 1
     permission.grant()
