@@ -1,4 +1,4 @@
-import { computed, effect, signal } from "@preact/signals";
+import { computed, effect, type Signal, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { EditorContent, LiveCommand } from "../api/model";
@@ -33,7 +33,7 @@ import { level } from "../shell/level";
 import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
 import { breakpoints, runSettings, syncRunSettings } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
-import type { OpenProgram } from "./program/open_program";
+import { hasCommands, type OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
 import { setupOf } from "./program/setup";
 import { StoredUndo } from "./program/stored_undo";
@@ -57,6 +57,8 @@ export class StudioControl {
   readonly asksBefore = signal<{ paused: boolean } | null>(null);
   /** Whether the live or last run belongs to this program. */
   readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
+  /** Whether the whole mission is shown over the program: until the group begins, and after a pass. */
+  readonly missionIsOpen: Signal<boolean>;
   readonly worlds: WorldControl;
   readonly start: StartChoice;
   readonly sentence = computed<Sentence>(() => this.computeSentence());
@@ -104,6 +106,7 @@ export class StudioControl {
 
   constructor(readonly open: OpenProgram) {
     this.storedUndo = new StoredUndo(open);
+    this.missionIsOpen = signal(!hasCommands(open.program.version?.document));
     this.worlds = new WorldControl(open);
     this.start = new StartChoice(open, this.worlds);
   }
@@ -151,6 +154,9 @@ export class StudioControl {
         this.showAdvice(editor);
       }),
       effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
+      effect(() => {
+        if (judged.value?.passed && this.mine.peek()) this.missionIsOpen.value = true;
+      }),
     ];
     return () => {
       for (const stop of stops) stop();

@@ -1,138 +1,85 @@
-import { useSignal } from "@preact/signals";
-import { ChevronDown, ChevronUp, CircleCheck, Lightbulb, LocateFixed, Target } from "lucide-preact";
+import { ChevronDown, ChevronUp, CircleCheck, LocateFixed, Target } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import type { Activity, CheckProgress } from "../../api/model";
+import type { Activity } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import { checksOf, verdictOf } from "../../run/judgement";
-import * as robot from "../../run/live";
-import { GoalPicture } from "../../scene/small/GoalPicture";
-import { checkStatus, judged, report } from "../../shell/session";
+import { listen } from "../../kit/listen";
+import { report } from "../../shell/session";
 import type { StudioControl } from "../studio_control";
-import { CasesTried } from "./CasesTried";
-import { CheckList } from "./CheckList";
-import { HowJudged } from "./HowJudged";
-import { Success } from "./Success";
+import { type Mark, type MissionState, missionState } from "./mission_state";
+import { Sheet } from "./Sheet";
 
-/** The mission of the group: picture of the goal, story, check list, hints. Folds to one line. */
+/**
+ * The mission of the group: one line that stays, and a sheet over the program with picture, story, check list and hints.
+ */
 export function MissionCard({ control }: { control: StudioControl }) {
-  const { open } = control;
-  const folded = useSignal(false);
+  const { open, missionIsOpen } = control;
   useEffect(() => {
     open.loadMission().catch(report); // the server sends its texts in the language of the page
   }, [open, language.value]);
   const { value: mission } = open.mission;
-  const { value: setup } = open.setup;
-  if (!mission) return setup.activity ? <UnknownMission /> : null;
-  const run = control.mine.value ? robot.live.value.run : null;
-  const verdict = verdictOf(run, judged.value);
-  const checks = checksOf(mission, verdict?.not_judged ? null : run, checkStatus.value);
-  const done = verdict?.passed === true;
+  if (!mission) return open.setup.value.activity ? <UnknownMission /> : null;
+  const state = missionState(control, mission);
   return (
     <section
-      class="mission row top gap-4"
+      class="mission"
       aria-label={texts.value.activity.mission}
       data-testid="mission"
-      data-done={done}
+      data-done={state.isDone}
     >
-      {!folded.value && <GoalPicture goal={mission.goal_picture} />}
-      <div class="mission__words">
-        <MissionHead mission={mission} done={done} checks={folded.value ? checks : null} />
-        {done && <Success open={open} mission={mission} />}
-        {!folded.value && (
-          <>
-            <HowJudged mission={mission} verdict={verdict} />
-            {!done && <Task mission={mission} />}
-            <CheckList checks={checks} />
-            {verdict && <CasesTried cases={verdict.cases} />}
-            <Help control={control} mission={mission} done={done} />
-          </>
-        )}
-      </div>
-      <Button
-        kind="plain"
-        icon={folded.value ? ChevronDown : ChevronUp}
-        label={folded.value ? texts.value.activity.unfold : texts.value.activity.fold}
-        testId="mission-fold"
-        open={!folded.value}
-        onPress={() => {
-          folded.value = !folded.value;
-        }}
-      />
+      <Line control={control} mission={mission} state={state} />
+      {missionIsOpen.value && <Sheet control={control} mission={mission} state={state} />}
+      <ClosesAtEscape control={control} />
     </section>
   );
 }
 
-interface MissionHeadProps {
-  mission: Activity;
-  done: boolean;
-  /** The checks, if the card is folded and shows how many are met; else null. */
-  checks: readonly CheckProgress[] | null;
-}
-
-function MissionHead({ mission, done, checks }: MissionHeadProps) {
-  const Icon = done ? CircleCheck : Target;
-  const met = checks?.filter(({ state }) => state === "met").length ?? 0;
-  return (
-    <h2 class="mission__title row middle gap-2">
-      <Icon class="icon" aria-hidden="true" />
-      <span>
-        {mission.number} {mission.title}
-      </span>
-      {checks && (
-        <>
-          <span class="mission__count">
-            {texts.value.activity.count({ met, all: checks.length })}
-          </span>
-          <span class="mission__brief one-line">{mission.criteria}</span>
-        </>
-      )}
-    </h2>
-  );
-}
-
-/** The story. With several cases, also the criteria: the check list only has checks that all cases share. */
-function Task({ mission: { story, criteria, n_cases } }: { mission: Activity }) {
-  return (
-    <>
-      <p>{story}</p>
-      {n_cases > 1 && <p class="mission__criteria">{criteria}</p>}
-    </>
-  );
-}
-
-interface HelpProps {
+interface LineProps {
   control: StudioControl;
   mission: Activity;
-  done: boolean;
+  state: MissionState;
 }
 
-/** The hints, which open one after the other and stay open, and a button to the block of the verdict. */
-function Help({ control, mission: { hints }, done }: HelpProps) {
+function Line({ control, mission, state: { isDone, marks } }: LineProps) {
   const { activity } = texts.value;
-  const { open } = control;
-  const n = Math.min(open.setup.value.n_hints, hints.length);
+  const { missionIsOpen } = control;
+  const isOpen = missionIsOpen.value;
+  const Icon = isDone ? CircleCheck : Target;
   return (
-    <div class="mission__hints">
-      {n > 0 && (
-        <ol aria-label={activity.hints}>
-          {hints.slice(0, n).map((hint) => (
-            <li key={hint}>{hint}</li>
-          ))}
-        </ol>
-      )}
+    <div class="mission__line row middle gap-2">
+      <Icon class="icon mission__icon" aria-hidden="true" />
+      <h2 class="mission__title one-line shrinks">
+        {mission.number} {mission.title}
+      </h2>
+      <Marks marks={marks} />
+      <span class="grows" />
       <ShowBlock control={control} />
-      {n < hints.length && !done && (
-        <Button
-          kind="plain"
-          icon={Lightbulb}
-          testId="mission-hint"
-          onPress={() => open.changeSetup({ n_hints: n + 1 })}
-        >
-          {activity.openHint({ n: n + 1, all: hints.length })}
-        </Button>
-      )}
+      <Button
+        kind="plain"
+        icon={isOpen ? ChevronUp : ChevronDown}
+        tip={isOpen ? activity.fold : activity.unfold}
+        testId="mission-fold"
+        open={isOpen}
+        onPress={() => {
+          missionIsOpen.value = !isOpen;
+        }}
+      >
+        {activity.mission}
+      </Button>
     </div>
+  );
+}
+
+/** A dot for each check and each further case, and how many are met. */
+function Marks({ marks }: { marks: readonly Mark[] }) {
+  const met = marks.filter((mark) => mark === "met").length;
+  return (
+    <span class="mission__marks row middle rigid" data-testid="mission-marks">
+      {marks.map((mark, index) => (
+        <span key={index} class="mission__mark" data-state={mark} aria-hidden="true" />
+      ))}
+      <span class="mission__count">{texts.value.activity.count({ met, all: marks.length })}</span>
+    </span>
   );
 }
 
@@ -142,6 +89,7 @@ function ShowBlock({ control }: { control: StudioControl }) {
   return (
     <Button
       kind="plain"
+      class="rigid"
       icon={LocateFixed}
       testId="advice-block"
       onPress={() => control.goToAdvice()}
@@ -151,11 +99,24 @@ function ShowBlock({ control }: { control: StudioControl }) {
   );
 }
 
+function ClosesAtEscape({ control: { missionIsOpen } }: { control: StudioControl }) {
+  useEffect(
+    () =>
+      listen(window, {
+        keydown: ({ key }) => {
+          if (key === "Escape") missionIsOpen.value = false;
+        },
+      }),
+    [missionIsOpen],
+  );
+  return null;
+}
+
 function UnknownMission() {
   const { activity } = texts.value;
   return (
-    <section class="mission row top gap-4" aria-label={activity.mission} data-testid="mission">
-      <p class="mission__words">{activity.unknown}</p>
+    <section class="mission" aria-label={activity.mission} data-testid="mission">
+      <p class="mission__line mission__unknown row middle">{activity.unknown}</p>
     </section>
   );
 }

@@ -19,6 +19,12 @@ import { setupOf } from "./setup";
 import { VersionLineage } from "./version_lineage";
 import { Windows } from "./windows";
 
+/** Whether a program document has any command. */
+export function hasCommands(document: unknown): boolean {
+  const { commands } = (document ?? {}) as { commands?: unknown[] };
+  return (commands ?? []).length > 0;
+}
+
 /** The open program, shared by header, editor and run bar. */
 export class OpenProgram {
   readonly autosave: Autosave;
@@ -27,6 +33,8 @@ export class OpenProgram {
   readonly ownWorld: OwnWorld;
   /** The activity of the program; null without one, or if only a newer release knows it. */
   readonly mission = signal<Activity | null>(null);
+  /** Whether an earlier run of the group has passed the activity. */
+  readonly wasPassed = signal(false);
   /** World, robot and other settings of the program's runs. */
   readonly setup: Signal<Setup>;
   /** Whether another window deleted the program or its group for good; the screen keeps its content. */
@@ -89,7 +97,13 @@ export class OpenProgram {
 
   async loadMission(): Promise<void> {
     const { activity } = this.setup.peek();
-    if (activity) this.mission.value = await knownActivity(activity);
+    if (!activity) return;
+    const [mission, tried] = await Promise.all([
+      knownActivity(activity),
+      activitiesApi.tried(this.program.group_id),
+    ]);
+    this.wasPassed.value = tried.some(({ name, passed }) => name === activity && passed);
+    this.mission.value = mission;
   }
 
   /** Changes settings of the program's runs. */
@@ -100,8 +114,7 @@ export class OpenProgram {
 
   /** Whether the program has no command. */
   get isEmpty(): boolean {
-    const { commands } = (this.content.value?.document ?? {}) as { commands?: unknown[] };
-    return !commands || commands.length === 0;
+    return !hasCommands(this.content.value?.document);
   }
 
   close(): void {

@@ -1,0 +1,93 @@
+import { Lightbulb, Play } from "lucide-preact";
+import type { Activity } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { GoalPicture } from "../../scene/small/GoalPicture";
+import type { StudioControl } from "../studio_control";
+import { CasesTried } from "./CasesTried";
+import { CheckList } from "./CheckList";
+import { HowJudged } from "./HowJudged";
+import type { MissionState } from "./mission_state";
+import { Success } from "./Success";
+
+interface SheetProps {
+  control: StudioControl;
+  mission: Activity;
+  state: MissionState;
+}
+
+/** The whole mission, over the program: goal, story or success, check list, hints. */
+export function Sheet({ control, mission, state }: SheetProps) {
+  const { verdict, checks, hasPassed, isDone } = state;
+  return (
+    <div class="mission__sheet card column gap-2" data-testid="mission-sheet" data-scrolls>
+      <div class="row top gap-4">
+        <GoalPicture goal={mission.goal_picture} />
+        <div class="mission__words">
+          {isDone && <Success open={control.open} mission={mission} />}
+          <HowJudged mission={mission} verdict={verdict} />
+          {!hasPassed && <Task mission={mission} />}
+          <CheckList checks={checks} />
+          {verdict && <CasesTried cases={verdict.cases} />}
+        </div>
+      </div>
+      <Foot control={control} mission={mission} isDone={isDone} />
+    </div>
+  );
+}
+
+/** The story. With several cases, also the criteria: the check list only has checks that all cases share. */
+function Task({ mission: { story, criteria, n_cases } }: { mission: Activity }) {
+  return (
+    <>
+      <p>{story}</p>
+      {n_cases > 1 && <p class="mission__criteria">{criteria}</p>}
+    </>
+  );
+}
+
+interface FootProps {
+  control: StudioControl;
+  mission: Activity;
+  isDone: boolean;
+}
+
+/** The hints, which open one after the other and stay open until success, and the button that closes the sheet. */
+function Foot({ control, mission: { hints }, isDone }: FootProps) {
+  const { activity } = texts.value;
+  const { open, missionIsOpen } = control;
+  const n = isDone ? 0 : Math.min(open.setup.value.n_hints, hints.length);
+  return (
+    <>
+      {n > 0 && (
+        <ol class="mission__hints" aria-label={activity.hints}>
+          {hints.slice(0, n).map((hint) => (
+            <li key={hint}>{hint}</li>
+          ))}
+        </ol>
+      )}
+      <div class="row middle wrap gap-2">
+        <Button
+          kind={isDone ? "plain" : "main"}
+          icon={Play}
+          testId="mission-start"
+          onPress={() => {
+            missionIsOpen.value = false;
+          }}
+        >
+          {control.open.isEmpty ? activity.start : activity.toBlocks}
+        </Button>
+        {n < hints.length && !isDone && (
+          <Button
+            kind="plain"
+            icon={Lightbulb}
+            testId="mission-hint"
+            onPress={() => open.changeSetup({ n_hints: n + 1 })}
+          >
+            {activity.openHint({ n: n + 1, all: hints.length })}
+          </Button>
+        )}
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,45 @@
+import type { Activity, CheckProgress, JudgedEvent } from "../../api/model";
+import { checksOf, verdictOf } from "../../run/judgement";
+import * as robot from "../../run/live";
+import { checkStatus, judged } from "../../shell/session";
+import type { StudioControl } from "../studio_control";
+
+export type Mark = CheckProgress["state"];
+
+/** A mission during and after a run of its program. */
+export interface MissionState {
+  readonly verdict: JudgedEvent | null;
+  readonly checks: readonly CheckProgress[];
+  /** The checks, then the further cases that the judge has run. */
+  readonly marks: readonly Mark[];
+  /** Whether the last run has passed. */
+  readonly hasPassed: boolean;
+  /** Whether this run or an earlier one has passed. */
+  readonly isDone: boolean;
+}
+
+export function missionState(control: StudioControl, mission: Activity): MissionState {
+  const run = control.mine.value ? robot.live.value.run : null;
+  const verdict = verdictOf(run, judged.value);
+  const checks = checksOf(mission, verdict?.not_judged ? null : run, checkStatus.value);
+  const hasPassed = verdict?.passed === true;
+  return {
+    verdict,
+    checks,
+    marks: marksOf(checks, verdict),
+    hasPassed,
+    isDone: hasPassed || control.open.wasPassed.value,
+  };
+}
+
+/** A mark of each check and of each case that the group did not watch. */
+export function marksOf(
+  checks: readonly Pick<CheckProgress, "state">[],
+  verdict: Pick<JudgedEvent, "cases"> | null,
+): Mark[] {
+  const cases = (verdict?.cases ?? []).filter(({ seen }) => !seen);
+  return [
+    ...checks.map(({ state }) => state),
+    ...cases.map(({ passed }): Mark => (passed ? "met" : "broken")),
+  ];
+}
