@@ -211,6 +211,7 @@ class School:
         ana.click("Nombre del grupo")
         ana.write("Tatus")
         ana.click("Entrar")
+        ana.click("Empezar")
         for _ in range(3):
             ana.click("avanzar, 1, m")
         ana.click("Ejecutar")

@@ -53,6 +53,8 @@ def test_the_list_fills_while_the_robot_drives(studio: Studio) -> None:
         expect_state(studio, text, "open")
     write_program(studio, f"{TWO_LEFT_TURNS}robot.wait(120)\n")
     studio.run()
+    expect(studio["mission-sheet"]).to_have_count(0)
+    studio["mission-fold"].click()
     studio.wait_for_phase("running")
     expect(studio["status-line"]).to_have_attribute("data-tone", "moving")
     expect_state(studio, "Não encostar", "met")
@@ -86,6 +88,7 @@ def test_what_the_run_lacks_is_shown_at_its_block_until_the_program_changes(
     bubble = studio.page.locator(".pinelNoticeBubble")
     expect(bubble).to_contain_text("O robô girou 180° à esquerda")
     expect(studio.blocks.faulty()).to_have_count(0)
+    studio.page.set_viewport_size({"width": 1366, "height": 640})
     studio.page.mouse.move(600, 500)
     studio.page.mouse.wheel(0, -3000)
     expect(turn).not_to_be_in_viewport()
@@ -138,6 +141,10 @@ def test_the_other_cases_that_were_tried_are_named(studio: Studio) -> None:
     write_program(studio, "robot.move_forward(6.2)\n")
     hurry(studio)
     studio.run()
+    expect(studio.page.locator(".mission__mark[data-state=broken]")).to_have_count(
+        2, timeout=RUN_MS
+    )
+    studio["mission-fold"].click()
     tried = studio["cases-tried"].get_by_role("listitem")
     expect(tried).to_have_count(2, timeout=RUN_MS)
     expect(tried.first).to_contain_text("a partida em x −1,25 m")

@@ -25,6 +25,7 @@ import { applyLanguage } from "./locale";
 import { Minimap } from "./minimap";
 import type { EditorOptions } from "./options";
 import { restoreFocus } from "./restore_focus";
+import { ScrollBars } from "./scroll_bars";
 import { dimLooseBlocks, ensureStartBlock } from "./start_block";
 import { pageFont, showTheme, type ThemeName } from "./themes";
 import { appendBlock } from "./toolbox/append";
@@ -60,6 +61,7 @@ class BlockEditor implements Editor {
   private readonly breakpoints: Breakpoints | undefined;
   private readonly values: ValueBubble | undefined;
   private readonly minimap: Minimap;
+  private readonly scrollBars: ScrollBars;
   private readonly hint = new StartHint();
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
@@ -85,6 +87,7 @@ class BlockEditor implements Editor {
     const { onBreakpoints } = options;
     this.breakpoints = onBreakpoints && new Breakpoints(this.workspace, onBreakpoints);
     this.minimap = new Minimap(this.workspace);
+    this.scrollBars = new ScrollBars(this.workspace);
     this.values = options.evaluate && new ValueBubble(this.workspace, options.evaluate);
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
@@ -221,6 +224,7 @@ class BlockEditor implements Editor {
     Blockly.svgResize(this.workspace);
     this.pinFlyout();
     this.minimap.refresh();
+    this.scrollBars.refresh();
   }
 
   dispose(): void {
@@ -234,6 +238,7 @@ class BlockEditor implements Editor {
     this.zoomControls.remove();
     this.values?.dispose();
     this.minimap.dispose();
+    this.scrollBars.dispose();
     this.disposeFocusRestorer();
     this.workspace.dispose();
   }
@@ -326,6 +331,7 @@ class BlockEditor implements Editor {
     this.warnings.forget();
     this.warnings.refresh();
     this.minimap.refresh();
+    this.scrollBars.refresh();
     this.breakpoints?.refresh();
     this.refreshHint();
   }

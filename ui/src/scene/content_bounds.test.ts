@@ -95,3 +95,13 @@ test("a room that fills the floor's width ends beside the tools", () => {
   expect(x).toBeLessThanOrEqual(size.width - EDGE_WITH_TOOLS.right + 0.01);
   expect(y).toBeLessThanOrEqual(size.height - EDGE.bottom + 0.01);
 });
+
+test("a floor that is taller than its content shows it in the middle, below the controls", () => {
+  const size = { width: 340, height: 940 };
+  const room = { left: -4, right: 4, bottom: -2.5, top: 2.5 };
+  const viewport = viewportFor(room, size, EDGE_WITH_TOOLS);
+  const above = toScreen(viewport, size, { x: 0, y: 2.5 }).y - EDGE_WITH_TOOLS.top;
+  const below =
+    size.height - EDGE_WITH_TOOLS.bottom - toScreen(viewport, size, { x: 0, y: -2.5 }).y;
+  expect(above - below).toBeCloseTo(54);
+});

@@ -17,6 +17,9 @@ export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
 /** `EDGE` with space on the right for the tools over the floor, which must not hide a goal. */
 export const EDGE_WITH_TOOLS = { ...EDGE, right: 66 };
 
+/** Height of the controls over the upper edge, below `EDGE.top`; pixels. */
+const CONTROLS = 54;
+
 const MIN_SCALE = 12;
 const MAX_SCALE = 320;
 
@@ -26,10 +29,12 @@ export function viewportFor(box: Box, size: Size, edge = EDGE): Viewport {
   const scale = clampScale(
     Math.min(width / (box.right - box.left), height / (box.top - box.bottom)),
   );
-  // spare height goes to the top, because controls cover the floor there
+  // controls cover the upper edge of the floor: spare height goes there first, then to both sides
+  const spare = height - (box.top - box.bottom) * scale;
+  const below = Math.max(0, spare - CONTROLS) / 2;
   return {
     x: (box.left + box.right) / 2 - (edge.left - edge.right) / 2 / scale,
-    y: box.bottom + (size.height / 2 - edge.bottom) / scale,
+    y: box.bottom + (size.height / 2 - edge.bottom - below) / scale,
     scale,
   };
 }

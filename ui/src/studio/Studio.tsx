@@ -8,6 +8,8 @@ import { group, program } from "../shell/session";
 import { BlocksPane } from "./blocks_pane/BlocksPane";
 import { FloorPane } from "./floor_pane/FloorPane";
 import type { OpenProgram } from "./program/open_program";
+import { Splitter } from "./Splitter";
+import { shownPart } from "./split";
 import { StudioControl } from "./studio_control";
 
 const TourBalloon = lazy(async () => (await import("./tour/TourBalloon")).TourBalloon);
@@ -20,10 +22,11 @@ export function Studio({ open }: { open: OpenProgram }) {
   const { worlds } = control;
   const store = worlds.store.value;
   return (
-    <main class="screen studio">
+    <main class="screen studio" style={{ "--blocks-part": `${shownPart()}%` }}>
       <h1 class="visually-hidden">{program.value?.name}</h1>
       {tourFor.value === open.id && <TourBalloon control={control} />}
       <BlocksPane control={control} />
+      <Splitter />
       <FloorPane control={control} />
       {store && (
         <WorldEditor

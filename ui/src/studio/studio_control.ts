@@ -155,7 +155,9 @@ export class StudioControl {
       }),
       effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
       effect(() => {
-        if (judged.value?.passed && this.mine.peek()) this.missionIsOpen.value = true;
+        if (!judged.value?.passed || !this.mine.peek()) return;
+        this.open.wasPassed.value = true;
+        this.missionIsOpen.value = true;
       }),
     ];
     return () => {
@@ -173,6 +175,11 @@ export class StudioControl {
     const block = failed[0]?.block ?? null;
     if (block !== null && block !== this.revealed) editor.reveal(block);
     this.revealed = block;
+  }
+
+  /** Whoever touches the program works on: the mission's sheet no longer covers it. */
+  closeMission(): void {
+    this.missionIsOpen.value = false;
   }
 
   onEdit(content: EditorContent): void {
@@ -237,6 +244,7 @@ export class StudioControl {
   /** Saves the program and runs it; with `paused` it pauses before its first block. */
   async run(paused = false): Promise<void> {
     if (this.busy || isLive(robot.live.value)) return;
+    this.closeMission(); // the group watches its blocks
     if (this.worlds.isFaulty.peek()) this.worlds.edit();
     else if (this.open.isEmpty) this.asked.value = true;
     else if (chosenRobot.peek() && !isChecked.peek()) this.asksBefore.value = { paused };

@@ -192,17 +192,13 @@ function Workspace({ control }: { control: StudioControl }) {
     if (control.open.faults.value.length > 0) control.open.edit(now.content());
   }, [language.value, control]);
 
-  // whoever touches the program works on: the mission's sheet closes
-  const closeMission = () => {
-    control.missionIsOpen.value = false;
-  };
   return (
     <div
       class="blocks__editor"
       ref={container}
       data-testid="editor"
-      onPointerDownCapture={closeMission}
-      onKeyDownCapture={closeMission}
+      onPointerDownCapture={() => control.closeMission()}
+      onKeyDownCapture={() => control.closeMission()}
     />
   );
 }

@@ -79,13 +79,15 @@ function Status({ control }: { control: StudioControl }) {
   return <StatusLine sentence={control.sentence.value} />;
 }
 
-/** Time strip of the last run. A live run reserves its space, so that the floor does not jump at the end. */
+/** Time strip of the last run. Its space is always there, so that the floor keeps its height. */
 function RunTime({ control }: { control: StudioControl }) {
   const has = useComputed(() => control.mine.value && robot.live.value.phase !== "idle");
   const over = useComputed(() => !isLive(robot.live.value));
-  return has.value ? (
-    <div class="floor__time row rigid">{over.value && <LastRunTimeline />}</div>
-  ) : null;
+  return (
+    <div class={`floor__time row rigid ${has.value ? "" : "floor__no-run"}`}>
+      {has.value ? over.value && <LastRunTimeline /> : texts.value.run.noTime}
+    </div>
+  );
 }
 
 /** Offers undo after the group's own world was deleted. */

@@ -99,15 +99,15 @@ function ShowBlock({ control }: { control: StudioControl }) {
   );
 }
 
-function ClosesAtEscape({ control: { missionIsOpen } }: { control: StudioControl }) {
+function ClosesAtEscape({ control }: { control: StudioControl }) {
   useEffect(
     () =>
       listen(window, {
         keydown: ({ key }) => {
-          if (key === "Escape") missionIsOpen.value = false;
+          if (key === "Escape") control.closeMission();
         },
       }),
-    [missionIsOpen],
+    [control],
   );
   return null;
 }

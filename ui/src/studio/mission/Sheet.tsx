@@ -18,20 +18,20 @@ interface SheetProps {
 
 /** The whole mission, over the program: goal, story or success, check list, hints. */
 export function Sheet({ control, mission, state }: SheetProps) {
-  const { verdict, checks, hasPassed, isDone } = state;
+  const { verdict, checks, isSuccess } = state;
   return (
     <div class="mission__sheet card column gap-2" data-testid="mission-sheet" data-scrolls>
       <div class="row top gap-4">
         <GoalPicture goal={mission.goal_picture} />
         <div class="mission__words">
-          {isDone && <Success open={control.open} mission={mission} />}
+          {isSuccess && <Success open={control.open} mission={mission} />}
           <HowJudged mission={mission} verdict={verdict} />
-          {!hasPassed && <Task mission={mission} />}
+          {!isSuccess && <Task mission={mission} />}
           <CheckList checks={checks} />
           {verdict && <CasesTried cases={verdict.cases} />}
         </div>
       </div>
-      <Foot control={control} mission={mission} isDone={isDone} />
+      <Foot control={control} mission={mission} isSuccess={isSuccess} />
     </div>
   );
 }
@@ -49,14 +49,14 @@ function Task({ mission: { story, criteria, n_cases } }: { mission: Activity }) 
 interface FootProps {
   control: StudioControl;
   mission: Activity;
-  isDone: boolean;
+  isSuccess: boolean;
 }
 
 /** The hints, which open one after the other and stay open until success, and the button that closes the sheet. */
-function Foot({ control, mission: { hints }, isDone }: FootProps) {
+function Foot({ control, mission: { hints }, isSuccess }: FootProps) {
   const { activity } = texts.value;
-  const { open, missionIsOpen } = control;
-  const n = isDone ? 0 : Math.min(open.setup.value.n_hints, hints.length);
+  const { open } = control;
+  const n = isSuccess ? 0 : Math.min(open.setup.value.n_hints, hints.length);
   return (
     <>
       {n > 0 && (
@@ -68,16 +68,14 @@ function Foot({ control, mission: { hints }, isDone }: FootProps) {
       )}
       <div class="row middle wrap gap-2">
         <Button
-          kind={isDone ? "plain" : "main"}
+          kind={isSuccess ? "plain" : "main"}
           icon={Play}
           testId="mission-start"
-          onPress={() => {
-            missionIsOpen.value = false;
-          }}
+          onPress={() => control.closeMission()}
         >
           {control.open.isEmpty ? activity.start : activity.toBlocks}
         </Button>
-        {n < hints.length && !isDone && (
+        {n < hints.length && !isSuccess && (
           <Button
             kind="plain"
             icon={Lightbulb}

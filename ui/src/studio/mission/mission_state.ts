@@ -12,10 +12,10 @@ export interface MissionState {
   readonly checks: readonly CheckProgress[];
   /** The checks, then the further cases that the judge has run. */
   readonly marks: readonly Mark[];
-  /** Whether the last run has passed. */
-  readonly hasPassed: boolean;
-  /** Whether this run or an earlier one has passed. */
+  /** Whether any run has passed. */
   readonly isDone: boolean;
+  /** Whether success is what there is to say: the last run has passed, or none was made since the program was opened. */
+  readonly isSuccess: boolean;
 }
 
 export function missionState(control: StudioControl, mission: Activity): MissionState {
@@ -23,12 +23,13 @@ export function missionState(control: StudioControl, mission: Activity): Mission
   const verdict = verdictOf(run, judged.value);
   const checks = checksOf(mission, verdict?.not_judged ? null : run, checkStatus.value);
   const hasPassed = verdict?.passed === true;
+  const isDone = hasPassed || control.open.wasPassed.value;
   return {
     verdict,
     checks,
     marks: marksOf(checks, verdict),
-    hasPassed,
-    isDone: hasPassed || control.open.wasPassed.value,
+    isDone,
+    isSuccess: hasPassed || (isDone && run === null),
   };
 }
 
