@@ -1,18 +1,20 @@
 """Blocks and floor keep their places while a group works; the line between them moves by hand."""
 
 import pytest
-from playwright.sync_api import FloatRect, expect
+from playwright.sync_api import expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
+from tests.e2e.blocks import Box, box_of
 from tests.e2e.python_pane import write_program
-from tests.e2e.studio import RUN_MS, Studio, box_of
+from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_check_list import open_mission
 from tests.e2e.test_layout import cut
+from tests.e2e.test_missions import MOVE, put_move
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
-SIZES = [(1366, 768), (1024, 768), (1920, 1080), (800, 1280), (683, 768)]
+SIZES = [(1366, 768), (1024, 768), (1920, 1080), (800, 1280)]
 
 
 @pytest.fixture
@@ -20,7 +22,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
     return lasting_app
 
 
-def places(studio: Studio) -> list[FloatRect]:
+def places(studio: Studio) -> list[Box]:
     return [box_of(studio[name]) for name in ("editor", "scene")]
 
 
@@ -29,8 +31,7 @@ def test_a_mission_moves_neither_blocks_nor_floor(studio: Studio) -> None:
     expect(studio["mission-sheet"]).to_contain_text("Acabou o pão")
     studio.wait_for_screen("mission-sheet")
     before = places(studio)
-    write_program(studio, "robot.move_forward(1)\n")
-    studio["ir-toggle"].click()
+    put_move(studio, "1")
     studio.hurry()
     studio.run()
     expect(studio["mission-sheet"]).to_have_count(0)
@@ -42,8 +43,7 @@ def test_a_mission_moves_neither_blocks_nor_floor(studio: Studio) -> None:
     studio["mission-hint"].click()
     studio.page.keyboard.press("Escape")
     expect(studio["mission-sheet"]).to_have_count(0)
-    write_program(studio, "robot.move_forward(3)\n")
-    studio["ir-toggle"].click()
+    studio.blocks.type_into(studio.blocks.by_text(MOVE), "3")
     studio.run()
     expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)
     studio.wait_for_screen("mission-done")

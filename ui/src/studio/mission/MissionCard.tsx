@@ -45,11 +45,12 @@ function Line({ control, mission, state: { isDone, marks } }: LineProps) {
   const { missionIsOpen } = control;
   const isOpen = missionIsOpen.value;
   const Icon = isDone ? CircleCheck : Target;
+  const title = `${mission.number} ${mission.title}`;
   return (
     <div class="mission__line row middle gap-2">
       <Icon class="icon mission__icon" aria-hidden="true" />
-      <h2 class="mission__title one-line shrinks">
-        {mission.number} {mission.title}
+      <h2 class="mission__title one-line shrinks" title={title} data-shortened>
+        {title}
       </h2>
       <Marks marks={marks} />
       <span class="grows" />
