@@ -38,6 +38,13 @@ test("a run that did not pass says what is missing, after how it ended", () => {
   expect(withVerdict(ended, "r", judged(false, null), ptBR).detail).toBe(ptBR.activity.toTheEnd);
 });
 
+test("of a run that did not pass, blocks that did not run are said before what it lacks", () => {
+  const loose: Sentence = { ...ended, tone: "notice", idle: "Um bloco está solto e não rodou." };
+  const { detail } = withVerdict(loose, "r", judged(false, "Comparem o fim do caminho."), ptBR);
+  expect(detail).toBe(ptBR.activity.missing({ what: "Um bloco está solto e não rodou." }));
+  expect(withVerdict(loose, "r", judged(true, null), ptBR).text).toBe(ptBR.activity.passed);
+});
+
 test("what to do about a run that failed is not replaced by that it is not judged", () => {
   const verdict = { ...judged(false, null), not_judged: "Não julgada." };
   const failed: Sentence = {

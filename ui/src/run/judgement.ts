@@ -17,7 +17,9 @@ export function withVerdict(
   // for a run that PINEL lost, `missing` is the same sentence as the ending, which already has advice
   if (judged.missing?.startsWith(ended.text)) return ended;
   const tone = ended.tone === "done" ? "notice" : ended.tone;
-  if (judged.missing) return { ...ended, tone, detail: activity.missing({ what: judged.missing }) };
+  // blocks that did not run come first: what the rest of the program lacks may be just them
+  const what = ended.idle ?? judged.missing;
+  if (what) return { ...ended, tone, detail: activity.missing({ what }) };
   return { ...ended, tone, detail: activity.toTheEnd };
 }
 

@@ -15,6 +15,8 @@ export interface Sentence {
   text: string;
   detail: string;
   tone: Tone;
+  /** Of a finished run: which blocks did nothing, and why; the first thing to mend. */
+  idle?: string;
   part?: number | null;
 }
 
@@ -211,8 +213,10 @@ function finishedSentence(view: RunView, context: SentenceContext): Sentence {
   ].filter((remark) => remark !== false);
   const text = isStill ? status.finishedStill : finished(view, context.texts, context.language);
   const estimate = isStill ? "" : estimated(view, context);
-  const detail = [...remarks, estimate, answered(view, context)].filter(Boolean).join(" ");
-  return { text, detail, tone: isStill || remarks.length > 0 ? "notice" : "done" };
+  const idle = remarks.join(" ");
+  const detail = [idle, estimate, answered(view, context)].filter(Boolean).join(" ");
+  const tone = isStill || idle ? "notice" : "done";
+  return idle ? { text, detail, tone, idle } : { text, detail, tone };
 }
 
 const NO_PROGRAM: StoredProgram = { document: null, workspace: null };
