@@ -34,6 +34,20 @@ describe("what the camera sees", () => {
   });
 });
 
+test("a slow response about the camera does not undo an event that came meanwhile", async () => {
+  let respond: (status: object) => void = () => {};
+  cameraApi.status.mockReturnValue(
+    new Promise((resolve) => {
+      respond = resolve;
+    }),
+  );
+  const asked = page.refresh();
+  page.receive(changed("on"));
+  respond({ state: "opening", source: "0", problem: null });
+  await asked;
+  expect(page.camera.value.mode).toBe("on");
+});
+
 describe("why the camera is of no use", () => {
   test("stays while it is tried again, so that nothing flickers, until it works", () => {
     page.receive(changed("failed", "camera_missing"));

@@ -48,6 +48,7 @@ export function receive(event: CameraEvent): void {
     void askForSigns(event.classroom);
   } else if (event.type === "camera_state") {
     const { state, code, params, message, remedy } = event;
+    nStateEvents += 1;
     change(state, code === null ? null : { code, params, message, remedy });
   } else if (camera.peek().mode !== "off") {
     batch(() => {
@@ -57,10 +58,17 @@ export function receive(event: CameraEvent): void {
   }
 }
 
-/** Requests the camera's state. Events may have been missed, and none repeats an earlier state. */
+/** Number of events about the camera's state that were received. */
+let nStateEvents = 0;
+
+/**
+ * Requests the camera's state. Events may have been missed, and none repeats an earlier state. An
+ * event that arrives before the response is at least as new, so the response then changes nothing.
+ */
 export async function refresh(): Promise<CameraStatus> {
+  const before = nStateEvents;
   const status = await cameraApi.status();
-  change(status.state, status.problem);
+  if (nStateEvents === before) change(status.state, status.problem);
   return status;
 }
 
