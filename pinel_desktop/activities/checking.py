@@ -269,7 +269,7 @@ def _advice(
     # the program did not cause such an end
     if evidence.log.ended.get("reason") in INTERRUPTED_REASONS:
         return Advice(texts_of(str(evidence.log.ended["reason"]), {}, None), None, None)
-    facts = Facts(evidence, activity.cases[number - 1], number, checks)
+    facts = Facts(evidence, activity.cases, number, checks)
     for index, diagnosis in enumerate(activity.diagnoses):
         if fits(diagnosis, facts):
             return advice_of(diagnosis, index, facts)

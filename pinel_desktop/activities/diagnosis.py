@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from pinel_desktop.activities.checks.base import CheckBase
+from pinel_desktop.activities.checks.base import CheckBase, place_text
 from pinel_desktop.activities.checks.floor.closed import gap_of
 from pinel_desktop.activities.checks.floor.draws import Draws
 from pinel_desktop.activities.checks.floor.pushed import Pushed
@@ -17,8 +17,8 @@ from pinel_desktop.activities.checks.run.any_of import AnyOf
 from pinel_desktop.activities.commands import Command, nesting_of
 from pinel_desktop.activities.drawing import Fit
 from pinel_desktop.activities.evidence import Evidence, StartedCommand
-from pinel_desktop.activities.model import Case, Diagnosis, ExpectedFact
-from pinel_desktop.activities.wording import TextByLanguage, interpolate, number
+from pinel_desktop.activities.model import Case, Diagnosis, ExpectedFact, Start
+from pinel_desktop.activities.wording import TextByLanguage, interpolate
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.messages import LANGUAGES, catalogue, describe
 
@@ -46,9 +46,9 @@ class Facts:
     """The facts of one run by name; each is computed on first access."""
 
     def __init__(
-        self, evidence: Evidence, case: Case, number: int, checks: Sequence[CheckBase]
+        self, evidence: Evidence, cases: Sequence[Case], number: int, checks: Sequence[CheckBase]
     ) -> None:
-        self._evidence, self._case, self._number = evidence, case, number
+        self._evidence, self._cases, self._number = evidence, cases, number
         self._checks = list(_flat(checks))
         self._known: dict[str, Fact] = {}
 
@@ -66,7 +66,8 @@ class Facts:
 
     def input(self) -> str:
         """Returns the inputs that the case gives to the program."""
-        return ", ".join([*self._case.gestures, *self._case.answers])
+        case = self._cases[self._number - 1]
+        return ", ".join([*case.gestures, *case.answers])
 
     def to_goal_m(self) -> float | None:
         """Returns the distance (m) of the end from the goal; None if no check has such a goal."""
@@ -134,8 +135,8 @@ class Facts:
         return [check for check in self._checks if isinstance(check, Draws)]
 
     @property
-    def case(self) -> Case:
-        return self._case
+    def cases(self) -> Sequence[Case]:
+        return self._cases
 
     @property
     def evidence(self) -> Evidence:
@@ -195,6 +196,7 @@ _FACTS: dict[str, Callable[[Facts], Fact]] = {
     "time_s": lambda facts: facts.evidence.duration_s,
     "end_x": lambda facts: facts.evidence.end[0],
     "end_y": lambda facts: facts.evidence.end[1],
+    "from_start_m": lambda facts: math.hypot(*facts.evidence.end[:2]),
     "to_goal_m": Facts.to_goal_m,
     "blocks": lambda facts: len(facts.evidence.commands),
     "nesting": lambda facts: nesting_of(facts.evidence.commands),
@@ -309,7 +311,7 @@ def _values(
         if name[:2] in ("n_", "x_"):
             values[name] = facts[name]
     if "input" in named:
-        values["input"] = input_text(facts.case, language)
+        values["input"] = input_text(facts.cases, facts.case_number, language)
     if command is not None:
         values |= _of_block(command, facts)
     return {name: value for name, value in values.items() if value is not None}
@@ -334,11 +336,27 @@ def _of_block(command: Command, facts: Facts) -> dict[str, Any]:
     return values
 
 
-def input_text(case: Case, language: str) -> str:
-    """Returns the inputs of a case as text: signs and answers, or another start."""
+def input_text(cases: Sequence[Case], number: int, language: str) -> str:
+    """Returns what a case gives to the program, as text: signs and answers, or another start.
+
+    Args:
+        cases: all cases of the activity; pupils know the start of the first.
+        number: number of the case, from 1.
+    """
+    case = cases[number - 1]
     if case.start is not None:
-        values = {"x": number(case.start.x_m, language)}
-        return describe("diagnosis_start", values, language).message
+        place = _moved_start(case.start, cases[0].start or case.start, language)
+        code = "diagnosis_start" if place else "diagnosis_same_start"
+        return describe(code, {"place": place}, language).message
     given = [*case.gestures, *case.answers]
     none = describe("diagnosis_no_sign", {}, language).message
     return ", ".join(one or none for one in given)
+
+
+def _moved_start(start: Start, first: Start, language: str) -> str:
+    """Returns where a start lies, seen from the first case's start; "" if it is the same."""
+    heading = math.radians(first.heading_deg)
+    dx, dy = start.x_m - first.x_m, start.y_m - first.y_m
+    ahead = dx * math.cos(heading) + dy * math.sin(heading)
+    left = dy * math.cos(heading) - dx * math.sin(heading)
+    return place_text(ahead, left, 0.005, language)

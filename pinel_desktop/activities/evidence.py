@@ -344,6 +344,20 @@ class Evidence:
         motion = self.motion_at(len(self.log.poses))
         return motion.pointer if motion else None
 
+    def motion_towards(self, zone: str) -> str | None:
+        """Returns the pointer of the motion that came nearest to a zone that the robot did not enter where it should.
+
+        Counts from the last zone that the robot entered; if it never came nearer, returns its last motion.
+        """
+        center = self.zone_center(zone)
+        if center is None:
+            return self.last_motion
+        since = self.entries[-1][1] if self.entries else 0
+        distances = np.hypot(*(self.in_world[since:] - center).T)
+        nearest = int(distances.argmin())
+        motion = self.motion_at(since + nearest) if nearest else None
+        return motion.pointer if motion else self.last_motion
+
     def last_pointer_of(self, *actions: str) -> str | None:
         """Returns the pointer of the last started command of these kinds."""
         found = [one.pointer for one in self.started_commands if one.action in actions]

@@ -42,7 +42,8 @@ class Case(Model):
 # further facts: `n_ACTION`, the number of such commands in the program, and `x_ACTION`, the number
 # of such commands that started in the run
 NUMBER_FACTS = frozenset(
-    {"gap_m", "net_deg", "turned_deg", "path_m", "time_s", "end_x", "end_y", "to_goal_m"}
+    {"gap_m", "net_deg", "turned_deg", "path_m", "time_s", "end_x", "end_y"}
+    | {"from_start_m", "to_goal_m"}
     | {
         "blocks",
         "nesting",

@@ -140,9 +140,12 @@ def _tried(activity: Activity, report: Report, language: str) -> list[JudgedCase
     """Returns each tried case with its result; an empty list if the activity has one case only."""
     if len(activity.cases) == 1:
         return []
-    given = [input_text(case, language) for case in activity.cases]
     return [
-        JudgedCase(given=given[one.case - 1], seen=one.recorded, passed=one.passed)
+        JudgedCase(
+            given=input_text(activity.cases, one.case, language),
+            seen=one.recorded,
+            passed=one.passed,
+        )
         for one in report.cases
     ]
 

@@ -49,6 +49,7 @@ ARC = {"action": "arc", "radius": 0.8, "angle": 360}
 CORNER = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]]
 L = [PEN, move(2), turn(90), move(1)]
 IN_B = {"check": "ends_in", "zone": "B"}
+BACK = {"action": "move_backward", "distance": 0.3}
 MARK = {"action": "mark", "symbol": "X"}
 HELLO = {"action": "say", "text": "Olá, Turma"}
 TO_B: list[dict[str, Any]] = [move(2), MARK, HELLO]  # from left of A through A into B
@@ -212,6 +213,28 @@ def test_a_zone_that_was_to_be_avoided_is_reported_with_the_block_that_drove_int
     assert goal_of(mission, None).zones == []  # it is no place to get to
     (fault,) = semantic_faults(activity({"check": "avoids", "zone": "?"}))
     assert (fault.code, fault.pointer) == ("activity_unknown_zone", "/checks/0/zone")
+
+
+@pytest.mark.parametrize(
+    ("commands", "block"),
+    [
+        pytest.param(
+            [{**move(0.3), "block": "short"}, {**BACK, "block": "back"}], "short", id="short"
+        ),
+        pytest.param(
+            [{**move(2), "block": "past"}, {**move(0.1), "block": "on"}], "past", id="passed by"
+        ),
+        pytest.param(
+            [{**turn(180), "block": "turned"}, {**move(1), "block": "away"}], "away", id="away"
+        ),
+    ],
+)
+def test_a_zone_that_was_missed_is_reported_with_the_block_that_came_nearest(
+    commands: list[dict[str, Any]], block: str
+) -> None:
+    zones = ["B"] if block != "past" else ["I"]
+    (found,) = run(activity({"check": "visits", "zones": zones}), *commands).cases[0].checks
+    assert (found.holds, found.block) == (False, block)
 
 
 def test_each_case_has_its_own_gestures_and_checks() -> None:

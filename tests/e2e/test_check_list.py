@@ -147,6 +147,6 @@ def test_the_other_cases_that_were_tried_are_named(studio: Studio) -> None:
     studio["mission-fold"].click()
     tried = studio["cases-tried"].get_by_role("listitem")
     expect(tried).to_have_count(2, timeout=RUN_MS)
-    expect(tried.first).to_contain_text("a partida em x −1,25 m")
+    expect(tried.first).to_contain_text("a partida 1,75 m à frente")
     expect(tried.first).to_have_attribute("data-state", "broken")
     assert violations(studio, "cases-tried") == []

@@ -176,6 +176,16 @@ def counted(code: str, n: int, language: str, **values: Any) -> str:
     return describe(code, {**formatted_values(values, language), "count": n}, language).message
 
 
+def place_text(x_m: float, y_m: float, within_m: float, language: str) -> str:
+    """Returns where a point of the start frame lies, seen from the start; "" within `within_m` of it."""
+    ahead = ("place_ahead" if x_m > 0 else "place_behind", x_m)
+    aside = ("place_left" if y_m > 0 else "place_right", y_m)
+    places = [
+        text(code, language, by_m=abs(by)) for code, by in (ahead, aside) if abs(by) > within_m
+    ]
+    return text("criteria_and", language).join(places)
+
+
 def side(angle_deg: float, language: str) -> str:
     """Returns the word for left or right; a positive angle is to the left."""
     return text("block_left" if angle_deg > 0 else "block_right", language)

@@ -8,6 +8,7 @@ from pinel_desktop.activities.checks.base import (
     Metres,
     RealRobotTolerance,
     centimetres,
+    place_text,
     rounded,
     text,
 )
@@ -34,18 +35,10 @@ class EndsAt(CheckBase):
         return CheckResult(passed, off, 0.0, evidence.last_motion, code, values, "measured_off")
 
     def criterion(self, language: str) -> str:
-        ahead = ("place_ahead" if self.x_m > 0 else "place_behind", self.x_m)
-        aside = ("place_left" if self.y_m > 0 else "place_right", self.y_m)
-        places = [
-            text(code, language, by_m=abs(by))
-            for code, by in (ahead, aside)
-            if abs(by) > self.within_m
-        ]
-        if not places:
+        place = place_text(self.x_m, self.y_m, self.within_m, language)
+        if not place:
             return text("criterion_ends_at_start", language)
-        return text(
-            "criterion_ends_at", language, place=text("criteria_and", language).join(places)
-        )
+        return text("criterion_ends_at", language, place=place)
 
     @classmethod
     def proposed(cls, solution: Evidence) -> dict[str, Any]:

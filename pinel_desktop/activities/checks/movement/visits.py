@@ -34,7 +34,7 @@ class Visits(CheckBase):
             passed=not missing,
             measured=", ".join(zones),
             target=", ".join(self.zones),
-            pointer=evidence.last_motion,
+            pointer=evidence.motion_towards(missing[0]) if missing else evidence.last_motion,
             code="check_visits" if visited else "check_visits_none",
             values={"visited": visited, "zone": missing[0] if missing else ""},
             progress="measured_visits" if visited else "",
