@@ -85,7 +85,10 @@ class Blocks:
         self.click_in_flyout(text)
 
     def open_category(self, name: str) -> None:
-        """Clicks a category, unless its flyout is open: a second click would close it. The mission's sheet would cover it."""
+        """Clicks a category, unless its flyout is open: a second click would close it.
+
+        Closes the mission's sheet first, which may cover the flyout.
+        """
         start = self._page.get_by_test_id("mission-start")
         if start.is_visible():
             start.click()
