@@ -102,6 +102,21 @@ def test_what_the_run_lacks_is_shown_at_its_block_until_the_program_changes(
     expect(studio["advice-block"]).to_have_count(0)
 
 
+def test_the_replay_says_at_its_end_what_the_run_lacks(studio: Studio) -> None:
+    open_mission(studio, "left_right")
+    write_program(studio, TWO_LEFT_TURNS)
+    hurry(studio)
+    studio.run()
+    lacks = "Ainda não: O robô girou 180° à esquerda"
+    expect(studio["status-line"]).to_contain_text(lacks, timeout=RUN_MS)
+    studio["past-run-replay"].click()
+    expect(studio["replay-slider"]).to_be_visible()
+    expect(studio["status-line"]).not_to_contain_text("Ainda não")
+    studio["replay-slider"].press("End")
+    expect(studio["status-line"]).to_contain_text(lacks)
+    expect(studio.page.locator(".pinelAdvice")).to_contain_text("girar")
+
+
 def test_success_is_seen_heard_where_wanted_and_leads_on(studio: Studio) -> None:
     studio.page.add_init_script(
         "window.tones = []; const Own = window.OscillatorNode;"

@@ -72,7 +72,9 @@ def test_a_run_that_has_ended_is_judged(
         "by_robot": False,
         "not_judged": None,
     }
-    assert browser.get(f"/api/runs/{run}").data["passed"] is passed
+    found = browser.get(f"/api/runs/{run}").data
+    assert (found["passed"], found["missing"]) == (passed, missing)
+    assert found["missing_block"] == block
 
 
 def test_a_run_in_another_world_than_the_activity_s_is_told_that_first(

@@ -1,6 +1,6 @@
 """Review of a group's work: differences of two versions, events of a lesson. PURE: no IO, thread or clock."""
 
-from pinel_desktop.school.review.advice import Advice, advice_of_cases
+from pinel_desktop.school.review.advice import Advice, advice_of_cases, advice_of_report
 from pinel_desktop.school.review.blocks import BlocksInUse, blocks_in_use
 from pinel_desktop.school.review.difference import (
     Change,
@@ -40,6 +40,7 @@ __all__ = [
     "Summary",
     "TimelineEntry",
     "advice_of_cases",
+    "advice_of_report",
     "blocks_in_use",
     "difference",
     "review_group",

@@ -1,7 +1,8 @@
 """Diagnosis or check text shown for a run that did not pass its activity, read from the stored report."""
 
 import re
-from typing import Annotated
+from collections.abc import Mapping, Sequence
+from typing import Annotated, Any
 
 from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
@@ -14,9 +15,11 @@ class Advice(BaseModel):
     Attributes:
         diagnosis: index of the diagnosis in the activity; None for the text of a check.
         words: the text by language.
+        block: id of the block that it is about; None without one.
     """
 
     diagnosis: int | None = None
+    block: str | None = None
     words: Annotated[dict[str, str], Field(min_length=1)]
 
     def mistake(self, activity: str) -> str:
@@ -30,6 +33,14 @@ class Advice(BaseModel):
         return self.words.get(language, self.words[min(self.words)])
 
 
+class _Case(BaseModel):
+    advice: Advice | None = None
+
+
+class _Report(BaseModel):
+    cases: list[_Case] = []
+
+
 _CASES: TypeAdapter[list[Advice | None]] = TypeAdapter(list[Advice | None])
 
 
@@ -40,9 +51,20 @@ def advice_of_cases(of_cases: str | None) -> Advice | None:
         of_cases: JSON list with the advice for each case, as `storage` returns it; a damaged list counts as empty.
     """
     try:
-        cases = _CASES.validate_json(of_cases or "[]")
+        return _first(_CASES.validate_json(of_cases or "[]"))
     except ValidationError:
         return None
+
+
+def advice_of_report(report: Mapping[str, Any]) -> Advice | None:
+    """Returns the advice in the stored report of a run; None if it has none or is damaged."""
+    try:
+        return _first([case.advice for case in _Report.model_validate(report).cases])
+    except ValidationError:
+        return None
+
+
+def _first(cases: Sequence[Advice | None]) -> Advice | None:
     given = [one for one in cases if one is not None]
     return min(given, key=_rank, default=None)
 

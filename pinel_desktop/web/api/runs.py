@@ -278,16 +278,26 @@ def get_run(path: IdPath) -> Response:
 
 
 def _verdict(row: RunRow) -> dict[str, object]:
-    """Whether the robot's measurements were judged, and why a run was not judged."""
+    """What the judge found: whether it judged a robot's measurements or why not, and what the run lacks."""
+    from pinel_desktop.school.review import advice_of_report  # noqa: PLC0415 - heavy
+
     report = row.check_report or {}
     by_robot = row.link != SIMULATOR and row.passed is not None
-    why = report.get("not_judged")
+    advice = advice_of_report(report) if row.passed is False else None
+    return {
+        "by_robot": by_robot,
+        "not_judged": _why_not_judged(report.get("not_judged")),
+        "missing": advice.of(services().settings.language) if advice else None,
+        "missing_block": advice.block if advice else None,
+    }
+
+
+def _why_not_judged(why: object) -> str | None:
     if not isinstance(why, str):
-        return {"by_robot": by_robot, "not_judged": None}
+        return None
     from pinel_desktop.activities import not_judged_text  # noqa: PLC0415 - heavy
 
-    text = not_judged_text(why, services().settings.language)
-    return {"by_robot": by_robot, "not_judged": text}
+    return not_judged_text(why, services().settings.language)
 
 
 def _world_of(row: RunRow) -> World:

@@ -79,7 +79,10 @@ class RunWithVersion(Run):
     not_judged: Annotated[
         str | None, Field(description="why a run on a real robot was not judged, in words")
     ]
-
+    missing: Annotated[
+        str | None, Field(description="what a run that did not pass lacks, in words")
+    ]
+    missing_block: Annotated[str | None, Field(description="id of the block that it is about")]
     version: Version | None
     world_document: World | None
 

@@ -1,10 +1,11 @@
 import type { ReadonlySignal } from "@preact/signals";
 import { effect, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { RunWithVersion } from "../api/model";
-import { createEditor, type Editor } from "../editor";
+import type { JudgedEvent, RunWithVersion } from "../api/model";
+import { createEditor, type Editor, type Fault } from "../editor";
 import { language, texts } from "../i18n";
 import { failureIn } from "../run/failure";
+import { withVerdict } from "../run/judgement";
 import { StatusLine } from "../run/panels/StatusLine";
 import { activeBlockId, isLive, type RunView } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
@@ -14,6 +15,28 @@ import { theme } from "../shell/theme";
 export interface ReplayedRun {
   readonly run: RunWithVersion;
   readonly view: ReadonlySignal<RunView>;
+}
+
+/** The verdict on a recorded run, as the studio got it at the end of the run. */
+function judgedOf(run: RunWithVersion): JudgedEvent | null {
+  const { id, passed, missing, missing_block, by_robot, not_judged } = run;
+  if (passed === null && not_judged === null) return null;
+  return {
+    type: "judged",
+    run: id,
+    passed,
+    missing,
+    block: missing_block,
+    cases: [],
+    by_robot,
+    not_judged,
+  };
+}
+
+/** What the run lacks, at its block, at the end of the run. */
+function adviceAt({ missing, missing_block }: RunWithVersion, view: RunView): Fault[] {
+  if (!missing || !missing_block || isLive(view)) return [];
+  return [{ block: missing_block, message: missing, remedy: "" }];
 }
 
 /** A sentence about the robot's action at the current tick. */
@@ -30,7 +53,8 @@ export function ReplaySentence({ run, view }: ReplayedRun) {
       past: true,
       program: run.version,
     };
-    return sentenceOf(view.value, voice) ?? begin;
+    const now = sentenceOf(view.value, voice) ?? begin;
+    return isLive(view.value) ? now : withVerdict(now, run.id, judgedOf(run), texts.value);
   });
   return <StatusLine sentence={sentence.value} />;
 }
@@ -57,7 +81,7 @@ export function ReplayBlocks({ run, view }: ReplayedRun) {
     made.setReadOnly(true);
     const stop = effect(() => {
       made.highlight(activeBlockId(view.value));
-      made.showAdvice(failureIn(view.value, language.value));
+      made.showAdvice([...adviceAt(run, view.value), ...failureIn(view.value, language.value)]);
     });
     return () => {
       stop();
