@@ -68,7 +68,7 @@ def test_the_run_pauses_at_a_breakpoint(studio: Studio) -> None:
     studio.enter_new_group()
     put_two_moves(studio)
     studio.blocks.by_text("andar para trás").click(button="right")
-    expect(studio.page.locator(".blocklyContextMenu")).to_contain_text("F9")
+    expect(studio.page.locator(".blocklyContextMenu")).to_contain_text("F6")
     studio.page.get_by_text("Pausar aqui", exact=True).click()
     expect(dots(studio)).to_have_count(1)
 

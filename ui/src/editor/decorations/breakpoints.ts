@@ -10,7 +10,7 @@ const RADIUS = 7;
 const LEFT = -2;
 const MIDDLE = 24;
 
-/** Blocks before which a run pauses. The block's menu and the key F9 toggle their red dots. */
+/** Blocks before which a run pauses. The block's menu and the key F6 toggle their red dots. */
 export class Breakpoints {
   private static readonly of = new WeakMap<Blockly.Workspace, Breakpoints>();
   private readonly ids = new Set<string>();
@@ -99,7 +99,7 @@ function registerKey(): void {
   if (registry.getRegistry()[MENU]) return;
   registry.register({
     name: MENU,
-    keyCodes: [Blockly.utils.KeyCodes.F9],
+    keyCodes: [Blockly.utils.KeyCodes.F6], // F9 stops a real robot
     preconditionFn: (workspace) => !workspace.isDragging(),
     callback: () => {
       const focused = Blockly.getFocusManager().getFocusedNode();
