@@ -94,9 +94,7 @@ def _character(store: Store, group_id: str, runs: list[AlbumRun]) -> Iterator[St
     tenth = careful[N_CAREFUL - 1] if len(careful) == N_CAREFUL else None
     yield Sticker("repair", "character", win=_win(_first_repair(runs)))
     yield Sticker("shorter", "character", win=_win(_first_shorter(store, runs)))
-    yield Sticker(
-        "careful", "character", win=_win(tenth), n_done=len(careful), n_needed=N_CAREFUL
-    )
+    yield Sticker("careful", "character", win=_win(tenth), n_done=len(careful), n_needed=N_CAREFUL)
     taught_at = store.album_runs.first_taught_at(group_id)
     yield Sticker("taught", "character", win=Win(taught_at, None) if taught_at else None)
 
@@ -124,11 +122,11 @@ def _first_repair(runs: list[AlbumRun]) -> AlbumRun | None:
 def _first_shorter(store: Store, runs: list[AlbumRun]) -> AlbumRun | None:
     """Returns the first run that passed an activity with fewer blocks than the activity's solution."""
     passed = [run for run in runs if run.passed and run.activity and run.version_id]
-    solutions = _solutions(store, {str(run.activity) for run in passed})
+    limits = _solution_blocks(store, {str(run.activity) for run in passed})
     documents = store.album_runs.documents({str(run.version_id) for run in passed})
     for run in passed:
-        solution, document = solutions.get(str(run.activity)), documents.get(str(run.version_id))
-        if solution and document and _n_blocks(document) < _n_blocks(solution):
+        limit, document = limits.get(str(run.activity)), documents.get(str(run.version_id))
+        if limit and document and _n_blocks(document) < limit:
             return run
     return None
 
@@ -139,10 +137,11 @@ def _n_blocks(document: dict[str, Any]) -> int:
     return len(commands_of(document))
 
 
-def _solutions(store: Store, activities: set[str]) -> dict[str, dict[str, Any] | None]:
-    """Returns the solutions of activities by name; an activity of a newer release has none."""
+def _solution_blocks(store: Store, activities: set[str]) -> dict[str, int]:
+    """Returns the number of blocks of the solutions of activities; an activity of a newer release has none."""
     from pinel_desktop.activities import activity_names, solution_of  # noqa: PLC0415 - heavy
 
     shipped = activities.intersection(activity_names())
     own = store.album_runs.own_solutions(activities - shipped)
-    return {**own, **{name: solution_of(name) for name in shipped}}
+    solutions = {**own, **{name: solution_of(name) for name in shipped}}
+    return {name: _n_blocks(solution) for name, solution in solutions.items() if solution}

@@ -58,7 +58,7 @@ class AlbumRuns(Repository):
         return {str(row["id"]): readable_object(row["solution"]) for row in found}
 
     def first_taught_at(self, group_id: str) -> str | None:
-        """Returns when a class of the group first taught a sign: the present class, or one whose lessons it worked in."""
+        """Returns when a class of the group first taught a sign: its present class, or one in whose lessons it ran."""
         query = """SELECT min(created_at) AS at FROM taught_signs WHERE classroom_id IN (
                 SELECT classroom_id FROM groups WHERE id = ?
                 UNION SELECT lessons.classroom_id FROM runs JOIN lessons ON lessons.id = runs.lesson_id

@@ -67,7 +67,7 @@ function Contents({ sticker, labels }: ContentsProps) {
           album.wonOn({ date: dayOf(win.won_at, language.value) })
         ) : (
           <>
-            <span class="visually-hidden">{album.empty}. </span>
+            <span class="visually-hidden">{`${album.empty}. `}</span>
             {howOf(sticker, labels)}
             {n_needed > 1 && (
               <span class="album__progress">{album.progress({ n: n_done, all: n_needed })}</span>
