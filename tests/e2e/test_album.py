@@ -8,7 +8,7 @@ from playwright.sync_api import Locator, expect
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import RUN_MS, Studio
-from tests.e2e.test_classes import prepare, to_part
+from tests.e2e.test_classes import LONG, prepare, to_part
 from tests.e2e.test_layout import cut
 from tests.e2e.test_missions import put_move, sign_in_with
 
@@ -88,11 +88,16 @@ def switch_off(teacher: Studio) -> None:
     expect(teacher["preset-saved"]).to_have_text("Salvo.")
 
 
-def test_the_album_is_one_page_of_paper_and_fits_small_screens(studio: Studio) -> None:
-    studio.enter_group("Grupo com um nome de sessenta letras, que não cabe na linha!")
+def test_the_album_is_one_page_of_paper_whatever_the_name_of_the_group(studio: Studio) -> None:
+    studio.enter_group(LONG)
     open_album(studio)
     pages = re.findall(rb"/Type\s*/Page\b", studio.page.pdf(prefer_css_page_size=True))
     assert len(pages) == 1
+
+
+def test_the_album_fits_small_screens(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    open_album(studio)
     for width, height in ((1024, 600), (683, 384)):
         studio.page.set_viewport_size({"width": width, "height": height})
         assert cut(studio, "album-place") == []

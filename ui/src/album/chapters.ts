@@ -59,7 +59,7 @@ export interface PrintLayout {
 
 /** The layout with the largest stickers with which all chapters fit on one page; `sizes` are the numbers of stickers. */
 export function printLayout(sizes: readonly number[]): PrintLayout {
-  const layouts = COLUMNS.map((columns) => {
+  const layouts = COLUMNS.map((columns): PrintLayout => {
     const nRows = sizes.reduce((sum, size) => sum + Math.ceil(size / columns), 0);
     const row = (PAGE_MM.height - sizes.length * TITLE_MM) / Math.max(1, nRows) - GAP_MM;
     const width = PAGE_MM.width / columns - GAP_MM;
