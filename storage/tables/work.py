@@ -133,7 +133,11 @@ CLASS_PRESETS = ReplicatedTable(
     "With what the groups of a class begin: level, world, activity, minutes between swaps, album of stickers.",
     (
         parent("id", "classrooms", "key of the class"),
-        Column("preset", JSON, "level, world, activity, swap_minutes, album; what is missing is not set"),
+        Column(
+            "preset",
+            JSON,
+            "level, world, activity, swap_minutes, album; what is missing is not set",
+        ),
         *REVISED,
     ),
     anonymous=False,

@@ -140,7 +140,7 @@ def test_fewer_blocks_than_the_solution_win_a_sticker_and_as_many_do_not(
 def test_ten_runs_that_drove_and_finished_win_the_shield(store: Store, group: GroupRow) -> None:
     for _ in range(N_CAREFUL - 1):
         run(store, group, None, None, document=BACK_AND_FORTH, path_m=6.0)
-    run(store, group, None, None, document=BACK_AND_FORTH, path_m=2.0, state="failed")
+    run(store, group, "square", False, path_m=2.0, state="failed")
     run(store, group, None, None, document=BACK_AND_FORTH, path_m=2.0, state="stopped")
     run(store, group, None, None, document=BACK_AND_FORTH, path_m=0.1)
     place = sticker(store, group, "careful")

@@ -5,8 +5,8 @@ import { passesAxe } from "../kit/testing/control";
 import { Place } from "./Place";
 import { dayOf } from "./words";
 
-const begun = vi.hoisted(() => vi.fn(async () => {}));
-vi.mock("../shell/begin_activity", () => ({ beginActivity: begun }));
+const startMission = vi.hoisted(() => vi.fn(async () => {}));
+vi.mock("../shell/begin_activity", () => ({ beginActivity: startMission }));
 
 const square: Sticker = {
   name: "square",
@@ -27,7 +27,7 @@ test("an empty place says what to do and opens its mission", async () => {
     name: /Um quadrado de 1 m.*Lugar vazio\.\s*Façam um quadrado/,
   });
   place.click();
-  expect(begun).toHaveBeenCalledWith("g", "square");
+  expect(startMission).toHaveBeenCalledWith("g", "square");
   await passesAxe(container);
 });
 

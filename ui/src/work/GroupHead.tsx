@@ -29,6 +29,7 @@ export function GroupHead({ group }: { group: Group }) {
       />
       {group.has_album && (
         <LinkButton
+          class="rigid"
           icon={Sticker}
           href={hashOf({ screen: "album", group: group.id })}
           testId="work-album"
