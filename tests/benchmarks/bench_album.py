@@ -1,5 +1,6 @@
-"""The albums of 40 groups with 2,000 runs, beside reading the same rows with bare SQLite."""
+"""The albums of 40 groups with 2,000 runs, beside reading their rows with bare SQLite and parsing the programs."""
 
+import json
 import random
 import time
 from collections.abc import Callable
@@ -18,9 +19,9 @@ from tests.web.fake_engine import FakeEngine
 N_GROUPS, N_RUNS = 40, 2_000
 REPEATS = 9
 MAX_MS = 100.0  # of one album as the page waits for it, and of one group that made all runs
-MAX_RATIO = 12.0  # of all albums together
-ROWS = """SELECT id, activity, passed, state, path_length_m, version_id, started_at
-    FROM runs WHERE group_id = ? ORDER BY id"""
+MAX_RATIO = 8.0  # of all albums together
+ROWS = """SELECT runs.id, activity, passed, state, path_length_m, started_at, versions.document
+    FROM runs JOIN versions ON versions.id = version_id WHERE group_id = ? ORDER BY runs.id"""
 
 
 def play(store: Store, group: str, n_runs: int) -> None:
@@ -56,8 +57,11 @@ def best_ms(call: Callable[[], object]) -> float:
 
 
 def bare_read(path: Path, groups: list[str]) -> Callable[[], list[Any]]:
+    """Returns what reads the runs of the groups and parses the programs that ran."""
     db = sqlite3.connect(path)
-    return lambda: [db.execute(ROWS, [group]).fetchall() for group in groups]
+    return lambda: [
+        json.loads(row[-1]) for group in groups for row in db.execute(ROWS, [group]).fetchall()
+    ]
 
 
 def test_an_album_reaches_the_page_at_once_and_costs_a_few_times_what_reading_its_rows_costs(
@@ -82,7 +86,7 @@ def test_an_album_reaches_the_page_at_once_and_costs_a_few_times_what_reading_it
         )
     print(
         f"\n{N_GROUPS} groups, {N_RUNS} runs: one album over HTTP {one_ms:.1f} ms (the first one {first_ms:.0f} ms),"
-        f" all {N_GROUPS} albums {all_ms:.0f} ms, their rows by bare SQLite {bare_ms:.1f} ms,"
+        f" all {N_GROUPS} albums {all_ms:.0f} ms, their rows by bare SQLite and json {bare_ms:.1f} ms,"
         f" ratio {all_ms / bare_ms:.1f};"
         f" a group that made {N_RUNS} runs itself {busy_ms:.0f} ms"
     )

@@ -11,9 +11,9 @@ const LEFT_OUT = [
   "work",
   "help",
   "words",
+  "albumLink",
   "robot",
   "lesson",
-  "albumLink",
 ] as const;
 
 /** Hides parts of the header while its contents are too wide. Names are shortened last. */
