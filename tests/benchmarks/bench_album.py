@@ -19,7 +19,7 @@ from tests.web.fake_engine import FakeEngine
 N_GROUPS, N_RUNS = 40, 2_000
 REPEATS = 9
 MAX_MS = 100.0  # of one album as the page waits for it, and of one group that made all runs
-MAX_RATIO = 8.0  # of all albums together
+MAX_RATIO = 5.0  # of all albums together
 ROWS = """SELECT runs.id, activity, passed, state, path_length_m, started_at, versions.document
     FROM runs JOIN versions ON versions.id = version_id WHERE group_id = ? ORDER BY runs.id"""
 
