@@ -34,7 +34,7 @@ export function GroupHead({ group }: { group: Group }) {
           href={hashOf({ screen: "album", group: group.id })}
           testId="work-album"
         >
-          {texts.value.album.open}
+          {texts.value.titles.album}
         </LinkButton>
       )}
     </div>

@@ -9,16 +9,16 @@ import { reviewOrigin } from "../../shell/teacher/review_origin";
 export function AlbumLink() {
   const { value: now } = group;
   if (!now?.has_album || reviewOrigin.value) return null;
-  const { open } = texts.value.album;
+  const { album } = texts.value.titles;
   return (
     <LinkButton
       class="header__album"
       icon={Sticker}
-      label={open}
+      label={album}
       href={hashOf({ screen: "album", group: now.id })}
       testId="open-album"
     >
-      <span class="header__word header__album-word">{open}</span>
+      <span class="header__word header__album-word">{album}</span>
     </LinkButton>
   );
 }
