@@ -15,7 +15,11 @@ SIMULATOR = "sim"  # the link of simulated runs
 
 @dataclass(frozen=True, slots=True)
 class GroupRow:
-    """Pupils who work together; `n_programs` is without programs in the bin, whose number is `n_in_bin`."""
+    """Pupils who work together; `n_programs` is without programs in the bin, whose number is `n_in_bin`.
+
+    Attributes:
+        has_album: False if the preset of its class switches albums of stickers off.
+    """
 
     id: str
     name: str
@@ -26,6 +30,7 @@ class GroupRow:
     n_programs: int = 0
     n_in_bin: int = 0
     n_runs: int = 0
+    has_album: bool = True
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from storage.file.commit_counter import commit_count
 from storage.file.connection import Database, uptime_s
 from storage.file.notices import Notice, SalvageResult
 from storage.file.opening import connect, prepare, prepare_reading
+from storage.runs.album_runs import AlbumRuns
 from storage.runs.confirmation import Unconfirmed
 from storage.runs.grading import GradingResults
 from storage.runs.history import RunHistory
@@ -64,6 +65,7 @@ class Store:
         self.versions = Versions(database)
         self.runs = Runs(database)
         self.grading_results = GradingResults(database)
+        self.album_runs = AlbumRuns(database)
         self.unconfirmed = Unconfirmed(database)
         self.notes = Notes(database)
         self.history = RunHistory(database)

@@ -130,10 +130,14 @@ OWN_ACTIVITIES = ReplicatedTable(
 )
 CLASS_PRESETS = ReplicatedTable(
     "class_presets",
-    "With what the groups of a class begin: level, world, activity, minutes between swaps.",
+    "With what the groups of a class begin: level, world, activity, minutes between swaps, album of stickers.",
     (
         parent("id", "classrooms", "key of the class"),
-        Column("preset", JSON, "level, world, activity, swap_minutes; what is missing is not set"),
+        Column(
+            "preset",
+            JSON,
+            "level, world, activity, swap_minutes, album; what is missing is not set",
+        ),
         *REVISED,
     ),
     anonymous=False,

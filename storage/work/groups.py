@@ -8,7 +8,7 @@ from storage.choices import COLORS, GREY, PICTURES
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.row_types import GroupRow
-from storage.sql import insert, not_found, require, selected, update_row
+from storage.sql import insert, not_found, require, selected, setup_value, update_row
 from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, new_id
 
@@ -19,6 +19,8 @@ _SELECT = selected(
     n_programs="SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NULL",
     n_in_bin="SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NOT NULL",
     n_runs="SELECT count(*) FROM runs WHERE group_id = groups.id",
+    has_album=f"""SELECT {setup_value("preset", "album")} IS NOT 0 FROM class_presets
+        WHERE class_presets.id = groups.classroom_id""",
 )
 
 
@@ -90,8 +92,12 @@ class Groups(Repository):
 def _group_row(row: sqlite3.Row) -> GroupRow:
     """Returns the row of a group, with grey for a damaged colour and "" for a damaged picture."""
     found = GroupRow(**dict(row))
-    color = found.color if _COLOR.fullmatch(str(found.color)) else GREY
-    return replace(found, color=color, picture=found.picture if found.picture in PICTURES else "")
+    return replace(
+        found,
+        color=found.color if _COLOR.fullmatch(str(found.color)) else GREY,
+        picture=found.picture if found.picture in PICTURES else "",
+        has_album=found.has_album != 0,  # NULL without a preset
+    )
 
 
 def record_use(db: sqlite3.Connection, group_id: str, now: str) -> None:

@@ -23,10 +23,10 @@ class OwnActivities(Repository):
             rows = rows_of(db, f"{_SELECT} WHERE deleted_at IS NULL ORDER BY id")
         return [_activity_row(row) for row in rows]
 
-    def titles(self) -> dict[str, str]:
-        """Returns titles by key, also of deleted activities."""
-        with self._database.read_connection() as db:
-            rows = rows_of(db, "SELECT id, title FROM own_activities")
+    def titles(self, *, with_deleted: bool = True) -> dict[str, str]:
+        """Returns titles by key, oldest first."""
+        which = "" if with_deleted else "WHERE deleted_at IS NULL"
+        rows = self._rows(f"SELECT id, title FROM own_activities {which} ORDER BY id")
         return {str(row["id"]): str(row["title"]) for row in rows}
 
     def get(self, activity_id: str) -> OwnActivityRow:

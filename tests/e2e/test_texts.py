@@ -121,6 +121,10 @@ def test_no_text_of_a_pupil_s_screen_is_written_into_the_code(keys: Studio) -> N
     keys["open-work"].click()
     keys["program-card"].first.wait_for()
     check("work")
+    keys["work-album"].click()
+    keys["album-place"].first.wait_for()
+    data |= _strings(keys.api(f"/groups/{keys.page.url.rpartition('/')[2]}/album"))
+    check("album")
     assert _lines(found) == []
 
 

@@ -7,6 +7,7 @@ import "./world_editor/board/board.css";
 import "./world_editor/world_editor.css";
 import "./studio/mission/mission.css";
 import "./activities/activities.css";
+import "./album/album.css";
 import "./studio/help/help.css";
 import "./manuals/manuals.css";
 import "./studio/tour/tour.css";

@@ -2,8 +2,10 @@
 
 from flask import Response
 
+from pinel_desktop.school.album import album_of
 from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.album import Album, Sticker
 from pinel_desktop.web.models.work import Group, GroupChanges, GroupList, NewGroup
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
@@ -40,3 +42,13 @@ def change_group(path: IdPath, body: GroupChanges) -> Response:
         require_teacher()
     row = services().store.groups.change(path.id, changes, by_teacher=is_teacher())
     return json_response(Group.of(row))
+
+
+@api.get("/groups/<id>/album", responses=responses(Album, "group_not_found"))
+def get_album(path: IdPath) -> Response:
+    """The group's album: a sticker, or its empty place, for each activity, and some for character."""
+    parts = services()
+    if not parts.store.groups.get(path.id).has_album:
+        return json_response(Album(enabled=False, stickers=[]))
+    stickers = album_of(parts.store, path.id, parts.settings.language)
+    return json_response(Album(enabled=True, stickers=[Sticker.of(one) for one in stickers]))

@@ -76,6 +76,9 @@ class ClassPreset(ResponseModel):
     swap_minutes: Annotated[
         SwapMinutes | None, Field(description="between reminders to swap roles; 0 for none")
     ] = None
+    album: Annotated[
+        bool | None, Field(description="whether groups have an album; null as true")
+    ] = None
 
 
 class CurrentLesson(ResponseModel):

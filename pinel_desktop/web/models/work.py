@@ -31,6 +31,9 @@ class Group(ResponseModel):
     n_programs: int
     n_in_bin: int
     n_runs: int
+    has_album: Annotated[
+        bool, Field(description="false if the teacher switched the album off for the class")
+    ]
 
 
 class GroupList(ResponseModel):

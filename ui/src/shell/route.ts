@@ -32,6 +32,7 @@ const ROWS = {
   studio: { pattern: "program/:program", ofGroup: true },
   work: { pattern: "work/:group", ofGroup: true },
   activities: { pattern: "activities/:group", ofGroup: true },
+  album: { pattern: "album/:group", ofGroup: true },
   practice: { pattern: "practice" },
   replay: { pattern: "run/:run", ofGroup: true },
   versions: { pattern: "versions/:program/:version?", ofGroup: true, remount: ["program"] },

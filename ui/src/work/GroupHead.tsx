@@ -1,12 +1,14 @@
-import { Pencil } from "lucide-preact";
+import { Pencil, Sticker } from "lucide-preact";
 import { useState } from "preact/hooks";
 import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
+import { LinkButton } from "../kit/LinkButton";
 import { GroupPicture } from "../kit/pictures/GroupPicture";
+import { hashOf } from "../shell/route";
 import { GroupForm } from "./GroupForm";
 
-/** The group's name and picture, with a button to edit them. */
+/** The group's name and picture, with a button to edit them and a link to its album. */
 export function GroupHead({ group }: { group: Group }) {
   const [editing, setEditing] = useState(false);
   if (editing) return <GroupForm group={group} onDone={() => setEditing(false)} />;
@@ -25,6 +27,16 @@ export function GroupHead({ group }: { group: Group }) {
         testId="group-edit"
         onPress={() => setEditing(true)}
       />
+      {group.has_album && (
+        <LinkButton
+          class="rigid"
+          icon={Sticker}
+          href={hashOf({ screen: "album", group: group.id })}
+          testId="work-album"
+        >
+          {texts.value.titles.album}
+        </LinkButton>
+      )}
     </div>
   );
 }

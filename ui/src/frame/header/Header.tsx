@@ -25,6 +25,7 @@ import { chooseLanguage, group } from "../../shell/session";
 import { reviewOrigin } from "../../shell/teacher/review_origin";
 import { nextTheme, setTheme, theme } from "../../shell/theme";
 import { opened } from "../../studio/program/open_program";
+import { AlbumLink } from "./AlbumLink";
 import { LessonChip } from "./LessonChip";
 import { Logo } from "./Logo";
 import { useOverflow } from "./overflow";
@@ -62,6 +63,7 @@ export function Header() {
       <TeacherChip />
       {route.value.screen === "studio" && <PracticeLink />}
       {inside && route.value.screen !== "activities" && <ActivitiesLink />}
+      {inside && !HAS_ALBUM_LINK.includes(route.value.screen) && <AlbumLink />}
       {inside && <WorkButton />}
       {isBesideProgram(route.value.screen) && <BackToProgram />}
       {route.value.screen === "studio" && <HelpButton />}
@@ -72,7 +74,11 @@ export function Header() {
   );
 }
 
-const isBesideProgram = (screen: ScreenName) => screen === "practice" || screen === "activities";
+const BESIDE_PROGRAM: readonly ScreenName[] = ["practice", "activities", "album"];
+/** The album, and screens with a link to it. */
+const HAS_ALBUM_LINK: readonly ScreenName[] = ["album", "work"];
+
+const isBesideProgram = (screen: ScreenName) => BESIDE_PROGRAM.includes(screen);
 
 function GroupChip() {
   const now = group.value;

@@ -4,7 +4,17 @@ import { useLayoutEffect } from "preact/hooks";
 /**
  * Parts that the header hides if it overflows, in this order; `data-short` lists the hidden ones.
  */
-const LEFT_OUT = ["brand", "language", "work", "help", "words", "robot", "lesson"] as const;
+const LEFT_OUT = [
+  "brand",
+  "language",
+  "album",
+  "work",
+  "help",
+  "words",
+  "albumLink",
+  "robot",
+  "lesson",
+] as const;
 
 /** Hides parts of the header while its contents are too wide. Names are shortened last. */
 export function useOverflow(header: RefObject<HTMLElement>): void {

@@ -1,5 +1,6 @@
 import { useSignalEffect } from "@preact/signals";
 import { ArrowRight, PartyPopper, Target, Volume2, VolumeX } from "lucide-preact";
+import { NewStickers } from "../../album/NewStickers";
 import type { Activity } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
@@ -7,13 +8,14 @@ import { LinkButton } from "../../kit/LinkButton";
 import { cheer, isSoundTurnedOn, muted, setMuted } from "../../run/sound";
 import { beginActivity } from "../../shell/begin_activity";
 import { hashOf } from "../../shell/route";
-import { judged } from "../../shell/session";
+import { group, judged } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 
 /** Card after a passed mission: the result, a question to discuss, and the next steps. */
 export function Success({ open, mission }: { open: OpenProgram; mission: Activity }) {
   const { activity } = texts.value;
   const { next } = mission;
+  const run = judged.value?.passed ? judged.value.run : null;
   useSignalEffect(() => {
     if (judged.value?.passed) cheer();
   });
@@ -44,6 +46,7 @@ export function Success({ open, mission }: { open: OpenProgram; mission: Activit
           </LinkButton>
         )}
         <Sound />
+        {run && group.value?.has_album && <NewStickers group={open.program.group_id} run={run} />}
       </div>
     </div>
   );

@@ -6,10 +6,10 @@ import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
 import { RadioGroup } from "../../kit/RadioGroup";
 import { Select } from "../../kit/Select";
+import { usePrintedPage } from "../../shell/files/printed_page";
 import { canPrint, printPage } from "../../shell/files/printing";
 import { hashOf } from "../../shell/route";
 import { savePage } from "../plan/page_file";
-import { usePrintedPage } from "../plan/printed_page";
 import { CardSheet } from "./CardSheet";
 import { CARD_LISTS, type CardList } from "./card_lists";
 

@@ -56,6 +56,7 @@ export function ClassPreset({ classroom, preset, activities, onChanged }: ClassP
           onChange={(activity) => change({ activity })}
         />
         <Swap minutes={preset.swap_minutes ?? null} onChange={change} />
+        <Album isOff={preset.album === false} onChange={change} />
         <p role="status" data-testid="preset-saved">
           {isSaved.value && labels.saved}
         </p>
@@ -84,6 +85,28 @@ function Swap({ minutes, onChange }: SwapProps) {
         ...SWAP_MINUTES.map((one) => [one, labelOf(one)] as const),
       ]}
       onChange={(swap_minutes) => onChange({ swap_minutes })}
+    />
+  );
+}
+
+interface AlbumProps {
+  isOff: boolean;
+  onChange(changes: Partial<Preset>): Promise<void>;
+}
+
+/** Whether the groups have an album of stickers. */
+function Album({ isOff, onChange }: AlbumProps) {
+  const labels = texts.value.album.ofClass;
+  return (
+    <Part
+      label={labels.label}
+      value={isOff ? "off" : null}
+      testId="preset-album"
+      options={[
+        [null, labels.on],
+        ["off", labels.off],
+      ]}
+      onChange={(chosen) => onChange({ album: chosen ? false : null })}
     />
   );
 }

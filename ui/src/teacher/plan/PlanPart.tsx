@@ -6,6 +6,7 @@ import { LinkButton } from "../../kit/LinkButton";
 import { Loaded } from "../../kit/requests/Loaded";
 import { ClassChips } from "../../shell/ClassChips";
 import { classroom, shownClass } from "../../shell/classroom";
+import { usePrintedPage } from "../../shell/files/printed_page";
 import { canPrint, printPage } from "../../shell/files/printing";
 import { hashOf } from "../../shell/route";
 import type { School } from "../school";
@@ -13,7 +14,6 @@ import { useTeacherLoaded } from "../useTeacherLoaded";
 import { loadPlanClass } from "./open_for_class";
 import { PlanTable } from "./PlanTable";
 import { savePage } from "./page_file";
-import { usePrintedPage } from "./printed_page";
 
 interface PlanPartProps {
   school: School;
