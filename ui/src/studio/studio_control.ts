@@ -1,4 +1,4 @@
-import { computed, effect, type Signal, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { EditorContent, LiveCommand } from "../api/model";
@@ -33,7 +33,8 @@ import { level } from "../shell/level";
 import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
 import { breakpoints, runSettings, syncRunSettings } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
-import { hasCommands, type OpenProgram } from "./program/open_program";
+import { MissionSheet } from "./mission/mission_sheet";
+import type { OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
 import { setupOf } from "./program/setup";
 import { StoredUndo } from "./program/stored_undo";
@@ -57,8 +58,7 @@ export class StudioControl {
   readonly asksBefore = signal<{ paused: boolean } | null>(null);
   /** Whether the live or last run belongs to this program. */
   readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
-  /** Whether the whole mission is shown over the program: until the group begins, and after a pass. */
-  readonly missionIsOpen: Signal<boolean>;
+  readonly missionSheet: MissionSheet;
   readonly worlds: WorldControl;
   readonly start: StartChoice;
   readonly sentence = computed<Sentence>(() => this.computeSentence());
@@ -106,7 +106,7 @@ export class StudioControl {
 
   constructor(readonly open: OpenProgram) {
     this.storedUndo = new StoredUndo(open);
-    this.missionIsOpen = signal(!hasCommands(open.program.version?.document));
+    this.missionSheet = new MissionSheet(open, this.mine);
     this.worlds = new WorldControl(open);
     this.start = new StartChoice(open, this.worlds);
   }
@@ -154,11 +154,7 @@ export class StudioControl {
         this.showAdvice(editor);
       }),
       effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
-      effect(() => {
-        if (!judged.value?.passed || !this.mine.peek()) return;
-        this.open.wasPassed.value = true;
-        this.missionIsOpen.value = true;
-      }),
+      this.missionSheet.openAfterPasses(),
     ];
     return () => {
       for (const stop of stops) stop();
@@ -175,11 +171,6 @@ export class StudioControl {
     const block = failed[0]?.block ?? null;
     if (block !== null && block !== this.revealed) editor.reveal(block);
     this.revealed = block;
-  }
-
-  /** Whoever touches the program works on: the mission's sheet no longer covers it. */
-  closeMission(): void {
-    this.missionIsOpen.value = false;
   }
 
   onEdit(content: EditorContent): void {
@@ -244,7 +235,7 @@ export class StudioControl {
   /** Saves the program and runs it; with `paused` it pauses before its first block. */
   async run(paused = false): Promise<void> {
     if (this.busy || isLive(robot.live.value)) return;
-    this.closeMission(); // the group watches its blocks
+    this.missionSheet.close();
     if (this.worlds.isFaulty.peek()) this.worlds.edit();
     else if (this.open.isEmpty) this.asked.value = true;
     else if (chosenRobot.peek() && !isChecked.peek()) this.asksBefore.value = { paused };

@@ -197,8 +197,8 @@ function Workspace({ control }: { control: StudioControl }) {
       class="blocks__editor"
       ref={container}
       data-testid="editor"
-      onPointerDownCapture={() => control.closeMission()}
-      onKeyDownCapture={() => control.closeMission()}
+      onPointerDownCapture={() => control.missionSheet.close()}
+      onKeyDownCapture={() => control.missionSheet.close()}
     />
   );
 }

@@ -13,7 +13,7 @@ import { Sheet } from "./Sheet";
  * The mission of the group: one line that stays, and a sheet over the program with picture, story, check list and hints.
  */
 export function MissionCard({ control }: { control: StudioControl }) {
-  const { open, missionIsOpen } = control;
+  const { open, missionSheet } = control;
   useEffect(() => {
     open.loadMission().catch(report); // the server sends its texts in the language of the page
   }, [open, language.value]);
@@ -28,7 +28,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
       data-done={state.isDone}
     >
       <Line control={control} mission={mission} state={state} />
-      {missionIsOpen.value && <Sheet control={control} mission={mission} state={state} />}
+      {missionSheet.isOpen.value && <Sheet control={control} mission={mission} state={state} />}
       <ClosesAtEscape control={control} />
     </section>
   );
@@ -42,8 +42,8 @@ interface LineProps {
 
 function Line({ control, mission, state: { isDone, marks } }: LineProps) {
   const { activity } = texts.value;
-  const { missionIsOpen } = control;
-  const isOpen = missionIsOpen.value;
+  const { missionSheet } = control;
+  const isOpen = missionSheet.isOpen.value;
   const Icon = isDone ? CircleCheck : Target;
   const title = `${mission.number} ${mission.title}`;
   return (
@@ -62,7 +62,7 @@ function Line({ control, mission, state: { isDone, marks } }: LineProps) {
         testId="mission-fold"
         open={isOpen}
         onPress={() => {
-          missionIsOpen.value = !isOpen;
+          missionSheet.isOpen.value = !isOpen;
         }}
       >
         {activity.mission}
@@ -105,7 +105,7 @@ function ClosesAtEscape({ control }: { control: StudioControl }) {
     () =>
       listen(window, {
         keydown: ({ key }) => {
-          if (key === "Escape") control.closeMission();
+          if (key === "Escape") control.missionSheet.close();
         },
       }),
     [control],

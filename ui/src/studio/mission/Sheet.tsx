@@ -19,12 +19,13 @@ interface SheetProps {
 /** The whole mission, over the program: goal, story or success, check list, hints. */
 export function Sheet({ control, mission, state }: SheetProps) {
   const { verdict, checks, isSuccess } = state;
+  const passedRun = verdict?.passed ? verdict.run : null;
   return (
     <div class="mission__sheet card column gap-2" data-testid="mission-sheet" data-scrolls>
       <div class="row top gap-4">
         <GoalPicture goal={mission.goal_picture} />
         <div class="mission__words">
-          {isSuccess && <Success open={control.open} mission={mission} />}
+          {isSuccess && <Success open={control.open} mission={mission} run={passedRun} />}
           <HowJudged mission={mission} verdict={verdict} />
           {!isSuccess && <Task mission={mission} />}
           <CheckList checks={checks} />
@@ -71,7 +72,7 @@ function Foot({ control, mission: { hints }, isSuccess }: FootProps) {
           kind={isSuccess ? "plain" : "main"}
           icon={Play}
           testId="mission-start"
-          onPress={() => control.closeMission()}
+          onPress={() => control.missionSheet.close()}
         >
           {control.open.isEmpty ? activity.start : activity.toBlocks}
         </Button>

@@ -11,11 +11,17 @@ import { hashOf } from "../../shell/route";
 import { group, judged } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 
-/** Card after a passed mission: the result, a question to discuss, and the next steps. */
-export function Success({ open, mission }: { open: OpenProgram; mission: Activity }) {
+interface SuccessProps {
+  open: OpenProgram;
+  mission: Activity;
+  /** The run that has just passed; null if an earlier one has. */
+  run: string | null;
+}
+
+/** A passed mission: the result, a question to discuss, and the next steps. */
+export function Success({ open, mission, run }: SuccessProps) {
   const { activity } = texts.value;
   const { next } = mission;
-  const run = judged.value?.passed ? judged.value.run : null;
   useSignalEffect(() => {
     if (judged.value?.passed) cheer();
   });
