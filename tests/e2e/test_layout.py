@@ -41,12 +41,13 @@ _SMALL = """() => [...document.querySelectorAll('button, .select, a.button')]
   .map((e) => [e.dataset.testid ?? e.className, e.getBoundingClientRect()])
   .filter(([, box]) => box.width < 43.5 || box.height < 43.5)
   .map(([name, box]) => `${name}: ${box.width} x ${box.height}`)"""
-# Controls whose centre another element covers.
+# Controls whose centre another element covers. The open mission may cover the floor, until the group begins.
 _COVERED = """() => [...document.querySelectorAll('button, a, select, input')]
   .filter((e) => !e.closest('.visually-hidden, .injectionDiv, [data-scrolls]') && !e.disabled)
   .map((e) => [e, e.getBoundingClientRect()])
   .filter(([e, box]) => box.width && box.height && e.checkVisibility({ visibilityProperty: true }))
   .map(([e, box]) => [e, document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2)])
+  .filter(([e, hit]) => !hit?.closest('[data-testid=mission-sheet]'))
   .filter(([e, hit]) => !hit || !(e.contains(hit) || hit.closest('label')?.contains(e)))
   .map(([e, hit]) => `${e.dataset.testid ?? e.ariaLabel ?? e.className} under ${hit?.className}`)"""
 

@@ -1,7 +1,9 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { api } from "../api/client";
+import { ServerUnreachable } from "../api/errors";
 import type { Notice, Status } from "../api/model";
-import { notice, refreshStatus, showNotice } from "./session";
+import { navigationBlocked } from "./route";
+import { connection, notice, refreshStatus, report, showNotice } from "./session";
 
 const named = (code: string): Notice => ({ code, message: code, remedy: "", details: "" });
 
@@ -31,6 +33,18 @@ test("a late response does not bring back the notice that a choice has replaced"
   waiting[0]?.("database_place_missing");
   await refreshed;
   expect(notice.value?.code).toBe("database_begins_empty");
+});
+
+test("a late response from before the server was lost does not open the page's screens again", async () => {
+  const before = refreshStatus();
+  report(new ServerUnreachable());
+  waiting[0]?.(null);
+  await before;
+  expect([connection.value, navigationBlocked.value]).toEqual(["gone", true]);
+  const after = refreshStatus();
+  waiting[1]?.(null);
+  await after;
+  expect([connection.value, navigationBlocked.value]).toEqual(["open", false]);
 });
 
 test("of two responses the one to the later request counts, whichever comes first", async () => {

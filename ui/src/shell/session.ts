@@ -79,8 +79,11 @@ export function report(error: unknown): void {
 reportTo(report);
 
 let polling = 0;
+/** Number of the last failure to reach the server, in the order of the requests of the status. */
+let lostNumber = 0;
 
 function lost(): void {
+  lostNumber = ++lastNumber;
   if (connection.value !== "locked") connection.value = "gone";
   poll();
 }
@@ -117,7 +120,8 @@ export async function refreshStatus(): Promise<void> {
       await setLanguage(answer.language);
     status.value = answer;
     showNotice(answer.database.notice, number);
-    connection.value = "open";
+    // a response to a request from before the failure does not show that the server is there again
+    if (number > lostNumber) connection.value = "open";
     if (answer.engine !== "ready") poll();
   } catch (error) {
     report(error);
