@@ -22,6 +22,9 @@ def sign_in_with(studio: Studio) -> None:
 
 
 def put_move(studio: Studio, distance: str) -> None:
+    """Begins the mission with one move."""
+    studio["mission-start"].click()
+    expect(studio["mission-sheet"]).to_have_count(0)
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", MOVE, blocks.below(blocks.start()))
     blocks.type_into(blocks.by_text(MOVE), distance)
@@ -76,8 +79,6 @@ def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None
     expect(card).to_have_attribute("data-state", "new")
     card.click()
     studio.wait_until_open()
-    studio["mission-start"].click()
-    expect(studio["mission-sheet"]).to_have_count(0)
     put_move(studio, "5,6")
     studio.choose_level(2)
     studio["speed"].select_option("10")
