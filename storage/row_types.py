@@ -15,12 +15,19 @@ SIMULATOR = "sim"  # the link of simulated runs
 
 @dataclass(frozen=True, slots=True)
 class GroupRow:
-    """Pupils who work together; `n_programs` is without programs in the bin, whose number is `n_in_bin`."""
+    """Pupils who work together; `n_programs` is without programs in the bin, whose number is `n_in_bin`.
+
+    Attributes:
+        robot_name: "" if the robot has the group's name.
+        robot_pattern: one of `choices.PATTERNS`; "" for groups of earlier releases.
+    """
 
     id: str
     name: str
     color: str
     picture: str
+    robot_name: str
+    robot_pattern: str
     classroom_id: str | None
     created_at: str
     n_programs: int = 0

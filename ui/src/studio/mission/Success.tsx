@@ -1,22 +1,17 @@
-import { useSignalEffect } from "@preact/signals";
 import { ArrowRight, PartyPopper, Target, Volume2, VolumeX } from "lucide-preact";
 import type { Activity } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
-import { cheer, isSoundTurnedOn, muted, setMuted } from "../../run/sound";
+import { isSoundTurnedOn, muted, playSound, setMuted } from "../../run/sounds/sound";
 import { beginActivity } from "../../shell/begin_activity";
 import { hashOf } from "../../shell/route";
-import { judged } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 
 /** Card after a passed mission: the result, a question to discuss, and the next steps. */
 export function Success({ open, mission }: { open: OpenProgram; mission: Activity }) {
   const { activity } = texts.value;
   const { next } = mission;
-  useSignalEffect(() => {
-    if (judged.value?.passed) cheer();
-  });
   return (
     <div class="mission__success" role="status" data-testid="mission-done">
       <strong>
@@ -61,7 +56,7 @@ function Sound() {
       testId="success-sound"
       onPress={() => {
         setMuted(isOn);
-        if (!muted.value) cheer();
+        if (!muted.value) playSound("success");
       }}
     />
   );

@@ -1,0 +1,21 @@
+import { expect, test } from "vitest";
+import { GROUP_COLORS, ROBOT_PATTERNS } from "../../api/declared";
+import { type Appearance, freeAppearance, nextName } from "./appearance";
+
+test("24 groups of a class get 24 robots that differ, the first six with six patterns", () => {
+  const groups: Appearance[] = [];
+  for (let n = 0; n < 24; n++) groups.push(freeAppearance(groups));
+  expect(groups.slice(0, 6).map((one) => one.robot_pattern)).toEqual([...ROBOT_PATTERNS]);
+  expect(groups.slice(0, 12).map((one) => one.color)).toEqual([...GROUP_COLORS]);
+  expect(new Set(groups.map((one) => `${one.color} ${one.robot_pattern}`)).size).toBe(24);
+  expect(new Set(groups.map((one) => one.picture)).size).toBe(24);
+});
+
+test("a name is proposed that no group has, and each press proposes the next", () => {
+  const names = ["Botos", "Araras", "Onças"];
+  expect(nextName(names, "", [])).toBe("Botos");
+  expect(nextName(names, "", ["botos "])).toBe("Araras");
+  expect(nextName(names, "Araras", [])).toBe("Onças");
+  expect(nextName(names, "Onças", [])).toBe("Botos");
+  expect(nextName(names, "Robôs", names)).toBe("Botos");
+});
