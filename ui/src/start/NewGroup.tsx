@@ -43,7 +43,13 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
       {!first && <Title />}
       <div class="row shrinks gap-2">
         {!first && <PictureButton {...choice} />}
-        <NameInput input={input} name={name} invalid={fault !== null} onName={form.rename} />
+        <NameInput
+          input={input}
+          name={name}
+          others={others}
+          invalid={fault !== null}
+          onName={form.rename}
+        />
       </div>
       <div class="new-group__robot row wrap gap-2">
         <RobotButton
@@ -94,14 +100,14 @@ function useNewGroup(classroomId: string | null, others: readonly Group[]) {
   };
 }
 
-interface NameInputProps {
+interface NameInputProps extends Pick<NewGroupProps, "others"> {
   input: { current: HTMLInputElement | null };
   name: string;
   invalid: boolean;
   onName(name: string): void;
 }
 
-function NameInput({ input, name, invalid, onName }: NameInputProps) {
+function NameInput({ input, name, others, invalid, onName }: NameInputProps) {
   const { start, livery } = texts.value;
   return (
     <input
@@ -110,7 +116,7 @@ function NameInput({ input, name, invalid, onName }: NameInputProps) {
       data-testid="group-name"
       aria-label={start.nameLabel}
       aria-invalid={invalid}
-      placeholder={livery.example({ name: livery.animals[0] ?? "" })}
+      placeholder={livery.example({ name: freeName("", others) })}
       maxLength={STORE_LIMITS.MAX_NAME}
       autocomplete="off"
       spellcheck={false}
@@ -121,29 +127,24 @@ function NameInput({ input, name, invalid, onName }: NameInputProps) {
 }
 
 /** Writes the name of a Brazilian animal that no group has into the field; each press another one. */
-function Suggest({ name, others, onName }: Omit<NameInputProps, "input" | "invalid"> & Others) {
-  const { animals, suggest } = texts.value.livery;
+function Suggest({ name, others, onName }: Omit<NameInputProps, "input" | "invalid">) {
   return (
     <Button
       kind="plain"
       icon={Dices}
       testId="suggest-name"
-      onPress={() =>
-        onName(
-          nextName(
-            animals,
-            name,
-            others.map((one) => one.name),
-          ),
-        )
-      }
+      onPress={() => onName(freeName(name, others))}
     >
-      {suggest}
+      {texts.value.livery.suggest}
     </Button>
   );
 }
 
-type Others = Pick<NewGroupProps, "others">;
+/** The next animal whose name no group has. */
+function freeName(now: string, others: readonly Group[]): string {
+  const used = others.map((one) => one.name);
+  return nextName(texts.value.livery.animals, now, used);
+}
 
 function CreateButton({ isBusy }: { isBusy: boolean }) {
   const { start } = texts.value;

@@ -97,7 +97,7 @@ function AppearanceFields({ group, appearance, onChange }: AppearanceFieldsProps
         onChoose={(picture) => onChange({ picture })}
       />
       <section class="group-form__robot column gap-2" aria-label={texts.value.livery.title}>
-        <h3>{texts.value.livery.title}</h3>
+        <strong aria-hidden="true">{texts.value.livery.title}</strong>
         <RobotFields
           appearance={appearance}
           groupName={appearance.name}

@@ -64,7 +64,8 @@ function usePopup(
   useLayoutEffect(() => {
     const inside = place.current;
     if (!open || !inside) return;
-    inside.querySelector<HTMLInputElement>("input:checked")?.focus();
+    inside.querySelector<HTMLInputElement>("input:checked")?.focus({ preventScroll: true });
+    inside.querySelector(".popup-button__card")?.scrollIntoView({ block: "nearest" });
     const leave = ({ target, type }: Event) => {
       if (type === "pointerdown") byHand.current = true;
       if (!inside.contains(target as Node)) close(false);

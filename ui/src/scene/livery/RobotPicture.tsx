@@ -7,11 +7,16 @@ import { type Colours, readColours } from "../colours";
 import { extentOf, hullPath, onHull } from "../hull";
 import { type Livery, type LiveryPaint, liveryPaint, patternFrame } from "./livery";
 
-/** Colours of the floor in the current theme. */
-const floorColours = computed<Colours>(() => {
+/** Colours of the floor in the current theme, with liveries in high contrast too: a group chooses by these pictures. */
+const pictureColours = computed<Colours>(() => {
   theme.value; // the tokens of this theme are read
-  return readColours();
+  return { ...readColours(), print: "1" };
 });
+
+/** Style of an element in whose small pictures robots have the colour of the group. */
+export function liveryStyle(livery: Livery | null): Record<string, string> {
+  return livery ? { "--livery": liveryPaint(livery, pictureColours.value).body } : {};
+}
 
 /** The angle at which the robot stands in its picture, degrees to the left of straight right. */
 const HEADING_DEG = 60;
@@ -24,7 +29,7 @@ interface RobotPictureProps {
 /** The default robot from above, in the livery of a group, as the floor draws it. */
 export function RobotPicture({ livery, class: extra = "" }: RobotPictureProps) {
   const robot = robotOf(null);
-  const reach = robot ? 1.12 * Math.max(robot.radius_m, extentOf(robot).front) : 1;
+  const reach = robot ? reachOf(robot) : 1;
   return (
     <svg
       class={`robot-picture ${extra}`}
@@ -35,12 +40,21 @@ export function RobotPicture({ livery, class: extra = "" }: RobotPictureProps) {
       {robot && (
         <g transform={`rotate(${-HEADING_DEG}) scale(1 -1)`}>
           <Wheels robot={robot} />
-          <Body robot={robot} paint={liveryPaint(livery, floorColours.value)} />
+          <Body robot={robot} paint={liveryPaint(livery, pictureColours.value)} />
           <Deck robot={robot} />
         </g>
       )}
     </svg>
   );
+}
+
+/** Half the side of a square that shows the whole robot at any heading, metres. */
+function reachOf({ hull_m, wheels }: Robot): number {
+  const wheelEnds = wheels.map(({ x_m, y_m, radius_m, width_m }) => [
+    Math.abs(x_m) + radius_m,
+    Math.abs(y_m) + width_m / 2,
+  ]);
+  return 1.04 * Math.max(...[...hull_m, ...wheelEnds].map(([x = 0, y = 0]) => Math.hypot(x, y)));
 }
 
 function Wheels({ robot }: { robot: Robot }) {

@@ -62,7 +62,7 @@ function patternColour(body: string): string {
   return mixed(body, isDark(body) ? "#ffffff" : "#000000", PATTERN_PART);
 }
 
-/** Whether white stands out more than black. */
+/** Whether white stands out on a colour, which is preferred to black. */
 function isDark(colour: string): boolean {
   return contrast(colour, "#ffffff") > contrast(colour, "#000000") / 1.6;
 }

@@ -25,13 +25,13 @@ const row = (gap: number, begin = -1.2) =>
  * outline. Canvas, small pictures and 3D share them.
  */
 export const PATTERNS: Readonly<Record<PatternName, Pattern | null>> = {
-  waves: { path: waves(), line: 0.13 },
+  waves: { path: waves(), line: 0.12 },
   stripes: {
     path: row(0.42, -2.4)
       .concat(row(0.42, 0.12))
       .map((x) => `M${at(x)} -1.2l2.4 2.4`)
       .join(""),
-    line: 0.19,
+    line: 0.13,
   },
   dots: { path: dots() },
   checks: { path: checks() },
