@@ -60,6 +60,9 @@ class Groups(Repository):
     ) -> GroupRow:
         """Adds a group. Colour, picture and pattern that it does not choose are ones that few groups of the class have.
 
+        Of equally rare colours and patterns the name decides, so that groups of several PCs seldom look alike once the
+        PCs are merged.
+
         Raises:
             StoreError: `group_exists` in that class, `classroom_not_found`, `color_unknown`, `picture_unknown`,
                 `pattern_unknown`, `name_empty`, `name_too_long`.
@@ -75,7 +78,7 @@ class Groups(Repository):
                 "id": new_id(),
                 "name": clean,
                 "name_key": name_key(clean),
-                **_free_appearance(db, classroom_id, chosen),
+                **_free_appearance(db, classroom_id, name_key(clean), chosen),
                 "classroom_id": classroom_id,
                 "created_at": now,
                 "used_at": now,
@@ -172,22 +175,39 @@ def _checked(requested: Mapping[str, str | None]) -> dict[str, str | None]:
 
 
 def _free_appearance(
-    db: sqlite3.Connection, classroom_id: str | None, chosen: Mapping[str, str | None]
+    db: sqlite3.Connection, classroom_id: str | None, key: str, chosen: Mapping[str, str | None]
 ) -> dict[str, str | None]:
     """Returns what the group chose; for the rest, the first values that fewest groups of the class have.
 
-    Of equally rare patterns the first that none of these groups has in the group's colour.
+    Colours and patterns are counted from a place that the key of the name gives. The pattern is rather one that no
+    group has in the same colour. The page proposes the same (`ui/src/work/livery/appearance.ts`).
     """
+    number = _number_of(key)
     query = "SELECT color, picture, robot_pattern FROM groups WHERE classroom_id IS ?"
     others = [tuple(row) for row in db.execute(query, [classroom_id])]
     colors, pictures, patterns = (Counter(row[place] for row in others) for place in range(3))
-    color = chosen.get("color") or min(COLORS, key=lambda one: colors[one])
+    color = chosen.get("color") or min(_rotated(COLORS, number), key=lambda one: colors[one])
     liveries = Counter((row[0], row[2]) for row in others)
-    rarest = min(PATTERNS, key=lambda one: (patterns[one], liveries[color, one]))
     free = {
         "color": color,
         "picture": min(PICTURES, key=lambda one: pictures[one]),
         "robot_name": "",
-        "robot_pattern": rarest,
+        "robot_pattern": min(
+            _rotated(PATTERNS, number // len(COLORS)),
+            key=lambda one: (liveries[color, one], patterns[one]),
+        ),
     }
     return {**free, **chosen}
+
+
+def _number_of(key: str) -> int:
+    """Returns a number that names rarely share; the page calculates the same."""
+    number = 0
+    for letter in key:
+        number = (31 * number + ord(letter)) % 1_000_003
+    return number
+
+
+def _rotated(choices: tuple[str, ...], begin: int) -> tuple[str, ...]:
+    begin %= len(choices)
+    return choices[begin:] + choices[:begin]

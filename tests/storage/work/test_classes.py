@@ -78,11 +78,24 @@ def test_no_two_robots_of_a_class_look_alike_unless_groups_choose_so(
 ) -> None:
     made = [school.groups.create(f"Grupo {n}", classroom_id=ninth) for n in range(24)]
     assert {group.robot_pattern for group in made[:6]} == set(PATTERNS)
+    assert {group.color for group in made[:12]} == set(COLORS)
     assert len({(group.color, group.robot_pattern) for group in made}) == 24
     same = Appearance(made[0].color, made[0].picture, "Faísca", made[0].robot_pattern)
     chosen = school.groups.create("Iguais", classroom_id=ninth, appearance=same)
     assert (chosen.color, chosen.picture) == (made[0].color, made[0].picture)
     assert (chosen.robot_name, chosen.robot_pattern) == ("Faísca", made[0].robot_pattern)
+
+
+@pytest.mark.parametrize(
+    ("name", "color", "pattern"),
+    [("Botos", 8, "checks"), ("ARARAS ", 5, "dots"), ("Onças", 0, "checks"), ("🤖", 2, "plain")],
+)
+def test_the_name_of_the_first_group_decides_as_on_the_page(
+    school: Store, name: str, color: int, pattern: str
+) -> None:
+    """`ui/src/work/livery/appearance.test.ts` has the same table."""
+    group = school.groups.create(name)
+    assert (COLORS.index(group.color), group.robot_pattern) == (color, pattern)
 
 
 def test_a_robot_has_a_name_and_a_pattern_of_the_list(school: Store, ninth: str) -> None:

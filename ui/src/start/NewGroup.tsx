@@ -72,7 +72,8 @@ function useNewGroup(classroomId: string | null, others: readonly Group[]) {
   const { start } = texts.value;
   const input = useRef<HTMLInputElement>(null);
   const [name, setName] = useState("");
-  const [appearance, setAppearance] = useState<Appearance>(() => freeAppearance(others));
+  const [chosen, setChosen] = useState<Partial<Appearance>>({});
+  const appearance = { ...freeAppearance(others, name, chosen.color), ...chosen };
   const { busy, fault, act, refuse, clear } = useAction();
   const [entered, setEntered] = useState(false);
   return {
@@ -81,7 +82,7 @@ function useNewGroup(classroomId: string | null, others: readonly Group[]) {
     appearance,
     fault,
     isBusy: busy || entered, // until the next screen is shown
-    change: (changes: Partial<Appearance>) => setAppearance((now) => ({ ...now, ...changes })),
+    change: (changes: Partial<Appearance>) => setChosen((now) => ({ ...now, ...changes })),
     rename: (text: string) => {
       clear();
       setName(text);

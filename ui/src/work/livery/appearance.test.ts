@@ -4,11 +4,26 @@ import { type Appearance, freeAppearance, nextName } from "./appearance";
 
 test("24 groups of a class get 24 robots that differ, the first six with six patterns", () => {
   const groups: Appearance[] = [];
-  for (let n = 0; n < 24; n++) groups.push(freeAppearance(groups));
-  expect(groups.slice(0, 6).map((one) => one.robot_pattern)).toEqual([...ROBOT_PATTERNS]);
-  expect(groups.slice(0, 12).map((one) => one.color)).toEqual([...GROUP_COLORS]);
+  for (let n = 0; n < 24; n++) groups.push(freeAppearance(groups, `Grupo ${n}`));
+  const patterns = groups.slice(0, 6).map((one) => one.robot_pattern);
+  expect(new Set(patterns)).toEqual(new Set(ROBOT_PATTERNS));
+  expect(new Set(groups.slice(0, 12).map((one) => one.color))).toEqual(new Set(GROUP_COLORS));
   expect(new Set(groups.map((one) => `${one.color} ${one.robot_pattern}`)).size).toBe(24);
   expect(new Set(groups.map((one) => one.picture)).size).toBe(24);
+});
+
+// tests/storage/work/test_classes.py has the same table
+test.each([
+  ["Botos", 8, "checks"],
+  ["ARARAS ", 5, "dots"],
+  ["Onças", 0, "checks"],
+  ["🤖", 2, "plain"],
+] as const)("the name of the first group decides as on the server: %s", (name, color, pattern) => {
+  const { color: proposed, robot_pattern } = freeAppearance([], name);
+  expect([GROUP_COLORS.indexOf(proposed as (typeof GROUP_COLORS)[number]), robot_pattern]).toEqual([
+    color,
+    pattern,
+  ]);
 });
 
 test("a name is proposed that no group has, and each press proposes the next", () => {
