@@ -58,7 +58,7 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
           others={others}
           onChange={form.change}
         />
-        <Suggest name={name} others={others} onName={form.rename} />
+        <Suggest name={name} others={others} onName={form.rename} short={!first} />
       </div>
       <CreateButton isBusy={isBusy} />
       <FaultLine fault={fault} />
@@ -127,16 +127,23 @@ function NameInput({ input, name, others, invalid, onName }: NameInputProps) {
   );
 }
 
+interface SuggestProps extends Omit<NameInputProps, "input" | "invalid"> {
+  /** Shows the icon only. */
+  short: boolean;
+}
+
 /** Writes the name of a Brazilian animal that no group has into the field; each press another one. */
-function Suggest({ name, others, onName }: Omit<NameInputProps, "input" | "invalid">) {
+function Suggest({ name, others, onName, short }: SuggestProps) {
+  const { suggest } = texts.value.livery;
   return (
     <Button
       kind="plain"
       icon={Dices}
+      label={short ? suggest : undefined}
       testId="suggest-name"
       onPress={() => onName(freeName(name, others))}
     >
-      {texts.value.livery.suggest}
+      {short ? null : suggest}
     </Button>
   );
 }

@@ -49,11 +49,11 @@ export function liveryPaint(livery: Livery | null, colours: Colours): LiveryPain
 /** The group's colour, lighter on a dark floor and darker on a light one until it stands out from its tiles. */
 function bodyColour(colour: string, { tile, otherTile }: Colours): string {
   const towards = isDark(tile) ? "#ffffff" : "#000000";
-  const standsOut = (one: string) =>
+  const isVisible = (one: string) =>
     Math.min(contrast(one, tile), contrast(one, otherTile)) >= MIN_CONTRAST;
   for (let part = 0; part < 1; part += STEP) {
     const body = mixed(colour, towards, part);
-    if (standsOut(body)) return body;
+    if (isVisible(body)) return body;
   }
   return towards;
 }

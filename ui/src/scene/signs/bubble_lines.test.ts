@@ -29,6 +29,11 @@ test("two lines have room for 24 characters each, also of emoji", () => {
   }
 });
 
+test("on a low floor a text has one line", () => {
+  expect(bubbleLines("Agora vou virar à direita", 1)).toEqual(["Agora vou virar à…"]);
+  expect(bubbleLines("Oi", 1)).toEqual(["Oi"]);
+});
+
 test("the direction is that of the first letter", () => {
   expect(isRightToLeft("12 سلام")).toBe(true);
   expect(isRightToLeft("olá سلام")).toBe(false);

@@ -9,6 +9,8 @@ type Ctx = CanvasRenderingContext2D;
 const TOP_PX = 76;
 const RIGHT_PX = 66;
 const EDGE_PX = 4;
+/** On a lower floor a bubble has one line. */
+const LOW_PX = 240;
 /** A narrower floor leaves no place for the controls beside a sign. */
 const NARROW_PX = 420;
 
@@ -36,7 +38,7 @@ export function drawBubble(
   grown: number,
   colours: Colours,
 ): void {
-  const lines = bubbleLines(text);
+  const lines = bubbleLines(text, place.size.height < LOW_PX ? 1 : 2);
   ctx.save();
   ctx.font = `600 ${FONT_PX}px ${colours.font}`;
   ctx.direction = isRightToLeft(text) ? "rtl" : "ltr";
