@@ -86,6 +86,16 @@ def test_no_two_robots_of_a_class_look_alike_unless_groups_choose_so(
     assert (chosen.robot_name, chosen.robot_pattern) == ("Faísca", made[0].robot_pattern)
 
 
+def test_a_pattern_that_a_robot_has_in_the_same_colour_is_given_last(
+    school: Store, ninth: str
+) -> None:
+    create = partial(school.groups.create, classroom_id=ninth)
+    create("A", appearance=Appearance(COLORS[0], robot_pattern="waves"))
+    for number, pattern in enumerate(2 * [one for one in PATTERNS if one != "waves"]):
+        create(f"B{number}", appearance=Appearance(COLORS[1], robot_pattern=pattern))
+    assert create("C", appearance=Appearance(COLORS[0])).robot_pattern != "waves"
+
+
 @pytest.mark.parametrize(
     ("name", "color", "pattern"),
     [("Botos", 8, "checks"), ("ARARAS ", 5, "dots"), ("Onças", 0, "checks"), ("🤖", 2, "plain")],

@@ -11,8 +11,6 @@ const RIGHT_PX = 66;
 const EDGE_PX = 4;
 /** On a lower floor a bubble has one line. */
 const LOW_PX = 240;
-/** A narrower floor leaves no place for the controls beside a sign. */
-const NARROW_PX = 420;
 
 const FONT_PX = 18;
 const LINE_PX = 23;
@@ -119,16 +117,16 @@ function shortened(ctx: Ctx, name: string): string {
   return `${all.join("").trimEnd()}…`;
 }
 
-interface Bounds extends Size {
+export interface Bounds extends Size {
   /** The middle. */
   readonly x: number;
   readonly top: number;
 }
 
-/** The place of a sign above the robot, or below it where controls cover the floor. */
-function boxAt({ at, reach, size }: RobotPlace, box: Size, tail = TAIL_PX.length): Bounds {
+/** The place of a sign, inside of the floor: above the robot, or below it where controls cover the floor. */
+export function boxAt({ at, reach, size }: RobotPlace, box: Size, tail = TAIL_PX.length): Bounds {
   const { width, height } = box;
-  const right = size.width < NARROW_PX ? EDGE_PX : RIGHT_PX;
+  const right = width + EDGE_PX + RIGHT_PX <= size.width ? RIGHT_PX : EDGE_PX;
   const x = within(at.x, EDGE_PX + width / 2, size.width - right - width / 2);
   const above = at.y - reach - tail - height;
   const best = above < Math.min(TOP_PX, size.height / 4) ? at.y + reach + tail : above;

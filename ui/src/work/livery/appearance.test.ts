@@ -12,6 +12,24 @@ test("24 groups of a class get 24 robots that differ, the first six with six pat
   expect(new Set(groups.map((one) => one.picture)).size).toBe(24);
 });
 
+test("a pattern that another robot has in the same colour is proposed last, however rare it is", () => {
+  const [color, other] = GROUP_COLORS;
+  const robot = (its: string, robot_pattern: string): Appearance => ({
+    color: its,
+    picture: "",
+    robot_name: "",
+    robot_pattern,
+  });
+  const others = [
+    robot(color, "waves"),
+    ...ROBOT_PATTERNS.filter((one) => one !== "waves").flatMap((one) => [
+      robot(other, one),
+      robot(other, one),
+    ]),
+  ];
+  expect(freeAppearance(others, "Botos", color).robot_pattern).not.toBe("waves");
+});
+
 // tests/storage/work/test_classes.py has the same table
 test.each([
   ["Botos", 8, "checks"],
