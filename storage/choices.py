@@ -1,4 +1,4 @@
-"""Colours and pictures that a group can choose."""
+"""Colours and pictures that a group can choose, and patterns of its robot."""
 
 # distinguishable on a projector and by colour-blind pupils; each dark enough for white text
 COLORS = (
@@ -42,5 +42,7 @@ PICTURES = (
     "apple",
     "moon",
 )
+# of the robot's body; the page has a drawing of each (ui/src/scene/livery/patterns.ts)
+PATTERNS = ("waves", "stripes", "dots", "checks", "star", "plain")
 # for a group whose colour is unknown
 GREY = "#808080"

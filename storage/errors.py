@@ -41,7 +41,8 @@ class StoreError(Exception):
     `database_older`, `database_foreign`, `database_is_bundle`, `database_unreadable`, `database_failed`;
     `group_not_found`, `program_not_found`, `version_not_found`, `run_not_found`, `classroom_not_found`,
     `lesson_not_found`, `note_not_found`, `taught_sign_not_found`; `group_exists`, `classroom_exists`, `name_empty`,
-    `name_too_long`, `note_empty`, `note_too_long`, `color_unknown`, `picture_unknown`, `lesson_not_joinable`,
+    `name_too_long`, `note_empty`, `note_too_long`, `color_unknown`, `picture_unknown`, `pattern_unknown`,
+    `lesson_not_joinable`,
     `sign_name_wrong`, `sign_taught_enough`, `signs_too_many`, `own_activity_not_found`, `own_activities_too_many`,
     `version_damaged`, `run_damaged`, `bundle_not_lesson`, `lesson_without_class`, `work_unreadable`.
     """

@@ -19,12 +19,16 @@ class GroupRow:
 
     Attributes:
         has_album: False if the preset of its class switches albums of stickers off.
+        robot_name: "" if the robot has the group's name.
+        robot_pattern: one of `choices.PATTERNS`; "" for groups of earlier releases.
     """
 
     id: str
     name: str
     color: str
     picture: str
+    robot_name: str
+    robot_pattern: str
     classroom_id: str | None
     created_at: str
     n_programs: int = 0

@@ -187,6 +187,16 @@ def clean_name(name: str) -> str:
     return clean
 
 
+def clean_title(title: str) -> str:
+    """Returns a title like a name; "" if it has no visible character. Raises StoreError `name_too_long`."""
+    try:
+        return clean_name(title)
+    except StoreError as error:
+        if error.code == "name_empty":
+            return ""
+        raise
+
+
 def clean_text(text: str) -> str:
     """Returns a text of several lines, without characters that cannot be written, trimmed; may be empty."""
     writable = text.encode("utf-8", "ignore").decode()

@@ -56,6 +56,8 @@ def declared() -> str:
             _numbers("STORE_LIMITS", _STORE),
             "/** Colours of groups: storage/choices.py. */",
             _list("GROUP_COLORS", choices.COLORS),
+            "/** Patterns of a group's robot: storage/choices.py. */",
+            _list("ROBOT_PATTERNS", choices.PATTERNS),
             "/** Letters that the camera knows untaught: pinel_desktop/gestures/letters.py. */",
             _list("LETTERS", LETTERS),
         ]

@@ -25,7 +25,8 @@ def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
 
     Each table is hashed as a JSON array of its name and its columns, then each row as a JSON array; a line feed follows
     each array. In the array the length of a blob, in octets, replaces it; the blob follows the line feed. Tables that
-    later releases added are left out while they are empty. docs/bundles.md has the details.
+    later releases added are left out while they are empty, and their columns while each value is empty.
+    docs/bundles.md has the details.
     """
     digest = hashlib.sha256()
     with snapshot(db):
@@ -36,10 +37,23 @@ def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
             going = table.condition.format(schema=schema)
             if not table.counts_empty and not row_count(db, f"{schema}.{table.name}", going):
                 continue
+            names = _counted(db, table, names, schema)
             digest.update(f"{_encode([table.name, *names])}\n".encode())
             for octets in _encoded_rows(db, table, names, schema):
                 digest.update(octets)
     return digest.hexdigest()
+
+
+def _counted(
+    db: sqlite3.Connection, table: ReplicatedTable, names: tuple[str, ...], schema: str
+) -> tuple[str, ...]:
+    """Returns the names without columns of later releases that are empty in every row."""
+    added = {column.name for column in table.columns if not column.counts_empty}
+    return tuple(
+        name
+        for name in names
+        if name not in added or row_count(db, f"{schema}.{table.name}", f"{name} != ''")
+    )
 
 
 def _encoded_rows(

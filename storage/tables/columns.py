@@ -48,6 +48,8 @@ class Column:
             and `name_key`.
         optional: the column may be NULL.
         parquet: the Parquet export has the column.
+        counts_empty: False if the content hash leaves the column out while every row has the empty text. Files without
+            such values then have the same hash as in an earlier release.
         references: the table whose key it has.
         is_parent: the row is deleted with the row that it references.
     """
@@ -59,6 +61,7 @@ class Column:
     anonymised: str | None = None
     optional: bool = False
     parquet: bool = True
+    counts_empty: bool = True
     references: str = ""
     is_parent: bool = False
 

@@ -233,4 +233,8 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
         *_COMPUTERS,
         *(f'CREATE VIEW "{name}" AS {select}' for name, select in VIEWS.items()),
     ),
+    "robots_of_groups": (
+        "ALTER TABLE groups ADD COLUMN robot_name TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE groups ADD COLUMN robot_pattern TEXT NOT NULL DEFAULT ''",
+    ),
 }

@@ -1,6 +1,6 @@
 """Declarations of the tables of `storage/work/`; `replicated.py` has their order."""
 
-from storage.choices import PICTURES
+from storage.choices import PATTERNS, PICTURES
 from storage.limits import MAX_NAME, MAX_NOTE, MAX_NUMBER, N_FEATURES
 from storage.tables import rules
 from storage.tables.columns import (
@@ -51,6 +51,24 @@ GROUPS = ReplicatedTable(
         Column("color", TEXT, "its colour", rules.color, UNCHANGED, parquet=False),
         Column(
             "picture", TEXT, "its picture", rules.one_of("", *PICTURES), UNCHANGED, parquet=False
+        ),
+        Column(
+            "robot_name",
+            TEXT,
+            "the name of its robot, empty where the robot has the group's name",
+            rules.title,
+            "''",
+            parquet=False,
+            counts_empty=False,
+        ),
+        Column(
+            "robot_pattern",
+            TEXT,
+            "the pattern of its robot",
+            rules.one_of("", *PATTERNS),
+            UNCHANGED,
+            parquet=False,
+            counts_empty=False,
         ),
         Column("created_at", TIME, "when it was made"),
         Column("used_at", TIME, "when it last worked"),

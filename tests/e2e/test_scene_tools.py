@@ -43,21 +43,25 @@ def drag(studio: Studio, begin: tuple[float, float], end: tuple[float, float]) -
 
 
 def robot_place(studio: Studio) -> tuple[float, float]:
-    """Position of the drawn robot, the only red object, as fractions of the floor's width and height."""
+    """Position of the drawn robot, the only object in its group's colour, as fractions of the floor's size."""
+    owner = studio.api(f"/programs/{studio.program_id}")["group_id"]
+    groups = studio.api("/groups")["groups"]
+    color = next(group["color"] for group in groups if group["id"] == owner)
     found = studio.page.evaluate(
-        """() => {
+        """(wanted) => {
             const canvas = document.querySelector('[data-testid=scene]');
             const {width, height} = canvas;
             const {data} = canvas.getContext('2d').getImageData(0, 0, width, height);
             let [sumX, sumY, count] = [0, 0, 0];
             for (let at = 0; at < data.length; at += 4) {
-                if (data[at] < 130 || data[at + 1] > 50 || data[at + 2] > 60) continue;
+                if (wanted.some((value, part) => Math.abs(value - data[at + part]) > 6)) continue;
                 sumX += (at / 4) % width;
                 sumY += Math.floor(at / 4 / width);
                 count++;
             }
             return [sumX / count / width, sumY / count / height];
-        }"""
+        }""",
+        list(bytes.fromhex(color[1:])),
     )
     return (found[0], found[1])
 

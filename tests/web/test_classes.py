@@ -64,6 +64,9 @@ def test_a_group_is_made_in_a_class_with_a_picture(
     place = f"/api/groups/{group['id']}"
     assert browser.patch(place, {"picture": "cat", "name": "Gatos"}).data["name"] == "Gatos"
     assert browser.patch(place, {"picture": "x"}).error["code"] == "picture_unknown"
+    assert browser.patch(place, {"robot_pattern": "x"}).error["code"] == "pattern_unknown"
+    robot = {"robot_name": "Faísca", "robot_pattern": "dots"}
+    assert browser.patch(place, robot).data.items() >= robot.items()
     assert browser.patch(place, {"classroom_id": ninth["id"]}).error["code"] == "teacher_only"
     other = teacher.post("/api/classrooms", {"name": "9º B"}).data
     moved = teacher.patch(place, {"classroom_id": other["id"]}).data

@@ -20,6 +20,8 @@ TEXTS = [
     ("groups", "name"),
     ("groups", "color"),
     ("groups", "picture"),
+    ("groups", "robot_name"),
+    ("groups", "robot_pattern"),
     ("groups", "used_at"),
     ("classrooms", "name"),
     ("programs", "name"),

@@ -33,7 +33,20 @@ def test_a_group_is_made_and_listed_with_its_counts(
     (listed,) = browser.get("/api/groups").data["groups"]
     assert listed == {**group, "n_programs": 1}
     counted = {"n_programs", "n_in_bin", "n_runs"}
-    assert set(group) == {"id", "name", "color", "picture", "classroom_id", "created_at"} | counted
+    assert (
+        set(group)
+        == {
+            "id",
+            "name",
+            "color",
+            "picture",
+            "robot_name",
+            "robot_pattern",
+            "classroom_id",
+            "created_at",
+        }
+        | counted
+    )
 
 
 def test_a_second_group_of_that_name_is_refused(browser: Browser, group: dict[str, Any]) -> None:

@@ -13,6 +13,7 @@ import "./frame/header/header.css";
 import "./frame/header/real_robot.css";
 import "./run/real/real.css";
 import "./kit/pictures/pictures.css";
+import "./work/livery/livery.css";
 import "./start/start.css";
 import "./editor/editor.css";
 import "./editor/reader/reader.css";

@@ -10,6 +10,7 @@ from pinel_desktop.web.models.work import Group, GroupChanges, GroupList, NewGro
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import is_teacher, require_teacher
+from storage.work.groups import Appearance
 
 api = Resource("groups", "Groups of pupils.", __name__)
 
@@ -25,7 +26,8 @@ def list_groups() -> Response:
 def create_group(body: NewGroup) -> Response:
     """Creates a group; its name must be unique in its class, ignoring case and spaces."""
     groups = services().store.groups
-    row = groups.create(body.name, classroom_id=body.classroom_id, picture=body.picture)
+    appearance = Appearance(body.color or "", body.picture, body.robot_name, body.robot_pattern)
+    row = groups.create(body.name, classroom_id=body.classroom_id, appearance=appearance)
     return json_response(Group.of(row))
 
 
@@ -36,7 +38,7 @@ def create_group(body: NewGroup) -> Response:
     ),
 )
 def change_group(path: IdPath, body: GroupChanges) -> Response:
-    """Changes a group's name, colour, picture or class; the class is for the teacher."""
+    """Changes a group's name, colour, picture, robot or class; the class is for the teacher."""
     changes = body.model_dump(exclude_none=True)
     if "classroom_id" in changes:
         require_teacher()

@@ -14,6 +14,9 @@ from pinel_desktop.web.models.worlds import Start, World
 Name = Annotated[
     str, Field(max_length=1000, description="1 to 60 characters; spaces at the ends do not count")
 ]
+RobotTitle = Annotated[
+    str, Field(max_length=1000, description="up to 60 characters; empty for the group's name")
+]
 Color = Annotated[str, Field(pattern="^#[0-9a-f]{6}$")]
 
 
@@ -25,6 +28,10 @@ class Group(ResponseModel):
     color: Color
     picture: Annotated[
         str, Field(description='name of a drawing; "" for groups of earlier releases')
+    ]
+    robot_name: Annotated[str, Field(description="empty if the robot has the group's name")]
+    robot_pattern: Annotated[
+        str, Field(description="of its robot; empty for groups of earlier releases")
     ]
     classroom_id: Id | None
     created_at: Time
@@ -43,11 +50,14 @@ class GroupList(ResponseModel):
 
 
 class NewGroup(RequestModel):
-    """A new group; if `picture` is omitted, a picture that few groups use is chosen."""
+    """A new group; if `color`, `picture` or `robot_pattern` is omitted, one that few groups use is chosen."""
 
     name: Name
     classroom_id: Id | None = None
+    color: Color | None = None
     picture: Annotated[str, Field(max_length=100)] = ""
+    robot_name: RobotTitle = ""
+    robot_pattern: Annotated[str, Field(max_length=100)] = ""
 
 
 class GroupChanges(RequestModel):
@@ -56,6 +66,8 @@ class GroupChanges(RequestModel):
     name: Name | None = None
     color: Color | None = None
     picture: Annotated[str | None, Field(max_length=100)] = None
+    robot_name: RobotTitle | None = None
+    robot_pattern: Annotated[str | None, Field(max_length=100)] = None
     classroom_id: Id | None = None
 
 

@@ -35,6 +35,7 @@ def private(store: Store) -> Store:
     classroom = store.classrooms.create("5º B")
     store.lessons.open(classroom.id, "Aula da Maria")
     group = store.groups.create("Joao e Ana", classroom_id=classroom.id)
+    store.groups.change(group.id, {"robot_name": "Carro do Joao", "robot_pattern": "star"})
     program, _ = work(store, group, "Quadrado do Joao")
     version = store.versions.save(program.id, {"text": "Joao"}, DOCUMENT, world=WORLD)
     run = store.runs.begin(RunStart("sim", "own", WORLD, 1, "0.1.0", version_id=version.id))
@@ -71,6 +72,10 @@ def test_nothing_of_what_was_written_is_in_the_file(private: Store, anonymous: P
     octets = anonymous.read_bytes()
     assert [fact for fact in FACTS if fact.encode() in octets] == []
     assert [fact for fact in FACTS if json.dumps(fact)[1:-1].encode() in octets] == []
+
+
+def test_a_robot_loses_its_name_and_not_its_pattern(anonymous: Path) -> None:
+    assert rows(anonymous, "SELECT robot_name, robot_pattern FROM groups") == [("", "star")]
 
 
 def test_no_key_of_the_store_is_in_the_file(private: Store, anonymous: Path, path: Path) -> None:

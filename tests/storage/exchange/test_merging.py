@@ -58,6 +58,16 @@ def test_all_that_was_made_on_another_pc_is_there(pc: Opened, tmp_path: Path) ->
     assert hash_of(here) == hash_of(there) == info.content_hash
 
 
+def test_a_robot_comes_with_its_group(pc: Opened, tmp_path: Path) -> None:
+    there, here = pc("there"), pc("here")
+    group = there.groups.create("Botos")
+    robot = {"robot_name": "Faísca", "robot_pattern": "dots"}
+    there.groups.change(group.id, robot)
+    merged(here, exported(there, tmp_path / "there.pinel").path)
+    (found,) = here.groups.all()
+    assert (found.robot_name, found.robot_pattern) == ("Faísca", "dots")
+
+
 def test_the_same_again_changes_nothing(pc: Opened, tmp_path: Path) -> None:
     here, there = pc("a"), pc("b")
     work(there, there.groups.create("Onças"), "Quadrado")

@@ -1,12 +1,14 @@
 """Classes, groups in them, lessons, notes, the bin, and the line of a program's versions."""
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from storage import GroupRow, ProgramRow, RunStart, Store, open_store
-from storage.choices import COLORS, PICTURES
+from storage.choices import COLORS, PATTERNS, PICTURES
+from storage.work.groups import Appearance
 from tests.storage.bundle_makers import exported, hash_of, merged
 from tests.storage.file.refusals import code_of
 from tests.storage.sample_documents import WORLD
@@ -66,8 +68,61 @@ def test_groups_of_a_class_differ_in_picture_and_colour(school: Store, ninth: st
     changed = school.groups.change(made[0].id, {"picture": PICTURES[-1], "color": COLORS[-1]})
     assert (changed.picture, changed.color, changed.name) == (PICTURES[-1], COLORS[-1], "Grupo 0")
     assert code_of(lambda: school.groups.change(changed.id, {"color": "red"})) == "color_unknown"
-    assert code_of(lambda: school.groups.create("Z", picture="../x")) == "picture_unknown"
+    foreign = Appearance(picture="../x")
+    assert code_of(lambda: school.groups.create("Z", appearance=foreign)) == "picture_unknown"
     assert code_of(lambda: school.groups.change("x", {"name": "Y"})) == "group_not_found"
+
+
+def test_no_two_robots_of_a_class_look_alike_unless_groups_choose_so(
+    school: Store, ninth: str
+) -> None:
+    made = [school.groups.create(f"Grupo {n}", classroom_id=ninth) for n in range(24)]
+    assert {group.robot_pattern for group in made[:6]} == set(PATTERNS)
+    assert {group.color for group in made[:12]} == set(COLORS)
+    assert len({(group.color, group.robot_pattern) for group in made}) == 24
+    same = Appearance(made[0].color, made[0].picture, "Faísca", made[0].robot_pattern)
+    chosen = school.groups.create("Iguais", classroom_id=ninth, appearance=same)
+    assert (chosen.color, chosen.picture) == (made[0].color, made[0].picture)
+    assert (chosen.robot_name, chosen.robot_pattern) == ("Faísca", made[0].robot_pattern)
+
+
+def test_a_pattern_that_a_robot_has_in_the_same_colour_is_given_last(
+    school: Store, ninth: str
+) -> None:
+    create = partial(school.groups.create, classroom_id=ninth)
+    create("A", appearance=Appearance(COLORS[0], robot_pattern="waves"))
+    for number, pattern in enumerate(2 * [one for one in PATTERNS if one != "waves"]):
+        create(f"B{number}", appearance=Appearance(COLORS[1], robot_pattern=pattern))
+    assert create("C", appearance=Appearance(COLORS[0])).robot_pattern != "waves"
+
+
+@pytest.mark.parametrize(
+    ("name", "color", "pattern"),
+    [("Botos", 8, "checks"), ("ARARAS ", 5, "dots"), ("Onças", 0, "checks"), ("🤖", 2, "plain")],
+)
+def test_the_name_of_the_first_group_decides_as_on_the_page(
+    school: Store, name: str, color: int, pattern: str
+) -> None:
+    """`ui/src/work/livery/appearance.test.ts` has the same table."""
+    group = school.groups.create(name)
+    assert (COLORS.index(group.color), group.robot_pattern) == (color, pattern)
+
+
+def test_a_robot_has_a_name_and_a_pattern_of_the_list(school: Store, ninth: str) -> None:
+    group = school.groups.create("Botos", classroom_id=ninth)
+    assert group.robot_name == ""
+    change = partial(school.groups.change, group.id)
+    for given, stored in {
+        "  Faísca\u202e ": "Faísca",
+        "🤖" * 60: "🤖" * 60,
+        "برق": "برق",
+        "\u200b": "",
+        "": "",
+    }.items():
+        assert change({"robot_name": given}).robot_name == stored
+    assert code_of(lambda: change({"robot_name": "x" * 61})) == "name_too_long"
+    assert change({"robot_pattern": "star"}).robot_pattern == "star"
+    assert code_of(lambda: change({"robot_pattern": "tartan"})) == "pattern_unknown"
 
 
 def test_a_class_is_told_from_another_of_its_name_by_the_pc_of_its_first_lesson(

@@ -62,6 +62,16 @@ export const GROUP_COLORS = [
   "#4a6b1c",
 ] as const;
 
+/** Patterns of a group's robot: storage/choices.py. */
+export const ROBOT_PATTERNS = [
+  "waves",
+  "stripes",
+  "dots",
+  "checks",
+  "star",
+  "plain",
+] as const;
+
 /** Letters that the camera knows untaught: pinel_desktop/gestures/letters.py. */
 export const LETTERS = [
   "A",

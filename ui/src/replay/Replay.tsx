@@ -5,7 +5,7 @@ import { Button } from "../kit/Button";
 import type { Playback } from "../run/playback";
 import { RobotName } from "../run/real/RobotName";
 import { VerdictLine } from "../run/real/VerdictLine";
-import { beep } from "../run/sound";
+import { beep } from "../run/sounds/sound";
 import { lazy } from "../shell/lazy";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
 import { PlaybackControls } from "./PlaybackControls";

@@ -5,9 +5,10 @@ import { PanelToggle } from "../kit/PanelToggle";
 import { MuteButton } from "../run/panels/MuteButton";
 import { Readout } from "../run/panels/Readout";
 import { RunOutput } from "../run/panels/RunOutput";
+import { liveryOf } from "../scene/livery/livery";
 import { Scene } from "../scene/Scene";
 import { lazy } from "../shell/lazy";
-import { robotOf } from "../shell/session";
+import { group, robotOf } from "../shell/session";
 import { ReplaySentence } from "./ReplayParts";
 import type { RecordedRun } from "./recorded_run";
 
@@ -32,6 +33,7 @@ export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
             <Scene
               world={run.world_document}
               robot={robotOf(run.model)}
+              livery={run.group_id === group.value?.id ? liveryOf(group.value) : null}
               view={playback.view}
               poseAt={playback.pose}
               playing={playback.playing}

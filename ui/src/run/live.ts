@@ -14,7 +14,9 @@ import { record } from "./live_record";
 import { MotionBuffer } from "./motion_buffer";
 import { RecordedStates } from "./recorded_states";
 import { IDLE, isLive, type Pose, type RunView, reduce, starting } from "./reducer";
-import { beep } from "./sound";
+import { soundBetween } from "./sounds/run_sounds";
+import { beep, playSound } from "./sounds/sound";
+import { endSpeech, speak } from "./sounds/speech";
 import { decodeTelemetry, NO_TELEMETRY } from "./telemetry";
 
 /** State of the live run, or of the last one. */
@@ -100,8 +102,16 @@ function apply(event: RunEvent): void {
   if (next === before) return;
   record.add(event);
   if (event.type === "telemetry") motion.push(event.tick, next.truth, performance.now());
-  if (event.type === "beeped") beep();
+  makeSound(event, before, next);
   showSoon(next);
+}
+
+function makeSound(event: RunEvent, before: RunView, now: RunView): void {
+  if (event.type === "beeped") beep();
+  if (event.type === "said") speak(event.text);
+  if (now.phase === "stopped") endSpeech();
+  const sound = soundBetween(before, now);
+  if (sound) playSound(sound);
 }
 
 /** Clears the run and shows the robot at the start. */

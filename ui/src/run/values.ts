@@ -22,6 +22,11 @@ export function localizeNumbers(text: string, language: Language): string {
   );
 }
 
+/** A text that the robot says, or a number, in the format of the language. */
+export function spokenText(text: string | number, language: Language): string {
+  return typeof text === "number" ? formatNumber(text, language) : localizeNumbers(text, language);
+}
+
 /** A program writes no trailing zeros; a pupil typed a number that has some. */
 const isWrittenByProgram = (text: string) =>
   NUMBER.test(text) && (text.includes("e") || String(Number(text)) === text);

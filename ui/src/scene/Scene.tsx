@@ -1,5 +1,6 @@
 import type { ReadonlySignal } from "@preact/signals";
 import { effect } from "@preact/signals";
+import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import type { Robot, World } from "../api/model";
 import { language, texts } from "../i18n";
@@ -7,15 +8,20 @@ import { degrees, headingDegrees, metres } from "../i18n/format";
 import { useInstance } from "../kit/instance";
 import { listen } from "../kit/listen";
 import { showBeeps } from "../run/beep_sign";
+import type { DialogueLine } from "../run/output";
 import type { Pose, RunView } from "../run/reducer";
+import { showText } from "../run/text_sign";
+import { spokenText } from "../run/values";
 import { program } from "../shell/session";
 import { prefersStill, theme } from "../shell/theme";
 import type { Companion } from "./companion";
 import { startOf, toWorld, type XY } from "./frames";
+import type { Livery } from "./livery/livery";
 import { markText } from "./mark_text";
 import { savePicture } from "./picture";
 import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
+import { CELEBRATION_MS } from "./signs/celebration_view";
 import { drawMeasure, measureText } from "./tools/measure_view";
 import { type Grip, listenToPointer } from "./tools/pointer_input";
 import { Toolbar } from "./tools/Toolbar";
@@ -33,6 +39,8 @@ interface SceneProps {
   world: World | null;
   /** The robot on this floor; null until the robot models are loaded. */
   robot: Robot | null;
+  /** What the group of the run chose for its robot; null without a group. */
+  livery?: Livery | null;
   view: ReadonlySignal<RunView>;
   /** The robot's pose at a time of the screen's clock, interpolated between the ticks of `view`. */
   poseAt(now: number): Pose;
@@ -44,13 +52,51 @@ interface SceneProps {
   hold?: RobotHold;
   /** Whether a recorded run plays; absent if the run is live. */
   playing?: ReadonlySignal<boolean>;
+  /** The run whose solved mission is celebrated as soon as it is set; absent if a run is only displayed. */
+  solved?: ReadonlySignal<string | null>;
 }
 
 /** The floor from above. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
-export function Scene({ world, robot, view, poseAt, whole, companion, hold, playing }: SceneProps) {
+export function Scene(props: SceneProps) {
+  const { world, robot, view, hold } = props;
   const canvas = useRef<HTMLCanvasElement>(null);
-  const renderer = useRef<SceneRenderer | null>(null);
   const tools = useInstance(() => new SceneTools());
+  const renderer = useRenderer(canvas, tools, props);
+  return (
+    <div class="scene">
+      <Canvas canvas={canvas} world={world} view={view} tools={tools} hold={hold} />
+      <Toolbar
+        scene={() => renderer.current}
+        tools={tools}
+        again={hold ? { able: hold.canReset.value, act: () => hold.again() } : null}
+        sensors={hold ? robot : null}
+        onPicture={() => {
+          if (renderer.current) void savePicture(renderer.current, program.peek()?.name ?? "PINEL");
+        }}
+      />
+      <MeasureHint tools={tools} />
+    </div>
+  );
+}
+
+/** Makes the renderer of the canvas, and passes on to it what changes. */
+function useRenderer(
+  canvas: RefObject<HTMLCanvasElement>,
+  tools: SceneTools,
+  {
+    world,
+    robot,
+    livery = null,
+    view,
+    poseAt,
+    whole,
+    companion,
+    hold,
+    playing,
+    solved,
+  }: SceneProps,
+): RefObject<SceneRenderer> {
+  const renderer = useRef<SceneRenderer>(null);
 
   useEffect(() => {
     const element = canvas.current;
@@ -70,7 +116,8 @@ export function Scene({ world, robot, view, poseAt, whole, companion, hold, play
       effect(() => scene.setMovable(hold?.grip.value.isAtStart ?? false)),
       effect(() => scene.setRanges(hold?.ranges.value ?? null)),
       effect(() => scene.setCompanion(companion?.value ?? null)),
-      showBeepSign(scene, view, playing),
+      showSigns(scene, view, playing),
+      celebrate(scene, element, solved),
       showMeasure(scene, tools),
       listenToPointer({
         element,
@@ -86,26 +133,13 @@ export function Scene({ world, robot, view, poseAt, whole, companion, hold, play
       sizes.disconnect();
       scene.dispose();
     };
-  }, [view, poseAt, whole, companion, hold, playing]);
+  }, [view, poseAt, whole, companion, hold, playing, solved]);
 
+  const { colour, pattern, name } = livery ?? {};
   useEffect(() => renderer.current?.setWorld(world), [world]);
   useEffect(() => renderer.current?.setRobot(robot), [robot, view, poseAt, hold]);
-
-  return (
-    <div class="scene">
-      <Canvas canvas={canvas} world={world} view={view} tools={tools} hold={hold} />
-      <Toolbar
-        scene={() => renderer.current}
-        tools={tools}
-        again={hold ? { able: hold.canReset.value, act: () => hold.again() } : null}
-        sensors={hold ? robot : null}
-        onPicture={() => {
-          if (renderer.current) void savePicture(renderer.current, program.peek()?.name ?? "PINEL");
-        }}
-      />
-      <MeasureHint tools={tools} />
-    </div>
-  );
+  useEffect(() => renderer.current?.setLivery(livery), [colour, pattern, name, view, poseAt, hold]);
+  return renderer;
 }
 
 interface CanvasProps {
@@ -167,15 +201,53 @@ function MeasureHint({ tools }: { tools: SceneTools }) {
   );
 }
 
-function showBeepSign(
+/** Shows beeps and texts at the robot. The dialogue below tells the same to screen readers. */
+function showSigns(
   scene: SceneRenderer,
   view: SceneProps["view"],
   playing: SceneProps["playing"],
 ): () => void {
   const isStill = () => playing?.value === false;
-  return showBeeps(view, isStill, (n) =>
-    scene.setBeep(n > 0 ? texts.peek().show.beeps({ count: n }) : ""),
-  );
+  const bubbleText = (text: DialogueLine["text"] | null) =>
+    text === null ? "" : spokenText(text, language.peek());
+  const stops = [
+    showBeeps(view, isStill, (n) => {
+      const beep = n > 0 ? texts.peek().show.beeps({ count: n }) : "";
+      scene.sign((signs) => signs.setBeep(beep));
+    }),
+    showText(view, isStill, (text) => scene.sign((signs) => signs.setText(bubbleText(text)))),
+  ];
+  return () => {
+    for (const stop of stops) stop();
+  };
+}
+
+/** Celebrates each mission that is solved while the floor is shown. */
+function celebrate(
+  scene: SceneRenderer,
+  canvas: HTMLCanvasElement,
+  solved: SceneProps["solved"],
+): () => void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let last = solved?.peek() ?? null;
+  const end = () => {
+    clearTimeout(timer);
+    delete canvas.dataset.celebrating;
+  };
+  const stop = effect(() => {
+    const run = solved?.value ?? null;
+    if (run === last) return;
+    last = run;
+    end();
+    if (run === null) return;
+    scene.sign((signs) => signs.celebrate());
+    canvas.dataset.celebrating = "true";
+    timer = setTimeout(end, CELEBRATION_MS);
+  });
+  return () => {
+    stop();
+    end();
+  };
 }
 
 function showMeasure(scene: SceneRenderer, tools: SceneTools): () => void {

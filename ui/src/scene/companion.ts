@@ -3,6 +3,7 @@ import type { Pose, RunView } from "../run/reducer";
 import { points } from "../run/trail";
 import type { Colours } from "./colours";
 import { startOf } from "./frames";
+import type { Livery } from "./livery/livery";
 import { drawRobot } from "./robot";
 import type { Viewport } from "./viewport";
 
@@ -10,6 +11,8 @@ import type { Viewport } from "./viewport";
 export interface Companion {
   readonly world: World | null;
   readonly robot: Robot | null;
+  /** Null for the colour of its path. */
+  readonly livery: Livery | null;
   readonly view: RunView;
   pose(): Pose;
 }
@@ -17,7 +20,7 @@ export interface Companion {
 /** Draws the second run with a dashed path, so that the two runs do not differ by colour alone. */
 export function drawCompanion(
   ctx: CanvasRenderingContext2D,
-  { world, robot, view, pose }: Companion,
+  { world, robot, livery, view, pose }: Companion,
   { scale }: Viewport,
   colours: Colours,
   ratio: number,
@@ -36,6 +39,7 @@ export function drawCompanion(
   ctx.setLineDash([12 / scale, 7 / scale]);
   ctx.stroke();
   ctx.setLineDash([]);
-  if (robot) drawRobot(ctx, robot, here, { ...colours, robot: colours.start }, scale * ratio);
+  const itsColours = { ...colours, robot: colours.start };
+  if (robot) drawRobot(ctx, robot, here, itsColours, scale * ratio, livery);
   ctx.restore();
 }

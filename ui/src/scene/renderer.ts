@@ -1,16 +1,17 @@
 import type { Robot, World } from "../api/model";
-import { IDLE, type Pose, type RunView } from "../run/reducer";
+import { IDLE, isLive, type Pose, type RunView } from "../run/reducer";
 import type { Point } from "../run/trail";
-import { drawBeep, GROWING_MS } from "./beep_view";
 import { BoxInterpolator } from "./box_interpolator";
 import { type Colours, readColours } from "./colours";
 import { type Companion, drawCompanion } from "./companion";
 import { contentBounds, wholeRoom } from "./content_bounds";
 import { drawMovableBoxes, drawRulers } from "./floor";
 import { HANDLE_M, startOf, toWorld, type XY } from "./frames";
+import type { Livery } from "./livery/livery";
 import { drawRanges, type Measurements } from "./ranges_view";
 import { drawBelief, drawKnob, drawRobot } from "./robot";
 import { type CacheInput, SceneCache } from "./scene_cache";
+import { RobotSigns } from "./signs/robot_signs";
 import {
   approach,
   clampScale,
@@ -69,7 +70,8 @@ export class SceneRenderer {
   private held = false;
   private overlay: Overlay | null = null;
   private companion: Companion | null = null;
-  private beep: { text: string; since: number } | null = null;
+  private livery: Livery | null = null;
+  private readonly signs = new RobotSigns();
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -102,6 +104,11 @@ export class SceneRenderer {
     this.requestRedraw();
   }
 
+  setLivery(livery: Livery | null): void {
+    this.livery = livery;
+    this.requestRedraw();
+  }
+
   setMovable(movable: boolean): void {
     this.movable = movable;
     this.requestRedraw();
@@ -117,10 +124,9 @@ export class SceneRenderer {
     this.requestRedraw();
   }
 
-  /** Sets the text at the robot while it beeps; "" while it does not. */
-  setBeep(text: string): void {
-    const since = this.beep?.since ?? performance.now();
-    this.beep = text ? { text, since } : null;
+  /** Changes the signs at the robot: what it says, its beep, a celebration. */
+  sign(change: (signs: RobotSigns) => void): void {
+    change(this.signs);
     this.requestRedraw();
   }
 
@@ -282,9 +288,9 @@ export class SceneRenderer {
     const input = { world, robot, view, colours, size, ratio };
     const viewport = this.cache.aligned(this.viewport, ratio);
     const blurred = this.paintCached(this.ctx, input, this.cache, viewport, now);
-    this.drawBeep(pose, viewport, now);
+    const celebrating = this.drawSigns(pose, viewport, now);
     this.overlay?.(this.ctx, viewport, size, colours);
-    return moving || pushing || blurred;
+    return moving || pushing || blurred || celebrating;
   }
 
   /** Draws everything except the overlay; returns true while the cached image needs a redraw. */
@@ -321,13 +327,19 @@ export class SceneRenderer {
     return blurred;
   }
 
-  private drawBeep(pose: Pose, viewport: Viewport, now: number): void {
-    const { beep, world, robot, size, colours } = this;
-    if (!beep) return;
-    const at = toScreen(viewport, size, toWorld(startOf(world), pose.x, pose.y));
-    const grown = this.still() ? 1 : Math.min(1, Math.max(0, now - beep.since) / GROWING_MS);
-    const radius = robot?.radius_m ?? 0;
-    drawBeep(this.ctx, { text: beep.text, radius, grown }, at, [viewport.scale, size], colours);
+  private drawSigns(pose: Pose, viewport: Viewport, now: number): boolean {
+    const { world, robot, livery, size, colours, view } = this;
+    const start = startOf(world);
+    const frame = {
+      at: toScreen(viewport, size, toWorld(start, pose.x, pose.y)),
+      size,
+      radius_m: robot?.radius_m ?? 0,
+      scale: viewport.scale,
+      yaw: start.yaw + pose.yaw,
+      livery,
+      atRest: robot !== null && !isLive(view),
+    };
+    return this.signs.draw(this.ctx, frame, now, this.still(), colours);
   }
 
   private drawRobot(
@@ -346,7 +358,7 @@ export class SceneRenderer {
       ctx.restore();
     }
     if (this.movable && !view.run) drawKnob(ctx, robot, HANDLE_M, colours, 1 / scale);
-    drawRobot(ctx, robot, pose, colours, scale * ratio);
+    drawRobot(ctx, robot, pose, colours, scale * ratio, this.livery);
     const off = { x: view.pose.x - view.truth.x, y: view.pose.y - view.truth.y };
     if (Math.hypot(off.x, off.y) < OFF_M) return;
     const yaw = pose.yaw + view.pose.yaw - view.truth.yaw;

@@ -2,6 +2,8 @@ import type { Robot } from "../api/model";
 import type { Pose } from "../run/reducer";
 import type { Colours } from "./colours";
 import { extentOf, hullPath, onHull } from "./hull";
+import { type Livery, type LiveryPaint, liveryPaint, patternFrame } from "./livery/livery";
+import type { Pattern } from "./livery/patterns";
 
 type Ctx = CanvasRenderingContext2D;
 
@@ -12,8 +14,12 @@ const ARROW_M = [0.0975, 0.1975] as const;
 /** Minimum length of a drawn robot, in pixels of the screen, so that its heading is visible. */
 const MIN_PX = 18;
 
-/** Cache: builds the outline once for each robot. */
+/** Width of the rim around a livery, which parts it from the path under it; in radii of the robot. */
+const RIM = 0.2;
+
+/** Caches: builds the outline of each robot and the path of each pattern once. */
 const outlines = new WeakMap<Robot, Path2D>();
+const patterns = new WeakMap<Pattern, Path2D>();
 
 function outlineOf(robot: Robot): Path2D {
   const outline = outlines.get(robot) ?? new Path2D(hullPath(robot));
@@ -21,13 +27,23 @@ function outlineOf(robot: Robot): Path2D {
   return outline;
 }
 
-/** Draws the robot of a description from above in metres, y up. `pixels` is the number of pixels per metre. */
+function shapeOf(pattern: Pattern): Path2D {
+  const shape = patterns.get(pattern) ?? new Path2D(pattern.path);
+  patterns.set(pattern, shape);
+  return shape;
+}
+
+/**
+ * Draws the robot of a description from above in metres, y up. `pixels` is the number of pixels per metre. A robot
+ * without a livery has the colour of the theme.
+ */
 export function drawRobot(
   ctx: Ctx,
   robot: Robot,
   pose: Pose,
   colours: Colours,
   pixels: number,
+  livery: Livery | null = null,
 ): void {
   ctx.save();
   ctx.translate(pose.x, pose.y);
@@ -38,8 +54,9 @@ export function drawRobot(
   );
   ctx.scale(enlarged, enlarged);
   drawShadow(ctx, robot, pose.yaw, colours, pixels);
+  if (livery) drawRim(ctx, robot, colours);
   drawWheels(ctx, robot, colours);
-  drawBody(ctx, robot, colours);
+  drawBody(ctx, robot, liveryPaint(livery, colours), colours);
   drawSonars(ctx, robot);
   drawDeck(ctx, robot, colours);
   ctx.restore();
@@ -67,13 +84,42 @@ function drawWheels(ctx: Ctx, { wheels }: Robot, colours: Colours): void {
   }
 }
 
-function drawBody(ctx: Ctx, robot: Robot, colours: Colours): void {
+function drawRim(ctx: Ctx, robot: Robot, colours: Colours): void {
+  ctx.strokeStyle = colours.tile;
+  ctx.lineWidth = RIM * robot.radius_m;
+  ctx.stroke(outlineOf(robot));
+}
+
+function drawBody(ctx: Ctx, robot: Robot, { body, pattern }: LiveryPaint, colours: Colours): void {
   const outline = outlineOf(robot);
-  ctx.fillStyle = colours.robot;
+  ctx.fillStyle = body;
   ctx.fill(outline);
+  if (pattern) drawPattern(ctx, robot, pattern);
   ctx.strokeStyle = colours.deck;
   ctx.lineWidth = 0.05 * robot.radius_m;
   ctx.stroke(outline);
+}
+
+/** Draws the pattern on the hull, which cuts off what is outside of it. */
+function drawPattern(
+  ctx: Ctx,
+  robot: Robot,
+  { drawing, colour }: NonNullable<LiveryPaint["pattern"]>,
+): void {
+  const { x, unit } = patternFrame(robot);
+  ctx.save();
+  ctx.clip(outlineOf(robot));
+  ctx.translate(x, 0);
+  ctx.scale(unit, unit);
+  if (drawing.line) {
+    ctx.strokeStyle = colour;
+    ctx.lineWidth = drawing.line;
+    ctx.stroke(shapeOf(drawing));
+  } else {
+    ctx.fillStyle = colour;
+    ctx.fill(shapeOf(drawing));
+  }
+  ctx.restore();
 }
 
 /** Draws the sonars on the drawn hull. The simulated hull, a circle, is larger. */

@@ -2,6 +2,8 @@ import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { GroupPicture } from "../kit/pictures/GroupPicture";
+import { liveryOf } from "../scene/livery/livery";
+import { RobotPicture } from "../scene/livery/RobotPicture";
 import { enterGroup } from "../work/entering";
 import { groupCounts } from "./group_counts";
 
@@ -22,6 +24,7 @@ export function GroupCard({ group }: { group: Group }) {
         <span class="badge badge--large">
           <GroupPicture name={group.picture} />
         </span>
+        <RobotPicture livery={liveryOf(group)} class="group-card__robot" />
       </span>
       <span class="group-card__words">
         <span class="group-card__name one-line" dir="auto">

@@ -2,7 +2,7 @@ import { Check, X } from "lucide-preact";
 import { useState } from "preact/hooks";
 import { classesApi } from "../api/classes";
 import { api } from "../api/client";
-import { GROUP_COLORS, STORE_LIMITS } from "../api/declared";
+import { STORE_LIMITS } from "../api/declared";
 import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
@@ -14,10 +14,12 @@ import { FaultLine } from "../kit/requests/FaultLine";
 import { valueIn } from "../kit/requests/load_state";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { group as inHeader } from "../shell/session";
+import type { Appearance } from "./livery/appearance";
+import { RobotFields } from "./livery/RobotFields";
 
-type GroupAppearance = Pick<Group, "name" | "color" | "picture">;
+type GroupAppearance = Appearance & Pick<Group, "name">;
 
-/** Form for a group's name, colour and picture. */
+/** Form for a group's name, colour, picture and robot. */
 export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
   const { classes, start } = texts.value;
   const [appearance, setAppearance] = useState<GroupAppearance>(group);
@@ -27,10 +29,11 @@ export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
     setAppearance({ ...appearance, ...changes });
   };
   const save = async () => {
-    const { name, color, picture } = appearance;
+    const { name, color, picture, robot_name, robot_pattern } = appearance;
     if (!name.trim()) return refuse(start.nameMissing);
     const done = await act(async () => {
-      const changes = { name, color, ...(picture && { picture }) };
+      const chosen = { ...(picture && { picture }), ...(robot_pattern && { robot_pattern }) };
+      const changes = { name, color, robot_name, ...chosen };
       inHeader.value = await classesApi.changeGroup(group.id, changes);
     });
     if (done) onDone();
@@ -83,39 +86,25 @@ interface AppearanceFieldsProps {
 
 function AppearanceFields({ group, appearance, onChange }: AppearanceFieldsProps) {
   const groups = useLoaded(group.id, () => api.groups());
-  const usedPictures = (valueIn(groups) ?? [])
-    .filter((one) => one.id !== group.id && one.classroom_id === group.classroom_id)
-    .map((one) => one.picture);
+  const others = (valueIn(groups) ?? []).filter(
+    (one) => one.id !== group.id && one.classroom_id === group.classroom_id,
+  );
   return (
     <div class="group-form__looks">
       <PictureChoice
         chosen={appearance.picture}
-        used={usedPictures}
+        used={others.map((one) => one.picture)}
         onChoose={(picture) => onChange({ picture })}
       />
-      <ColorChoice chosen={appearance.color} onChoose={(color) => onChange({ color })} />
+      <section class="group-form__robot column gap-2" aria-label={texts.value.livery.title}>
+        <strong aria-hidden="true">{texts.value.livery.title}</strong>
+        <RobotFields
+          appearance={appearance}
+          groupName={appearance.name}
+          usedColors={others.map((one) => one.color)}
+          onChange={onChange}
+        />
+      </section>
     </div>
-  );
-}
-
-function ColorChoice({ chosen, onChoose }: { chosen: string; onChoose(color: string): void }) {
-  const { classes } = texts.value;
-  return (
-    <fieldset class="pictures group-form__colors">
-      <legend class="visually-hidden">{classes.color}</legend>
-      {GROUP_COLORS.map((one, index) => (
-        <label key={one} class="pictures__one" data-testid="group-color" data-color={one}>
-          <input
-            type="radio"
-            class="visually-hidden"
-            name="group-color"
-            aria-label={classes.colorNumber({ n: index + 1 })}
-            checked={one === chosen}
-            onChange={() => onChoose(one)}
-          />
-          <span class="group-form__color" style={{ background: one }} />
-        </label>
-      ))}
-    </fieldset>
   );
 }

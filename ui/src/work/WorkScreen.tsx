@@ -6,6 +6,8 @@ import { Button } from "../kit/Button";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { UndoBanner } from "../kit/UndoBanner";
+import { liveryOf } from "../scene/livery/livery";
+import { liveryStyle } from "../scene/livery/RobotPicture";
 import type { ParametersOf } from "../shell/route";
 import { group } from "../shell/session";
 import { couldNotOpen } from "../studio/program/open_program";
@@ -49,7 +51,7 @@ export function WorkScreen({ group: groupId }: ParametersOf<"work">) {
   return (
     <Loaded of={work} as="screen">
       {(made) => (
-        <main class="screen work">
+        <main class="screen work" style={liveryStyle(liveryOf(group.value))}>
           <h1 class="visually-hidden">
             {texts.value.work.title({ group: group.value?.name ?? "" })}
           </h1>

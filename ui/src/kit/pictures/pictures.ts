@@ -60,9 +60,3 @@ export const PICTURE_NAMES = Object.keys(PICTURES) as PictureName[];
 export function isPicture(name: string): name is PictureName {
   return Object.hasOwn(PICTURES, name);
 }
-
-/** The least used picture; of several, the first. */
-export function rarestPicture(used: readonly string[]): PictureName {
-  const uses = (name: string) => used.filter((one) => one === name).length;
-  return PICTURE_NAMES.reduce((best, name) => (uses(name) < uses(best) ? name : best));
-}

@@ -1,10 +1,12 @@
 import { type Signal, useComputed, useSignal } from "@preact/signals";
 import { ArrowLeft } from "lucide-preact";
 import type { ComponentChildren } from "preact";
+import type { Group } from "../../api/model";
 import { texts } from "../../i18n";
 import { LinkButton } from "../../kit/LinkButton";
 import { RadioGroup } from "../../kit/RadioGroup";
 import type { Companion } from "../../scene/companion";
+import { type Livery, liveryOf } from "../../scene/livery/livery";
 import { Scene } from "../../scene/Scene";
 import { hashOf } from "../../shell/route";
 import { robotOf } from "../../shell/session";
@@ -29,7 +31,7 @@ export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
       <Head pair={pair} view={view}>
         {blocks && <PairDifferences blocks={blocks} isOneProgram={isOneProgram} />}
       </Head>
-      {isTogether && <OneFloor pair={pair} />}
+      {isTogether && <OneFloor pair={pair} liveries={liveriesOf(pair, groups)} />}
       {pair.sides.map((side, index) => (
         <ComparedRun
           key={side.recordedRun.run.id + index}
@@ -87,11 +89,25 @@ function Head({ pair, view, children }: HeadProps) {
   );
 }
 
-function OneFloor({ pair: { sides } }: { pair: Pair }) {
+/** The liveries of both robots. The second of two runs of one group has the colour of its path instead. */
+function liveriesOf({ sides }: Pair, groups: readonly Group[]): [Livery | null, Livery | null] {
+  const [first, second] = sides.map(({ recordedRun: { run } }) =>
+    groups.find(({ id }) => id === run.group_id),
+  );
+  return [liveryOf(first), first === second ? null : liveryOf(second)];
+}
+
+interface OneFloorProps {
+  pair: Pair;
+  liveries: readonly [Livery | null, Livery | null];
+}
+
+function OneFloor({ pair: { sides }, liveries }: OneFloorProps) {
   const [first, second] = sides;
   const companion = useComputed<Companion>(() => ({
     world: second.recordedRun.run.world_document,
     robot: robotOf(second.recordedRun.run.model),
+    livery: liveries[1],
     view: second.view.value,
     pose: second.pose,
   }));
@@ -100,6 +116,7 @@ function OneFloor({ pair: { sides } }: { pair: Pair }) {
       <Scene
         world={first.recordedRun.run.world_document}
         robot={robotOf(first.recordedRun.run.model)}
+        livery={liveries[0]}
         view={first.view}
         poseAt={first.pose}
         playing={first.playing}

@@ -6,6 +6,7 @@ import { hintsRead, labelled } from "../../i18n/phrases";
 import { GroupPicture } from "../../kit/pictures/GroupPicture";
 import { Readout } from "../../run/panels/Readout";
 import { RobotName } from "../../run/real/RobotName";
+import { liveryOf } from "../../scene/livery/livery";
 import { Scene } from "../../scene/Scene";
 import { robotOf } from "../../shell/session";
 import { outcomeOf } from "../../teacher/review/model";
@@ -44,6 +45,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
           <Scene
             world={run.world_document}
             robot={robotOf(run.model)}
+            livery={liveryOf(group)}
             view={side.view}
             poseAt={side.pose}
             playing={side.playing}

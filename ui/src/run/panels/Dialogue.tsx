@@ -1,9 +1,9 @@
 import { BellRing, CircleQuestionMark, MessageCircle, Reply } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { language, texts } from "../../i18n";
-import { formatNumber, seconds } from "../../i18n/format";
+import { seconds } from "../../i18n/format";
 import type { DialogueLine } from "../output";
-import { localizeNumbers } from "../values";
+import { spokenText } from "../values";
 
 const ICONS = {
   said: MessageCircle,
@@ -66,6 +66,5 @@ function LineView({ line: { kind, text, tick } }: { line: DialogueLine }) {
 
 function lineText(kind: DialogueLine["kind"], text: DialogueLine["text"]): string {
   if (kind === "beeped") return texts.value.show.beeps({ count: Number(text) });
-  if (typeof text === "number") return formatNumber(text, language.value);
-  return kind === "answered" ? text : localizeNumbers(text, language.value);
+  return kind === "answered" && typeof text === "string" ? text : spokenText(text, language.value);
 }

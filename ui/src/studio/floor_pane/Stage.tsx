@@ -13,15 +13,17 @@ import { activeRealLink, chosenRobot } from "../../run/real/real_robot";
 import { robotStates } from "../../run/real/robot_state";
 import { stateText } from "../../run/real/state_text";
 import { isLive } from "../../run/reducer";
+import { liveryOf } from "../../scene/livery/livery";
 import { Scene } from "../../scene/Scene";
 import { lazy } from "../../shell/lazy";
-import { worlds } from "../../shell/session";
+import { group, worlds } from "../../shell/session";
 import { sensorValues } from "../debug/sensor_values";
 import { RobotChoice } from "../real_robot/RobotChoice";
 import type { StudioControl } from "../studio_control";
 import type { DrawerState } from "../text/drawer";
 import { CapturePanel } from "./CapturePanel";
 import { QuestionPanel } from "./QuestionPanel";
+import { useSolved } from "./solved";
 import { WorldChoice } from "./WorldChoice";
 
 const TextDrawer = lazy(async () => (await import("../text/TextDrawer")).TextDrawer);
@@ -40,6 +42,7 @@ interface StageProps {
 export function Stage({ control, drawer }: StageProps) {
   const capturing = useComputed(() => robot.live.value.capture !== null);
   const asked = useComputed(() => (control.mine.value ? robot.live.value.output.question : null));
+  const solved = useSolved(control);
   const waits = capturing.value || asked.value !== null;
   const { open, what, tall, editing } = drawer.value;
   const hasText = open && (editing || !waits);
@@ -53,11 +56,13 @@ export function Stage({ control, drawer }: StageProps) {
           <Scene
             world={control.world.value}
             robot={control.robot.value}
+            livery={liveryOf(group.value)}
             view={shown}
             poseAt={shownPose}
             whole={robot.live}
             hold={control.hold}
             playing={isNow}
+            solved={solved}
           />
           <Corner control={control} />
         </div>
@@ -121,7 +126,7 @@ function Corner({ control }: { control: StudioControl }) {
       >
         {labels.change}
       </Button>
-      <MuteButton view={robot.live} expected={control.beeps.value} />
+      <MuteButton view={robot.live} expected={control.beeps.value} live />
     </div>
   );
 }
@@ -132,7 +137,7 @@ function RoomCorner({ control }: { control: StudioControl }) {
     <div class="floor__corner">
       <RobotChoice />
       <RoomStatus />
-      <MuteButton view={robot.live} expected={control.beeps.value} />
+      <MuteButton view={robot.live} expected={control.beeps.value} live />
     </div>
   );
 }
@@ -166,7 +171,7 @@ function MissionCorner({ control }: { control: StudioControl }) {
         {world.value && worldTitle(world.value, language.value)}
         <span class="visually-hidden">{texts.value.activity.locked}</span>
       </p>
-      <MuteButton view={robot.live} expected={control.beeps.value} />
+      <MuteButton view={robot.live} expected={control.beeps.value} live />
     </div>
   );
 }

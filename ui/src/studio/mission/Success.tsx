@@ -1,14 +1,13 @@
-import { useSignalEffect } from "@preact/signals";
 import { ArrowRight, PartyPopper, Target, Volume2, VolumeX } from "lucide-preact";
 import { NewStickers } from "../../album/NewStickers";
 import type { Activity } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
-import { cheer, isSoundTurnedOn, muted, setMuted } from "../../run/sound";
+import { isSoundTurnedOn, muted, playSound, setMuted } from "../../run/sounds/sound";
 import { beginActivity } from "../../shell/begin_activity";
 import { hashOf } from "../../shell/route";
-import { group, judged } from "../../shell/session";
+import { group } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 
 interface SuccessProps {
@@ -22,9 +21,6 @@ interface SuccessProps {
 export function Success({ open, mission, run }: SuccessProps) {
   const { activity } = texts.value;
   const { next } = mission;
-  useSignalEffect(() => {
-    if (judged.value?.passed) cheer();
-  });
   return (
     <div class="mission__success" role="status" data-testid="mission-done">
       <strong>
@@ -70,7 +66,7 @@ function Sound() {
       testId="success-sound"
       onPress={() => {
         setMuted(isOn);
-        if (!muted.value) cheer();
+        if (!muted.value) playSound("success");
       }}
     />
   );

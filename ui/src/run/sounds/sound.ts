@@ -1,12 +1,19 @@
 import { computed } from "@preact/signals";
-import { choose, setting } from "../shell/settings";
+import { choose, setting } from "../../shell/settings";
 
 const chosen = setting("pinel_muted");
 const loudness = setting("pinel_loudness");
 
 const FREQUENCY_HZ = 880;
-/** A rising chord, C major. */
-const CHEER_HZ = [523, 659, 784, 1047];
+/** Tones one after the other, besides the beep: a rising chord for a solved mission, two notes up or down. */
+const TONES_HZ = {
+  start: [392, 523],
+  arrival: [659, 784],
+  collision: [196, 131],
+  success: [523, 659, 784, 1047],
+} as const;
+
+export type SoundName = keyof typeof TONES_HZ;
 const LENGTH_S = 0.16;
 const LOUDNESS = { quiet: 0.03, normal: 0.12, loud: 0.4 } as const;
 /** Duration of fade-in and fade-out, which avoid clicks. */
@@ -22,7 +29,7 @@ export function setMuted(value: boolean): void {
 let context: AudioContext | null = null;
 let quietFrom = 0;
 
-/** Whether somebody has turned the sound on. The fanfare needs this; a beep only must not be muted. */
+/** Whether somebody has turned the sound on. All sounds need this but the beep, which only must not be muted. */
 export const isSoundTurnedOn = computed(() => chosen.value === "0");
 
 /** Plays a short tone. Before the first click in the page browsers forbid sound; tones do not overlap. */
@@ -31,21 +38,21 @@ export function beep(): void {
   play([FREQUENCY_HZ]);
 }
 
-/** Plays a short fanfare if somebody has turned the sound on. */
-export function cheer(): void {
-  if (isSoundTurnedOn.value) play(CHEER_HZ);
+/** Plays a sound if somebody has turned the sound on. The fanfare waits for a sound that plays; others are left out. */
+export function playSound(name: SoundName): void {
+  if (isSoundTurnedOn.value) play(TONES_HZ[name], name === "success");
 }
 
 /** Plays tones one after the other. */
-function play(frequencies: readonly number[]): void {
+function play(frequencies: readonly number[], waits = false): void {
   if (document.hidden || !mayPlay()) return;
   context ??= new AudioContext();
   if (context.state === "suspended") void context.resume();
-  const now = context.currentTime;
-  if (now < quietFrom) return;
-  quietFrom = now + LENGTH_S * frequencies.length;
+  if (context.currentTime < quietFrom && !waits) return;
+  const begin = Math.max(context.currentTime, quietFrom);
+  quietFrom = begin + LENGTH_S * frequencies.length;
   frequencies.forEach((frequency, index) => {
-    if (context) tone(context, frequency, now + LENGTH_S * index);
+    if (context) tone(context, frequency, begin + LENGTH_S * index);
   });
 }
 

@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
-import { choose } from "../shell/settings";
-import { beep } from "./sound";
+import { choose } from "../../shell/settings";
+import { beep, playSound } from "./sound";
 
 const gains: number[] = [];
 let now = 0;
@@ -42,4 +42,16 @@ test("a beep is as loud as this PC is to be, and a group can turn it off", () =>
   void choose("pinel_muted", "1");
   beep();
   expect(gains).toHaveLength(3);
+});
+
+test("sounds of a run are silent until somebody has turned the sound on; the fanfare waits for its turn", () => {
+  const before = gains.length;
+  void choose("pinel_muted", "");
+  for (const name of ["start", "arrival", "collision", "success"] as const) playSound(name);
+  expect(gains).toHaveLength(before);
+  void choose("pinel_muted", "0");
+  now += 10;
+  playSound("arrival");
+  playSound("success");
+  expect(gains).toHaveLength(before + 6);
 });
