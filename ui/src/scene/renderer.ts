@@ -8,6 +8,7 @@ import { contentBounds, wholeRoom } from "./content_bounds";
 import { drawMovableBoxes, drawRulers } from "./floor";
 import { HANDLE_M, startOf, toWorld, type XY } from "./frames";
 import type { Livery } from "./livery/livery";
+import { hasPlateBelow } from "./mat/places";
 import { drawRanges, type Measurements } from "./ranges_view";
 import { drawBelief, drawKnob, drawRobot } from "./robot";
 import { type CacheInput, SceneCache } from "./scene_cache";
@@ -330,12 +331,14 @@ export class SceneRenderer {
   private drawSigns(pose: Pose, viewport: Viewport, now: number): boolean {
     const { world, robot, livery, size, colours, view } = this;
     const start = startOf(world);
+    const place = toWorld(start, pose.x, pose.y);
+    const cameFromBelow = Math.sin(start.yaw + pose.yaw) >= 0.5;
     const frame = {
-      at: toScreen(viewport, size, toWorld(start, pose.x, pose.y)),
+      at: toScreen(viewport, size, place),
       size,
       radius_m: robot?.radius_m ?? 0,
       scale: viewport.scale,
-      yaw: start.yaw + pose.yaw,
+      nameAbove: cameFromBelow || (world !== null && hasPlateBelow(world, place)),
       livery,
       atRest: robot !== null && !isLive(view),
     };

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import neighbourhood from "../../../../sim/worlds/neighbourhood.json";
 import type { World } from "../../api/model";
 import { areaOf } from "../areas";
-import { inkOn, isPictured, plateOf } from "./places";
+import { hasPlateBelow, inkOn, isPictured, plateOf } from "./places";
 
 const TOWN = { title: "", ...neighbourhood } as unknown as World;
 const zone = (name: string) => {
@@ -22,6 +22,15 @@ describe("the name of a place", () => {
         false,
       );
     }
+  });
+
+  test("tells a robot on the field on which side its own name is free", () => {
+    const at = (name: string) => {
+      const { x, y } = areaOf(zone(name));
+      return hasPlateBelow(TOWN, { x, y });
+    };
+    expect(["casa", "padaria", "escola", "biblioteca"].map(at)).toEqual([true, true, false, false]);
+    expect(hasPlateBelow(TOWN, { x: -100, y: 0 })).toBe(false);
   });
 
   test("is in the room where the field lies at the wall", () => {

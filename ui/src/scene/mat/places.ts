@@ -2,7 +2,7 @@ import type { World } from "../../api/model";
 import { texts } from "../../i18n";
 import { type Area, areaOf, contains, WALL_M } from "../areas";
 import type { Colours } from "../colours";
-import { roomOf } from "../frames";
+import { roomOf, type XY } from "../frames";
 import { contrast, paintOf } from "../paints";
 import { PICTOGRAM_SIZE, pictogramOf } from "./pictograms";
 
@@ -80,6 +80,13 @@ function drawPlate(ctx: Ctx, world: World, zone: Zone, colours: Colours, pixel: 
   ctx.fillStyle = colours.ink;
   ctx.fillText(text, 0, 4);
   ctx.restore();
+}
+
+/** Whether the name of the place at a point of the world frame lies below its field. */
+export function hasPlateBelow(world: World, point: XY): boolean {
+  const zone = (world.zones ?? []).find((one) => contains(areaOf(one), point));
+  if (!zone || !isPictured(world, zone)) return false;
+  return plateOf(world, zone, NAME_M * 5, NAME_M * 1.4).y < areaOf(zone).y;
 }
 
 /** The name of a place in the language of the page; null if it is the same word, or none is known. */

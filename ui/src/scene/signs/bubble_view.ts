@@ -80,12 +80,12 @@ export function drawPlate(ctx: Ctx, text: string, place: RobotPlace, colours: Co
   ctx.restore();
 }
 
-/** Draws the robot's name below it, or above a robot that came from below. */
+/** Draws the robot's name above or below it. */
 export function drawName(
   ctx: Ctx,
   name: string,
   { at, reach, size }: RobotPlace,
-  yaw: number,
+  isAbove: boolean,
   colours: Colours,
 ): void {
   ctx.save();
@@ -96,7 +96,7 @@ export function drawName(
   const text = shortened(ctx, name);
   const half = ctx.measureText(text).width / 2 + 8;
   const away = reach + NAME_HEIGHT_PX / 2 + 2;
-  const isBelow = Math.sin(yaw) < 0.5 && at.y + away + NAME_HEIGHT_PX < size.height;
+  const isBelow = !isAbove && at.y + away + NAME_HEIGHT_PX < size.height;
   const x = within(at.x, half + EDGE_PX, size.width - half - EDGE_PX);
   const y = at.y + (isBelow ? away : -away);
   ctx.beginPath();

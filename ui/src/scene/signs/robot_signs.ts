@@ -25,8 +25,8 @@ export interface RobotFrame extends Omit<RobotPlace, "reach"> {
   readonly radius_m: number;
   /** Pixels of a metre. */
   readonly scale: number;
-  /** Heading in the world frame, radians. */
-  readonly yaw: number;
+  /** Whether the robot's name is above it: below are its path, or the name of its place. */
+  readonly nameAbove: boolean;
   readonly livery: Livery | null;
   /** Whether no run is live: the robot's name is shown. */
   readonly atRest: boolean;
@@ -65,7 +65,7 @@ export class RobotSigns {
     if (text) drawBubble(ctx, text.text, place, grown(text), colours);
     else if (beep) drawPlate(ctx, beep.text, place, colours);
     else if (frame.atRest && frame.livery && !isCelebrating)
-      drawName(ctx, frame.livery.name, place, frame.yaw, colours);
+      drawName(ctx, frame.livery.name, place, frame.nameAbove, colours);
     return isCelebrating;
   }
 
