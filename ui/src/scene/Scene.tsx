@@ -1,5 +1,5 @@
 import type { ReadonlySignal } from "@preact/signals";
-import { effect } from "@preact/signals";
+import { effect, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Robot, World } from "../api/model";
 import { language, texts } from "../i18n";
@@ -8,6 +8,7 @@ import { useInstance } from "../kit/instance";
 import { listen } from "../kit/listen";
 import { showBeeps } from "../run/beep_sign";
 import type { Pose, RunView } from "../run/reducer";
+import { lazy } from "../shell/lazy";
 import { program } from "../shell/session";
 import { prefersStill, theme } from "../shell/theme";
 import type { Companion } from "./companion";
@@ -16,10 +17,23 @@ import { markText } from "./mark_text";
 import { savePicture } from "./picture";
 import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
+import type { SolidView } from "./solid/view";
 import { drawMeasure, measureText } from "./tools/measure_view";
 import { type Grip, listenToPointer } from "./tools/pointer_input";
+import { SolidEnd } from "./tools/SolidEnd";
 import { Toolbar } from "./tools/Toolbar";
 import { SceneTools } from "./tools/tools";
+import { CameraChoice } from "./tools/ViewChoice";
+import { endSolid, isSolid } from "./tools/view_mode";
+
+/** three.js is fetched when a floor is first shown in 3D. */
+const SolidFloor = lazy(
+  async () => (await import("./solid/SolidFloor")).SolidFloor,
+  ({ floor }) => {
+    useEffect(() => endSolid("not_fetched", floor), []);
+    return null;
+  },
+);
 
 /** Handling of a robot that the user can drag and whose sensors can be displayed. */
 export interface RobotHold {
@@ -46,11 +60,51 @@ interface SceneProps {
   playing?: ReadonlySignal<boolean>;
 }
 
-/** The floor from above. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
-export function Scene({ world, robot, view, poseAt, whole, companion, hold, playing }: SceneProps) {
+/** The floor from above, or in 3D. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
+export function Scene(props: SceneProps) {
+  const { world, robot, view, hold } = props;
+  const tools = useInstance(() => new SceneTools());
+  const [canvas, renderer] = useFlatFloor(props, tools);
+  const solid = useSignal<SolidView | null>(null);
+  const shown = () => solid.peek() ?? renderer.current;
+  const isHidden = isSolid.value && solid.value !== null;
+  return (
+    <div class="scene">
+      <Canvas {...{ canvas, world, view, tools, hold, isHidden }} />
+      {isSolid.value && (
+        <SolidFloor
+          {...props}
+          ranges={hold?.ranges}
+          floor={tools}
+          onView={(now) => {
+            solid.value = now;
+          }}
+        />
+      )}
+      <Toolbar
+        scene={shown}
+        tools={tools}
+        again={hold ? { able: hold.canReset.value, act: () => hold.again() } : null}
+        sensors={hold ? robot : null}
+        onPicture={() => {
+          const floor = shown();
+          if (floor) void savePicture(floor, program.peek()?.name ?? "PINEL");
+        }}
+      />
+      <CameraChoice />
+      <MeasureHint tools={tools} />
+      <SolidEnd floor={tools} />
+    </div>
+  );
+}
+
+/** The canvas of the floor from above, and what draws on it. */
+function useFlatFloor(
+  { world, robot, view, poseAt, whole, companion, hold, playing }: SceneProps,
+  tools: SceneTools,
+) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const renderer = useRef<SceneRenderer | null>(null);
-  const tools = useInstance(() => new SceneTools());
 
   useEffect(() => {
     const element = canvas.current;
@@ -91,21 +145,7 @@ export function Scene({ world, robot, view, poseAt, whole, companion, hold, play
   useEffect(() => renderer.current?.setWorld(world), [world]);
   useEffect(() => renderer.current?.setRobot(robot), [robot, view, poseAt, hold]);
 
-  return (
-    <div class="scene">
-      <Canvas canvas={canvas} world={world} view={view} tools={tools} hold={hold} />
-      <Toolbar
-        scene={() => renderer.current}
-        tools={tools}
-        again={hold ? { able: hold.canReset.value, act: () => hold.again() } : null}
-        sensors={hold ? robot : null}
-        onPicture={() => {
-          if (renderer.current) void savePicture(renderer.current, program.peek()?.name ?? "PINEL");
-        }}
-      />
-      <MeasureHint tools={tools} />
-    </div>
-  );
+  return [canvas, renderer] as const;
 }
 
 interface CanvasProps {
@@ -114,9 +154,10 @@ interface CanvasProps {
   view: ReadonlySignal<RunView>;
   tools: SceneTools;
   hold: RobotHold | undefined;
+  isHidden: boolean;
 }
 
-function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
+function Canvas({ canvas, world, view, tools, hold, isHidden }: CanvasProps) {
   const { truth, phase, output } = view.value;
   const { scene } = texts.value;
   const label = scene.label({
@@ -133,6 +174,7 @@ function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
       <canvas
         ref={canvas}
         class="scene__canvas"
+        hidden={isHidden}
         role="application"
         aria-label={[label, marks, keys].filter(Boolean).join(" ")}
         tabIndex={0}
