@@ -8,6 +8,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  type PerspectiveCamera,
   PlaneGeometry,
   type Sprite,
   SRGBColorSpace,
@@ -22,7 +23,7 @@ import { mixed } from "../mat/parts";
 import { BOX_SOLIDS, chestOf, crateOf, type Solid, wallOf } from "../mat/solids";
 import { drawGroundTexture } from "./floor_texture";
 import { geometryOf, type Place } from "./geometry";
-import { disposeSprite, placeNames, sizeNames } from "./labels";
+import { arrangeNames, disposeSprite, placeNames } from "./labels";
 import type { Atmosphere } from "./materials";
 import { Shadow } from "./shadow";
 
@@ -63,8 +64,8 @@ export class FloorModel {
   }
 
   /** `pixel` is the size of a pixel at one metre before the camera. */
-  sizeNames(pixel: number): void {
-    sizeNames(this.names, pixel);
+  arrangeNames(camera: PerspectiveCamera, pixel: number): void {
+    arrangeNames(this.names, camera, pixel);
   }
 
   /** Moves pushed boxes; a box without a pose is where the world has it. */

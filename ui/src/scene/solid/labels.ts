@@ -1,4 +1,10 @@
-import { CanvasTexture, Sprite, SpriteMaterial, SRGBColorSpace } from "three";
+import {
+  CanvasTexture,
+  type PerspectiveCamera,
+  Sprite,
+  SpriteMaterial,
+  SRGBColorSpace,
+} from "three";
 import type { World } from "../../api/model";
 import { areaOf } from "../areas";
 import type { Colours } from "../colours";
@@ -91,7 +97,36 @@ export function placeNames(world: World, colours: Colours): Sprite[] {
   });
 }
 
-/** Gives names a size in pixels; `pixel` is that of one at one metre before the camera. */
-export function sizeNames(names: readonly Sprite[], pixel: number): void {
-  for (const name of names) sizeLabel(name, NAME_PX * pixel);
+/** Gap between two names that would cover each other, as a part of their height. */
+const GAP = 1.12;
+/** Names are raised by so many lines at most. */
+const MAX_LINES = 3;
+
+/**
+ * Gives names a size in pixels, and raises a name that would cover another one. `pixel` is the size of a pixel at one
+ * metre before the camera.
+ */
+export function arrangeNames(
+  names: readonly Sprite[],
+  camera: PerspectiveCamera,
+  pixel: number,
+): void {
+  const height = (2 * NAME_PX * pixel) / (2 * Math.tan((camera.fov * Math.PI) / 360));
+  const placed: { x: number; y: number; half: number }[] = [];
+  for (const name of names) {
+    sizeLabel(name, NAME_PX * pixel);
+    const { x, y, z } = name.position.clone().project(camera);
+    if (z > 1) continue; // behind the camera
+    const half = (height * Number(name.userData.aspect)) / camera.aspect / 2;
+    const covers = (line: number) =>
+      placed.some(
+        (other) =>
+          Math.abs(other.x - x) < other.half + half &&
+          Math.abs(other.y - y - line * GAP * height) < height,
+      );
+    let line = 0;
+    while (line < MAX_LINES && covers(line)) line++;
+    name.center.y = -line * GAP;
+    placed.push({ x, y: y + line * GAP * height, half });
+  }
 }

@@ -248,7 +248,7 @@ export class SolidView {
     if (this.companion) this.place(this.ghost, this.companion.view, this.companion.pose());
     this.belief?.show(this.view, pose);
     const turning = this.moveCamera(pose, elapsed);
-    this.floor?.sizeNames(this.cameras.pixel);
+    this.floor?.arrangeNames(this.cameras.camera, this.cameras.pixel);
     if (this.beep) sizeLabel(this.beep, BEEP_PX * this.cameras.pixel);
     this.surface.render(this.cameras.camera);
     if (this.isFirst) this.options.onFirstFrame();
