@@ -86,7 +86,7 @@ def test_a_run_is_watched_in_3d_and_replayed_there(studio: Studio) -> None:
     at_start = frame_of(floor)
     studio.run()
     studio.wait_for_phase("finished")
-    expect(floor).to_have_attribute("aria-label", re.compile("x 0,60 m"))
+    expect(floor).to_have_attribute("aria-label", re.compile(r"x 0,60\sm"))
     at_end = frame_of(floor)
     assert at_end != at_start
     choose(studio, "floor-camera", "eye")
@@ -128,7 +128,7 @@ def test_the_picture_is_said_in_words(studio: Studio) -> None:
     studio.enter_new_group()
     studio["world"].select_option("furnished_room")
     floor = open_3d(studio)
-    expect(floor).to_have_attribute("aria-label", re.compile(r"À frente, a 2,\d\d m: cadeira\."))
+    expect(floor).to_have_attribute("aria-label", re.compile(r"À frente, a 2,\d\d\sm: cadeira\."))
 
 
 def test_ruler_and_start_stay_in_2d(studio: Studio) -> None:

@@ -42,8 +42,8 @@ test("the picture in words says where the robot is and what it faces", () => {
       "pt-BR",
     );
   expect(say(0)).toBe(
-    "Chão em 3D. Robô em x 0,00 m, y 0,00 m, virado para 0°. Ele está em: padaria. À frente, a 1,60 m: caixote.",
+    "Chão em 3D. Robô em x 0,00 m, y 0,00 m, virado para 0°. Ele está em: padaria. À frente, a 1,60 m: caixote.",
   );
-  expect(say(Math.PI / 2)).toContain("a 1,60 m: caixa.");
-  expect(say(Math.PI)).toContain("a 3,76 m: parede.");
+  expect(say(Math.PI / 2)).toContain("a 1,60 m: caixa.");
+  expect(say(Math.PI)).toContain("a 3,76 m: parede.");
 });

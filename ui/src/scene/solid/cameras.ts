@@ -20,9 +20,9 @@ const EDGE = { left: 14, right: 66, top: 66, bottom: 20 };
 /** Highest point that the picture must show, metres. */
 const HEAD_M = 0.4;
 
-/** Behind the robot: distance, height over it and field, in radii of the robot. */
-const BEHIND = 7.2;
-const ABOVE = 3.9;
+/** Behind the robot: distance and height over it, in radii of the robot, so that walls do not hide it. */
+const BEHIND = 6;
+const ABOVE = 5.4;
 /** Time constant with which the camera turns with the robot, ms. */
 const TURN_MS = 320;
 

@@ -8,7 +8,7 @@ import {
 import type { World } from "../../api/model";
 import { areaOf } from "../areas";
 import type { Colours } from "../colours";
-import { isPictured, plateOf, translationOf } from "../mat/places";
+import { translationOf } from "../mat/places";
 
 /** Height of the letters of a picture of text, in its pixels. */
 const LETTERS_PX = 44;
@@ -77,22 +77,19 @@ export function disposeSprite(sprite: Sprite): void {
   sprite.removeFromParent();
 }
 
-const NAME_M = 0.24;
-const NAME_PX = 22;
+const NAME_PX = 21;
 /** Names float over the floor, so that a robot does not drive through the letters. */
 const FLOAT_M = 0.03;
 
-/** The names of all places, each where its plate lies in the drawing from above, or over the middle of its place. */
+/** The names of all places, each at the far side of its own field, so that it covers neither pictogram nor robot. */
 export function placeNames(world: World, colours: Colours): Sprite[] {
   const plate = { ink: colours.ink, ground: colours.tile, edge: colours.line, font: colours.font };
   return (world.zones ?? []).map((zone) => {
     const translation = translationOf(zone.name);
     const text = translation ? `${zone.name} · ${translation}` : zone.name;
     const sprite = labelSprite(text, plate);
-    const { x, y } = isPictured(world, zone)
-      ? plateOf(world, zone, NAME_M * Number(sprite.userData.aspect), NAME_M)
-      : areaOf(zone);
-    sprite.position.set(x, y, FLOAT_M);
+    const { x, y, depth } = areaOf(zone);
+    sprite.position.set(x, y + depth / 2, FLOAT_M);
     return sprite;
   });
 }

@@ -235,7 +235,8 @@ export class SolidView {
     this.showShadows();
   }
 
-  private draw(now: number): boolean {
+  /** Draws a frame; returns whether something still moves by itself. */
+  draw(now: number): boolean {
     if (this.isStale) this.build();
     if (!this.isFramed) this.frameContent();
     const elapsed = Math.min(50, now - this.lastFrame);
