@@ -7,7 +7,11 @@ import type { Size } from "../viewport";
 
 const FIELD_DEG = 42;
 const NEAR_M = 0.04;
-const FAR_M = 90;
+const FAR_M = 300;
+/** Nearest distance that is drawn, as a part of that to the middle: a coarser depth mixes layers on the floor. */
+const NEAR_PART = 0.08;
+/** Largest distance of the camera, metres: the whole room on a narrow screen. */
+const MAX_M = 100;
 /**
  * Angles over the floor from which the camera begins, radians: the first one from which the room fills the height. It is
  * always south of the room, so that right and left are those of the drawing from above.
@@ -53,7 +57,7 @@ export class Cameras {
     this.orbit = new OrbitControls(this.camera, canvas);
     Object.assign(this.orbit, {
       minDistance: 0.5,
-      maxDistance: 30,
+      maxDistance: MAX_M,
       maxPolarAngle: 1.52,
       zoomSpeed: 0.9,
     });
@@ -126,11 +130,21 @@ export class Cameras {
    */
   follow(pose: Pose, [radius, eye]: readonly [number, number], elapsedMs: number): boolean {
     if (this.mode === "eye") this.toEye(pose, radius, eye);
-    return this.mode === "follow" && this.chase(pose, radius, elapsedMs);
+    const moving = this.mode === "follow" && this.chase(pose, radius, elapsedMs);
+    this.setNear();
+    return moving;
   }
 
   dispose(): void {
     this.orbit.dispose();
+  }
+
+  private setNear(): void {
+    const distance = this.camera.position.distanceTo(this.orbit.target);
+    const near = this.mode === "eye" ? NEAR_M : Math.max(NEAR_M, NEAR_PART * distance);
+    if (near === this.camera.near) return;
+    this.camera.near = near;
+    this.camera.updateProjectionMatrix();
   }
 
   private toEye({ x, y, yaw }: Pose, radius: number, height: number): void {
@@ -187,7 +201,7 @@ export class Cameras {
 
   /** Goes as near as the subject allows; returns whether it fills the height. */
   private isFilled(corners: readonly Vector3[], subject: Vector3, tilt: number): boolean {
-    let [near, far] = [0.5, 40];
+    let [near, far] = [0.5, MAX_M];
     for (let round = 0; round < 16; round++) {
       const distance = (near + far) / 2;
       if (this.isInPicture(corners, subject.clone(), distance, tilt)) far = distance;

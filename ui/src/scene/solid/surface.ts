@@ -28,6 +28,7 @@ export function firstLevel(): number {
 /** Draws a scene on a canvas: context, light, sky and the size of a frame. */
 export class Surface {
   readonly scene = new Scene();
+  private readonly context: WebGL2RenderingContext;
   private readonly renderer: WebGLRenderer;
   private readonly ambient = new AmbientLight();
   private readonly sun = new DirectionalLight();
@@ -41,6 +42,7 @@ export class Surface {
     // asked for here, because three.js writes an error to the console where there is none
     const context = canvas.getContext("webgl2", { antialias, alpha: false, stencil: false });
     if (!context) throw new NoWebglError();
+    this.context = context;
     this.renderer = new WebGLRenderer({ canvas, context, antialias });
     // from above left, as in the drawing from above
     this.sun.position.set(-0.45, 0.75, 1.2);
@@ -86,7 +88,7 @@ export class Surface {
   dispose(): void {
     this.disposeSky();
     this.renderer.dispose();
-    this.renderer.forceContextLoss();
+    this.context.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
   private disposeSky(): void {
