@@ -68,9 +68,10 @@ def test_a_minute_of_replay_in_3d_has_30_frames_a_second(page: Page) -> None:
     floor = page.get_by_test_id("scene-3d")
     expect(page.get_by_test_id("scene")).to_be_hidden()
     # the view has the size of the figure, whatever is beside it
-    page.add_style_tag(
-        content=".scene { position: fixed !important; inset: 0 auto auto 0 !important; z-index: 99;"
-        f" width: {FRAME[0]}px !important; height: {FRAME[1]}px !important; }}"
+    page.locator(".scene").evaluate(
+        """(one, [width, height]) => Object.assign(one.style, {
+            position: 'fixed', inset: '0 auto auto 0', zIndex: 99, width: `${width}px`, height: `${height}px`})""",
+        FRAME,
     )
     page.get_by_test_id("replay-slider").fill("0")
     page.get_by_test_id("replay-play").click()

@@ -53,7 +53,7 @@ export class FloorModel {
   ) {
     this.texture = new CanvasTexture(drawGroundTexture(world, robot, colours, textureSize));
     this.texture.colorSpace = SRGBColorSpace;
-    this.texture.anisotropy = 4;
+    this.texture.anisotropy = 1;
     this.material = new MeshLambertMaterial({ vertexColors: true });
     this.edge = isOutlined ? new LineBasicMaterial({ color: colours.boxSide }) : null;
     this.addGround();

@@ -1,14 +1,7 @@
-import {
-  AmbientLight,
-  type Camera,
-  CanvasTexture,
-  DirectionalLight,
-  Scene,
-  SRGBColorSpace,
-  WebGLRenderer,
-} from "three";
+import { AmbientLight, type Camera, DirectionalLight, Scene, WebGLRenderer } from "three";
 import type { Atmosphere } from "./materials";
 import { frameSize, type Quality } from "./quality";
+import { Sky } from "./sky";
 
 /** No WebGL: the browser has none, or it is switched off. */
 export class NoWebglError extends Error {}
@@ -32,6 +25,7 @@ export class Surface {
   private readonly renderer: WebGLRenderer;
   private readonly ambient = new AmbientLight();
   private readonly sun = new DirectionalLight();
+  private readonly sky = new Sky();
   private size: [width: number, height: number] = [1, 1];
 
   constructor(
@@ -46,14 +40,13 @@ export class Surface {
     this.renderer = new WebGLRenderer({ canvas, context, antialias });
     // from above left, as in the drawing from above
     this.sun.position.set(-0.45, 0.75, 1.2);
-    this.scene.add(this.ambient, this.sun);
+    this.scene.add(this.ambient, this.sun, this.sky.mesh);
   }
 
   setAtmosphere({ high, low, ambient, sun }: Atmosphere): void {
     this.ambient.intensity = ambient;
     this.sun.intensity = sun;
-    this.disposeSky();
-    this.scene.background = skyOf(high, low);
+    this.sky.setColours(high, low);
   }
 
   setQuality(quality: Quality): void {
@@ -86,29 +79,8 @@ export class Surface {
 
   /** Frees all memory of the graphics card at once: browsers allow only some contexts. */
   dispose(): void {
-    this.disposeSky();
+    this.sky.dispose();
     this.renderer.dispose();
     this.context.getExtension("WEBGL_lose_context")?.loseContext();
   }
-
-  private disposeSky(): void {
-    const { background } = this.scene;
-    if (background instanceof CanvasTexture) background.dispose();
-  }
-}
-
-function skyOf(high: string, low: string): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [4, 256];
-  const ctx = canvas.getContext("2d");
-  if (ctx) {
-    const sky = ctx.createLinearGradient(0, 0, 0, canvas.height);
-    sky.addColorStop(0, high);
-    sky.addColorStop(0.62, low);
-    ctx.fillStyle = sky;
-    ctx.fillRect(0, 0, canvas.width, canvas.height);
-  }
-  const texture = new CanvasTexture(canvas);
-  texture.colorSpace = SRGBColorSpace;
-  return texture;
 }
