@@ -9,22 +9,25 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
-  PerspectiveCamera,
   PlaneGeometry,
   Scene,
+  SphereGeometry,
+  Sprite,
+  SpriteMaterial,
   WebGLRenderer,
 } from "three";
 import type { Robot, World } from "../../../ui/src/api/model";
 import { fetchTexts } from "../../../ui/src/i18n";
 import "../../../ui/src/kit/tokens.css";
 import { IDLE, type Pose } from "../../../ui/src/run/reducer";
+import { wholeRoom } from "../../../ui/src/scene/content_bounds";
+import { BOX_SOLIDS, chestOf, type Solid, wallOf } from "../../../ui/src/scene/mat/solids";
+import { Cameras } from "../../../ui/src/scene/solid/cameras";
 import { extend } from "../../../ui/src/run/trail";
 import { drawGroundTexture } from "../../../ui/src/scene/solid/floor_texture";
 import { readSolidColours } from "../../../ui/src/scene/solid/materials";
 import { SolidView } from "../../../ui/src/scene/solid/view";
 import "virtual:texts/pt-BR/start";
-
-const WALL_M = 0.35;
 
 const poseAt = (frame: number): Pose => ({ x: 0.5 + 0.004 * frame, y: 0.1, yaw: 0.002 * frame });
 
@@ -52,32 +55,28 @@ function pageFloor(canvas: HTMLCanvasElement, world: World, robot: Robot): (fram
   };
 }
 
+/** The same bodies, names and sky, each as three.js has it: a mesh for each body, a picture as background. */
 function bareFloor(canvas: HTMLCanvasElement, world: World, robot: Robot): (frame: number) => void {
   const renderer = new WebGLRenderer({ canvas, antialias: false });
   renderer.setSize(640, 480, false);
-  const camera = new PerspectiveCamera(42, 640 / 480, 0.04, 90);
-  camera.up.set(0, 0, 1);
-  camera.position.set(0, -7.4, 8.3);
-  camera.lookAt(0, -0.4, 0);
+  const cameras = new Cameras(canvas, () => true, () => {});
+  cameras.setSubject(wholeRoom(world));
+  cameras.resize({ width: 640, height: 480 });
   const scene = new Scene();
+  scene.background = new CanvasTexture(drawn(4, 256, "#bfe0f2"));
   const sun = new DirectionalLight();
   sun.position.set(-0.45, 0.75, 1.2);
   scene.add(new AmbientLight(), sun);
   const [width, depth] = world.size_m as [number, number];
   const map = new CanvasTexture(drawGroundTexture(world, robot, readSolidColours(), 1024));
   scene.add(new Mesh(new PlaneGeometry(width, depth), new MeshBasicMaterial({ map })));
-  const box = (x: number, y: number, yaw: number, size: [number, number, number]) => {
-    const mesh = new Mesh(new BoxGeometry(...size), new MeshLambertMaterial({ color: "#998c72" }));
-    mesh.position.set(x, y, size[2] / 2);
-    mesh.rotation.z = yaw;
-    scene.add(mesh);
-  };
-  for (const { from: [ax, ay], to: [bx, by] } of world.walls as unknown as { from: number[]; to: number[] }[]) {
-    const yaw = Math.atan2(by - ay, bx - ax);
-    box((ax + bx) / 2, (ay + by) / 2, yaw, [Math.hypot(bx - ax, by - ay), 0.09, WALL_M]);
-  }
-  for (const { center, size, heading_deg } of world.boxes) {
-    box(center[0] ?? 0, center[1] ?? 0, (heading_deg * Math.PI) / 180, [size[0] ?? 0, size[1] ?? 0, WALL_M]);
+  for (const wall of world.walls) scene.add(bareWall(wall));
+  for (const box of world.boxes) scene.add(bareBox(box));
+  for (const { center } of world.zones) {
+    const name = new Sprite(new SpriteMaterial({ map: new CanvasTexture(drawn(160, 66, "#ffffff")) }));
+    name.position.set(center[0] ?? 0, center[1] ?? 0, 0.1);
+    name.scale.set(0.6, 0.25, 1);
+    scene.add(name);
   }
   const body = bareRobot(robot);
   scene.add(body);
@@ -85,8 +84,44 @@ function bareFloor(canvas: HTMLCanvasElement, world: World, robot: Robot): (fram
     const { x, y, yaw } = poseAt(frame);
     body.position.set(world.start.x_m + x, world.start.y_m + y, 0);
     body.rotation.z = yaw;
-    renderer.render(scene, camera);
+    renderer.render(scene, cameras.camera);
   };
+}
+
+function drawn(width: number, height: number, colour: string): HTMLCanvasElement {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [width, height];
+  const ctx = canvas.getContext("2d") as CanvasRenderingContext2D;
+  ctx.fillStyle = colour;
+  ctx.fillRect(0, 0, width, height);
+  return canvas;
+}
+
+function bareWall({ from: [ax = 0, ay = 0], to: [bx = 0, by = 0] }: World["walls"][number]): Group {
+  const wall = bareBodies(wallOf("#998c72")(Math.hypot(bx - ax, by - ay), 0.09));
+  wall.position.set((ax + bx) / 2, (ay + by) / 2, 0);
+  wall.rotation.z = Math.atan2(by - ay, bx - ax);
+  return wall;
+}
+
+function bareBox({ kind, center, size, heading_deg }: World["boxes"][number]): Group {
+  const [width = 0, depth = 0] = size;
+  const box = bareBodies((kind ? BOX_SOLIDS[kind] : chestOf("#dcc9a6", "#b79f73"))(width, depth));
+  box.position.set(center[0] ?? 0, center[1] ?? 0, 0);
+  box.rotation.z = (heading_deg * Math.PI) / 180;
+  return box;
+}
+
+function bareBodies(solids: readonly Solid[]): Group {
+  const group = new Group();
+  for (const { form, at, size, fill } of solids) {
+    const shape = form === "ball" ? new SphereGeometry(0.5, 14, 10) : new BoxGeometry();
+    const mesh = new Mesh(shape, new MeshLambertMaterial({ color: fill }));
+    mesh.scale.set(...size);
+    mesh.position.set(at[0], at[1], at[2] + size[2] / 2);
+    group.add(mesh);
+  }
+  return group;
 }
 
 function bareRobot({ radius_m, wheels }: Robot): Group {

@@ -25,6 +25,7 @@ import { drawGroundTexture } from "./floor_texture";
 import { geometryOf, type Place } from "./geometry";
 import { arrangeNames, disposeSprite, placeNames } from "./labels";
 import type { Atmosphere } from "./materials";
+import type { Quality } from "./quality";
 import { Shadow } from "./shadow";
 
 type Box = World["boxes"][number];
@@ -49,11 +50,11 @@ export class FloorModel {
     robot: Robot | null,
     private readonly colours: Colours,
     { isOutlined }: Atmosphere,
-    textureSize: number,
+    { floor: [size, anisotropy] }: Quality,
   ) {
-    this.texture = new CanvasTexture(drawGroundTexture(world, robot, colours, textureSize));
+    this.texture = new CanvasTexture(drawGroundTexture(world, robot, colours, size));
     this.texture.colorSpace = SRGBColorSpace;
-    this.texture.anisotropy = 1;
+    this.texture.anisotropy = anisotropy;
     this.material = new MeshLambertMaterial({ vertexColors: true });
     this.edge = isOutlined ? new LineBasicMaterial({ color: colours.boxSide }) : null;
     this.addGround();

@@ -6,14 +6,16 @@ export interface Quality {
   /** Largest size of a frame; a larger view is stretched. */
   readonly size: readonly [width: number, height: number] | null;
   readonly shadows: boolean;
+  /** Longer side of the picture on the floor, pixels, and how sharp it is where it lies flat to the view. */
+  readonly floor: readonly [size: number, anisotropy: number];
 }
 
 /** From fine to fast. The view only ever goes down: a PC that was too slow once would be so again. */
 export const QUALITIES: readonly Quality[] = [
-  { antialias: true, ratio: 2, size: null, shadows: true },
-  { antialias: false, ratio: 1, size: null, shadows: true },
-  { antialias: false, ratio: 1, size: [640, 480], shadows: true },
-  { antialias: false, ratio: 1, size: [640, 480], shadows: false },
+  { antialias: true, ratio: 2, size: null, shadows: true, floor: [2048, 4] },
+  { antialias: false, ratio: 1, size: null, shadows: true, floor: [2048, 1] },
+  { antialias: false, ratio: 1, size: [640, 480], shadows: true, floor: [1024, 1] },
+  { antialias: false, ratio: 1, size: [640, 480], shadows: false, floor: [1024, 1] },
 ];
 
 export const LAST_LEVEL = QUALITIES.length - 1;

@@ -24,9 +24,6 @@ import { Trails } from "./trails";
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
-/** Side of the picture on the floor, pixels, and on a PC that draws slowly. */
-const TEXTURE_PX = 2048;
-const SMALL_TEXTURE_PX = 1024;
 /** Height of the sign of a beep, pixels. */
 const BEEP_PX = 34;
 
@@ -232,6 +229,7 @@ export class SolidView {
     this.options.onLevel(this.level);
     if (quality.antialias !== before.antialias) return;
     this.surface.setQuality(quality);
+    if (quality.floor[0] !== before.floor[0]) this.rebuild();
     this.showShadows();
   }
 
@@ -288,8 +286,7 @@ export class SolidView {
     this.isStale = false;
     const { world, robot, colours, atmosphere } = this;
     this.surface.setAtmosphere(atmosphere);
-    const texture = this.level >= LAST_LEVEL - 1 ? SMALL_TEXTURE_PX : TEXTURE_PX;
-    this.floor = new FloorModel(world, robot, colours, atmosphere, texture);
+    this.floor = new FloorModel(world, robot, colours, atmosphere, qualityOf(this.level));
     this.surface.scene.add(this.floor.group);
     this.runner = this.runnerOf(world, robot, false);
     const { companion } = this;
