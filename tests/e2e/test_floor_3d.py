@@ -5,14 +5,15 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, Locator, expect, sync_playwright
+from playwright.sync_api import Browser, expect
 
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
-from tests.e2e.conftest import CHROMIUM, OpenStudio
+from tests.e2e.conftest import OpenStudio
 from tests.e2e.made_program import enter_made_group
-from tests.e2e.studio import TIMEOUT_MS, Studio
+from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
+from tests.e2e.webgl import SCREENSHOT_WARNING, choose, frame_of, open_3d, webgl_browser
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -39,35 +40,14 @@ _LOSE_CONTEXT = "() => window.contexts.at(-1).getExtension('WEBGL_lose_context')
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    """A browser that draws WebGL without a graphics card."""
-    with sync_playwright() as playwright:
-        arguments = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"]
-        expect.set_options(timeout=TIMEOUT_MS)
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+    with webgl_browser() as browser:
         yield browser
-        browser.close()
 
 
 @pytest.fixture
 def app(lasting_app: AppProcess, watch: Watch) -> AppProcess:
-    watch.expect("GPU stall due to ReadPixels")  # screenshots of the browser without a graphics card
+    watch.expect(SCREENSHOT_WARNING)
     return lasting_app
-
-
-def choose(studio: Studio, test_id: str, value: str) -> None:
-    studio.page.locator(f'[data-testid="{test_id}"][data-value="{value}"]').click()
-
-
-def open_3d(studio: Studio) -> Locator:
-    """Shows the floor in 3D and waits for its first frame."""
-    choose(studio, "floor-view", "true")
-    expect(studio["scene-3d"].first).to_be_visible()
-    expect(studio["scene"].first).to_be_hidden()
-    return studio["scene-3d"].first
-
-
-def frame_of(floor: Locator) -> str:
-    return str(floor.screenshot().hex())
 
 
 def test_three_js_is_loaded_only_with_the_first_floor_in_3d() -> None:

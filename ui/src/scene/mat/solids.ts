@@ -214,27 +214,27 @@ const bin: Bodies = (width, depth) => [
   block([0, 0, 0.39], [0.5 * width, 0.5 * depth, 0.02], "#6a706c"),
 ];
 
-const SHELF_M = 0.56;
+const BOOKSHELF_M = 0.56;
 
 const bookshelf: Bodies = alongLonger((width, depth) => {
   const board = Math.min(0.03, 0.1 * width);
   const inner = width - 2 * board;
   const n = Math.max(3, Math.round(inner / 0.09));
   const step = inner / n;
-  const rows = [board, (SHELF_M + board) / 2];
-  const height = (SHELF_M - 3 * board) / 2;
+  const rows = [board, (BOOKSHELF_M + board) / 2];
+  const height = (BOOKSHELF_M - 3 * board) / 2;
   const book = (index: number, row: number) => {
     const x = -inner / 2 + (index + 0.5) * step;
     const tall = height * (0.72 + 0.07 * ((index * 3 + row) % 4));
     const fill = BOOKS[(index + 2 * row) % BOOKS.length] ?? "";
     return block([x, 0, rows[row] ?? 0], [0.86 * step, 0.94 * depth, tall], fill);
   };
-  const boards = [0, (SHELF_M - board) / 2, SHELF_M - board];
+  const boards = [0, (BOOKSHELF_M - board) / 2, BOOKSHELF_M - board];
   const sides = [-1, 1].map((side) => (side * (width - board)) / 2);
   return [
-    block([0, 0, board], [inner, 0.7 * depth, SHELF_M - 2 * board], "#8a6039"),
+    block([0, 0, board], [inner, 0.7 * depth, BOOKSHELF_M - 2 * board], "#8a6039"),
     ...boards.map((z) => block([0, 0, z], [inner, depth, board], "#a8794c")),
-    ...sides.map((x) => block([x, 0, 0], [board, depth, SHELF_M], "#a8794c")),
+    ...sides.map((x) => block([x, 0, 0], [board, depth, BOOKSHELF_M], "#a8794c")),
     ...[0, 1].flatMap((row) => Array.from({ length: n }, (_, index) => book(index, row))),
   ];
 });
