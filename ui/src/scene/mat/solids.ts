@@ -243,7 +243,7 @@ const house: Bodies = (width, depth) => {
   const wall = 0.44;
   const [w, d] = [0.93 * width, 0.93 * depth];
   const side = Math.min(width, depth);
-  const roof = Math.min(0.7, 0.42 * side);
+  const roof = Math.min(0.5, 0.34 * side);
   const pane = Math.min(0.22, 0.2 * side);
   const chimney = Math.min(0.3, 0.2 * side);
   const windows = [-0.28, 0.28].flatMap((x) => [-1, 1].map((y) => [x, y] as const));

@@ -25,8 +25,8 @@ const EDGE = { left: 14, right: 66, top: 66, bottom: 20 };
 const HEAD_M = 0.4;
 
 /** Behind the robot: distance and height over it, in radii of the robot, so that walls do not hide it. */
-const BEHIND = 6;
-const ABOVE = 5.4;
+const BEHIND = 5.8;
+const ABOVE = 5.8;
 /** Time constant with which the camera turns with the robot, ms. */
 const TURN_MS = 320;
 

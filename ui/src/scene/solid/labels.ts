@@ -8,7 +8,7 @@ import {
 import type { World } from "../../api/model";
 import { areaOf } from "../areas";
 import type { Colours } from "../colours";
-import { translationOf } from "../mat/places";
+import { isPictured, translationOf } from "../mat/places";
 
 /** Height of the letters of a picture of text, in its pixels. */
 const LETTERS_PX = 44;
@@ -81,7 +81,7 @@ const NAME_PX = 21;
 /** Names float over the floor, so that a robot does not drive through the letters. */
 const FLOAT_M = 0.03;
 
-/** The names of all places, each at the far side of its own field, so that it covers neither pictogram nor robot. */
+/** The names of all places: over the middle, or behind the field if a pictogram is on it. */
 export function placeNames(world: World, colours: Colours): Sprite[] {
   const plate = { ink: colours.ink, ground: colours.tile, edge: colours.line, font: colours.font };
   return (world.zones ?? []).map((zone) => {
@@ -89,7 +89,7 @@ export function placeNames(world: World, colours: Colours): Sprite[] {
     const text = translation ? `${zone.name} · ${translation}` : zone.name;
     const sprite = labelSprite(text, plate);
     const { x, y, depth } = areaOf(zone);
-    sprite.position.set(x, y + depth / 2, FLOAT_M);
+    sprite.position.set(x, isPictured(world, zone) ? y + depth / 2 : y, FLOAT_M);
     return sprite;
   });
 }
