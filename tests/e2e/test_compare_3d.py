@@ -8,7 +8,14 @@ from playwright.sync_api import Browser, expect
 from tests.e2e.app_process import AppProcess
 from tests.e2e.review_school import Past, Teacher
 from tests.e2e.watch import Watch
-from tests.e2e.webgl import SCREENSHOT_WARNING, choose, frame_of, open_3d, webgl_browser
+from tests.e2e.webgl import (
+    SCREENSHOT_WARNING,
+    choose,
+    expect_another_frame,
+    frame_of,
+    open_3d,
+    webgl_browser,
+)
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -38,6 +45,6 @@ def test_two_runs_are_compared_in_3d(teacher: Teacher) -> None:
     expect(teacher["scene"]).to_be_hidden()
     before = frame_of(floor)
     teacher["replay-slider"].fill("60")
-    teacher.studio.eventually(lambda: frame_of(floor) != before, True)
+    expect_another_frame(teacher.studio, floor, before)
     choose(teacher.studio, "floor-view", "false")
     expect(teacher["scene"]).to_be_visible()

@@ -13,7 +13,14 @@ from tests.e2e.conftest import OpenStudio
 from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
-from tests.e2e.webgl import SCREENSHOT_WARNING, choose, frame_of, open_3d, webgl_browser
+from tests.e2e.webgl import (
+    SCREENSHOT_WARNING,
+    choose,
+    expect_another_frame,
+    frame_of,
+    open_3d,
+    webgl_browser,
+)
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -71,7 +78,7 @@ def test_a_run_is_watched_in_3d_and_replayed_there(studio: Studio) -> None:
     assert at_end != at_start
     choose(studio, "floor-camera", "eye")
     expect(floor).to_have_attribute("data-camera", "eye")
-    studio.eventually(lambda: frame_of(floor) != at_end, True)
+    expect_another_frame(studio, floor, at_end)
 
     studio.page.get_by_role("link", name="Rever").click()
     replayed = studio["scene-3d"]
@@ -79,7 +86,7 @@ def test_a_run_is_watched_in_3d_and_replayed_there(studio: Studio) -> None:
     expect(studio["scene"]).to_be_hidden()
     begin = frame_of(replayed)
     studio["replay-slider"].fill("30")
-    studio.eventually(lambda: frame_of(replayed) != begin, True)
+    expect_another_frame(studio, replayed, begin)
 
     choose(studio, "floor-view", "false")
     expect(studio["scene"]).to_be_visible()
@@ -93,7 +100,7 @@ def test_keys_turn_the_view_and_choose_the_camera(studio: Studio) -> None:
     for key in ("ArrowLeft", "ArrowUp", "+", "0"):
         before = frame_of(floor)
         studio.page.keyboard.press(key)
-        studio.eventually(lambda before=before: frame_of(floor) != before, True)
+        expect_another_frame(studio, floor, before)
     for number, camera in enumerate(("orbit", "follow", "eye"), start=1):
         studio.page.keyboard.press(str(number))
         expect(floor).to_have_attribute("data-camera", camera)

@@ -37,3 +37,7 @@ def open_3d(studio: Studio) -> Locator:
 def frame_of(floor: Locator) -> str:
     """The pixels of a floor, to compare with those of another moment."""
     return floor.screenshot().hex()
+
+
+def expect_another_frame(studio: Studio, floor: Locator, before: str) -> None:
+    studio.eventually(lambda: frame_of(floor) != before, True)
