@@ -9,6 +9,7 @@ from playwright.sync_api import Browser, expect
 
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
+from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
@@ -105,6 +106,7 @@ def test_keys_turn_the_view_and_choose_the_camera(studio: Studio) -> None:
         studio.page.keyboard.press(str(number))
         expect(floor).to_have_attribute("data-camera", camera)
     studio.page.keyboard.press("1")
+    assert violations(studio, "scene-3d") == []
 
 
 def test_the_picture_is_said_in_words(studio: Studio) -> None:

@@ -20,7 +20,9 @@ const TILTS = [0.75, 0.88, 1.02, 1.15];
 /** Part of the free height that counts as filled. */
 const FILLED = 0.86;
 /** Where buttons lie over the picture, pixels. */
-const EDGE = { left: 14, right: 66, top: 66, bottom: 20 };
+const EDGE = { left: 14, right: 66, top: 66, bottom: 62 };
+/** On a lower picture they lie over the room, which would be too small otherwise; pixels. */
+const LOW_PX = 400;
 /** Highest point that the picture must show, metres. */
 const HEAD_M = 0.4;
 
@@ -181,7 +183,8 @@ export class Cameras {
   /** Moves the middle of the picture to where no buttons lie; the robot's eye has the whole picture. */
   private centrePicture(): void {
     const { width, height } = this.size;
-    const [right, down] = [(EDGE.right - EDGE.left) / 2, (EDGE.bottom - EDGE.top) / 2];
+    const edge = this.edge;
+    const [right, down] = [(edge.right - edge.left) / 2, (edge.bottom - edge.top) / 2];
     if (this.mode === "eye") this.camera.clearViewOffset();
     else this.camera.setViewOffset(width, height, right, down, width, height);
     this.camera.updateProjectionMatrix();
@@ -222,10 +225,15 @@ export class Cameras {
     return high - low < height && 2 * side < width;
   }
 
+  private get edge(): typeof EDGE {
+    const part = Math.min(1, this.size.height / LOW_PX) ** 2;
+    return { ...EDGE, top: EDGE.top * part, bottom: EDGE.bottom * part };
+  }
+
   /** Width and height of the picture without the buttons, from -1 to 1 as a camera counts. */
   private get free(): readonly [number, number] {
     const { width, height } = this.size;
-    const { left, right, top, bottom } = EDGE;
+    const { left, right, top, bottom } = this.edge;
     return [
       2 * Math.max(0.2, 1 - (left + right) / width),
       2 * Math.max(0.2, 1 - (top + bottom) / height),
@@ -236,7 +244,7 @@ export class Cameras {
   private centre(corners: readonly Vector3[], middle: Vector3, distance: number, tilt: number) {
     for (let round = 0; round < 3; round++) {
       const { low, high } = this.extentOf(corners, middle, distance, tilt);
-      const off = (low + high) / 2 - (EDGE.bottom - EDGE.top) / this.size.height;
+      const off = (low + high) / 2 - (this.edge.bottom - this.edge.top) / this.size.height;
       middle.y += (off * distance * Math.tan((FIELD_DEG * Math.PI) / 360)) / Math.sin(tilt);
     }
     return this.extentOf(corners, middle, distance, tilt);
@@ -251,7 +259,7 @@ export class Cameras {
     this.camera.updateMatrixWorld();
     const places = corners.map((corner) => corner.clone().project(this.camera));
     const heights = places.map(({ y }) => y);
-    const middleX = (EDGE.left - EDGE.right) / this.size.width;
+    const middleX = (this.edge.left - this.edge.right) / this.size.width;
     return {
       low: Math.min(...heights),
       high: Math.max(...heights),
