@@ -21,9 +21,9 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with webgl_browser() as browser:
-        yield browser
+def browser(browser: Browser) -> Iterator[Browser]:
+    with webgl_browser(browser) as with_webgl:
+        yield with_webgl
 
 
 @pytest.fixture

@@ -47,9 +47,9 @@ _LOSE_CONTEXT = "() => window.contexts.at(-1).getExtension('WEBGL_lose_context')
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with webgl_browser() as browser:
-        yield browser
+def browser(browser: Browser) -> Iterator[Browser]:
+    with webgl_browser(browser) as with_webgl:
+        yield with_webgl
 
 
 @pytest.fixture

@@ -3,23 +3,22 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from playwright.sync_api import Browser, Locator, expect, sync_playwright
+from playwright.sync_api import Browser, Locator, expect
 
 from tests.e2e.conftest import CHROMIUM
-from tests.e2e.studio import TIMEOUT_MS, Studio
+from tests.e2e.studio import Studio
 
 # a warning of this browser about each screenshot of a WebGL canvas
 SCREENSHOT_WARNING = "GPU stall due to ReadPixels"
 
 
 @contextmanager
-def webgl_browser() -> Iterator[Browser]:
-    with sync_playwright() as playwright:
-        arguments = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"]
-        expect.set_options(timeout=TIMEOUT_MS)
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
-        yield browser
-        browser.close()
+def webgl_browser(other: Browser) -> Iterator[Browser]:
+    """Starts such a browser beside the one of the other tests: one process has one Playwright."""
+    arguments = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"]
+    browser = other.browser_type.launch(executable_path=CHROMIUM, args=arguments)
+    yield browser
+    browser.close()
 
 
 def choose(studio: Studio, test_id: str, value: str) -> None:
