@@ -20,12 +20,17 @@ SQUARE = str(PROGRAMS / "square.json")
 
 @pytest.fixture
 def endless(tmp_path: Path) -> str:
-    """A program that takes a minute to check."""
-    count = {"action": "change_variable", "name": "n", "by": 1}
+    """A program that takes a minute to check, also on a fast PC: each step calculates a large sum."""
+    count = {"action": "change_variable", "name": "n", "by": large_sum(6)}
     begin = {"action": "set_variable", "name": "n", "value": 0}
     file = tmp_path / "endless.json"
     file.write_text(json.dumps([begin, {"action": "forever", "commands": [count]}]), "utf-8")
     return str(file)
+
+
+def large_sum(depth: int) -> object:
+    """Returns an expression with 2**depth ones."""
+    return {"op": "+", "args": [large_sum(depth - 1), large_sum(depth - 1)]} if depth else 1
 
 
 def kill_all() -> None:

@@ -29,7 +29,7 @@ COLUMNS = ("tick", "x_m", "y_m", "yaw_rad", "goal_x_m", "goal_y_m", "goal_yaw_ra
 STROKE_TICKS = 500
 COLORS = ("red", "blue", "green", "black")
 
-_GAPS = """seconds => new Promise(done => {
+FRAME_GAPS = """seconds => new Promise(done => {
     const gaps = [];
     let last = performance.now();
     const end = last + seconds * 1000;
@@ -73,7 +73,7 @@ def page(browser: Browser, tmp_path: Path) -> Iterator[Page]:
 
 
 def test_a_long_run_costs_a_frame_no_more_than_a_short_one(page: Page) -> None:
-    run = _driven(Studio(page))
+    run = driven(Studio(page))
     frames = {rows: _replayed(page, run, rows) for rows in (SHORT, LONG)}
     for rows, found in frames.items():
         print(f"{rows:6} samples: {_words(found)}")
@@ -82,7 +82,7 @@ def test_a_long_run_costs_a_frame_no_more_than_a_short_one(page: Page) -> None:
 
 def test_a_printed_floor_costs_a_frame_little_more_than_a_plain_one(page: Page) -> None:
     """The same room with and without its print, in turns."""
-    run = _driven(Studio(page), FURNISHED)
+    run = driven(Studio(page), FURNISHED)
     found: dict[bool, list[Frames]] = {False: [], True: []}
     for is_printed in (False, True) * 3:
         found[is_printed].append(_replayed(page, run, SHORT, is_printed=is_printed))
@@ -96,7 +96,7 @@ def _words(frames: Frames) -> str:
     return f"a frame every {median:.1f} ms (95 %: {p95:.1f}), {work:.1f} ms of work"
 
 
-def _driven(studio: Studio, world: str | None = None) -> str:
+def driven(studio: Studio, world: str | None = None) -> str:
     studio.enter_group("Bancada")
     if world is not None:
         studio["world"].select_option(world)
@@ -112,10 +112,10 @@ def _replayed(page: Page, run: str, rows: int, *, is_printed: bool = True) -> Fr
     page.unroute_all()
     if not is_printed:
         page.route("**/api/worlds", _without_appearance)
-    page.route("**/telemetry", lambda route: route.fulfill(body=_telemetry(rows)))
+    page.route("**/telemetry", lambda route: route.fulfill(body=telemetry(rows)))
     page.route(
         "**/api/runs/*/events",
-        lambda route: route.fulfill(json={"events": _events(run, rows)}),
+        lambda route: route.fulfill(json={"events": events(run, rows)}),
     )
     page.goto(f"{origin}#/run/{run}")
     page.reload()
@@ -126,7 +126,7 @@ def _replayed(page: Page, run: str, rows: int, *, is_printed: bool = True) -> Fr
     session = page.context.new_cdp_session(page)
     session.send("Performance.enable")
     before = _work_s(session)
-    gaps = page.evaluate(_GAPS, WATCHED_S)
+    gaps = page.evaluate(FRAME_GAPS, WATCHED_S)
     work = (_work_s(session) - before) * 1000 / len(gaps)
     return Frames(gaps[len(gaps) // 2], gaps[len(gaps) * 95 // 100], work)
 
@@ -146,7 +146,7 @@ def _work_s(session: CDPSession) -> float:
     return float(next(one["value"] for one in metrics if one["name"] == "TaskDuration"))
 
 
-def _telemetry(rows: int) -> bytes:
+def telemetry(rows: int) -> bytes:
     """A robot that winds over all of the room, at 0.38 m/s."""
     x = y = 0.0
     samples = []
@@ -162,7 +162,7 @@ def _telemetry(rows: int) -> bytes:
     return struct.pack("<I", len(header)) + header + b"".join(columns)
 
 
-def _events(run: str, rows: int) -> list[dict[str, Any]]:
+def events(run: str, rows: int) -> list[dict[str, Any]]:
     """A pen that changes its colour again and again."""
     head: dict[str, Any] = {"v": 1, "run": run}
     begin = {"type": "run_state", "state": "running", "cause": None, "block": None}

@@ -7,7 +7,7 @@ import pytest
 
 from pinel_desktop.activities import RecordedRun, RunLog, check_program
 from pinel_desktop.program.reading import read_document
-from storage import open_for_reading
+from storage import open_for_reading, open_store
 from tests.activities.test_checks import activity
 from tests.compatibility import archived_files as kept
 from tests.compatibility.archived_files import DATABASE
@@ -19,7 +19,9 @@ ESTIMATE_M = 1.1589980098775377e-06  # truly 0.050 m
 def database(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("PINEL_HOME", str(tmp_path / "home"))
     monkeypatch.setenv("PINEL_LANG", "en")
-    return kept.unpack("estimates", tmp_path) / DATABASE
+    database = kept.unpack("estimates", tmp_path) / DATABASE
+    open_store(database).close()  # as the app does at its first start after the update
+    return database
 
 
 @pytest.fixture

@@ -66,6 +66,7 @@ def test_another_pc_has_the_lesson_open_after_it_and_once_more_changes_nothing(
         "world": "maze",
         "swap_minutes": 10,
         "activity": lesson["activity"],
+        "album": None,
     }
     groups = other.get("/api/groups").data["groups"]
     assert sorted((one["name"], one["n_programs"]) for one in groups) == [

@@ -42,6 +42,7 @@ def test_a_group_is_made_and_listed_with_its_counts(
             "picture",
             "robot_name",
             "robot_pattern",
+            "has_album",
             "classroom_id",
             "created_at",
         }

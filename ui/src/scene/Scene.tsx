@@ -1,6 +1,5 @@
 import type { ReadonlySignal } from "@preact/signals";
-import { effect } from "@preact/signals";
-import type { RefObject } from "preact";
+import { effect, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Robot, World } from "../api/model";
 import { language, texts } from "../i18n";
@@ -12,6 +11,7 @@ import type { DialogueLine } from "../run/output";
 import type { Pose, RunView } from "../run/reducer";
 import { showText } from "../run/text_sign";
 import { spokenText } from "../run/values";
+import { lazy } from "../shell/lazy";
 import { program } from "../shell/session";
 import { prefersStill, theme } from "../shell/theme";
 import type { Companion } from "./companion";
@@ -22,10 +22,23 @@ import { savePicture } from "./picture";
 import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
 import { CELEBRATION_MS } from "./signs/celebration_view";
+import type { SolidView } from "./solid/view";
 import { drawMeasure, measureText } from "./tools/measure_view";
 import { type Grip, listenToPointer } from "./tools/pointer_input";
+import { SolidEnd } from "./tools/SolidEnd";
 import { Toolbar } from "./tools/Toolbar";
 import { SceneTools } from "./tools/tools";
+import { CameraChoice } from "./tools/ViewChoice";
+import { endSolid, isSolid } from "./tools/view_mode";
+
+/** three.js is fetched when a floor is first shown in 3D. */
+const SolidFloor = lazy(
+  async () => (await import("./solid/SolidFloor")).SolidFloor,
+  ({ floor }) => {
+    useEffect(() => endSolid("not_fetched", floor), []);
+    return null;
+  },
+);
 
 /** Handling of a robot that the user can drag and whose sensors can be displayed. */
 export interface RobotHold {
@@ -56,33 +69,46 @@ interface SceneProps {
   solved?: ReadonlySignal<string | null>;
 }
 
-/** The floor from above. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
+/** The floor from above, or in 3D. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
 export function Scene(props: SceneProps) {
   const { world, robot, view, hold } = props;
-  const canvas = useRef<HTMLCanvasElement>(null);
   const tools = useInstance(() => new SceneTools());
-  const renderer = useRenderer(canvas, tools, props);
+  const [canvas, renderer] = useFlatFloor(props, tools);
+  const solid = useSignal<SolidView | null>(null);
+  const shown = () => solid.peek() ?? renderer.current;
+  const isHidden = isSolid.value && solid.value !== null;
   return (
     <div class="scene">
-      <Canvas canvas={canvas} world={world} view={view} tools={tools} hold={hold} />
+      <Canvas {...{ canvas, world, view, tools, hold, isHidden }} />
+      {isSolid.value && (
+        <SolidFloor
+          {...props}
+          ranges={hold?.ranges}
+          floor={tools}
+          onView={(now) => {
+            solid.value = now;
+          }}
+        />
+      )}
       <Toolbar
-        scene={() => renderer.current}
+        scene={shown}
         tools={tools}
         again={hold ? { able: hold.canReset.value, act: () => hold.again() } : null}
         sensors={hold ? robot : null}
         onPicture={() => {
-          if (renderer.current) void savePicture(renderer.current, program.peek()?.name ?? "PINEL");
+          const floor = shown();
+          if (floor) void savePicture(floor, program.peek()?.name ?? "PINEL");
         }}
       />
+      <CameraChoice />
       <MeasureHint tools={tools} />
+      <SolidEnd floor={tools} />
     </div>
   );
 }
 
-/** Makes the renderer of the canvas, and passes on to it what changes. */
-function useRenderer(
-  canvas: RefObject<HTMLCanvasElement>,
-  tools: SceneTools,
+/** The canvas of the floor from above, and what draws on it. */
+function useFlatFloor(
   {
     world,
     robot,
@@ -95,8 +121,10 @@ function useRenderer(
     playing,
     solved,
   }: SceneProps,
-): RefObject<SceneRenderer> {
-  const renderer = useRef<SceneRenderer>(null);
+  tools: SceneTools,
+) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const renderer = useRef<SceneRenderer | null>(null);
 
   useEffect(() => {
     const element = canvas.current;
@@ -139,7 +167,8 @@ function useRenderer(
   useEffect(() => renderer.current?.setWorld(world), [world]);
   useEffect(() => renderer.current?.setRobot(robot), [robot, view, poseAt, hold]);
   useEffect(() => renderer.current?.setLivery(livery), [colour, pattern, name, view, poseAt, hold]);
-  return renderer;
+
+  return [canvas, renderer] as const;
 }
 
 interface CanvasProps {
@@ -148,9 +177,10 @@ interface CanvasProps {
   view: ReadonlySignal<RunView>;
   tools: SceneTools;
   hold: RobotHold | undefined;
+  isHidden: boolean;
 }
 
-function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
+function Canvas({ canvas, world, view, tools, hold, isHidden }: CanvasProps) {
   const { truth, phase, output } = view.value;
   const { scene } = texts.value;
   const label = scene.label({
@@ -167,6 +197,7 @@ function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
       <canvas
         ref={canvas}
         class="scene__canvas"
+        hidden={isHidden}
         role="application"
         aria-label={[label, marks, keys].filter(Boolean).join(" ")}
         tabIndex={0}

@@ -6,13 +6,13 @@ import { edgeOf, paintOf } from "./paints";
 type Ctx = CanvasRenderingContext2D;
 
 /** Width of the pen's line in metres, with a minimum in pixels: the line covers the path below it. */
-const PEN_M = 0.07;
+export const PEN_M = 0.07;
 const PEN_PX = 7;
 const EDGE_PX = 1.5;
 
 /** Radius of a mark and the width of its line, metres. */
-const MARK_M = 0.3;
-const MARK_LINE_M = 0.075;
+export const MARK_M = 0.3;
+export const MARK_LINE_M = 0.075;
 
 /** Draws a stroke of the pen; an unfinished stroke ends at the robot (`end`). Start frame, metres. */
 export function drawStroke(

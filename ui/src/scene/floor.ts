@@ -22,6 +22,20 @@ export function drawFloor(
   scale: number,
   withMovable = true,
 ): void {
+  drawFlat(ctx, world, colours, scale);
+  for (const box of world?.boxes ?? []) if (withMovable || !box.movable) drawBox(ctx, box, colours);
+  drawWalls(ctx, world, colours);
+  if (world) drawPlates(ctx, world, colours, 1 / scale);
+}
+
+/** Draws what is flat: ground, prints, tiles, paint and places. */
+export function drawFlat(
+  ctx: Ctx,
+  world: World | null,
+  colours: Colours,
+  scale: number,
+  withNames = true,
+): void {
   const room = roomOf(world);
   ctx.save();
   ctx.beginPath();
@@ -34,10 +48,7 @@ export function drawFloor(
   drawTiles(ctx, world, colours, scale);
   ctx.restore();
   drawPaint(ctx, world, colours, 1 / scale);
-  drawZones(ctx, world, colours, 1 / scale);
-  for (const box of world?.boxes ?? []) if (withMovable || !box.movable) drawBox(ctx, box, colours);
-  drawWalls(ctx, world, colours);
-  if (world) drawPlates(ctx, world, colours, 1 / scale);
+  drawZones(ctx, world, colours, 1 / scale, withNames);
 }
 
 /** Range of the start frame that the room covers, metres. */

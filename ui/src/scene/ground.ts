@@ -45,7 +45,13 @@ function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
  * Draws zones as dashed outlines with the name in the centre, legible on any paint. Programs use the name, so it stands
  * there in every language; a translation that the catalogue has stands below it.
  */
-export function drawZones(ctx: Ctx, world: World | null, colours: Colours, pixel: number): void {
+export function drawZones(
+  ctx: Ctx,
+  world: World | null,
+  colours: Colours,
+  pixel: number,
+  withNames = true,
+): void {
   const zones = world?.zones ?? [];
   ctx.save();
   for (const zone of zones) {
@@ -60,7 +66,7 @@ export function drawZones(ctx: Ctx, world: World | null, colours: Colours, pixel
   ctx.textBaseline = "middle";
   for (const zone of zones) {
     if (world && isPictured(world, zone)) drawPictogram(ctx, world, zone, colours);
-    else drawName(ctx, zone, widthBeside(zone, zones), colours, pixel);
+    else if (withNames) drawName(ctx, zone, widthBeside(zone, zones), colours, pixel);
   }
   ctx.restore();
 }

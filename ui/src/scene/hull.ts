@@ -12,15 +12,32 @@ export function extentOf({ hull_m }: Pick<Robot, "hull_m">) {
   return { back, front, length: front - back, width: left - right };
 }
 
-/** Outline of a robot from above as the data of an SVG path: metres, x ahead, y to the left. */
-export function hullPath({ hull_m, hull_round_m }: Hull): string {
+/** A rounded corner of an outline: a quadratic curve from `into` to `out`, with `corner` as its control point. */
+interface HullCorner {
+  readonly into: XY;
+  readonly corner: XY;
+  readonly out: XY;
+}
+
+/** The corners of a robot from above: metres, x ahead, y to the left. */
+export function hullCorners({ hull_m, hull_round_m }: Hull): HullCorner[] {
   const corners = hull_m.map(([x, y]) => ({ x, y }));
-  const parts = corners.map((corner, index) => {
+  return corners.map((corner, index) => {
     const before = corners.at(index - 1) ?? corner;
     const after = corners[(index + 1) % corners.length] ?? corner;
-    const [into, out] = [before, after].map((other) => towards(corner, other, hull_round_m));
-    return `${index ? "L" : "M"}${at(into)}Q${at(corner)} ${at(out)}`;
+    return {
+      into: towards(corner, before, hull_round_m),
+      corner,
+      out: towards(corner, after, hull_round_m),
+    };
   });
+}
+
+/** Outline of a robot from above as the data of an SVG path: metres, x ahead, y to the left. */
+export function hullPath(robot: Hull): string {
+  const parts = hullCorners(robot).map(
+    ({ into, corner, out }, index) => `${index ? "L" : "M"}${at(into)}Q${at(corner)} ${at(out)}`,
+  );
   return `${parts.join("")}Z`;
 }
 
@@ -47,5 +64,4 @@ function towards(from: XY, to: XY, distance: number): XY {
   return { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
 }
 
-const at = (point: XY | undefined) =>
-  point ? `${point.x.toFixed(4)} ${point.y.toFixed(4)}` : "0 0";
+const at = ({ x, y }: XY) => `${x.toFixed(4)} ${y.toFixed(4)}`;

@@ -1,6 +1,6 @@
 import { fileName, saveFile } from "../shell/files/save_file";
-import { paperColours } from "./colours";
-import type { SceneRenderer } from "./renderer";
+import { type Colours, paperColours } from "./colours";
+import type { Size } from "./viewport";
 
 const WIDTH = 800;
 const HEIGHT = 640;
@@ -8,8 +8,13 @@ const HEAD = 56;
 /** Twice the resolution, for print. */
 const RATIO = 2;
 
+/** A floor that can be drawn for export, at `ratio` pixels for each of its size. */
+export interface Pictured {
+  picture(size: Size, ratio: number, colours: Colours): HTMLCanvasElement;
+}
+
 /** Downloads the floor with path and drawings as a PNG on a white background, named after the program. */
-export async function savePicture(scene: SceneRenderer, name: string): Promise<void> {
+export async function savePicture(scene: Pictured, name: string): Promise<void> {
   const colours = paperColours();
   const floor = scene.picture({ width: WIDTH, height: HEIGHT }, RATIO, colours);
   const canvas = document.createElement("canvas");

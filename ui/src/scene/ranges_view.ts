@@ -4,9 +4,9 @@ import type { Colours } from "./colours";
 type Ctx = CanvasRenderingContext2D;
 
 /** Half of the opening angle of a drawn sonar cone, degrees. */
-const CONE_DEG = 7;
+export const CONE_DEG = 7;
 /** If a distance is less than this below the sonar's range, the sonar detects nothing. */
-const FAR_M = 0.05;
+export const FAR_M = 0.05;
 
 export interface Measurements {
   readonly sonar: readonly number[] | null;

@@ -28,7 +28,7 @@ import {
 const LINGER_MS = 250;
 
 /** The estimated pose is drawn if it differs from the true pose by more than this. */
-const OFF_M = 0.01;
+export const OFF_M = 0.01;
 
 /**
  * Content of the viewport: `subject` (the bounds of `content_bounds`), the whole room, the view set
@@ -275,6 +275,7 @@ export class SceneRenderer {
   }
 
   private draw(now: number): boolean {
+    if (this.size.width === 0) return false; // hidden
     if (this.moved) this.point();
     const pose = this.poseAt(now);
     if (this.framing === "robot" && !this.held) {

@@ -312,7 +312,7 @@ function finish(ctx: Ctx): void {
  * Whether the second trail continues the drawn chunks of the first. Compares points by value: a
  * replay creates new arrays.
  */
-function begins(one: Trail, other: Trail, chunks: number): boolean {
+export function begins(one: Trail, other: Trail, chunks: number): boolean {
   if (chunks === 0) return true;
   const [a, b] = [one.chunks[chunks - 1], other.chunks[chunks - 1]];
   return b !== undefined && (a === b || isSamePoint(a?.at(-1), b.at(-1)));
@@ -327,7 +327,8 @@ function hasSameMarks({ marks: some }: Output, { marks: others }: Output): boole
   return some === others || (some.length === others.length && isSame);
 }
 
-function hasSameStroke(some: Output, others: Output, index: number): boolean {
+/** Whether the stroke of this index is the same in both; replays create new ones. */
+export function hasSameStroke(some: Output, others: Output, index: number): boolean {
   if (index < 0) return true;
   const [one, other] = [some.strokes[index], others.strokes[index]];
   if (!one || !other) return false;

@@ -27,7 +27,7 @@ export async function fetchPart<Part>(load: () => Promise<Part>): Promise<Part> 
 /** A lazy component: its code is imported when it is first shown. */
 export function lazy<P extends object>(
   load: () => Promise<ComponentType<P>>,
-  Failed: ComponentType | null = null,
+  Failed: ComponentType<P> | null = null,
 ): ComponentType<P> {
   let loaded: ComponentType<P> | null = null;
   return function Lazy(props: P) {
@@ -47,7 +47,7 @@ export function lazy<P extends object>(
       );
     }, []);
     const Part = loaded;
-    if (failed && Failed) return <Failed />;
+    if (failed && Failed) return <Failed {...props} />;
     return Part ? <Part {...props} /> : null;
   };
 }

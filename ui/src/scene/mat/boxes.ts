@@ -124,7 +124,7 @@ const bin: Drawing = (width, depth) => {
   ];
 };
 
-const BOOKS = ["#b5493c", "#3f78b8", "#5b9a55", "#e0b13c", "#7d58a8"];
+export const BOOKS = ["#b5493c", "#3f78b8", "#5b9a55", "#e0b13c", "#7d58a8"];
 
 const bookshelf: Drawing = (width, depth) => {
   const isWide = width >= depth;

@@ -7,7 +7,7 @@ import { mixed, type Part } from "./parts";
 import { printedParts } from "./prints";
 
 type Ctx = CanvasRenderingContext2D;
-type Ink = (colour: string) => string;
+export type Ink = (colour: string) => string;
 type Box = World["boxes"][number];
 
 /** How much of a print's colour shows: all by day, less at dusk, nothing in high contrast. */
@@ -39,15 +39,19 @@ export function drawPrints(ctx: Ctx, world: World | null, colours: Colours): voi
 /** How much of a thing's colour is lost at dusk. */
 const DUSK = 0.2;
 
+/** The colour of a part of a thing in a theme; null in high contrast, where things have the two colours of a box. */
+export function bodyInk(colours: Colours): Ink | null {
+  const strength = strengthOf(colours);
+  if (strength === 0) return null;
+  return (colour) => (strength < 1 ? mixed(colour, colours.tile, DUSK) : colour);
+}
+
 /** Draws the thing that a box is, on top of its shadow. */
 export function drawAppearance(ctx: Ctx, box: Box, kind: BoxKind, colours: Colours): void {
   const area = areaOf(box);
-  const strength = strengthOf(colours);
-  const ink: Ink = (colour) => (strength < 1 ? mixed(colour, colours.tile, DUSK) : colour);
+  const ink = bodyInk(colours);
   inFrame(ctx, area, () => {
-    for (const shape of shapesOf(kind, area)) {
-      drawShape(ctx, shape, strength > 0 ? ink : null, colours);
-    }
+    for (const shape of shapesOf(kind, area)) drawShape(ctx, shape, ink, colours);
   });
 }
 

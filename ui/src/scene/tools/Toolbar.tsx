@@ -16,14 +16,24 @@ import {
 import type { Ring, Robot } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
-import type { SceneRenderer } from "../renderer";
+import type { MeasureTool } from "./measure";
 import { shownRings, toggleRing } from "./sensor_rings";
 import type { SceneTools } from "./tools";
+import { ViewChoice } from "./ViewChoice";
+import { isSolid } from "./view_mode";
 
 const ZOOM_STEP = 1.4;
 
+/** A floor in 2D or 3D that the buttons move. */
+interface FloorView {
+  zoom(factor: number): void;
+  frame(): void;
+  /** Absent in 3D, where a camera follows. */
+  follow?(isOn: boolean): void;
+}
+
 interface ToolbarProps {
-  scene(): SceneRenderer | null;
+  scene(): FloorView | null;
   tools: SceneTools;
   /** Resets everything to the start; null if the floor has no reset. */
   again: { readonly able: boolean; act(): void } | null;
@@ -36,35 +46,42 @@ interface ToolbarProps {
 export function Toolbar({ scene, tools, again, sensors, onPicture }: ToolbarProps) {
   const labels = texts.value.scene;
   const open = useSignal(false);
-  const act = (what: (now: SceneRenderer) => void) => () => {
+  const act = (what: (now: FloorView) => void) => () => {
     const now = scene();
     if (now) what(now);
   };
   return (
     <div class="scene__tools row top gap-2">
       {open.value && <More tools={tools} scene={scene} sensors={sensors} onPicture={onPicture} />}
-      <div class="scene__buttons">
-        <Tool label={labels.zoomIn} Icon={Plus} onClick={act((now) => now.zoom(ZOOM_STEP))} />
-        <Tool label={labels.zoomOut} Icon={Minus} onClick={act((now) => now.zoom(1 / ZOOM_STEP))} />
-        <Tool label={labels.fit} Icon={Scan} onClick={act((now) => now.frame())} />
-        {again && (
+      <div class="scene__column">
+        <ViewChoice tools={tools} />
+        <div class="scene__buttons">
+          <Tool label={labels.zoomIn} Icon={Plus} onClick={act((now) => now.zoom(ZOOM_STEP))} />
           <Tool
-            label={labels.again}
-            Icon={RotateCcw}
-            testId="start-again"
-            disabled={!again.able}
-            onClick={() => again.act()}
+            label={labels.zoomOut}
+            Icon={Minus}
+            onClick={act((now) => now.zoom(1 / ZOOM_STEP))}
           />
-        )}
-        <Tool
-          label={open.value ? labels.lessTools : labels.moreTools}
-          Icon={open.value ? ChevronsLeft : Wrench}
-          testId="scene-tools"
-          expanded={open.value}
-          onClick={() => {
-            open.value = !open.value;
-          }}
-        />
+          <Tool label={labels.fit} Icon={Scan} onClick={act((now) => now.frame())} />
+          {again && (
+            <Tool
+              label={labels.again}
+              Icon={RotateCcw}
+              testId="start-again"
+              disabled={!again.able}
+              onClick={() => again.act()}
+            />
+          )}
+          <Tool
+            label={open.value ? labels.lessTools : labels.moreTools}
+            Icon={open.value ? ChevronsLeft : Wrench}
+            testId="scene-tools"
+            expanded={open.value}
+            onClick={() => {
+              open.value = !open.value;
+            }}
+          />
+        </div>
       </div>
     </div>
   );
@@ -86,33 +103,41 @@ function More({ scene, tools, sensors, onPicture }: MoreProps) {
   );
   return (
     <div class="scene__buttons scene__buttons--more" role="toolbar" aria-label={labels.moreTools}>
-      <Tool
-        label={labels.ruler}
-        Icon={Ruler}
-        testId="measure-tool"
-        name="ruler"
-        pressed={tools.tool.value === "ruler"}
-        onClick={() => tools.toggle("ruler")}
-      />
-      <Tool
-        label={labels.protractor}
-        Icon={Triangle}
-        testId="measure-tool"
-        name="protractor"
-        pressed={tools.tool.value === "protractor"}
-        onClick={() => tools.toggle("protractor")}
-      />
+      {/* from another side than above, lengths and angles on the floor are not true */}
+      {!isSolid.value && <MeasureTools tools={tools} />}
       {sensors && sensors.sonars.length > 0 && ring("sonar", labels.sonar, Radio)}
       {sensors?.laser && ring("lidar", labels.lidar, Radar)}
-      <Tool
-        label={labels.follow}
-        Icon={LocateFixed}
-        testId="follow"
-        pressed={tools.follow.value}
-        onClick={() => scene()?.follow(!tools.follow.peek())}
-      />
+      {!isSolid.value && (
+        <Tool
+          label={labels.follow}
+          Icon={LocateFixed}
+          testId="follow"
+          pressed={tools.follow.value}
+          onClick={() => scene()?.follow?.(!tools.follow.peek())}
+        />
+      )}
       <Tool label={labels.picture} Icon={Camera} testId="scene-picture" onClick={onPicture} />
     </div>
+  );
+}
+
+function MeasureTools({ tools }: Pick<MoreProps, "tools">) {
+  const labels = texts.value.scene;
+  const measure = (name: MeasureTool, Icon: typeof Plus) => (
+    <Tool
+      label={labels[name]}
+      Icon={Icon}
+      testId="measure-tool"
+      name={name}
+      pressed={tools.tool.value === name}
+      onClick={() => tools.toggle(name)}
+    />
+  );
+  return (
+    <>
+      {measure("ruler", Ruler)}
+      {measure("protractor", Triangle)}
+    </>
   );
 }
 

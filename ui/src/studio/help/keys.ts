@@ -18,7 +18,7 @@ export interface KeyGroup {
 /** All keys of the studio. If a button has the same action, the description is the text of the button. */
 export function keyGroups(texts: Texts): KeyGroup[] {
   const { keys } = texts.help;
-  const { studio, scene } = texts;
+  const { studio, scene, solid } = texts;
   return [
     { title: texts.run.bar, rows: [...runRows(texts), emergencyRow(texts)] },
     {
@@ -38,6 +38,7 @@ export function keyGroups(texts: Texts): KeyGroup[] {
       ],
     },
     { title: studio.floor, rows: [], more: [scene.startKeys, scene.measureKeys] },
+    { title: solid.solidTip, rows: [], more: [solid.keys] },
   ];
 }
 
