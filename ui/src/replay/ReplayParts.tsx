@@ -17,10 +17,10 @@ export interface ReplayedRun {
   readonly view: ReadonlySignal<RunView>;
 }
 
-/** The verdict on a recorded run, as the studio got it at the end of the run. */
+/** The verdict on a recorded run, as the studio got it at its end; null if the record does not say what was lacking. */
 function judgedOf(run: RunWithVersion): JudgedEvent | null {
   const { id, passed, missing, missing_block, by_robot, not_judged } = run;
-  if (passed === null && not_judged === null) return null;
+  if (!passed && !missing && !not_judged) return null;
   return {
     type: "judged",
     run: id,

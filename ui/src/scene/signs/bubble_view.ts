@@ -97,7 +97,7 @@ export function drawName(
   const half = ctx.measureText(text).width / 2 + 8;
   const away = reach + NAME_HEIGHT_PX / 2 + 2;
   const isBelow = !isAbove && at.y + away + NAME_HEIGHT_PX < size.height;
-  const x = within(at.x, half + EDGE_PX, size.width - half - EDGE_PX);
+  const x = within(at.x, half + EDGE_PX, size.width - half - rightOf(2 * half, size));
   const y = at.y + (isBelow ? away : -away);
   ctx.beginPath();
   ctx.roundRect(x - half, y - NAME_HEIGHT_PX / 2, 2 * half, NAME_HEIGHT_PX, NAME_HEIGHT_PX / 2);
@@ -123,10 +123,15 @@ export interface Bounds extends Size {
   readonly top: number;
 }
 
+/** Space to the right of a sign: the floor's tools, where the sign has room beside them. */
+function rightOf(width: number, size: Size): number {
+  return width + EDGE_PX + RIGHT_PX <= size.width ? RIGHT_PX : EDGE_PX;
+}
+
 /** The place of a sign, inside of the floor: above the robot, or below it where controls cover the floor. */
 export function boxAt({ at, reach, size }: RobotPlace, box: Size, tail = TAIL_PX.length): Bounds {
   const { width, height } = box;
-  const right = width + EDGE_PX + RIGHT_PX <= size.width ? RIGHT_PX : EDGE_PX;
+  const right = rightOf(width, size);
   const x = within(at.x, EDGE_PX + width / 2, size.width - right - width / 2);
   const above = at.y - reach - tail - height;
   const best = above < Math.min(TOP_PX, size.height / 4) ? at.y + reach + tail : above;
