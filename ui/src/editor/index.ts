@@ -22,15 +22,15 @@ import type { Editor } from "./editor";
 import { EditorElements } from "./elements";
 import { injectWorkspace } from "./inject";
 import { applyLanguage } from "./locale";
-import { Minimap } from "./minimap";
 import type { EditorOptions } from "./options";
 import { restoreFocus } from "./restore_focus";
-import { ScrollBars } from "./scroll_bars";
 import { dimLooseBlocks, ensureStartBlock } from "./start_block";
 import { pageFont, showTheme, type ThemeName } from "./themes";
 import { appendBlock } from "./toolbox/append";
 import { PinelToolbox } from "./toolbox/flyout";
 import { interceptEmptyUndo, undoInto } from "./undo";
+import { Minimap } from "./viewport/minimap";
+import { ScrollBars } from "./viewport/scroll_bars";
 import { withoutEvents } from "./without_events";
 import { addZoomControls } from "./zoom_controls";
 

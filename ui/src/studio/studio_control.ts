@@ -33,7 +33,7 @@ import { level } from "../shell/level";
 import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
 import { breakpoints, runSettings, syncRunSettings } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
-import { MissionSheet } from "./mission/mission_sheet";
+import { MissionSheet } from "./mission_sheet";
 import type { OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
 import { setupOf } from "./program/setup";

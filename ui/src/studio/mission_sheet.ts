@@ -1,6 +1,6 @@
 import { effect, type ReadonlySignal, type Signal, signal } from "@preact/signals";
-import { judged } from "../../shell/session";
-import { hasCommands, type OpenProgram } from "../program/open_program";
+import { judged } from "../shell/session";
+import { hasCommands, type OpenProgram } from "./program/open_program";
 
 /** Whether the whole mission is shown over the program: until the group begins, and after a pass. */
 export class MissionSheet {

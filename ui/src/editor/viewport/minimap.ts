@@ -1,5 +1,5 @@
 import type * as Blockly from "blockly/core";
-import { blockText } from "../blocks/texts";
+import { blockText } from "../../blocks/texts";
 
 /** Size of the canvas, in CSS pixels. */
 const WIDTH = 104;
