@@ -157,12 +157,8 @@ def world_editor(camera: Photographer, program: str) -> None:
     boxes = camera.page.locator("[data-testid=world-thing][data-kind=box]")
     boxes.nth(2).focus()
     camera.round("world-full")
-    for axis in ("x", "y"):
-        here = camera.page.locator("[data-testid=world-thing][data-kind=start]")
-        here.focus()
-        value = camera.of(f"world-{axis}").input_value()
-        boxes.nth(2).focus()
-        camera.of(f"world-{axis}").fill(value)
+    for axis in ("x", "y"):  # counted from the start
+        camera.of(f"world-{axis}").fill("0")
     camera.of("world-fault-note").wait_for()
     camera.round("world-fault")
     for _ in range(3):
