@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, Request, expect
+from playwright.sync_api import Locator, Response, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.blocks import box_of
@@ -161,18 +161,20 @@ def test_following_ends_when_the_floor_is_moved(studio: Studio) -> None:
 
 
 def test_sonar_is_asked_for_and_seen(studio: Studio) -> None:
-    def is_subscription(request: Request) -> bool:
+    def is_subscription(response: Response) -> bool:
+        request = response.request
         return request.url.endswith("/commands") and "subscribe" in (request.post_data or "")
 
     enter_made_group(studio, [("move_forward", 3)])
     studio["scene-tools"].click()
     named(studio, "ring", "sonar").click()
-    with studio.page.expect_request(is_subscription) as asked:
+    with studio.page.expect_response(is_subscription) as asked:
         studio.run()
-    assert asked.value.post_data_json == {"do": "subscribe", "sensors": ["sonar"]}
-    with studio.page.expect_request(is_subscription) as ended:
+    assert asked.value.request.post_data_json == {"do": "subscribe", "sensors": ["sonar"]}
+    # the response, because Stop may overtake a request
+    with studio.page.expect_response(is_subscription) as ended:
         named(studio, "ring", "sonar").click()
-    assert ended.value.post_data_json == {"do": "subscribe", "sensors": []}
+    assert ended.value.request.post_data_json == {"do": "subscribe", "sensors": []}
     studio["stop"].click()
     studio.wait_for_phase("stopped")
 
