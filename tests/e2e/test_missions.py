@@ -72,6 +72,30 @@ def test_a_mission_that_the_teacher_opens_later_is_offered(
     expect(studio["lesson-mission"]).to_have_count(0)
 
 
+def test_a_group_that_has_passed_the_mission_of_the_lesson_goes_on_without_its_banner(
+    studio: Studio,
+) -> None:
+    prepare(studio)
+    to_part(studio, "lessons")
+    open_lesson(studio, "Primeira aula", "to_the_bakery")
+    studio["sign-out"].click()
+    studio.enter_group("Os Tatus")
+    put_move(studio, "2")
+    studio["open-activities"].click()
+    studio.page.locator("[data-testid=activity-card][data-activity=bread_and_back]").click()
+    expect(studio["lesson-mission"]).to_be_visible()
+    studio["lesson-mission"].click()
+    studio.wait_until_open()
+    studio.blocks.type_into(studio.blocks.by_text(MOVE), "3")
+    studio.hurry()
+    studio.run()
+    expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)
+    studio["mission-next"].click()
+    expect(studio["mission"]).to_contain_text("Pão e volta")
+    studio.wait_for_screen("mission-sheet")
+    expect(studio["lesson-mission"]).to_have_count(0)
+
+
 def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None:
     studio.enter_group("Os Tatus")
     studio["open-activities"].click()

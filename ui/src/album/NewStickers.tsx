@@ -27,13 +27,12 @@ export function NewStickers({ group, run }: NewStickersProps) {
     <a
       class="new-stickers row middle gap-2"
       href={hashOf({ screen: "album", group })}
-      title={text}
       data-testid="new-stickers"
     >
       {won.map(({ name }) => (
         <StickerPicture key={name} name={name} won />
       ))}
-      <span class="one-line shrinks">{text}</span>
+      <span class="shrinks">{text}</span>
     </a>
   );
 }

@@ -25,7 +25,8 @@ export class MissionSheet {
     return effect(() => {
       const { value: verdict } = judged;
       if (verdict === known || !verdict?.passed || !this.mine.peek()) return;
-      this.open.wasPassed.value = true;
+      const { activity } = this.open.setup.peek();
+      if (activity) this.open.addPassed(activity);
       this.isOpen.value = true;
     });
   }

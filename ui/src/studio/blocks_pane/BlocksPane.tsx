@@ -45,7 +45,6 @@ export function BlocksPane({ control }: { control: StudioControl }) {
   return (
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
-      {control.open.setup.value.activity && <MissionCard control={control} />}
       <LessonMission open={control.open} />
       <InBin open={control.open} />
       <ParallelBranchNotice program={control.open.program} />
@@ -53,6 +52,8 @@ export function BlocksPane({ control }: { control: StudioControl }) {
       <RestoredVersionBanner control={control} />
       <Swap control={control} />
       <SwapReminder group={control.open.program.group_id} />
+      {/* below all banners, which its sheet must not cover */}
+      {control.open.setup.value.activity && <MissionCard control={control} />}
       <Workspace control={control} />
       <FaultList faults={control.open.faults.value} onGo={(fault) => control.goTo(fault)} />
     </section>

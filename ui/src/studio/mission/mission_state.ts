@@ -23,7 +23,7 @@ export function missionState(control: StudioControl, mission: Activity): Mission
   const verdict = verdictOf(run, judged.value);
   const checks = checksOf(mission, verdict?.not_judged ? null : run, checkStatus.value);
   const hasPassed = verdict?.passed === true;
-  const isDone = hasPassed || control.open.wasPassed.value;
+  const isDone = hasPassed || control.open.passed.value.has(mission.name);
   return {
     verdict,
     checks,

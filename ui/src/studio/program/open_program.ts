@@ -33,8 +33,8 @@ export class OpenProgram {
   readonly ownWorld: OwnWorld;
   /** The activity of the program; null without one, or if only a newer release knows it. */
   readonly mission = signal<Activity | null>(null);
-  /** Whether an earlier run of the group has passed the activity. */
-  readonly wasPassed = signal(false);
+  /** Names of the activities that the group has passed, as far as known; of a program with an activity only. */
+  readonly passed = signal<ReadonlySet<string>>(new Set());
   /** World, robot and other settings of the program's runs. */
   readonly setup: Signal<Setup>;
   /** Whether another window deleted the program or its group for good; the screen keeps its content. */
@@ -100,10 +100,15 @@ export class OpenProgram {
     if (!activity) return;
     const [mission, tried] = await Promise.all([
       knownActivity(activity),
-      activitiesApi.tried(this.program.group_id),
+      activitiesApi.tried(this.program.group_id).catch(() => []), // the mission is there all the same
     ]);
-    this.wasPassed.value = tried.some(({ name, passed }) => name === activity && passed);
+    this.addPassed(...tried.filter(({ passed }) => passed).map(({ name }) => name));
     this.mission.value = mission;
+  }
+
+  /** A pass is never taken back: a response may be older than the pass. */
+  addPassed(...names: string[]): void {
+    this.passed.value = new Set([...this.passed.peek(), ...names]);
   }
 
   /** Changes settings of the program's runs. */
