@@ -18,7 +18,6 @@ from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from pinel_desktop.robot.models import PIONEER_3DX
 from tests.benchmarks.bench_scene import FRAME_GAPS, driven, events, telemetry
-from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import CHROMIUM
 from tests.e2e.studio import Studio
 
@@ -40,19 +39,6 @@ def browser() -> Iterator[Browser]:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
         yield browser
         browser.close()
-
-
-@pytest.fixture
-def page(browser: Browser, tmp_path: Path) -> Iterator[Page]:
-    app = AppProcess(tmp_path)
-    app.start()
-    try:
-        context = browser.new_context(viewport={"width": 1366, "height": 768}, locale="pt-BR")
-        page = context.new_page()
-        page.goto(app.link)
-        yield page
-    finally:
-        app.stop()
 
 
 def test_a_minute_of_replay_in_3d_has_30_frames_a_second(page: Page) -> None:

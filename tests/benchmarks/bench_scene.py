@@ -7,13 +7,11 @@ import json
 import math
 import struct
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
 from playwright.sync_api import Browser, CDPSession, Page, Route, sync_playwright
 
-from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import CHROMIUM
 from tests.e2e.studio import Studio
 from tests.e2e.test_running import add_move
@@ -57,19 +55,6 @@ def browser() -> Iterator[Browser]:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
         yield browser
         browser.close()
-
-
-@pytest.fixture
-def page(browser: Browser, tmp_path: Path) -> Iterator[Page]:
-    app = AppProcess(tmp_path)
-    app.start()
-    try:
-        context = browser.new_context(viewport={"width": 1366, "height": 768}, locale="pt-BR")
-        page = context.new_page()
-        page.goto(app.link)
-        yield page
-    finally:
-        app.stop()
 
 
 def test_a_long_run_costs_a_frame_no_more_than_a_short_one(page: Page) -> None:
