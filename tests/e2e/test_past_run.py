@@ -150,7 +150,8 @@ def test_a_press_on_a_plot_shows_its_moment(studio: Studio) -> None:
     drive(studio)
     studio["plots-toggle"].click()
     studio.page.locator('[data-testid=plot-tab][data-figure="position"]').click()
-    box = box_of(studio.page.locator(".u-over"))
+    # the tab replaces the plot of the path
+    box = box_of(studio.page.locator('[data-testid="plot"][data-figure="position"] .u-over'))
     studio.page.mouse.click(box["x"] + 0.2 * box["width"], box["y"] + box["height"] / 2)
     expect(studio.blocks.running()).to_contain_text("andar para frente")
     studio.eventually(lambda: studio.number("pose-x") < 0.4, True)

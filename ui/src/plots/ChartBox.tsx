@@ -1,5 +1,5 @@
 import { effect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { language, type Texts, texts } from "../i18n";
 import { theme } from "../shell/theme";
 import type { Chart, ChartOptions, PlotInput } from "./chart";
@@ -21,7 +21,8 @@ const KEY_TICKS = 3;
 export function ChartBox({ source, plotName }: ChartBoxProps) {
   const box = useRef<HTMLDivElement>(null);
   const { plots } = texts.value;
-  useEffect(() => {
+  // before the next frame, so that a press never meets the axes of the plot before
+  useLayoutEffect(() => {
     const element = box.current;
     if (!element) return undefined;
     return drawn(element, source, plotName);
