@@ -20,7 +20,7 @@ import type { Livery } from "./livery/livery";
 import { markText } from "./mark_text";
 import { savePicture } from "./picture";
 import type { Measurements } from "./ranges_view";
-import { SceneRenderer } from "./renderer";
+import { type Framing, SceneRenderer } from "./renderer";
 import { CELEBRATION_MS } from "./signs/celebration_view";
 import type { SolidView } from "./solid/view";
 import { drawMeasure, measureText } from "./tools/measure_view";
@@ -30,6 +30,7 @@ import { Toolbar } from "./tools/Toolbar";
 import { SceneTools } from "./tools/tools";
 import { CameraChoice } from "./tools/ViewChoice";
 import { endSolid, isSolid } from "./tools/view_mode";
+import { EDGE_WITH_CONTROLS, EDGE_WITH_TOOLS } from "./viewport";
 
 /** three.js is fetched when a floor is first shown in 3D. */
 const SolidFloor = lazy(
@@ -129,9 +130,11 @@ function useFlatFloor(
   useEffect(() => {
     const element = canvas.current;
     if (!element) return;
-    const scene = new SceneRenderer(element, poseAt, prefersStill, (framing) => {
+    const onFraming = (framing: Framing) => {
       tools.follow.value = framing === "robot";
-    });
+    };
+    const edge = hold ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
+    const scene = new SceneRenderer(element, poseAt, prefersStill, onFraming, edge);
     renderer.current = scene;
     const sizes = new ResizeObserver(() => scene.resize(element.clientWidth, element.clientHeight));
     sizes.observe(element);

@@ -4,7 +4,7 @@ import { IDLE } from "../run/reducer";
 import { EMPTY_TRAIL, extend } from "../run/trail";
 import { contentBounds } from "./content_bounds";
 import { startOf, toStart, toWorld } from "./frames";
-import { EDGE, EDGE_WITH_TOOLS, toScreen, viewportFor } from "./viewport";
+import { EDGE, EDGE_WITH_CONTROLS, EDGE_WITH_TOOLS, toScreen, viewportFor } from "./viewport";
 
 const world = (over: Partial<World> = {}): World => ({
   pinel_world: 1,
@@ -99,9 +99,16 @@ test("a room that fills the floor's width ends beside the tools", () => {
 test("a floor that is taller than its content shows it in the middle, below the controls", () => {
   const size = { width: 340, height: 940 };
   const room = { left: -4, right: 4, bottom: -2.5, top: 2.5 };
-  const viewport = viewportFor(room, size, EDGE_WITH_TOOLS);
-  const above = toScreen(viewport, size, { x: 0, y: 2.5 }).y - EDGE_WITH_TOOLS.top;
+  const viewport = viewportFor(room, size, EDGE_WITH_CONTROLS);
+  const above = toScreen(viewport, size, { x: 0, y: 2.5 }).y - EDGE_WITH_CONTROLS.top;
   const below =
-    size.height - EDGE_WITH_TOOLS.bottom - toScreen(viewport, size, { x: 0, y: -2.5 }).y;
-  expect(above - below).toBeCloseTo(54);
+    size.height - EDGE_WITH_CONTROLS.bottom - toScreen(viewport, size, { x: 0, y: -2.5 }).y;
+  expect(above).toBeCloseTo(below);
+});
+
+test("a room as high as the floor ends below the controls, which must not cover a robot at its wall", () => {
+  const size = { width: 900, height: 367 };
+  const room = { left: -4, right: 4, bottom: -4, top: 4 };
+  const viewport = viewportFor(room, size, EDGE_WITH_CONTROLS);
+  expect(toScreen(viewport, size, { x: 0, y: 4 }).y).toBeGreaterThanOrEqual(66);
 });

@@ -17,6 +17,7 @@ import {
   approach,
   clampScale,
   EDGE_WITH_TOOLS,
+  type Edge,
   type Size,
   toFloor,
   toScreen,
@@ -79,6 +80,7 @@ export class SceneRenderer {
     private readonly poseAt: (now: number) => Pose,
     private readonly still: () => boolean,
     private readonly onFraming: (framing: Framing) => void = () => {},
+    private readonly edge: Edge = EDGE_WITH_TOOLS,
   ) {
     const ctx = canvas.getContext("2d");
     if (!ctx) throw new Error("no 2D canvas");
@@ -255,10 +257,10 @@ export class SceneRenderer {
       this.target = viewportFor(
         contentBounds(this.world, this.whole, this.companion),
         this.size,
-        EDGE_WITH_TOOLS,
+        this.edge,
       );
     if (this.framing === "room")
-      this.target = viewportFor(wholeRoom(this.world), this.size, EDGE_WITH_TOOLS);
+      this.target = viewportFor(wholeRoom(this.world), this.size, this.edge);
   }
 
   private requestRedraw(): void {

@@ -12,13 +12,16 @@ export interface Size {
   readonly height: number;
 }
 
-/** Margins for the rulers and the walls' thickness, in pixels. */
-export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
-/** `EDGE` with space on the right for the tools over the floor, which must not hide a goal. */
-export const EDGE_WITH_TOOLS = { ...EDGE, right: 66 };
+/** Margins of a floor, in pixels. */
+export type Edge = Readonly<Record<"left" | "right" | "top" | "bottom", number>>;
 
-/** Height of the controls over the upper edge, below `EDGE.top`; pixels. */
-const CONTROLS = 54;
+/** Margins for the rulers and the walls' thickness, in pixels. */
+export const EDGE: Edge = { left: 34, right: 14, top: 14, bottom: 28 };
+/** `EDGE` with space on the right for the tools over the floor, which must not hide a goal. */
+export const EDGE_WITH_TOOLS: Edge = { ...EDGE, right: 66 };
+
+/** The same with space at the top for the controls over the floor of the studio. */
+export const EDGE_WITH_CONTROLS: Edge = { ...EDGE_WITH_TOOLS, top: EDGE.top + 54 };
 
 const MIN_SCALE = 12;
 const MAX_SCALE = 320;
@@ -29,12 +32,9 @@ export function viewportFor(box: Box, size: Size, edge = EDGE): Viewport {
   const scale = clampScale(
     Math.min(width / (box.right - box.left), height / (box.top - box.bottom)),
   );
-  // controls cover the upper edge of the floor: spare height goes there first, then to both sides
-  const spare = height - (box.top - box.bottom) * scale;
-  const below = Math.max(0, spare - CONTROLS) / 2;
   return {
     x: (box.left + box.right) / 2 - (edge.left - edge.right) / 2 / scale,
-    y: box.bottom + (size.height / 2 - edge.bottom - below) / scale,
+    y: (box.bottom + box.top) / 2 + (edge.top - edge.bottom) / 2 / scale,
     scale,
   };
 }

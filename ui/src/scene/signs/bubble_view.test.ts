@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { boxAt } from "./bubble_view";
+import { boxAt, nameAt } from "./bubble_view";
 
 const BUBBLE = { width: 190, height: 62 };
 const FLOORS = [
@@ -33,4 +33,14 @@ test("a bubble is above the robot, below it under the controls, and left of the 
   expect(high.top).toBeGreaterThan(60 + 24);
   expect(at(540, 300).x + BUBBLE.width / 2).toBe(size.width - 66);
   expect(middle.x).toBe(270);
+});
+
+test("a name is on the side that is wanted, but never under the controls or below the floor", () => {
+  const [size] = FLOORS as [(typeof FLOORS)[number]];
+  const at = (y: number, isAbove: boolean) =>
+    nameAt({ at: { x: 270, y }, reach: 24, size }, isAbove);
+  expect(at(300, true)).toBeLessThan(300);
+  expect(at(300, false)).toBeGreaterThan(300);
+  expect(at(84, true)).toBeGreaterThan(84);
+  expect(at(470, false)).toBeLessThan(470);
 });

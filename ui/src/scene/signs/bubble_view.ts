@@ -84,10 +84,11 @@ export function drawPlate(ctx: Ctx, text: string, place: RobotPlace, colours: Co
 export function drawName(
   ctx: Ctx,
   name: string,
-  { at, reach, size }: RobotPlace,
+  place: RobotPlace,
   isAbove: boolean,
   colours: Colours,
 ): void {
+  const { at, size } = place;
   ctx.save();
   ctx.font = `600 ${NAME_FONT_PX}px ${colours.font}`;
   ctx.direction = isRightToLeft(name) ? "rtl" : "ltr";
@@ -95,10 +96,8 @@ export function drawName(
   ctx.textBaseline = "middle";
   const text = shortened(ctx, name);
   const half = ctx.measureText(text).width / 2 + 8;
-  const away = reach + NAME_HEIGHT_PX / 2 + 2;
-  const isBelow = !isAbove && at.y + away + NAME_HEIGHT_PX < size.height;
   const x = within(at.x, half + EDGE_PX, size.width - half - rightOf(2 * half, size));
-  const y = at.y + (isBelow ? away : -away);
+  const y = nameAt(place, isAbove);
   ctx.beginPath();
   ctx.roundRect(x - half, y - NAME_HEIGHT_PX / 2, 2 * half, NAME_HEIGHT_PX, NAME_HEIGHT_PX / 2);
   ctx.globalAlpha = 0.9;
@@ -108,6 +107,14 @@ export function drawName(
   ctx.fillStyle = colours.ink;
   ctx.fillText(text, x, y + 1);
   ctx.restore();
+}
+
+/** Height of the middle of a name, above or below the robot: below under the controls, above at the lower edge. */
+export function nameAt({ at, reach, size }: RobotPlace, isAbove: boolean): number {
+  const away = reach + NAME_HEIGHT_PX / 2 + 2;
+  const isFreeAbove = at.y - away - NAME_HEIGHT_PX / 2 >= topOf(size);
+  const isFreeBelow = at.y + away + NAME_HEIGHT_PX < size.height;
+  return at.y + (isFreeBelow && !(isAbove && isFreeAbove) ? away : -away);
 }
 
 function shortened(ctx: Ctx, name: string): string {
@@ -128,13 +135,16 @@ function rightOf(width: number, size: Size): number {
   return width + EDGE_PX + RIGHT_PX <= size.width ? RIGHT_PX : EDGE_PX;
 }
 
+/** Lower edge of the controls over the floor. */
+const topOf = (size: Size) => Math.min(TOP_PX, size.height / 4);
+
 /** The place of a sign, inside of the floor: above the robot, or below it where controls cover the floor. */
 export function boxAt({ at, reach, size }: RobotPlace, box: Size, tail = TAIL_PX.length): Bounds {
   const { width, height } = box;
   const right = rightOf(width, size);
   const x = within(at.x, EDGE_PX + width / 2, size.width - right - width / 2);
   const above = at.y - reach - tail - height;
-  const best = above < Math.min(TOP_PX, size.height / 4) ? at.y + reach + tail : above;
+  const best = above < topOf(size) ? at.y + reach + tail : above;
   return { x, width, height, top: within(best, EDGE_PX, size.height - EDGE_PX - height) };
 }
 
