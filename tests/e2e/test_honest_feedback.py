@@ -99,7 +99,12 @@ def test_the_block_that_failed_is_shown_until_the_program_is_mended(group: Studi
         for part in (bubble, failing.locator("> .blocklyPath").first):
             assert is_separate(part, group.page.locator(control)), control
 
-    expect_texts(group, "fault")
+    # the line says what happened, the block what to do: no sentence twice
+    expect_texts(group, "fault", "O robô bateu em algo")
+    expect(group["status-line"].locator(".status__more")).to_have_count(0)
+    expect(bubble).to_contain_text("Vejam no chão onde ele bateu")
+    expect(bubble).not_to_contain_text("O robô bateu em algo")
+    expect(group["status-line"].get_by_role("status")).to_contain_text("Vejam no chão onde ele")
     group.blocks.type_into(failing, "0,1")
     expect(bubble).to_have_count(0)
     expect(group.blocks.faulty()).to_have_count(0)

@@ -36,6 +36,7 @@ export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
               livery={run.group_id === group.value?.id ? liveryOf(group.value) : null}
               view={playback.view}
               poseAt={playback.pose}
+              whole={playback.whole}
               playing={playback.playing}
             />
             <div class="floor__corner">

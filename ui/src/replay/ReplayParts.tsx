@@ -4,7 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import type { JudgedEvent, RunWithVersion } from "../api/model";
 import { createEditor, type Editor, type Fault } from "../editor";
 import { language, texts } from "../i18n";
-import { failureIn } from "../run/failure";
+import { besideBlock, failureIn } from "../run/failure";
 import { withVerdict } from "../run/judgement";
 import { StatusLine } from "../run/panels/StatusLine";
 import { activeBlockId, isLive, type RunView } from "../run/reducer";
@@ -36,7 +36,7 @@ function judgedOf(run: RunWithVersion): JudgedEvent | null {
 /** What the run lacks, at its block, at the end of the run. */
 function adviceAt({ missing, missing_block }: RunWithVersion, view: RunView): Fault[] {
   if (!missing || !missing_block || isLive(view)) return [];
-  return [{ block: missing_block, message: missing, remedy: "" }];
+  return [{ block: missing_block, message: missing, remedy: "", isQuiet: true }];
 }
 
 /** A sentence about the robot's action at the current tick. */
@@ -54,7 +54,9 @@ export function ReplaySentence({ run, view }: ReplayedRun) {
       program: run.version,
     };
     const now = sentenceOf(view.value, voice) ?? begin;
-    return isLive(view.value) ? now : withVerdict(now, run.id, judgedOf(run), texts.value);
+    if (isLive(view.value)) return now;
+    const ended = withVerdict(now, run.id, judgedOf(run), texts.value);
+    return besideBlock(ended, failureIn(view.value, language.value));
   });
   return <StatusLine sentence={sentence.value} />;
 }

@@ -6,7 +6,7 @@ import { nameInHeader } from "../shell/named";
 import { go, type ParametersOf } from "../shell/route";
 import { couldNotOpen } from "../studio/program/open_program";
 import { Replay } from "./Replay";
-import { loadRecordedRun, type RecordedRun } from "./recorded_run";
+import { isToMend, loadRecordedRun, type RecordedRun } from "./recorded_run";
 
 /** Loads the recording of a run and shows it. */
 export function ReplayScreen({ run: runId }: ParametersOf<"replay">) {
@@ -23,6 +23,8 @@ export function ReplayScreen({ run: runId }: ParametersOf<"replay">) {
 
 async function load(runId: string): Promise<RecordedRun> {
   const recordedRun = await loadRecordedRun(runId);
+  const { playback } = recordedRun;
+  if (isToMend(recordedRun)) playback.seek(playback.end);
   await nameInHeader(recordedRun.run.program_id, recordedRun.run.group_id);
   return recordedRun;
 }

@@ -6,6 +6,7 @@ import { Playback, type Stretch, stretches } from "../run/playback";
 import { RecordedStates } from "../run/recorded_states";
 import { Samples } from "../run/samples";
 import { decodeTelemetry, type Telemetry } from "../run/telemetry";
+import { outcomeOf } from "../teacher/review/model";
 
 /** A recorded run with the data needed to show any tick of it. */
 export interface RecordedRun {
@@ -23,6 +24,11 @@ export async function loadRecordedRun(runId: string): Promise<RecordedRun> {
     api.runTelemetry(runId),
   ]);
   return assemble(run, events, samples);
+}
+
+/** Whether the run ended with something to mend: it is then opened at its end, which says what. */
+export function isToMend({ run }: RecordedRun): boolean {
+  return ["failed", "notyet"].includes(outcomeOf(run));
 }
 
 function assemble(run: RunWithVersion, events: RunEvent[], samples: ArrayBuffer): RecordedRun {

@@ -15,8 +15,10 @@ export class Playback {
   readonly playing = signal(false);
   readonly speed = signal<number>(1);
   /** The whole tick, which alone determines the state. */
-  private readonly whole = computed(() => Math.floor(this.tick.value));
-  readonly view = computed(() => this.history.at(this.whole.value));
+  private readonly wholeTick = computed(() => Math.floor(this.tick.value));
+  readonly view = computed(() => this.history.at(this.wholeTick.value));
+  /** The run with its whole path. */
+  readonly whole = computed(() => this.history.end);
   private handle = 0;
   private last = 0;
   /** Tick of the slider before somebody pointed at another tick; null while nobody does. */

@@ -15,6 +15,8 @@ export interface Sentence {
   text: string;
   detail: string;
   tone: Tone;
+  /** Whether `detail` is written at a block, so that the line only says it to screen readers. */
+  isAtBlock?: boolean;
   /** Of a finished run: which blocks did nothing, and why; the first thing to mend. */
   idle?: string;
   part?: number | null;

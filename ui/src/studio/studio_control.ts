@@ -10,7 +10,7 @@ import type { Fault as BlockFault, Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { duration } from "../i18n/format";
 import { problemOf, Refused } from "../kit/requests/problem";
-import { failureOf } from "../run/failure";
+import { besideBlock, failureOf } from "../run/failure";
 import type { StoredProgram } from "../run/idle_parts";
 import { inspectedTick, shown } from "../run/inspected_tick";
 import { verdictOf, withVerdict } from "../run/judgement";
@@ -90,8 +90,12 @@ export class StudioControl {
     if (!verdict?.missing || !verdict.block || verdict.block === this.failure.value?.block) {
       return null;
     }
-    return { block: verdict.block, message: verdict.missing, remedy: "" };
+    return { block: verdict.block, message: verdict.missing, remedy: "", isQuiet: true };
   });
+  /** The failure of the last run at its block, until the program changes. */
+  private readonly failedBlock = computed(() =>
+    this.edited.value ? [] : failureOf(this.failure.value, language.value),
+  );
   /** The blocks before the whole program was replaced, for undo. */
   readonly replaced = signal<Replaced | null>(null);
   /** Whether the blocks have changed since the run started. */
@@ -165,7 +169,7 @@ export class StudioControl {
 
   /** Shows a failed run at its block, and scrolls there once: the group may scroll elsewhere afterwards. */
   private showAdvice(editor: Editor): void {
-    const failed = this.edited.value ? [] : failureOf(this.failure.value, language.value);
+    const { value: failed } = this.failedBlock;
     const { value: advice } = this.advice;
     editor.showAdvice(advice ? [advice, ...failed] : failed);
     const block = failed[0]?.block ?? null;
@@ -354,7 +358,12 @@ export class StudioControl {
     const ended = this.mine.value ? sentenceOf(view, context) : null;
     const isOutdated = this.edited.value && ended !== null && ended.tone !== "done";
     if (ended && !isOutdated)
-      return withReturnAdvice(withVerdict(ended, view.run, judged.value, texts.value));
+      return withReturnAdvice(
+        besideBlock(
+          withVerdict(ended, view.run, judged.value, texts.value),
+          this.failedBlock.value,
+        ),
+      );
     if (connection.value === "gone") return calm(texts.value.trouble.goneTitle);
     if (connection.value === "open" && engine.value !== "ready") {
       return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);

@@ -8,6 +8,8 @@ export interface Fault {
   block: string | null;
   message: string;
   remedy: string;
+  /** Whether its bubble opens only on request, because the screen says the message already. */
+  isQuiet?: boolean;
 }
 
 const GAP = 12;
@@ -38,8 +40,10 @@ export class FaultDecorations {
     const texts = textsByBlock(faults);
     for (const [id, text] of this.marked) if (texts.get(id) !== text) this.clearBlock(id);
     this.shown = faults;
-    const added = [...texts].filter(([id, text]) => this.decorate(id, text));
-    if (added[0]) void this.openAlone(added[0][0]);
+    const added = [...texts].filter(([id, text]) => this.decorate(id, text)).map(([id]) => id);
+    const quiet = faults.filter(({ isQuiet }) => isQuiet).map(({ block }) => block);
+    const first = added.find((id) => !quiet.includes(id));
+    if (first) void this.openAlone(first);
   }
 
   has(id: string): boolean {

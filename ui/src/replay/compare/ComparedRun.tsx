@@ -48,6 +48,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
             livery={liveryOf(group)}
             view={side.view}
             poseAt={side.pose}
+            whole={side.recordedRun.playback.whole}
             playing={side.playing}
           />
         </div>

@@ -41,8 +41,8 @@ export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
     stop.current = effect(() => {
       blocks?.drawn.value;
       const { value: view } = side.view;
-      // before playback starts, the current difference stays in view
-      if (view.tick > 0) viewer.point(activeBlockId(view));
+      // until somebody moves the clock, the current difference stays in view
+      if (!side.isUntouched.value) viewer.point(activeBlockId(view));
       viewer.fail(view.phase === "failed" ? (view.ending?.block ?? null) : null);
     });
   };

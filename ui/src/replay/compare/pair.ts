@@ -1,13 +1,15 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Playback } from "../../run/playback";
 import type { Pose, RunView } from "../../run/reducer";
-import type { RecordedRun } from "../recorded_run";
+import { isToMend, type RecordedRun } from "../recorded_run";
 
 /** One of two runs at the time of the shared clock. */
 export interface Side {
   readonly recordedRun: RecordedRun;
   readonly view: ReadonlySignal<RunView>;
   readonly playing: ReadonlySignal<boolean>;
+  /** Whether the clock is where the comparison was opened. */
+  readonly isUntouched: ReadonlySignal<boolean>;
   /** Interpolated pose of its robot. */
   pose(): Pose;
 }
@@ -17,10 +19,10 @@ export class Pair {
   readonly sides: readonly [Side, Side];
   /** The shared clock, which belongs to the longer run. */
   readonly playback: Playback;
-
   constructor(first: RecordedRun, second: RecordedRun) {
     const longer = second.playback.end > first.playback.end ? second : first;
     this.playback = longer.playback;
+    this.playback.seek([first, second].some(isToMend) ? this.playback.end : 0);
     this.sides = [this.sideOf(first), this.sideOf(second)];
   }
 
@@ -28,12 +30,14 @@ export class Pair {
     const { playback: clock } = this;
     const { playback } = recordedRun;
     const { playing } = clock;
-    if (playback === clock) return { recordedRun, playing, view: clock.view, pose: clock.pose };
+    const opened = clock.tick.peek();
+    const isUntouched = computed(() => clock.tick.value === opened);
+    const shared = { recordedRun, playing, isUntouched };
+    if (playback === clock) return { ...shared, view: clock.view, pose: clock.pose };
     const { history } = playback;
     const tick = computed(() => Math.min(Math.floor(clock.tick.value), playback.end));
     return {
-      recordedRun,
-      playing,
+      ...shared,
       view: computed(() => history.at(tick.value)),
       pose: () => history.poseAt(clock.tick.peek()),
     };

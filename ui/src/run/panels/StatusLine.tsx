@@ -26,7 +26,9 @@ export function StatusLine({ sentence }: { sentence: Sentence }) {
       <Icon class="icon status__icon" aria-hidden="true" />
       <p class="status__words column shrinks" title={`${sentence.text} ${sentence.detail}`.trim()}>
         <span class="status__text">{sentence.text}</span>
-        {sentence.detail && <span class="status__more">{sentence.detail}</span>}
+        {sentence.detail && !sentence.isAtBlock && (
+          <span class="status__more">{sentence.detail}</span>
+        )}
       </p>
       {sentence.part != null && (
         <span
