@@ -104,6 +104,19 @@ def test_a_loose_block_is_dimmed_and_does_not_run(one_move: Studio) -> None:
     one_move.eventually(one_move.actions, ["move_forward", "stop"])
 
 
+def test_a_condition_takes_the_place_of_the_one_on_offer(studio: Studio) -> None:
+    studio.enter_new_group()
+    blocks = studio.blocks
+    blocks.click_in_toolbox("flow", "repetir até que")
+    expect(blocks.by_text("repetir até que")).to_contain_text("bateu em algo")
+    blocks.click_in_toolbox("sensing", "há marca aqui")
+    studio.eventually(lambda: studio.values("condition"), [{"sensor": "has_mark"}])
+    expect(blocks.loose()).to_have_count(0)
+    studio.page.keyboard.press("Delete")
+    expect(blocks.by_text("repetir até que")).to_contain_text("bateu em algo")
+    studio.eventually(lambda: studio.values("condition"), [{"sensor": "bumper"}])
+
+
 def test_undo_and_redo(dragged_move: Studio) -> None:
     blocks = dragged_move.blocks
     blocks.type_into(blocks.by_text("andar para frente"), "3")

@@ -51,7 +51,8 @@ export function blocklyTheme(name: ThemeName): Blockly.Theme {
         category,
         {
           colourPrimary: colour,
-          colourSecondary: mix(colour, "#ffffff", 0.15),
+          // of shadow blocks: darker, because their words must keep their contrast
+          colourSecondary: mix(colour, "#000000", 0.15),
           colourTertiary: edge(colour),
           hat: BEGIN_STACKS.includes(category) ? "cap" : "",
         },

@@ -182,11 +182,12 @@ function shadows(row: Row): Inputs {
 }
 
 const sides = () => ({
-  A: { block: { type: "gesture_result" } },
+  A: { shadow: { type: "gesture_result" } },
   B: { shadow: shadowState({ letter: "B" }) },
 });
 
-const bumper = { block: { type: "bumper" } };
+/** Shadow blocks: a condition that is put in their place leaves no loose block behind. */
+const bumper = { shadow: { type: "bumper" } };
 
 const listShadow = () => ({
   shadow: { type: "variable", fields: { NAME: blockText("LIST_NAME") } },
@@ -195,7 +196,7 @@ const listShadow = () => ({
 const FILLED: Partial<Record<BlockType, () => Inputs>> = {
   if: () => ({ CONDITION: { shadow: { type: "boolean", fields: { BOOL: "TRUE" } } } }),
   compare: sides,
-  while: () => ({ CONDITION: { block: { type: "not", inputs: { A: bumper } } } }),
+  while: () => ({ CONDITION: { shadow: { type: "not", inputs: { A: bumper } } } }),
   until: () => ({ CONDITION: bumper }),
   wait_until: () => ({ CONDITION: bumper }),
   wait_until_timeout: () => ({ CONDITION: bumper }),
