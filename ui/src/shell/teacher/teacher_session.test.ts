@@ -4,7 +4,13 @@ import { classesApi } from "../../api/classes";
 import { ApiError } from "../../api/errors";
 import type { TeacherSession } from "../../api/model";
 import * as firstAnswers from "../first_answers";
-import { asTeacher, cancelWaiting, loadTeacherSession, teacherSession } from "./teacher_session";
+import {
+  asTeacher,
+  cancelWaiting,
+  loadTeacherSession,
+  signOut,
+  teacherSession,
+} from "./teacher_session";
 
 const OPEN = { has_pin: true, is_open: true };
 const shut = () => new ApiError(403, { code: "teacher_only" });
@@ -49,6 +55,22 @@ describe("what only the teacher may do", () => {
     refuse(shut());
     expect(await done).toBe("done");
     expect(teacherSession.value).toEqual(OPEN);
+  });
+
+  test("is finished before the teacher is signed out: the server would refuse it", async () => {
+    const leave = vi
+      .spyOn(classesApi, "leave")
+      .mockResolvedValue({ has_pin: true, is_open: false });
+    let respond: (value: string) => void = () => {};
+    const saved = asTeacher(() => new Promise<string>((resolve) => (respond = resolve)));
+    const left = signOut();
+    await Promise.resolve();
+    expect(leave).not.toHaveBeenCalled();
+    respond("saved");
+    expect(await saved).toBe("saved");
+    await left;
+    expect(leave).toHaveBeenCalledTimes(1);
+    expect(teacherSession.value?.is_open).toBe(false);
   });
 
   test("says what else went wrong", async () => {

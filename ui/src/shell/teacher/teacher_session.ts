@@ -35,7 +35,12 @@ export async function choosePin(pin: string): Promise<void> {
   teacherSession.value = await classesApi.choosePin(pin);
 }
 
+/** The actions of the teacher that have no response yet. */
+const inProgress = new Set<Promise<unknown>>();
+
+/** Ends the session, after what the teacher has begun: the server would refuse it, and a save would be lost. */
 export async function signOut(): Promise<void> {
+  while (inProgress.size > 0) await Promise.allSettled(inProgress);
   teacherSession.value = await classesApi.leave();
 }
 
@@ -67,8 +72,10 @@ teacherSession.subscribe((now) => {
  */
 export async function asTeacher<T>(work: () => Promise<T>): Promise<T> {
   const before = teacherSession.peek();
+  const response = work();
+  inProgress.add(response);
   try {
-    return await work();
+    return await response.finally(() => inProgress.delete(response));
   } catch (error) {
     if (!isSignedOut(error)) throw error;
     // if the refusal arrives after the teacher has signed in, the page does not ask for the PIN again
