@@ -30,7 +30,6 @@ import { Toolbar } from "./tools/Toolbar";
 import { SceneTools } from "./tools/tools";
 import { CameraChoice } from "./tools/ViewChoice";
 import { endSolid, isSolid } from "./tools/view_mode";
-import { EDGE_WITH_CONTROLS, EDGE_WITH_TOOLS } from "./viewport";
 
 /** three.js is fetched when a floor is first shown in 3D. */
 const SolidFloor = lazy(
@@ -133,8 +132,7 @@ function useFlatFloor(
     const onFraming = (framing: Framing) => {
       tools.follow.value = framing === "robot";
     };
-    const edge = hold ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
-    const scene = new SceneRenderer(element, poseAt, prefersStill, onFraming, edge);
+    const scene = new SceneRenderer(element, poseAt, prefersStill, onFraming, hold !== undefined);
     renderer.current = scene;
     const sizes = new ResizeObserver(() => scene.resize(element.clientWidth, element.clientHeight));
     sizes.observe(element);

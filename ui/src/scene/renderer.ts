@@ -16,8 +16,7 @@ import { RobotSigns } from "./signs/robot_signs";
 import {
   approach,
   clampScale,
-  EDGE_WITH_TOOLS,
-  type Edge,
+  edgeFor,
   type Size,
   toFloor,
   toScreen,
@@ -80,7 +79,7 @@ export class SceneRenderer {
     private readonly poseAt: (now: number) => Pose,
     private readonly still: () => boolean,
     private readonly onFraming: (framing: Framing) => void = () => {},
-    private readonly edge: Edge = EDGE_WITH_TOOLS,
+    private readonly hasControls = false,
   ) {
     const ctx = canvas.getContext("2d");
     if (!ctx) throw new Error("no 2D canvas");
@@ -253,14 +252,11 @@ export class SceneRenderer {
   private point(): void {
     this.moved = false;
     if (this.held) return;
+    const { world, whole, companion, size } = this;
+    const edge = edgeFor(size, this.hasControls);
     if (this.framing === "subject")
-      this.target = viewportFor(
-        contentBounds(this.world, this.whole, this.companion),
-        this.size,
-        this.edge,
-      );
-    if (this.framing === "room")
-      this.target = viewportFor(wholeRoom(this.world), this.size, this.edge);
+      this.target = viewportFor(contentBounds(world, whole, companion), size, edge);
+    if (this.framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);
   }
 
   private requestRedraw(): void {

@@ -23,6 +23,14 @@ export const EDGE_WITH_TOOLS: Edge = { ...EDGE, right: 66 };
 /** The same with space at the top for the controls over the floor of the studio. */
 export const EDGE_WITH_CONTROLS: Edge = { ...EDGE_WITH_TOOLS, top: EDGE.top + 54 };
 
+/** Below this height a floor has no space to spare for its controls; see `studio.css`. */
+const LOW_PX = 230;
+
+/** The margins of a floor of this size. */
+export function edgeFor(size: Size, hasControls: boolean): Edge {
+  return hasControls && size.height > LOW_PX ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
+}
+
 const MIN_SCALE = 12;
 const MAX_SCALE = 320;
 
