@@ -59,6 +59,11 @@ def test_a_block_is_found_by_its_words_without_accents(empty: Studio) -> None:
     expect(empty.page.locator(".blocklyToolboxFlyout")).to_contain_text("Nenhum bloco")
     empty["toolbox-search"].press("Escape")
     expect(empty["toolbox-search"]).to_have_value("")
+    # beside an empty search is only a note, which cannot have the focus
+    empty["toolbox-search"].press("ArrowRight")
+    expect(empty["toolbox-search"]).to_be_focused()
+    empty["toolbox-search"].press("ArrowDown")
+    expect(empty.page.locator(".blocklyToolboxCategoryContainer:focus")).to_contain_text("Movimento")
 
 
 def test_an_if_grows_and_shrinks_on_the_block(empty: Studio) -> None:

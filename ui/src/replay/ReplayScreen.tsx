@@ -6,7 +6,7 @@ import { nameInHeader } from "../shell/named";
 import { go, type ParametersOf } from "../shell/route";
 import { couldNotOpen } from "../studio/program/open_program";
 import { Replay } from "./Replay";
-import { isToMend, loadRecordedRun, type RecordedRun } from "./recorded_run";
+import { loadRecordedRun, needsRepair, type RecordedRun } from "./recorded_run";
 
 /** Loads the recording of a run and shows it. */
 export function ReplayScreen({ run: runId }: ParametersOf<"replay">) {
@@ -24,7 +24,7 @@ export function ReplayScreen({ run: runId }: ParametersOf<"replay">) {
 async function load(runId: string): Promise<RecordedRun> {
   const recordedRun = await loadRecordedRun(runId);
   const { playback } = recordedRun;
-  if (isToMend(recordedRun)) playback.seek(playback.end);
+  if (needsRepair(recordedRun)) playback.seek(playback.end);
   await nameInHeader(recordedRun.run.program_id, recordedRun.run.group_id);
   return recordedRun;
 }

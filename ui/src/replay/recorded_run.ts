@@ -27,7 +27,7 @@ export async function loadRecordedRun(runId: string): Promise<RecordedRun> {
 }
 
 /** Whether the run ended with something to mend: it is then opened at its end, which says what. */
-export function isToMend({ run }: RecordedRun): boolean {
+export function needsRepair({ run }: RecordedRun): boolean {
   return ["failed", "notyet"].includes(outcomeOf(run));
 }
 

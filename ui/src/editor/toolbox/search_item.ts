@@ -18,6 +18,7 @@ interface SearchScope {
  */
 class SearchItem extends Blockly.ToolboxCategory {
   private declare field: HTMLInputElement;
+  private declare hasFound: boolean;
 
   protected override createDom_(): HTMLDivElement {
     const container = super.createDom_();
@@ -64,7 +65,9 @@ class SearchItem extends Blockly.ToolboxCategory {
     const atEnd = this.field.selectionStart === this.field.value.length;
     const navigator = this.parentToolbox_.getNavigator();
     if (event.key === "ArrowDown") this.leave(event, navigator.getNextNode(this));
-    else if (event.key === "ArrowRight" && atEnd) this.leave(event, navigator.getInNode(this));
+    // a note cannot have the focus: Blockly would lose it, and no key would work
+    else if (event.key === "ArrowRight" && atEnd && this.hasFound)
+      this.leave(event, navigator.getInNode(this));
     else if (event.key === "Escape" && this.field.value !== "") {
       event.stopPropagation();
       this.field.value = "";
@@ -89,7 +92,8 @@ class SearchItem extends Blockly.ToolboxCategory {
     const { level, offered } = this.toolboxItemDef_ as unknown as SearchScope;
     const found = query ? searchBlocks(query, level, this.workspace_, offered) : [];
     const note = query ? this.nothingFound(query) : blockText("SEARCH_HINT");
-    this.flyoutItems_ = found.length > 0 ? found : [label(note)];
+    this.hasFound = found.length > 0;
+    this.flyoutItems_ = this.hasFound ? found : [label(note)];
     if (!query) return;
     const announcement = found.length > 0 ? blockText("SEARCH_FOUND", String(found.length)) : note;
     Blockly.utils.aria.announceDynamicAriaState(announcement);

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Playback } from "../../run/playback";
 import type { Pose, RunView } from "../../run/reducer";
-import { isToMend, type RecordedRun } from "../recorded_run";
+import { needsRepair, type RecordedRun } from "../recorded_run";
 
 /** One of two runs at the time of the shared clock. */
 export interface Side {
@@ -22,7 +22,7 @@ export class Pair {
   constructor(first: RecordedRun, second: RecordedRun) {
     const longer = second.playback.end > first.playback.end ? second : first;
     this.playback = longer.playback;
-    this.playback.seek([first, second].some(isToMend) ? this.playback.end : 0);
+    this.playback.seek([first, second].some(needsRepair) ? this.playback.end : 0);
     this.sides = [this.sideOf(first), this.sideOf(second)];
   }
 
