@@ -8,6 +8,7 @@ from pinel_desktop.activities.checking import (
     Report,
     check_program,
     judge_run,
+    path_of,
 )
 from pinel_desktop.activities.diagnosis import Advice, input_text
 from pinel_desktop.activities.evidence import RunLog, RunLogBuilder
@@ -75,6 +76,7 @@ __all__ = [
     "judging_blockers",
     "not_judgeable_notice",
     "not_judged_text",
+    "path_of",
     "program_of_example",
     "proposal_for",
     "read_activity",

@@ -1,8 +1,10 @@
 """Judges a program: runs each case of an activity, or uses a recorded run of the case, and evaluates every check."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
+
+import numpy as np
 
 from pinel_desktop.activities.checks import Check
 from pinel_desktop.activities.checks.base import CheckResult, RealRobotTolerance, Value
@@ -18,7 +20,7 @@ from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import ParseResult
-from pinel_desktop.robot import SimulationConfig
+from pinel_desktop.robot import Pose2D, SimulationConfig
 from pinel_desktop.runs.spec import INTERRUPTED_REASONS, RunSpec
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
@@ -116,13 +118,18 @@ class RecordedRun:
 
 
 def check_program(
-    activity: Activity, reading: ParseResult, program: str = "", recorded: RecordedRun | None = None
+    activity: Activity,
+    reading: ParseResult,
+    program: str = "",
+    recorded: RecordedRun | None = None,
+    on_run: Callable[[int, RunLog], object] = lambda case, log: None,
 ) -> Report:
     """Runs a program in each case of the activity.
 
     Args:
         program: name of the program in the report.
         recorded: a recorded run of one case, which is judged instead of a new run of that case.
+        on_run: called with the number and the run of each case.
 
     Raises:
         PinelError: `unknown_robot`, or what `world_of` raises.
@@ -133,6 +140,7 @@ def check_program(
     for number, case in enumerate(activity.cases, 1):
         recorded_run = recorded if recorded and recorded.case == number else None
         log = recorded_run.log if recorded_run else run_case(activity, case, reading)
+        on_run(number, log)
         tolerance = recorded_run.tolerance if recorded_run else None
         is_recorded, document = recorded_run is not None, reading.document
         reports.append(
@@ -169,6 +177,25 @@ def run_case(activity: Activity, case: Case, reading: ParseResult) -> RunLog:
 
     start(spec_of(activity, case, reading), observe, control, step_limit=STEP_LIMIT)
     return writer.log()
+
+
+def path_of(
+    activity: Activity, number: int, log: RunLog, n_poses: int
+) -> list[tuple[float, float, float]]:
+    """Returns poses of a run from its start to its end: x and y in m, yaw in rad, world frame.
+
+    Args:
+        number: number of the case, from 1.
+        n_poses: the most poses, evenly spaced in time.
+
+    Raises:
+        PinelError: what `world_of` raises.
+    """
+    case = activity.cases[number - 1]
+    start = Pose2D(*world_from_document(world_of(activity, case)).start)
+    rows = np.linspace(0, len(log.poses) - 1, min(n_poses, len(log.poses)))
+    poses = [start.compose(Pose2D(*log.poses[row])) for row in np.rint(rows).astype(int)]
+    return [(round(x, 3), round(y, 3), round(yaw, 3)) for x, y, yaw in poses]
 
 
 def evaluate(check: Check, evidence: Evidence, tolerance: RealRobotTolerance | None) -> CheckResult:

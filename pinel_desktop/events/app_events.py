@@ -74,11 +74,13 @@ class JudgedCase(TypedDict):
         given: inputs of the case, as text in the chosen language: signs, answers, another start.
         seen: whether the group watched this run; the other cases were executed for the verdict only.
         passed: whether the program passed the case.
+        path: poses of the robot (x and y in m, yaw in rad, world frame), evenly spaced in time; empty if `seen`.
     """
 
     given: str
     seen: bool
     passed: bool
+    path: list[tuple[float, float, float]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,7 @@
 """The judge process: reads requests, judges one program after the other, writes verdicts."""
 
 import logging
+from collections.abc import Mapping
 from dataclasses import asdict
 from functools import lru_cache
 from typing import BinaryIO
@@ -18,6 +19,7 @@ from pinel_desktop.activities import (
     check_program,
     input_text,
     judging_blockers,
+    path_of,
     tolerance_of,
     world_title,
 )
@@ -36,6 +38,9 @@ from pinel_desktop.processes.messages import (
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import simulation_config_from
 from pinel_desktop.robot.robot_profile import ROOM
+
+# enough for an animation of a few seconds
+N_PATH_POSES = 120
 
 _log = logging.getLogger(__name__)
 
@@ -129,14 +134,18 @@ def verdict_on(request: JudgeRequest) -> Verdict:
         reason = found[0].missing if found else None if recorded_run else "inputs"
         if reason is not None:
             return Verdict(None, None, [], not_judged=reason)
-    report = check_program(activity, read_document(dict(request.document)), recorded=recorded_run)
+    logs: dict[int, RunLog] = {}
+    reading = read_document(dict(request.document))
+    report = check_program(activity, reading, recorded=recorded_run, on_run=logs.__setitem__)
     missing, block = (None, None) if report.passed else _missing(activity, request, report)
     cases = [asdict(case) for case in report.cases]
-    tried = _tried(activity, report, request.language)
+    tried = _tried(activity, report, logs, request.language)
     return Verdict(report.passed, missing, cases, block, tried)
 
 
-def _tried(activity: Activity, report: Report, language: str) -> list[JudgedCase]:
+def _tried(
+    activity: Activity, report: Report, logs: Mapping[int, RunLog], language: str
+) -> list[JudgedCase]:
     """Returns each tried case with its result; an empty list if the activity has one case only."""
     if len(activity.cases) == 1:
         return []
@@ -145,6 +154,7 @@ def _tried(activity: Activity, report: Report, language: str) -> list[JudgedCase
             given=input_text(activity.cases, one.case, language),
             seen=one.recorded,
             passed=one.passed,
+            path=[] if one.recorded else path_of(activity, one.case, logs[one.case], N_PATH_POSES),
         )
         for one in report.cases
     ]

@@ -118,6 +118,34 @@ def test_the_replay_opens_at_what_the_run_lacks(studio: Studio) -> None:
     expect(studio["status-line"]).not_to_contain_text("Ainda não")
 
 
+def test_the_robot_of_another_case_is_shown_on_the_floor(studio: Studio) -> None:
+    studio.page.emulate_media(reduced_motion="reduce")
+    open_mission(studio, "to_the_red")
+    write_program(studio, "robot.move_forward(1)\n")
+    hurry(studio)
+    studio.run()
+    expect(studio["status-line"]).to_contain_text("Ainda não", timeout=RUN_MS)
+    studio["mission-fold"].click()
+    case = studio["case"].first
+    studio.wait_for_screen("cases-tried")
+    own = floor(studio)
+    case.click()
+    expect(case).to_have_attribute("aria-pressed", "true")
+    studio.eventually(lambda: floor(studio) == own, False)
+    assert violations(studio, "cases-tried") == []
+    case.click()
+    studio.eventually(lambda: floor(studio) == own, True)
+    case.click()
+    studio.page.keyboard.press("Escape")
+    studio.eventually(lambda: floor(studio) == own, True)
+
+
+def floor(studio: Studio) -> str:
+    """The picture of the floor."""
+    picture: str = studio["scene"].evaluate("canvas => canvas.toDataURL()")
+    return picture
+
+
 def test_success_is_seen_heard_where_wanted_and_leads_on(studio: Studio) -> None:
     studio.page.add_init_script(
         "window.tones = []; const Own = window.OscillatorNode;"

@@ -63,7 +63,9 @@ def test_a_block_is_found_by_its_words_without_accents(empty: Studio) -> None:
     empty["toolbox-search"].press("ArrowRight")
     expect(empty["toolbox-search"]).to_be_focused()
     empty["toolbox-search"].press("ArrowDown")
-    expect(empty.page.locator(".blocklyToolboxCategoryContainer:focus")).to_contain_text("Movimento")
+    expect(empty.page.locator(".blocklyToolboxCategoryContainer:focus")).to_contain_text(
+        "Movimento"
+    )
 
 
 def test_an_if_grows_and_shrinks_on_the_block(empty: Studio) -> None:

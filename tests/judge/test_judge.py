@@ -1,5 +1,6 @@
 """The real judge's process behind its client."""
 
+import math
 import os
 import signal
 import sys
@@ -11,12 +12,12 @@ from typing import Any
 import psutil
 import pytest
 
-from pinel_desktop.activities import activity_names, shipped_activity, solution_of
+from pinel_desktop.activities import activity_names, shipped_activity, solution_of, world_of
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.errors import PinelError
 from pinel_desktop.judge.client import JudgeClient
 from pinel_desktop.judge.messages import JudgeRequest
-from pinel_desktop.judge.server import verdict_on
+from pinel_desktop.judge.server import N_PATH_POSES, verdict_on
 from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.program.python_text import read_python
 
@@ -61,6 +62,21 @@ def test_verdicts_of_the_process_are_those_of_the_checker(judge: JudgeClient) ->
         assert (given.passed, given.missing) == (found.passed, found.missing)
         assert [case["checks"] != [] for case in given.cases] == [True] * len(found.cases)
     assert judge.judge(judge_request()).passed is True
+
+
+def test_a_verdict_has_the_path_of_each_case_that_the_group_did_not_watch(
+    judge: JudgeClient,
+) -> None:
+    ahead = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 1}]}
+    activity = shipped_activity("to_the_red")
+    tried = judge.judge(judge_request("to_the_red", document=ahead)).tried
+    for case, one in zip(activity.cases, tried, strict=True):
+        start = world_of(activity, case)["start"]
+        yaw = math.radians(start["heading_deg"])
+        first, last = one["path"][0], one["path"][-1]
+        assert first == pytest.approx((start["x_m"], start["y_m"], yaw), abs=0.001)
+        assert math.dist(first[:2], last[:2]) == pytest.approx(1, abs=0.01)
+        assert len(one["path"]) <= N_PATH_POSES
 
 
 def test_an_endless_calculation_is_told_and_ends_within_seconds(judge: JudgeClient) -> None:

@@ -33,6 +33,7 @@ import { level } from "../shell/level";
 import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
 import { breakpoints, runSettings, syncRunSettings } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
+import { Ghost } from "./ghost";
 import { MissionSheet } from "./mission_sheet";
 import type { OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
@@ -127,6 +128,9 @@ export class StudioControl {
     const isChosen = level.value > 1 && !chosenRobot.value && !this.open.mission.value;
     return robotOf(isChosen ? this.open.setup.value.model : null);
   });
+
+  /** The robot in a further case of the mission, beside that of the group. */
+  readonly ghost = new Ghost(this.robot);
 
   /** Handling of the robot on the floor: dragging, sensors. */
   readonly hold: RobotHold = {

@@ -60,6 +60,7 @@ export function Stage({ control, drawer }: StageProps) {
             view={shown}
             poseAt={shownPose}
             whole={robot.live}
+            companion={control.ghost.companion}
             hold={control.hold}
             playing={isNow}
             solved={solved}

@@ -29,7 +29,7 @@ export function Sheet({ control, mission, state }: SheetProps) {
           <HowJudged mission={mission} verdict={verdict} />
           {!isSuccess && <Task mission={mission} />}
           <CheckList checks={checks} />
-          {verdict && <CasesTried cases={verdict.cases} />}
+          {verdict && <CasesTried cases={verdict.cases} ghost={control.ghost} />}
         </div>
       </div>
       <Foot control={control} mission={mission} isSuccess={isSuccess} />

@@ -2,6 +2,7 @@ import type { Activity, CheckProgress, JudgedEvent } from "../../api/model";
 import { checksOf, verdictOf } from "../../run/judgement";
 import * as robot from "../../run/live";
 import { checkStatus, judged } from "../../shell/session";
+import type { JudgedCase } from "../ghost";
 import type { StudioControl } from "../studio_control";
 
 export type Mark = CheckProgress["state"];
@@ -36,7 +37,7 @@ export function missionState(control: StudioControl, mission: Activity): Mission
 /** A mark of each check and of each case that the group did not watch. */
 export function marksOf(
   checks: readonly Pick<CheckProgress, "state">[],
-  verdict: Pick<JudgedEvent, "cases"> | null,
+  verdict: { readonly cases: readonly Pick<JudgedCase, "seen" | "passed">[] } | null,
 ): Mark[] {
   const cases = (verdict?.cases ?? []).filter(({ seen }) => !seen);
   return [
