@@ -16,6 +16,7 @@ import { RobotSigns } from "./signs/robot_signs";
 import {
   approach,
   clampScale,
+  EDGE,
   EDGE_WITH_TOOLS,
   type Size,
   toFloor,
@@ -55,6 +56,8 @@ export class SceneRenderer {
   private whole: RunView = IDLE;
   private size: Size = { width: 1, height: 1 };
   private ratio = 1;
+  /** How much larger everything is drawn that has a size in pixels. */
+  private magnification = 1;
   private viewport: Viewport | null = null;
   private target: Viewport = { x: 0, y: 0, scale: 60 };
   private framing: Framing = "subject";
@@ -154,12 +157,14 @@ export class SceneRenderer {
 
   /** Converts a point of the canvas to the world frame. */
   floorAt(place: XY): XY {
-    return toFloor(this.viewport ?? this.target, this.size, place);
+    const { x, y } = place;
+    const drawn = { x: x / this.magnification, y: y / this.magnification };
+    return toFloor(this.viewport ?? this.target, this.size, drawn);
   }
 
   /** Size of a pixel in metres. */
   get pixel(): number {
-    return 1 / (this.viewport ?? this.target).scale;
+    return 1 / ((this.viewport ?? this.target).scale * this.magnification);
   }
 
   get shownWorld(): World | null {
@@ -189,11 +194,12 @@ export class SceneRenderer {
     this.requestRedraw();
   }
 
-  resize(width: number, height: number): void {
-    this.size = { width, height };
-    this.ratio = window.devicePixelRatio || 1;
-    this.canvas.width = Math.round(width * this.ratio);
-    this.canvas.height = Math.round(height * this.ratio);
+  resize(width: number, height: number, magnification = 1): void {
+    this.size = { width: width / magnification, height: height / magnification };
+    this.magnification = magnification;
+    this.ratio = (window.devicePixelRatio || 1) * magnification;
+    this.canvas.width = Math.round(this.size.width * this.ratio);
+    this.canvas.height = Math.round(this.size.height * this.ratio);
     this.viewport = null;
     this.aim();
     this.draw(performance.now());
@@ -214,7 +220,8 @@ export class SceneRenderer {
   pan(dx: number, dy: number): void {
     this.setFraming("manual");
     const { x, y, scale } = this.target;
-    this.target = { x: x - dx / scale, y: y + dy / scale, scale };
+    const m = 1 / (scale * this.magnification);
+    this.target = { x: x - dx * m, y: y + dy * m, scale };
     this.viewport = { ...this.target };
     this.requestRedraw();
   }
@@ -251,14 +258,15 @@ export class SceneRenderer {
   private point(): void {
     this.moved = false;
     if (this.held) return;
+    // a magnified floor has no tools
+    const edge = this.magnification > 1 ? EDGE : EDGE_WITH_TOOLS;
     if (this.framing === "subject")
       this.target = viewportFor(
         contentBounds(this.world, this.whole, this.companion),
         this.size,
-        EDGE_WITH_TOOLS,
+        edge,
       );
-    if (this.framing === "room")
-      this.target = viewportFor(wholeRoom(this.world), this.size, EDGE_WITH_TOOLS);
+    if (this.framing === "room") this.target = viewportFor(wholeRoom(this.world), this.size, edge);
   }
 
   private requestRedraw(): void {
