@@ -6,6 +6,7 @@ A separate process, for the reason given in window_probe.py.
 import json
 import sys
 import time
+from collections.abc import Callable
 from typing import Any
 
 import webview
@@ -25,7 +26,7 @@ def add_screen() -> None:
 
     It is the first one, so its number is that of the real monitor, which the second window then fills.
     """
-    list_real = gtk.get_screens
+    list_real: Callable[[], list[webview.Screen]] = gtk.get_screens
 
     def get_screens() -> list[webview.Screen]:
         real = list_real()

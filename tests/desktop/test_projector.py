@@ -1,12 +1,13 @@
-"""The second window, for real on a virtual screen: it fills its screen, shows only the page, and closes with the first."""
+"""The second window, for real on a virtual screen: it fills its screen, shows only the page, ends with the first."""
 
 import json
 import os
 import subprocess
 import sys
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import pytest
 
@@ -17,7 +18,8 @@ WIDTH, HEIGHT = 1024, 768
 ROOT = Path(__file__).parents[2]
 
 
-class Area(NamedTuple):
+@dataclass
+class Area:
     x: int
     y: int
     width: int

@@ -35,7 +35,7 @@ export function PresentedRun({ side, place, group, isPair }: PresentedRunProps) 
         <Scene
           world={run.world_document}
           robot={robotOf(run.model)}
-          livery={group.livery}
+          livery={isPair && group.livery ? { ...group.livery, name: "" } : group.livery}
           view={side.view}
           poseAt={side.pose}
           playing={side.playing}

@@ -15,6 +15,7 @@ import { type CacheInput, SceneCache } from "./scene_cache";
 import { RobotSigns } from "./signs/robot_signs";
 import {
   approach,
+  BARE_EDGE,
   clampScale,
   EDGE,
   EDGE_WITH_TOOLS,
@@ -27,6 +28,9 @@ import {
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
+
+/** Below this height a magnified floor has no numbers. */
+const LOW_PX = 200;
 
 /** The estimated pose is drawn if it differs from the true pose by more than this. */
 export const OFF_M = 0.01;
@@ -258,8 +262,7 @@ export class SceneRenderer {
   private point(): void {
     this.moved = false;
     if (this.held) return;
-    // a magnified floor has no tools
-    const edge = this.magnification > 1 ? EDGE : EDGE_WITH_TOOLS;
+    const { edge } = this;
     if (this.framing === "subject")
       this.target = viewportFor(
         contentBounds(this.world, this.whole, this.companion),
@@ -267,6 +270,17 @@ export class SceneRenderer {
         edge,
       );
     if (this.framing === "room") this.target = viewportFor(wholeRoom(this.world), this.size, edge);
+  }
+
+  /** Large numbers would cover a magnified floor that is low. */
+  private get hasRulers(): boolean {
+    return this.magnification === 1 || this.size.height >= LOW_PX;
+  }
+
+  /** Free margins; a magnified floor has no tools. */
+  private get edge(): typeof EDGE {
+    if (this.magnification === 1) return EDGE_WITH_TOOLS;
+    return this.hasRulers ? EDGE : BARE_EDGE;
   }
 
   private requestRedraw(): void {
@@ -333,7 +347,7 @@ export class SceneRenderer {
       cache.drawPen(ctx, input, viewport, end);
       this.drawRobot(ctx, pose, viewport, input);
     });
-    drawRulers(ctx, world, viewport, size, colours);
+    if (this.hasRulers) drawRulers(ctx, world, viewport, size, colours);
     return blurred;
   }
 

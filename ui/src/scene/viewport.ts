@@ -16,6 +16,8 @@ export interface Size {
 export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
 /** `EDGE` with space on the right for the tools over the floor, which must not hide a goal. */
 export const EDGE_WITH_TOOLS = { ...EDGE, right: 66 };
+/** Margins without rulers. */
+export const BARE_EDGE = { left: 6, right: 6, top: 6, bottom: 6 };
 
 /** Height of the controls over the upper edge, below `EDGE.top`; pixels. */
 const CONTROLS = 54;

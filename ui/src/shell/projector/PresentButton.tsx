@@ -23,7 +23,7 @@ export function PresentButton({ first, second, small = false }: PresentButtonPro
       data-run={first}
       onPress={() => present(first, second ?? null)}
     >
-      {small ? undefined : show}
+      {small ? undefined : <span class="present-word">{show}</span>}
     </Button>
   );
 }
