@@ -196,9 +196,9 @@ describe("telemetry", () => {
 
   test("of the tick at which a block begins does not count for its motion", () => {
     const turned = telemetry(9, 0, 0, 90);
-    const begun = reduce(viewAfter(started(9, "/commands/1", "move_forward", 1)), turned);
-    expect(begun.motion?.done).toBe(0);
-    expect(reduce(begun, telemetry(10, 0.1, 0, 0.1)).motion?.done).toBe(0.1);
+    const atStart = reduce(viewAfter(started(9, "/commands/1", "move_forward", 1)), turned);
+    expect(atStart.motion?.done).toBe(0);
+    expect(reduce(atStart, telemetry(10, 0.1, 0, 0.1)).motion?.done).toBe(0.1);
   });
 
   test("that comes late does not move the robot back", () => {
