@@ -85,7 +85,7 @@ def test_every_text_is_a_thirtieth_of_the_picture(teacher: Teacher, size: tuple[
         _press(teacher, *["PageDown"] * 40)
         expect(teacher["presentation-run"].first).to_have_attribute("data-phase", "failed")
         text = _min_text(teacher)
-        assert text[0] >= height / TEXTS_PER_HEIGHT, smallest
+        assert text[0] >= height / TEXTS_PER_HEIGHT, text
         if len(runs) == 1:  # two low floors have no numbers
             floor = min(_floor_texts(teacher.page))
             assert floor[0] >= height / TEXTS_PER_HEIGHT, floor
