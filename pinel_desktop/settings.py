@@ -68,6 +68,9 @@ SETTINGS: Mapping[str, Setting] = {
         "minutes after which a swap is proposed", ("5", "10", "15"), default="0"
     ),
     "pinel_split": Setting("width of the blocks in the studio, per cent"),
+    "pinel_projector_names": Setting(
+        '"hidden" presents runs without the names of groups', ("hidden",), default="shown"
+    ),
     "pinel_tours": Setting("step of each group's guided first drive"),
     "pinel_elsewhere": Setting("versions of other PCs about which a group was told"),
 }

@@ -87,6 +87,9 @@ class ShownWindow:
         assert request == "show"
         self._shown.set()
 
+    def present(self, address: str | None) -> bool:
+        return False
+
 
 def test_a_second_start_is_led_to_the_first(start_app: Callable[..., App]) -> None:
     shown = threading.Event()

@@ -6,8 +6,8 @@ person has opened PINEL. The app sends:
 
 - `{"type": "address", "address": ...}`, the first one without a request;
 - `{"type": "ready", "language": ...}` when it has started;
-- `{"type": "window", "do": ...}`, a request to the window (`WindowRequest` in web/services.py), which replies with
-  `{"do": "confirm"}`;
+- `{"type": "window", "do": ...}`, a request to the window (`WindowRequest` in web/services.py, or "present" with an
+  `address` or null), which replies with `{"do": "confirm", "done": ...}`;
 - `{"type": "failed", "code": ..., "params": ...}` if it cannot start.
 
 The app exits at the end of its input.
@@ -72,14 +72,29 @@ class _Window:
         self._send = send
         self.kiosk: KioskReason | None = kiosk
         self._asking = threading.Lock()
-        self.confirmed = threading.Event()
+        self._confirmed = threading.Event()
+        self._done = False
 
     def ask(self, request: WindowRequest) -> None:
         """Sends a request, and waits until the window has handled it, or for a moment."""
+        self._request(do=request)
+
+    def present(self, address: str | None) -> bool:
+        """Asks to show an address on a second screen, as `WindowLink.present`."""
+        return self._request(do="present", address=address)
+
+    def confirm(self, *, done: bool) -> None:
+        """Called when the window has handled a request."""
+        self._done = done
+        self._confirmed.set()
+
+    def _request(self, **message: str | None) -> bool:
         with self._asking:
-            self.confirmed.clear()
-            self._send(type="window", do=request)
-            self.confirmed.wait(_CONFIRM_S)
+            self._done = False
+            self._confirmed.clear()
+            self._send(type="window", **message)
+            self._confirmed.wait(_CONFIRM_S)
+            return self._done
 
 
 def _serve(
@@ -157,8 +172,8 @@ def _serve_requests(
         for message in messages:
             if message == {"do": "address"}:
                 send(type="address", address=app.address)
-            elif message == {"do": "confirm"}:
-                window.confirmed.set()
+            elif message["do"] == "confirm":
+                window.confirm(done=message["done"])
 
 
 def _print_notice(app: "App") -> None:

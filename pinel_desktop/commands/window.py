@@ -97,6 +97,7 @@ class WindowProcess:
             self._database,
             on_request=self._handle,
             on_lost=self.close,
+            on_present=self._present,
             kiosk=kiosk.reason if kiosk else None,
             opened=file,
         )
@@ -130,6 +131,9 @@ class WindowProcess:
             case "restart":
                 self._restarts = True
                 self.close()
+
+    def _present(self, address: str | None) -> bool:
+        return self._presenter is not None and self._presenter.present(address)
 
     def _run(self) -> None:
         # while the other process is loading

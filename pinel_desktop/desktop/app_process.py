@@ -39,16 +39,19 @@ class AppProcess:
         camera: str | None = None,
         kiosk: KioskReason | None = None,
         opened: str | None = None,
+        on_present: Callable[[str | None], bool] = lambda address: False,
     ) -> None:
         """
         Args:
             on_request: called with each request of the app to the window (`WindowRequest` in web/services.py).
+            on_present: called with an address for a second screen, as `WindowLink.present`.
             on_lost: called when the app has died or could not start.
             camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
             kiosk: why the window is in kiosk mode; None if it is not.
             opened: path of the file with which a person has opened the app.
         """
         self._on_request = on_request
+        self._on_present = on_present
         self._on_lost = on_lost
         self._responses: queue.Queue[str] = queue.Queue()
         self._asking = threading.Lock()
@@ -125,7 +128,7 @@ class AppProcess:
             self._process.wait()
         self._reader.join()
 
-    def _send(self, message: dict[str, str]) -> None:
+    def _send(self, message: dict[str, object]) -> None:
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(json.dumps(message) + "\n")
@@ -157,8 +160,10 @@ class AppProcess:
                 self._ready.set()
             case "address":
                 self._responses.put(message["address"])
+            case "window" if message["do"] == "present":
+                self._send({"do": "confirm", "done": self._on_present(message["address"])})
             case "window":
                 self._on_request(message["do"])
-                self._send({"do": "confirm"})
+                self._send({"do": "confirm", "done": True})
             case "failed":
                 self._failure = PinelError(message["code"], **message["params"])

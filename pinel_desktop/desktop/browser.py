@@ -60,6 +60,10 @@ class BrowserWindow:
         if self._process is not None:
             self._process.terminate()
 
+    def present(self, address: str | None) -> bool:
+        """Returns False: a browser cannot be told on which screen to open a window."""
+        return False
+
     def show(self) -> None:
         """Opens another window, because the browser's existing one cannot be brought forward from outside."""
         if self._command is not None:

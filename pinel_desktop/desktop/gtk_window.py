@@ -52,6 +52,15 @@ class GtkWindow:
             # OpenGL on the processor would take 100 MB and twice the time for the same pictures
             settings.hardware_acceleration_policy = WebKit2.HardwareAccelerationPolicy.NEVER
 
+    def load(self, address: str) -> None:
+        """Loads an address of the page."""
+        self._page.load_uri(address)
+
+    def fill_screen(self, monitor: int) -> None:
+        """Fills a screen, by its number in the desktop."""
+        window = self._view.window
+        window.fullscreen_on_monitor(window.get_screen(), monitor)
+
     def guard_navigation(self, judge: Callable[[str], NavigationDecision]) -> None:
         """Replaces pywebview's policy, which opens foreign links in the default browser."""
         from gi.repository import WebKit2  # noqa: PLC0415

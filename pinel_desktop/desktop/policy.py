@@ -1,7 +1,8 @@
 """The window's navigation policy, which allows its own page only, its reloads after a crash, and its size. PURE."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, Protocol, TypeVar
 from urllib.parse import urlsplit
 
 NavigationDecision = Literal["show", "save", "refuse"]
@@ -24,6 +25,26 @@ class Size:
     height: int
     min_size: tuple[int, int]
     maximized: bool
+
+
+class Area(Protocol):
+    """A rectangle of the desktop, such as a screen; pixels."""
+
+    x: int
+    y: int
+    width: int
+    height: int
+
+
+_Screen = TypeVar("_Screen", bound=Area)
+
+
+def second_screen(screens: Sequence[_Screen], at: tuple[int, int]) -> _Screen | None:
+    """Returns the first screen that does not show the point `at`; None if every screen shows it."""
+    for one in screens:
+        if not (one.x <= at[0] < one.x + one.width and one.y <= at[1] < one.y + one.height):
+            return one
+    return None
 
 
 def may_open(address: str, own: str) -> bool:

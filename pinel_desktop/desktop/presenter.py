@@ -34,6 +34,9 @@ class OpenWindow(Protocol):
     def close(self) -> None:
         """Closes it."""
 
+    def present(self, address: str | None) -> bool:
+        """Shows an address on a second screen, as `WindowLink.present` in web/services.py."""
+
 
 class Presenter:
     """Shows the page until the person closes it. `show` and `close` may be called from any thread.
@@ -95,6 +98,10 @@ class Presenter:
         self._closed.set()
         if self._window is not None:
             self._window.close()
+
+    def present(self, address: str | None) -> bool:
+        """Shows an address on a second screen; None ends that. Returns whether a second screen shows it."""
+        return self._window is not None and self._window.present(address)
 
     def _try(self, backend: Backend) -> bool:
         """Shows the page with a backend; True if it was shown and closed, False if the backend cannot show it."""

@@ -13,6 +13,7 @@ from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_prob
 from pinel_desktop.desktop.gtk_window import GtkWindow, require_screen
 from pinel_desktop.desktop.kiosk.mode import KioskMode
 from pinel_desktop.desktop.policy import NavigationDecision, decide_navigation, fitted_size
+from pinel_desktop.desktop.projector import ProjectorWindow
 from pinel_desktop.desktop.webview2 import install_policy
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
@@ -62,6 +63,7 @@ class NativeWindow:
         self._on_open = on_open
         self._kiosk = kiosk
         self._window: webview.Window | None = None
+        self._projector = ProjectorWindow(title, _BACKGROUND, self._decide)
         self._origin = ""
         self._opened = threading.Event()
         self._closing = False
@@ -117,6 +119,18 @@ class NativeWindow:
         if self._window is not None and self._opened.is_set():
             self._window.destroy()
 
+    def present(self, address: str | None) -> bool:
+        """Shows an address on a second screen; None ends that. Returns whether a second screen shows it.
+
+        Kiosk mode opens no second window: what locks it locks one window.
+        """
+        if self._window is None or not self._opened.is_set() or self._kiosk is not None:
+            return False
+        if address is None:
+            self._projector.close()
+            return False
+        return self._projector.show(address, self._window)
+
     def run_script(self, script: str) -> Any:
         """Runs JavaScript in the page and returns its value with GTK and Qt; elsewhere it may be None."""
         return None if self._window is None else self._window.run_js(script)
@@ -140,6 +154,7 @@ class NativeWindow:
         if self._kiosk is not None:
             # a handler that returns False refuses to close
             window.events.closing += lambda: self._closing
+        window.events.closed += self._projector.close
         window.events.shown += self._open
         self._window = window
 

@@ -21,7 +21,7 @@ from pinel_desktop.web.api import (
     worlds,
 )
 from pinel_desktop.web.api.preparing import lesson_files, own_activities, robots
-from pinel_desktop.web.api.window import drives, instance, kiosk
+from pinel_desktop.web.api.window import drives, instance, kiosk, projector
 
 RESOURCES = (
     status,
@@ -47,5 +47,6 @@ RESOURCES = (
     stream,
     kiosk,
     drives,
+    projector,
     instance,
 )

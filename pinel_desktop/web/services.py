@@ -59,6 +59,9 @@ class WindowLink(Protocol):
     def ask(self, request: WindowRequest) -> None:
         """Sends a request; returns when the window has handled it."""
 
+    def present(self, address: str | None) -> bool:
+        """Shows an address on a second screen; None ends that. Returns whether a second screen shows it."""
+
 
 @dataclass(frozen=True, slots=True)
 class DatabaseState:

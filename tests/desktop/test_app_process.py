@@ -13,6 +13,7 @@ import pytest
 from pinel_desktop.desktop.app_process import AppProcess
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError, InstanceLock
+from tests.web.browser import Browser
 
 
 class Behind:
@@ -23,7 +24,14 @@ class Behind:
         self.lock = InstanceLock(database)
         self.lock.acquire()
         self.requests: list[str] = []
-        self.app = AppProcess(database, on_request=self._handle, on_lost=self.lost.set)
+        self.presented: list[str | None] = []
+        self.app = AppProcess(
+            database, on_request=self._handle, on_lost=self.lost.set, on_present=self._present
+        )
+
+    def _present(self, address: str | None) -> bool:
+        self.presented.append(address)
+        return address is not None
 
     def _handle(self, request: str) -> None:
         self.requests.append(request)
@@ -75,6 +83,29 @@ def test_a_second_start_finds_it_and_asks_for_the_window(behind: Behind, databas
         InstanceLock(database).acquire()
     second.value.running.show()
     assert behind.shown.wait(10)
+
+
+def test_the_window_is_asked_to_present_runs_at_an_address_of_their_own(behind: Behind) -> None:
+    behind.app.start()
+    behind.app.language()
+    page = Browser.signed_in(behind.app.address())
+    assert page.put("/api/projector", {"runs": ["r1", "r2"]}).data == {"has_window": True}
+    assert page.delete("/api/projector").status == 200
+    address, end = behind.presented
+    assert end is None
+    assert address is not None
+    link, _, place = address.partition("#")
+    assert place == "/present/second/r1/r2"
+    assert fetch(link) == 200
+
+
+@pytest.mark.parametrize("runs", [[], ["r1", "r2", "r3"], ["../teacher"], ["r1?x"]])
+def test_only_runs_are_presented(behind: Behind, runs: list[str]) -> None:
+    behind.app.start()
+    behind.app.language()
+    page = Browser.signed_in(behind.app.address())
+    assert page.put("/api/projector", {"runs": runs}).status == 422
+    assert behind.presented == []
 
 
 def test_the_end_leaves_no_trace_of_a_running_app(behind: Behind, database: Path) -> None:

@@ -29,6 +29,9 @@ class RecordedWindow:
     def ask(self, request: WindowRequest) -> None:
         self.asked.put(request)
 
+    def present(self, address: str | None) -> bool:
+        return False
+
     def next_request(self) -> WindowRequest:
         """Waits for a request, which may follow the answer to the page."""
         return self.asked.get(timeout=WITHIN_S)

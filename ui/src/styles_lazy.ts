@@ -36,5 +36,6 @@ import "./teacher/review/runs/runs.css";
 import "./teacher/review/timeline/line.css";
 import "./teacher/review/lesson/lesson.css";
 import "./replay/compare/compare.css";
+import "./presentation/presentation.css";
 import "./teacher/review/notes/note.css";
 import "./teacher/review/lesson/print.css";

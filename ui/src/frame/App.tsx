@@ -2,7 +2,7 @@ import type { ComponentType } from "preact";
 import { NotLoaded } from "../kit/requests/NotLoaded";
 import { driveRequest } from "../shell/files/drive_request";
 import { lazy } from "../shell/lazy";
-import { keyOf, route, type ScreenName } from "../shell/route";
+import { keyOf, ROUTES, route, type ScreenName } from "../shell/route";
 import { connection, refreshStatus } from "../shell/session";
 import { Header } from "./header/Header";
 import { Locked } from "./Locked";
@@ -19,7 +19,7 @@ export function App() {
   if (connection.value === "locked") return <Locked />;
   return (
     <div class="page column">
-      <Header />
+      {!ROUTES[route.value.screen].isFull && <Header />}
       <Messages />
       <Screen />
       {driveRequest.value && <DriveDialog />}

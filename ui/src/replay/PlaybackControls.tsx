@@ -6,7 +6,7 @@ import { Button } from "../kit/Button";
 import { listen } from "../kit/listen";
 import { Select } from "../kit/Select";
 import { TimeStrip } from "../run/panels/TimeStrip";
-import { type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
+import { inOrder, type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
 
 interface PlaybackControlsProps {
   playback: Playback;
@@ -73,12 +73,6 @@ function Slider({ playback, tracks }: PlaybackControlsProps) {
       onTick={(tick) => playback.seek(tick)}
     />
   );
-}
-
-/** The blocks of all runs, ordered by their start. */
-function inOrder(tracks: PlaybackControlsProps["tracks"]): readonly Stretch[] {
-  const [only, ...others] = tracks;
-  return only && others.length === 0 ? only : tracks.flat().sort((a, b) => a.from - b.from);
 }
 
 function Speed({ playback }: { playback: Playback }) {

@@ -7,6 +7,7 @@ import { RobotName } from "../run/real/RobotName";
 import { VerdictLine } from "../run/real/VerdictLine";
 import { beep } from "../run/sounds/sound";
 import { lazy } from "../shell/lazy";
+import { PresentButton } from "../shell/projector/PresentButton";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
 import { PlaybackControls } from "./PlaybackControls";
 import { ReplayFloor } from "./ReplayFloor";
@@ -63,6 +64,7 @@ function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
         <Eye class="icon" aria-hidden="true" />
         <p>{run.version ? replay.readOnly : replay.noVersion}</p>
         <RobotName link={run.link} />
+        {forTeacher && <PresentButton first={run.id} />}
         {run.program_id && (
           <Button icon={Blocks} testId="replay-program" onPress={onOpen}>
             {replay.openProgram}

@@ -19,6 +19,8 @@ export class Playback {
   readonly view = computed(() => this.history.at(this.wholeTick.value));
   /** The run with its whole path. */
   readonly whole = computed(() => this.history.end);
+  /** The tick at which it pauses by itself, while `playTo` plays; null otherwise. */
+  readonly goal = signal<number | null>(null);
   private handle = 0;
   private last = 0;
   /** Tick of the slider before somebody pointed at another tick; null while nobody does. */
@@ -47,13 +49,21 @@ export class Playback {
 
   play(): void {
     this.pointedFrom = null;
+    this.goal.value = null;
     if (this.tick.value >= this.end) this.tick.value = 0;
     this.playing.value = true;
     this.last = performance.now();
     this.handle = requestAnimationFrame(this.step);
   }
 
+  /** Plays until a tick, and pauses there. */
+  playTo(tick: number): void {
+    this.play();
+    this.goal.value = this.within(tick);
+  }
+
   pause(): void {
+    this.goal.value = null;
     this.playing.value = false;
     cancelAnimationFrame(this.handle);
   }
@@ -75,8 +85,9 @@ export class Playback {
   private readonly step = (now: number) => {
     const next = this.tick.value + Math.max(0, now - this.last) * TICKS_PER_MS * this.speed.value;
     this.last = now;
-    this.tick.value = Math.min(this.end, next);
-    if (this.tick.value >= this.end) this.pause();
+    const end = this.goal.value ?? this.end;
+    this.tick.value = Math.min(end, next);
+    if (this.tick.value >= end) this.pause();
     else this.handle = requestAnimationFrame(this.step);
   };
 }
@@ -144,6 +155,12 @@ export function coarse(all: readonly Stretch[], lastTick: number, maxStretches =
     else merged.push({ ...one });
   }
   return merged;
+}
+
+/** The blocks of all runs on one clock, ordered by their start. */
+export function inOrder(tracks: readonly (readonly Stretch[])[]): readonly Stretch[] {
+  const [only, ...others] = tracks;
+  return only && others.length === 0 ? only : tracks.flat().sort((a, b) => a.from - b.from);
 }
 
 /** Start of the next or previous block. */

@@ -191,7 +191,14 @@ describe("telemetry", () => {
       [0, 0],
       [0.5, 0],
     ]);
-    expect(view.motion).toEqual({ kind: "move_forward", amount: 1, done: 0.5 });
+    expect(view.motion).toMatchObject({ kind: "move_forward", amount: 1, done: 0.5 });
+  });
+
+  test("of the tick at which a block begins does not count for its motion", () => {
+    const turned = telemetry(9, 0, 0, 90);
+    const atStart = reduce(viewAfter(started(9, "/commands/1", "move_forward", 1)), turned);
+    expect(atStart.motion?.done).toBe(0);
+    expect(reduce(atStart, telemetry(10, 0.1, 0, 0.1)).motion?.done).toBe(0.1);
   });
 
   test("that comes late does not move the robot back", () => {

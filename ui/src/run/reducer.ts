@@ -33,6 +33,8 @@ export interface Motion {
   readonly kind: string;
   readonly amount: number;
   readonly done: number;
+  /** Tick at which it began; the sample of this tick still tells how far the motion before it had come. */
+  readonly since: number;
 }
 
 export interface Speed {
@@ -242,9 +244,13 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
     idealPath: extend(view.idealPath, [setpoint.x, setpoint.y]),
     output: reduceOutput(view.output, event, [truth.x, truth.y]),
     speed: { linear: event.command_v_mps, angular: event.command_omega_radps },
-    motion: view.motion && { ...view.motion, done: event.done ?? view.motion.done },
+    motion: view.motion && withProgress(view.motion, event),
     moved: view.moved || !isStandstill(event.command_v_mps, event.command_omega_radps),
   };
+}
+
+function withProgress(motion: Motion, { tick, done }: TelemetryEvent): Motion {
+  return done == null || tick <= motion.since ? motion : { ...motion, done };
 }
 
 /** Old recordings do not contain the true pose, and a real robot does not know it. */
@@ -268,7 +274,7 @@ function withBlockStarted(view: RunView, event: BlockStarted): RunView {
   return {
     ...view,
     stack: [...withRound(view.stack, pointer, tick), entry],
-    motion: amount === null ? null : { kind: action, amount, done: 0 },
+    motion: amount === null ? null : { kind: action, amount, done: 0, since: tick },
     moved: view.moved || (!!amount && action !== "wait"),
   };
 }

@@ -12,7 +12,7 @@ const moving = (kind: string, amount: number, done: number): RunView => ({
   run: "r",
   phase: "running",
   stack: [{ block: "b", pointer: "/commands/0", action: kind, amount, round: 0, roundTick: 0 }],
-  motion: { kind, amount, done },
+  motion: { kind, amount, done, since: 0 },
 });
 
 const over = (phase: "finished" | "failed" | "stopped", ending: object): RunView => ({

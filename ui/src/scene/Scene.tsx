@@ -67,6 +67,8 @@ interface SceneProps {
   playing?: ReadonlySignal<boolean>;
   /** The run whose solved mission is celebrated as soon as it is set; absent if a run is only displayed. */
   solved?: ReadonlySignal<string | null>;
+  /** How much larger than usual lines and texts are drawn, for a floor without tools. */
+  magnification?: () => number;
 }
 
 /** The floor from above, or in 3D. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
@@ -120,6 +122,7 @@ function useFlatFloor(
     hold,
     playing,
     solved,
+    magnification,
   }: SceneProps,
   tools: SceneTools,
 ) {
@@ -134,7 +137,8 @@ function useFlatFloor(
     };
     const scene = new SceneRenderer(element, poseAt, prefersStill, onFraming, hold !== undefined);
     renderer.current = scene;
-    const sizes = new ResizeObserver(() => scene.resize(element.clientWidth, element.clientHeight));
+    const resize = () => scene.resize(element.clientWidth, element.clientHeight, magnification?.());
+    const sizes = new ResizeObserver(resize);
     sizes.observe(element);
     const stops = [
       effect(() => scene.setView(view.value, whole?.value)),

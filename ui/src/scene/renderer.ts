@@ -15,7 +15,10 @@ import { type CacheInput, SceneCache } from "./scene_cache";
 import { RobotSigns } from "./signs/robot_signs";
 import {
   approach,
+  BARE_EDGE,
   clampScale,
+  EDGE,
+  type Edge,
   edgeFor,
   type Size,
   toFloor,
@@ -26,6 +29,9 @@ import {
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
+
+/** Below this height a magnified floor has no numbers. */
+const LOW_PX = 200;
 
 /** The estimated pose is drawn if it differs from the true pose by more than this. */
 export const OFF_M = 0.01;
@@ -55,6 +61,8 @@ export class SceneRenderer {
   private whole: RunView = IDLE;
   private size: Size = { width: 1, height: 1 };
   private ratio = 1;
+  /** How much larger everything is drawn that has a size in pixels. */
+  private magnification = 1;
   private viewport: Viewport | null = null;
   private target: Viewport = { x: 0, y: 0, scale: 60 };
   private framing: Framing = "subject";
@@ -155,12 +163,14 @@ export class SceneRenderer {
 
   /** Converts a point of the canvas to the world frame. */
   floorAt(place: XY): XY {
-    return toFloor(this.viewport ?? this.target, this.size, place);
+    const { x, y } = place;
+    const drawn = { x: x / this.magnification, y: y / this.magnification };
+    return toFloor(this.viewport ?? this.target, this.size, drawn);
   }
 
   /** Size of a pixel in metres. */
   get pixel(): number {
-    return 1 / (this.viewport ?? this.target).scale;
+    return 1 / ((this.viewport ?? this.target).scale * this.magnification);
   }
 
   get shownWorld(): World | null {
@@ -190,11 +200,12 @@ export class SceneRenderer {
     this.requestRedraw();
   }
 
-  resize(width: number, height: number): void {
-    this.size = { width, height };
-    this.ratio = window.devicePixelRatio || 1;
-    this.canvas.width = Math.round(width * this.ratio);
-    this.canvas.height = Math.round(height * this.ratio);
+  resize(width: number, height: number, magnification = 1): void {
+    this.size = { width: width / magnification, height: height / magnification };
+    this.magnification = magnification;
+    this.ratio = (window.devicePixelRatio || 1) * magnification;
+    this.canvas.width = Math.round(this.size.width * this.ratio);
+    this.canvas.height = Math.round(this.size.height * this.ratio);
     this.viewport = null;
     this.aim();
     this.draw(performance.now());
@@ -215,7 +226,8 @@ export class SceneRenderer {
   pan(dx: number, dy: number): void {
     this.setFraming("manual");
     const { x, y, scale } = this.target;
-    this.target = { x: x - dx / scale, y: y + dy / scale, scale };
+    const m = 1 / (scale * this.magnification);
+    this.target = { x: x - dx * m, y: y + dy * m, scale };
     this.viewport = { ...this.target };
     this.requestRedraw();
   }
@@ -252,11 +264,21 @@ export class SceneRenderer {
   private point(): void {
     this.moved = false;
     if (this.held) return;
-    const { world, whole, companion, size } = this;
-    const edge = edgeFor(size, this.hasControls);
+    const { world, whole, companion, size, edge } = this;
     if (this.framing === "subject")
       this.target = viewportFor(contentBounds(world, whole, companion), size, edge);
     if (this.framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);
+  }
+
+  /** Large numbers would cover a magnified floor that is low. */
+  private get hasRulers(): boolean {
+    return this.magnification === 1 || this.size.height >= LOW_PX;
+  }
+
+  /** Free margins; a magnified floor has no tools. */
+  private get edge(): Edge {
+    if (this.magnification === 1) return edgeFor(this.size, this.hasControls);
+    return this.hasRulers ? EDGE : BARE_EDGE;
   }
 
   private requestRedraw(): void {
@@ -323,7 +345,7 @@ export class SceneRenderer {
       cache.drawPen(ctx, input, viewport, end);
       this.drawRobot(ctx, pose, viewport, input);
     });
-    drawRulers(ctx, world, viewport, size, colours);
+    if (this.hasRulers) drawRulers(ctx, world, viewport, size, colours);
     return blurred;
   }
 

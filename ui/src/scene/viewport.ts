@@ -23,6 +23,9 @@ export const EDGE_WITH_TOOLS: Edge = { ...EDGE, right: 66 };
 /** The same with space at the top for the controls over the floor of the studio. */
 export const EDGE_WITH_CONTROLS: Edge = { ...EDGE_WITH_TOOLS, top: EDGE.top + 54 };
 
+/** Margins without rulers. */
+export const BARE_EDGE: Edge = { left: 6, right: 6, top: 6, bottom: 6 };
+
 /** Below this height a floor has no space to spare for its controls; see `studio.css`. */
 const LOW_PX = 230;
 

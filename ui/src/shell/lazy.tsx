@@ -33,8 +33,9 @@ export function lazy<P extends object>(
   return function Lazy(props: P) {
     const [, drawAgain] = useState(false);
     const [failed, setFailed] = useState(false);
+    const Part = loaded;
     useEffect(() => {
-      if (loaded) return;
+      if (Part) return;
       fetchPart(load).then(
         (part) => {
           loaded = part;
@@ -46,7 +47,6 @@ export function lazy<P extends object>(
         },
       );
     }, []);
-    const Part = loaded;
     if (failed && Failed) return <Failed {...props} />;
     return Part ? <Part {...props} /> : null;
   };

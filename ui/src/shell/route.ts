@@ -18,6 +18,8 @@ interface Row {
   readonly choices?: Readonly<Record<string, readonly string[]>>;
   /** Whether the header shows the group and its program. */
   readonly ofGroup?: true;
+  /** Whether the screen fills the window, without a header. */
+  readonly isFull?: true;
   /** Parameters whose change remounts the screen; by default all. */
   readonly remount?: readonly string[];
 }
@@ -43,6 +45,11 @@ const ROWS = {
   cards: { pattern: "cards" },
   notices: { pattern: "notices" },
   compare: { pattern: "compare/:first/:second" },
+  presentation: {
+    pattern: "present/:window/:first/:second?",
+    choices: { window: ["same", "second"] },
+    isFull: true,
+  },
   manuals: { pattern: "manuals/:manual?/:section?", remount: [] },
 } as const satisfies Record<string, Row>;
 

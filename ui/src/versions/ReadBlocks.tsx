@@ -6,6 +6,7 @@ import { theme } from "../shell/theme";
 interface ReadBlocksProps {
   label: string;
   testId?: string;
+  minTextPx?: (() => number) | undefined;
   /** Called with the reader when it is ready, and with null when it is disposed. */
   onReader(reader: BlocksViewer | null): void;
   /** Called when the language of the blocks changed. */
@@ -13,7 +14,7 @@ interface ReadBlocksProps {
 }
 
 /** A read-only view of blocks. */
-export function ReadBlocks({ label, testId, onReader, onLanguage }: ReadBlocksProps) {
+export function ReadBlocks({ label, testId, minTextPx, onReader, onLanguage }: ReadBlocksProps) {
   const container = useRef<HTMLDivElement>(null);
   const reader = useRef<BlocksViewer | null>(null);
   useEffect(() => {
@@ -23,6 +24,7 @@ export function ReadBlocks({ label, testId, onReader, onLanguage }: ReadBlocksPr
       language: language.peek(),
       theme: theme.peek(),
       mediaPath: "/media/",
+      minTextPx,
     });
     reader.current = made;
     onReader(made);

@@ -21,13 +21,19 @@ export interface ViewerOptions {
   language: Language;
   theme: ThemeName;
   mediaPath: string;
+  /** Minimum height of texts, in pixels of the page; the blocks grow with it. */
+  minTextPx?: (() => number) | undefined;
 }
 
 /** Distance from the workspace's corner to the first block, in pixels. */
 const MARGIN = 32;
 /** Minimum legible scale; a longer program is scrolled. */
 const MIN_SCALE = 0.7;
+const MAX_SCALE = 1;
+/** By how much larger than the minimum a short program is, if its texts have a minimum height. */
+const SHORT_PROGRAM = 1.4;
 const MAX_TEXT_LENGTH = 90;
+const PX_PER_PT = 4 / 3;
 
 /**
  * Read-only view of a stored version, with decorations on the blocks that differ from another
@@ -43,9 +49,11 @@ export class BlocksViewer {
   private marked: [string, readonly Difference[]][] = [];
   private shown: object = {};
   private language: Language;
+  private readonly minTextPx: (() => number) | undefined;
 
   constructor(options: ViewerOptions) {
     this.language = options.language;
+    this.minTextPx = options.minTextPx;
     applyLanguage(options.language);
     registerBlocks();
     registerRenderer();
@@ -58,7 +66,7 @@ export class BlocksViewer {
       sounds: false,
       readOnly: true,
       move: { scrollbars: true, drag: true, wheel: true },
-      zoom: { controls: false, wheel: false, pinch: true, maxScale: 2, minScale: 0.4 },
+      zoom: { controls: false, wheel: false, pinch: true, maxScale: 4, minScale: 0.4 },
     });
     options.container.classList.add("pinelReadOnly");
     this.pointed = new Highlight(this.workspace);
@@ -188,13 +196,14 @@ export class BlocksViewer {
     this.marked = [];
   }
 
-  /** The largest scale at which the whole program fits, but at least MIN_SCALE. */
+  /** The largest scale at which the whole program fits, within the bounds. */
   fittingScale(): number {
+    const [min, max] = this.scaleBounds();
     const box = this.workspace.getBlocksBoundingBox();
     const view = this.workspace.getMetricsManager().getViewMetrics();
     const wide = (view.width - 2 * MARGIN) / Math.max(1, box.right - box.left);
     const high = (view.height - 2 * MARGIN) / Math.max(1, box.bottom - box.top);
-    return Math.max(MIN_SCALE, Math.min(1, wide, high));
+    return Math.max(min, Math.min(max, wide, high));
   }
 
   showFromTheStart(scale: number): void {
@@ -203,9 +212,24 @@ export class BlocksViewer {
     this.workspace.scroll(MARGIN - left * scale, MARGIN - top * scale);
   }
 
+  private scaleBounds(): [min: number, max: number] {
+    if (!this.minTextPx) return [MIN_SCALE, MAX_SCALE];
+    const { FIELD_TEXT_FONTSIZE } = this.workspace.getRenderer().getConstants();
+    const min = this.minTextPx() / (FIELD_TEXT_FONTSIZE * PX_PER_PT);
+    return [min, min * SHORT_PROGRAM];
+  }
+
   private resize(): void {
     Blockly.svgResize(this.workspace);
+    if (this.minTextPx) this.showLarge();
     this.minimap.refresh();
+  }
+
+  /** After a resize: the program in its size for the new window, with the decorated block in view. */
+  private showLarge(): void {
+    this.showFromTheStart(this.fittingScale());
+    const shown = this.pointed.blockId ?? this.failed.blockId;
+    if (shown) this.reveal(shown);
   }
 
   private block(id: string): Blockly.BlockSvg | null {

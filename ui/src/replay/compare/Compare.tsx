@@ -8,6 +8,7 @@ import { RadioGroup } from "../../kit/RadioGroup";
 import type { Companion } from "../../scene/companion";
 import { type Livery, liveryOf } from "../../scene/livery/livery";
 import { Scene } from "../../scene/Scene";
+import { PresentButton } from "../../shell/projector/PresentButton";
 import { hashOf } from "../../shell/route";
 import { robotOf } from "../../shell/session";
 import { reviewOrigin } from "../../shell/teacher/review_origin";
@@ -60,16 +61,18 @@ function Head({ pair, view, children }: HeadProps) {
   const { compare: labels } = texts.value.review;
   const from = reviewOrigin.value ?? { screen: "runs" };
   const back = from.screen === "runs" ? labels.back : texts.value.header.backToLesson;
-  const [first, second] = pair.sides.map(({ recordedRun }) => recordedRun.run.world_document?.name);
+  const [first, second] = [pair.sides[0].recordedRun, pair.sides[1].recordedRun];
+  const isOtherWorld = first.run.world_document?.name !== second.run.world_document?.name;
   return (
     <div class="review-head compare__head row middle gap-4">
       <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
       <h1>{labels.title}</h1>
       {children}
       {/* the floor shows the first world, so the second path may cross its walls */}
-      {view.value === "together" && first !== second && (
+      {view.value === "together" && isOtherWorld && (
         <p class="compare__elsewhere">{labels.otherWorld}</p>
       )}
+      <PresentButton first={first.run.id} second={second.run.id} small />
       <RadioGroup<View>
         class="switch row middle shrinks"
         label={labels.view}

@@ -1,8 +1,9 @@
 import { effect } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import type { RunWithVersion } from "../../api/model";
 import type { BlocksViewer } from "../../editor/reader/viewer";
 import { texts } from "../../i18n";
-import { activeBlockId } from "../../run/reducer";
+import { activeBlockId, isLive, type RunView } from "../../run/reducer";
 import { report } from "../../shell/session";
 import { ReadBlocks } from "../../versions/ReadBlocks";
 import type { PairBlocks } from "./load_pair";
@@ -16,13 +17,14 @@ interface SideBlocksProps {
    * The blocks of both runs, with their differences; null if the version of one run is not stored.
    */
   blocks: PairBlocks | null;
+  minTextPx?: () => number;
 }
 
 /**
  * The blocks of one of two runs: differences decorated, running block highlighted, failed block
  * outlined.
  */
-export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
+export function SideBlocks({ side, number, label, blocks, minTextPx }: SideBlocksProps) {
   const place = useRef<HTMLDivElement>(null);
   const stop = useRef(() => {});
   const { version } = side.recordedRun.run;
@@ -43,14 +45,25 @@ export function SideBlocks({ side, number, label, blocks }: SideBlocksProps) {
       const { value: view } = side.view;
       // until somebody moves the clock, the current difference stays in view
       if (!side.isUntouched.value) viewer.point(activeBlockId(view));
-      viewer.fail(view.phase === "failed" ? (view.ending?.block ?? null) : null);
+      viewer.fail(faultyBlock(side.recordedRun.run, view));
     });
   };
   return (
     <div class="row grows shrinks" ref={place}>
-      <ReadBlocks label={label} onReader={fill} onLanguage={() => blocks?.redraw()} />
+      <ReadBlocks
+        label={label}
+        minTextPx={minTextPx}
+        onReader={fill}
+        onLanguage={() => blocks?.redraw()}
+      />
     </div>
   );
+}
+
+/** The block at which the run failed, or at its end the one that the activity found lacking; null for none. */
+function faultyBlock({ missing_block }: RunWithVersion, view: RunView): string | null {
+  if (view.phase === "failed") return view.ending?.block ?? null;
+  return isLive(view) ? null : missing_block;
 }
 
 function drawn(viewer: BlocksViewer, workspace: object): boolean {

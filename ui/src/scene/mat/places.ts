@@ -44,10 +44,20 @@ export function inkOn({ floor }: World, zone: Zone): string | null {
   return contrast("#ffffff", paintOf(below.color)) < LOST ? DARK : "#ffffff";
 }
 
-/** Draws the names of all pictured places on plates beside their fields, over all that stands there. */
+/**
+ * Draws the names of pictured places on plates beside their fields, over all that stands there. On a small floor,
+ * a place whose plate would cover another one has its pictogram alone.
+ */
 export function drawPlates(ctx: Ctx, world: World, colours: Colours, pixel: number): void {
+  const letters = Math.max(NAME_M, READABLE_PX * pixel);
+  const drawn: Plate[] = [];
   for (const zone of world.zones ?? []) {
-    if (isPictured(world, zone)) drawPlate(ctx, world, zone, colours, pixel);
+    if (!isPictured(world, zone)) continue;
+    const text = plateText(zone);
+    const plate = plateOf(world, zone, textWidth(ctx, text, letters, colours), 1.4 * letters);
+    if (drawn.some((other) => overlap(plate, other))) continue;
+    drawn.push(plate);
+    drawPlate(ctx, plate, text, letters, colours, pixel);
   }
 }
 
@@ -58,14 +68,32 @@ interface Plate {
   readonly depth: number;
 }
 
-function drawPlate(ctx: Ctx, world: World, zone: Zone, colours: Colours, pixel: number): void {
-  const letters = Math.max(NAME_M, READABLE_PX * pixel);
+function plateText({ name }: Zone): string {
+  const translation = translationOf(name);
+  return translation ? `${name} · ${translation}` : name;
+}
+
+const plateFont = ({ font }: Colours) => `700 100px ${font}`;
+
+/** Width of a plate in metres. */
+function textWidth(ctx: Ctx, text: string, letters: number, colours: Colours): number {
   ctx.save();
-  ctx.font = `700 100px ${colours.font}`;
-  const translation = translationOf(zone.name);
-  const text = translation ? `${zone.name} · ${translation}` : zone.name;
-  const width = (ctx.measureText(text).width / 100 + 0.9) * letters;
-  const plate = plateOf(world, zone, width, 1.4 * letters);
+  ctx.font = plateFont(colours);
+  const { width } = ctx.measureText(text);
+  ctx.restore();
+  return (width / 100 + 0.9) * letters;
+}
+
+function drawPlate(
+  ctx: Ctx,
+  plate: Plate,
+  text: string,
+  letters: number,
+  colours: Colours,
+  pixel: number,
+): void {
+  ctx.save();
+  ctx.font = plateFont(colours);
   ctx.translate(plate.x, plate.y);
   ctx.beginPath();
   ctx.roundRect(-plate.width / 2, -plate.depth / 2, plate.width, plate.depth, plate.depth / 2);
@@ -138,14 +166,18 @@ function isInside(world: World, { x, y, width, depth }: Plate): boolean {
   );
 }
 
+function overlap(one: Plate, other: Plate): boolean {
+  return (
+    Math.abs(one.x - other.x) < (one.width + other.width) / 2 &&
+    Math.abs(one.y - other.y) < (one.depth + other.depth) / 2
+  );
+}
+
 /** Whether a plate overlaps the box around an area. */
 function isOn(plate: Plate, area: Area): boolean {
   const turned = (area.heading * Math.PI) / 180;
   const [cos, sin] = [Math.abs(Math.cos(turned)), Math.abs(Math.sin(turned))];
   const width = area.width * cos + area.depth * sin;
   const depth = area.width * sin + area.depth * cos;
-  return (
-    Math.abs(plate.x - area.x) < (plate.width + width) / 2 &&
-    Math.abs(plate.y - area.y) < (plate.depth + depth) / 2
-  );
+  return overlap(plate, { x: area.x, y: area.y, width, depth });
 }

@@ -64,7 +64,7 @@ export class RobotSigns {
     const place = { ...frame, reach: beep ? reach + WAVES_PX : reach };
     if (text) drawBubble(ctx, text.text, place, grown(text), colours);
     else if (beep) drawPlate(ctx, beep.text, place, colours);
-    else if (frame.atRest && frame.livery && !isCelebrating)
+    else if (frame.atRest && frame.livery?.name && !isCelebrating)
       drawName(ctx, frame.livery.name, place, frame.nameAbove, colours);
     return isCelebrating;
   }

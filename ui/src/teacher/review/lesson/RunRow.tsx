@@ -8,6 +8,7 @@ import { useAction } from "../../../kit/requests/action";
 import { FaultLine } from "../../../kit/requests/FaultLine";
 import { Loaded } from "../../../kit/requests/Loaded";
 import { useLoaded } from "../../../kit/requests/useLoaded";
+import { PresentButton } from "../../../shell/projector/PresentButton";
 import { hashOf } from "../../../shell/route";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
 import { outcomeOf } from "../model";
@@ -58,6 +59,7 @@ export function RunRow({ entry, book, onAccepted }: RunRowProps) {
         <LinkButton icon={Play} href={hashOf({ screen: "replay", run: entry.run_id })}>
           {detail.replay}
         </LinkButton>
+        <PresentButton first={entry.run_id} small />
       </div>
     </li>
   );

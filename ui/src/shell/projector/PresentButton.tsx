@@ -1,0 +1,29 @@
+import { Projector } from "lucide-preact";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { present } from "./present";
+
+interface PresentButtonProps {
+  first: string;
+  /** A run beside the first one. */
+  second?: string;
+  /** Without text. */
+  small?: boolean;
+}
+
+/** Shows a run, or two side by side, on the projector. */
+export function PresentButton({ first, second, small = false }: PresentButtonProps) {
+  const { show } = texts.value.projector;
+  return (
+    <Button
+      icon={Projector}
+      label={show}
+      tip={show}
+      testId="present"
+      data-run={first}
+      onPress={() => present(first, second ?? null)}
+    >
+      {small ? undefined : <span class="present-word">{show}</span>}
+    </Button>
+  );
+}
