@@ -60,6 +60,31 @@ def test_a_sign_that_the_camera_sees_decides_what_the_robot_does(studio: Studio)
     expect(studio["status-line"]).to_contain_text("A câmera viu B (")
 
 
+def test_a_sign_after_which_nothing_moves_is_shown_large_marked_on_the_strip_and_replayed(
+    studio: Studio,
+) -> None:
+    studio.enter_new_group()
+    write_program(studio, "robot.classify_gestures(timeout=60)\n")
+    studio.run()
+    card, marks = studio["captured"], studio["capture-mark"]
+    card.wait_for(timeout=CAMERA_MS)  # by frames: it is shown for a moment
+    assert card.get_attribute("data-sign") == "B"
+    expect(card).to_be_hidden()
+    expect(marks).to_have_text(["B"])
+    expect(marks).to_have_accessible_name(re.compile("A câmera viu B"))
+    marks.press("Enter")
+    card.wait_for()
+    assert violations(studio, "past-run-slider") == []
+    studio["past-run-replay"].click()
+    expect(studio["replay-play"]).to_have_attribute("data-does", "play")
+    studio["replay-play"].click()
+    card.wait_for()
+    assert card.inner_text() == "Vi um B"
+    expect(card).to_be_hidden()
+    expect(studio["replay-play"]).to_have_attribute("data-does", "play")
+    expect(marks).to_have_text(["B"])
+
+
 @pytest.mark.parametrize("camera", [THREE_FINGERS])
 def test_the_robot_drives_as_many_metres_as_fingers_are_raised(studio: Studio) -> None:
     studio.enter_new_group()

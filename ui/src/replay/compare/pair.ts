@@ -21,6 +21,7 @@ export class Pair {
   constructor(first: RecordedRun, second: RecordedRun) {
     const longer = second.playback.end > first.playback.end ? second : first;
     this.playback = longer.playback;
+    this.playback.stopsAtCaptures = false;
     this.sides = [this.sideOf(first), this.sideOf(second)];
   }
 
