@@ -36,10 +36,11 @@ describe("practising signs", () => {
     await passesAxe(container);
   });
 
-  test("says when the letter is imitated", () => {
+  test("says when the letter is imitated, and which other letter is seen instead", () => {
     render(<PracticeScreen />);
     act(() => receive(sightOf(hand({ best: "B" }))));
     expect(screen.queryByText("É isso! Letra A.")).toBeNull();
+    expect(screen.getByText("A câmera vê: Letra B. Ainda não é: Letra A.")).toBeTruthy();
     act(() => receive(sightOf(hand({ best: "A" }))));
     expect(screen.getByText("É isso! Letra A.")).toBeTruthy();
   });

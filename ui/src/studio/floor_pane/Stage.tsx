@@ -194,6 +194,7 @@ function CaptureWhileAsked({ control }: { control: StudioControl }) {
     <CapturePanel
       capture={capture}
       expected={control.expectedSigns.value}
+      besideFloor={(control.world.value?.zones.length ?? 0) > 0}
       onAnswer={(result) => control.send({ do: "answer_capture", result })}
     />
   );
