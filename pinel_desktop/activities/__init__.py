@@ -31,6 +31,7 @@ from pinel_desktop.activities.reading import (
     shipped_activity,
     shipped_texts,
     solution_of,
+    start_of,
     world_title,
 )
 from pinel_desktop.activities.recorded import (
@@ -82,6 +83,7 @@ __all__ = [
     "shipped_goal",
     "shipped_texts",
     "solution_of",
+    "start_of",
     "tolerance_of",
     "trials",
     "world_of",
