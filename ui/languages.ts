@@ -10,7 +10,9 @@ const TEXTS = /^\0virtual:texts\/([\w-]+)\/(start|lazy)$/;
 const LAZY = [
   "album",
   "camera",
+  "captured",
   "exchange",
+  "game",
   "help",
   "kiosk",
   "plan",

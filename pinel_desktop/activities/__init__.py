@@ -32,6 +32,7 @@ from pinel_desktop.activities.reading import (
     shipped_activity,
     shipped_texts,
     solution_of,
+    start_of,
     world_title,
 )
 from pinel_desktop.activities.recorded import (
@@ -84,6 +85,7 @@ __all__ = [
     "shipped_goal",
     "shipped_texts",
     "solution_of",
+    "start_of",
     "tolerance_of",
     "trials",
     "world_of",

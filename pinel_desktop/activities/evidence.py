@@ -295,6 +295,12 @@ class Evidence:
         return self._of_type("marked")
 
     @cached_property
+    def captured(self) -> tuple[Wire, ...]:
+        """The results of captures, of which `result` is "" if no sign was shown."""
+        results = self._of_type("gesture_result")
+        return tuple(event for event in results if event["source"] == "capture")
+
+    @cached_property
     def shown_texts(self) -> tuple[str, ...]:
         return tuple(str(event["text"]) for event in self._of_type("said"))
 

@@ -66,6 +66,21 @@ def solution_of(activity_name: str) -> dict[str, Any] | None:
     return read_python(file.read_text("utf-8")).result.document
 
 
+@cache
+def start_of(activity_name: str, language: str) -> dict[str, Any] | None:
+    """Returns the program with which groups begin a shipped activity, as a document; None if it begins without blocks.
+
+    Its names and texts are in `language` if it ships in that language, else in Portuguese.
+    """
+    if activity_name not in _shipped():
+        return None
+    folder = _CATALOGUE / activity_name
+    for file in (folder / f"start.{language}.py", folder / "start.py"):
+        if file.is_file():
+            return read_python(file.read_text("utf-8")).result.document
+    return None
+
+
 def activity_titles(language: str) -> dict[str, str]:
     """Returns the titles of the shipped activities in a language, by name."""
     return {name: one.title.of(language) for name, one in _shipped().items()}

@@ -19,6 +19,7 @@ from pinel_desktop.activities import (
     check_program,
     choose_activity,
     solution_of,
+    start_of,
 )
 from pinel_desktop.activities.reading import read_activity
 from pinel_desktop.messages import LANGUAGES
@@ -45,6 +46,26 @@ def read(text: str) -> ParseResult:
     reading = read_python(text).result
     assert reading.program is not None, reading.faults
     return reading
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", ["x_against_list", "two_teams"])
+def test_a_game_begins_with_a_program_that_plays_x_and_does_not_pass_yet(
+    name: str, language: str
+) -> None:
+    begun = start_of(name, language)
+    assert begun is not None
+    report = check_program(choose_activity(name), read_document(begun))
+    assert (report.faults, report.passed) == ((), False)
+    (first, *_) = report.cases
+    assert first.reason == "no_more_gestures", "X has played all its signs"
+
+
+def test_other_activities_begin_without_blocks() -> None:
+    assert [name for name in activity_names() if start_of(name, "pt-BR")] == [
+        "x_against_list",
+        "two_teams",
+    ]
 
 
 @cache

@@ -252,6 +252,13 @@ def test_each_case_has_its_own_gestures_and_checks() -> None:
     assert [case.checks[0].holds for case in report.cases] == [True, False]
 
 
+def test_a_sign_is_shown_where_a_program_reads_it() -> None:
+    mission = activity({"check": "sign_shown"}, cases=[{"gestures": ["B"]}, {"gestures": [""]}])
+    read: dict[str, Any] = {"action": "classify_gestures", "block": "read"}
+    assert run(mission, read).passed
+    assert not run(mission, move(1)).passed
+
+
 def test_a_program_that_never_ends_is_stopped_and_does_not_pass() -> None:
     forever = {"action": "forever", "commands": [{"action": "wait", "seconds": 1}]}
     report = run(activity({"check": "finished"}, limit_s=5.0), forever)

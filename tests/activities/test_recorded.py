@@ -66,7 +66,8 @@ def recorded(given: GivenProgram, folder: Path, case: int, *options: str) -> tup
         str(world),
     ]
     if chosen_case.gestures:
-        arguments += ["--gestures", ",".join(chosen_case.gestures)]
+        # an empty text would be no list at all
+        arguments += ["--gestures", ",".join(chosen_case.gestures) or ","]
     if chosen_case.answers:
         arguments += ["--answers", ",".join(chosen_case.answers)]
     done = CliRunner().invoke(main, [*arguments, *options])
@@ -95,6 +96,29 @@ def test_the_recorded_run_gets_the_findings_of_the_run_itself(
     assert again.cases[last - 1].recorded
     assert replace(again.cases[last - 1], recorded=False) == live.cases[last - 1]
     assert again.advice == live.advice
+
+
+@pytest.mark.parametrize(
+    ("name", "case"),
+    [("sign_b", 3), ("b_or_a", 4), ("metres_by_fingers", 4), ("cell_by_sign", 4)],
+)
+def test_a_run_in_which_nobody_showed_a_sign_does_not_pass(
+    name: str, case: int, tmp_path: Path
+) -> None:
+    activity, solution = choose_activity(name), solution_of(name)
+    row, log = recorded(solution, tmp_path, case)
+    results = {"gesture_result": {"by": None}}  # as after a timeout
+    nobody = replace(
+        log, events=tuple({**one, **results.get(one["type"], {})} for one in log.events)
+    )
+    setting = simulation_config_from(row.parameters)
+    assert case_of_run(activity, row.world_document, setting, nobody) == case
+    report = check_program(activity, read(solution.text), recorded=RecordedRun(nobody, case))
+    failed = [one.kind for number in report.cases for one in number.checks if not one.holds]
+    assert failed == ["sign_shown"]
+    assert report.advice is not None
+    assert report.advice.words["pt-BR"].startswith("Ninguém mostrou um sinal nesta rodada.")
+    assert check_program(activity, read(solution.text), recorded=RecordedRun(log, case)).passed
 
 
 def test_of_a_run_whose_engine_was_lost_no_block_is_to_blame(tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
 """Operates the workspace by pointer and keyboard: drags blocks, types into fields."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeVar
@@ -64,7 +65,7 @@ class Blocks:
     def fault_text(self) -> Locator:
         return self._page.locator(".blocklyTextBubble")
 
-    def in_flyout(self, text: str) -> Locator:
+    def in_flyout(self, text: str | re.Pattern[str]) -> Locator:
         """A block of the open category."""
         return self._page.locator(
             ".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable", has_text=text
@@ -79,7 +80,7 @@ class Blocks:
         self._drag(outline, to)
         expect(self.all()).to_have_count(before + parts)
 
-    def click_in_toolbox(self, category: str, text: str) -> None:
+    def click_in_toolbox(self, category: str, text: str | re.Pattern[str]) -> None:
         """Opens a category and clicks a block of it."""
         self.open_category(category)
         self.click_in_flyout(text)
@@ -96,7 +97,7 @@ class Blocks:
         if category.get_attribute("aria-selected") != "true":
             category.click()
 
-    def click_in_flyout(self, text: str) -> None:
+    def click_in_flyout(self, text: str | re.Pattern[str]) -> None:
         """Clicks near the upper left corner of a block, where a loop has no statement input."""
         expected = self.all().count() + self._parts(text)
         self.in_flyout(text).click(position={"x": 12, "y": 18})
@@ -154,7 +155,7 @@ class Blocks:
             last, now = now, read()
         return now
 
-    def _parts(self, text: str) -> int:
+    def _parts(self, text: str | re.Pattern[str]) -> int:
         """Number of blocks in a block of the open category, including nested blocks."""
         inner = ".blocklyDraggable:not(.blocklyShadow)"
         return 1 + self.in_flyout(text).locator(inner).count()

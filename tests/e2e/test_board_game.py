@@ -93,3 +93,27 @@ def test_a_game_without_a_line_ends_as_a_draw(studio: Studio) -> None:
     studio.wait_for_phase("finished", GAME_MS)
     expect(studio["talk-line"].last).to_contain_text("Deu velha!")
     studio.eventually(lambda: len(marks(studio)), 9)
+
+
+def test_a_mission_with_the_board_begins_with_the_part_of_x_and_shows_the_board_while_it_asks(
+    studio: Studio,
+) -> None:
+    studio.enter_new_group()
+    studio["open-activities"].click()
+    studio.page.locator("[data-activity=x_against_list]").click()
+    expect(studio["mission-sheet"]).to_contain_text("A parte do X já está pronta.")
+    expect(studio.blocks.by_text("levar a marca").first).to_be_attached()
+    studio.run()
+    expect(studio["mission-sheet"]).to_be_hidden()
+    expect(studio["capture"]).to_be_visible(timeout=GAME_MS)
+    board, panel = studio["scene"].bounding_box(), studio["capture"].bounding_box()
+    assert board is not None
+    assert panel is not None
+    assert board["width"] > 200
+    assert board["height"] > 200
+    assert panel["x"] < board["x"]
+    assert board["x"] + board["width"] < panel["x"] + panel["width"]
+    assert violations(studio, "capture") == []
+    sign(studio, "A")
+    expect(studio["last-mark"]).to_have_text("X marcado em A", timeout=GAME_MS)
+    studio["stop"].click()

@@ -60,6 +60,31 @@ def test_a_sign_that_the_camera_sees_decides_what_the_robot_does(studio: Studio)
     expect(studio["status-line"]).to_contain_text("A câmera viu B (")
 
 
+def test_a_sign_after_which_nothing_moves_is_shown_large_marked_on_the_strip_and_replayed(
+    studio: Studio,
+) -> None:
+    studio.enter_new_group()
+    write_program(studio, "robot.classify_gestures(timeout=60)\n")
+    studio.run()
+    card, marks = studio["captured"], studio["capture-mark"]
+    card.wait_for(timeout=CAMERA_MS)  # by frames: it is shown for a moment
+    assert card.get_attribute("data-sign") == "B"
+    expect(card).to_be_hidden()
+    expect(marks).to_have_text(["B"])
+    expect(marks).to_have_accessible_name(re.compile("A câmera viu B"))
+    marks.press("Enter")
+    card.wait_for()
+    assert violations(studio, "past-run-slider") == []
+    studio["past-run-replay"].click()
+    expect(studio["replay-play"]).to_have_attribute("data-does", "play")
+    studio["replay-play"].click()
+    card.wait_for()
+    assert card.inner_text() == "Vi um B"
+    expect(card).to_be_hidden()
+    expect(studio["replay-play"]).to_have_attribute("data-does", "play")
+    expect(marks).to_have_text(["B"])
+
+
 @pytest.mark.parametrize("camera", [THREE_FINGERS])
 def test_the_robot_drives_as_many_metres_as_fingers_are_raised(studio: Studio) -> None:
     studio.enter_new_group()
@@ -186,6 +211,31 @@ def test_practice_goes_on_without_a_camera(studio: Studio) -> None:
     expect_names_and_contrast(studio, "camera-trouble")
     studio["practice-clear"].click()
     expect(studio["practice-text"]).to_have_value("")
+
+
+@pytest.mark.parametrize("camera", [NO_CAMERA])
+def test_a_round_of_words_is_played_with_keys_and_says_what_went_well(studio: Studio) -> None:
+    studio["practice"].click()
+    studio["practice-mode"].last.click()
+    word = studio["game-word"]
+    first = word.get_attribute("aria-label") or ""
+    studio["game-hint"].click()
+    expect(studio.page.locator(".game .sign-drawing")).to_be_visible()
+    for layout in each_layout(studio):
+        assert cut(studio, "game-word") == [], layout
+        expect(studio["game-skip"], layout).to_be_in_viewport(ratio=1)
+    expect_names_and_contrast(studio, "game-word")
+    studio.choose_language("pt-BR")
+    for letter in first.lower():
+        studio.page.keyboard.press(letter)
+    expect(word).not_to_have_attribute("aria-label", first)
+    for _ in range(4):
+        studio["game-skip"].click()
+    expect(studio["game-outcome"]).to_contain_text(f"Vocês soletraram: {first}.")
+    expect(studio["game-outcome"]).to_contain_text(f"Para praticar mais: {first[0]}.")
+    assert violations(studio, "game-outcome") == []
+    studio["game-again"].click()
+    expect(word).to_be_visible()
 
 
 def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:

@@ -12,6 +12,7 @@ import "./studio/help/help.css";
 import "./manuals/manuals.css";
 import "./studio/tour/tour.css";
 import "./camera/camera.css";
+import "./camera/captured.css";
 import "./studio/floor_pane/capture_camera.css";
 import "./practice/practice.css";
 import "./work/notes.css";

@@ -29,7 +29,7 @@ from pinel_desktop.activities.checks.movement import (
     visits,
 )
 from pinel_desktop.activities.checks.program import block_count, executed, nesting, uses
-from pinel_desktop.activities.checks.run import any_of, finished, says, time
+from pinel_desktop.activities.checks.run import any_of, finished, says, sign_shown, time
 
 Check = Annotated[
     finished.Finished
@@ -51,6 +51,7 @@ Check = Annotated[
     | executed.Executed
     | time.Time
     | says.ShowsText
+    | sign_shown.SignShown
     | marks.Marks
     | mark_count.MarkCount
     | any_of.AnyOf,

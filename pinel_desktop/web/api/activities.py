@@ -112,7 +112,9 @@ def world_name(mission: "Mission") -> str:
 
 
 def _begin(group_id: str, mission: "Mission", parts: Services) -> ProgramRow:
-    """Creates a program without blocks whose setup names the activity."""
+    """Creates a program whose setup names the activity, with the blocks that the activity begins with."""
+    from pinel_desktop.activities import start_of  # noqa: PLC0415 - heavy
+
     name = mission.title.of(parts.settings.language)
     program = parts.store.programs.create(group_id, name)
     setup = Setup(
@@ -121,8 +123,10 @@ def _begin(group_id: str, mission: "Mission", parts: Services) -> ProgramRow:
         feedback=mission.feedback,
         activity=mission.name,
     )
-    empty = {"pinel_ir": 1, "name": name, "functions": [], "commands": []}
-    parts.store.versions.save(program.id, {}, empty, setup=setup.model_dump())
+    begun = start_of(mission.name, parts.settings.language)
+    document = {"pinel_ir": 1, "functions": [], "commands": [], **(begun or {}), "name": name}
+    workspace = {"document": document} if begun else {}  # the page makes blocks of the document
+    parts.store.versions.save(program.id, workspace, document, setup=setup.model_dump())
     return program
 
 

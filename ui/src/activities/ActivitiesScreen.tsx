@@ -1,6 +1,7 @@
 import { ArrowDown, CircleCheck, Clock, Footprints } from "lucide-preact";
 import { activitiesApi } from "../api/activities";
 import type { ActivityChoice, Example } from "../api/model";
+import { GoalHands } from "../camera/GoalHands";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Loaded } from "../kit/requests/Loaded";
@@ -122,6 +123,7 @@ function ActivityCard({ choice, state, group }: ActivityCardProps) {
             <Clock class="icon" aria-hidden="true" /> {activity.minutes({ n: choice.minutes })}
           </span>
         )}
+        <GoalHands goal={choice.goal_picture} />
         {Icon && state !== "new" && (
           <span class="activities__state">
             <Icon class="icon" aria-hidden="true" /> {activity.states[state]}

@@ -1,5 +1,5 @@
 import type { Signal } from "@preact/signals";
-import { CircleCheck } from "lucide-preact";
+import { CircleCheck, CircleQuestionMark } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
 import { drawnHand } from "../camera/drawn_hand";
 import type { HandSide } from "../camera/hand_shape";
@@ -29,7 +29,7 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
       <div class="column shrinks-down">
         <h2 class="imitation__title">{practice.imitate}</h2>
         <SignDrawing sign={letter.value} hand={drawnHand.value} class="grows shrinks-down" />
-        <Matched letter={isMatched ? letter.value : null} />
+        <Outcome letter={letter.value} shown={state.kind === "sure" ? state.best : null} />
       </div>
       <div class="imitation__choices column shrinks-down gap-3">
         <RadioGroup
@@ -63,13 +63,20 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
 const option = (name: string) =>
   [name, name, { "data-letter": name, "data-long": String(name.length > 1) }] as const;
 
-function Matched({ letter }: { letter: string | null }) {
+/** Whether the camera sees the letter, or which other sign it sees instead. */
+function Outcome({ letter, shown }: { letter: string; shown: string | null }) {
+  const { matched, other } = texts.value.practice;
+  const isMatched = shown === letter;
+  const Icon = isMatched ? CircleCheck : CircleQuestionMark;
+  const sign = (name: string) => namedSign(name, texts.value);
   return (
-    <p class="imitation__matched row middle gap-2" role="status">
-      {letter && (
+    <p class="imitation__outcome row middle gap-2" role="status">
+      {shown && (
         <>
-          <CircleCheck class="icon" aria-hidden="true" />
-          {texts.value.practice.matched({ sign: namedSign(letter, texts.value) })}
+          <Icon class="icon" aria-hidden="true" />
+          {isMatched
+            ? matched({ sign: sign(letter) })
+            : other({ sign: sign(letter), shown: sign(shown) })}
         </>
       )}
     </p>

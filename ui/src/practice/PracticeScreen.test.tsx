@@ -36,10 +36,11 @@ describe("practising signs", () => {
     await passesAxe(container);
   });
 
-  test("says when the letter is imitated", () => {
+  test("says when the letter is imitated, and which other letter is seen instead", () => {
     render(<PracticeScreen />);
     act(() => receive(sightOf(hand({ best: "B" }))));
     expect(screen.queryByText("É isso! Letra A.")).toBeNull();
+    expect(screen.getByText("A câmera vê: Letra B. Ainda não é: Letra A.")).toBeTruthy();
     act(() => receive(sightOf(hand({ best: "A" }))));
     expect(screen.getByText("É isso! Letra A.")).toBeTruthy();
   });
@@ -55,6 +56,23 @@ describe("practising signs", () => {
     expect(text()).toBe("");
     fireEvent.click(screen.getByTestId("practice-clear"));
     expect(text()).toBe("O");
+  });
+
+  test("is a game of words too, by signs or keys, with a hand as a hint", async () => {
+    const { container } = render(<PracticeScreen />);
+    fireEvent.click(screen.getByText("Jogo de palavras"));
+    const word = () => screen.getByTestId("game-word").getAttribute("aria-label") ?? "";
+    const spelled = () => container.querySelectorAll('[data-state="spelled"]').length;
+    fireEvent.click(screen.getByTestId("game-hint"));
+    expect(container.querySelector(".game .sign-drawing")).toBeTruthy();
+    fireEvent.keyDown(document.body, { key: word()[0]?.toLowerCase() });
+    expect(spelled()).toBe(1);
+    expect(container.querySelector(".game .sign-drawing")).toBeNull();
+    await passesAxe(container);
+    for (let n = 0; n < 5; n++) fireEvent.click(screen.getByTestId("game-skip"));
+    expect(screen.getByTestId("game-outcome").textContent).toContain("Para praticar mais: ");
+    fireEvent.click(screen.getByTestId("game-again"));
+    expect(word()).not.toBe("");
   });
 
   test("goes on without a camera: drawings, letters and text stay", async () => {

@@ -5,6 +5,8 @@ import { CurrentSign } from "../camera/CurrentSign";
 import { hasPicture } from "../camera/sight";
 import { texts } from "../i18n";
 import { useInstance } from "../kit/instance";
+import { Tabs } from "../kit/Tabs";
+import { Game } from "./Game";
 import { Imitation } from "./Imitation";
 import { SpelledText } from "./SpelledText";
 import { heldPart, Spelling } from "./spelling";
@@ -15,11 +17,26 @@ export function PracticeScreen() {
   const { practice, titles } = texts.value;
   const spelling = useInstance(() => new Spelling());
   const letter = useSignal("A");
+  const mode = useSignal<"letters" | "game">("letters");
+  const isGame = mode.value === "game";
+  const { game } = texts.value;
   return (
     <main class="screen practice">
       <div class="practice__head row middle gap-4">
         <h1 class="practice__title">{titles.practice}</h1>
         <p class="practice__hint">{hasPicture.value && practice.hint}</p>
+        <Tabs
+          label={game.tabs}
+          testId="practice-mode"
+          value={mode.value}
+          options={[
+            ["letters", game.letters],
+            ["game", game.title],
+          ]}
+          onChange={(chosen) => {
+            mode.value = chosen;
+          }}
+        />
         <CameraChoice />
       </div>
       <div class="practice__picture">
@@ -27,10 +44,16 @@ export function PracticeScreen() {
       </div>
       <div class="practice__side column shrinks shrinks-down gap-3">
         {hasPicture.value && <CurrentSignCard spelling={spelling} />}
-        <Imitation letter={letter} />
-        <Teaching />
+        {isGame ? (
+          <Game spelling={spelling} />
+        ) : (
+          <>
+            <Imitation letter={letter} />
+            <Teaching />
+          </>
+        )}
       </div>
-      <SpelledText spelling={spelling} />
+      {!isGame && <SpelledText spelling={spelling} />}
     </main>
   );
 }

@@ -40,6 +40,8 @@ export class Spelling {
   readonly held = signal<Held | null>(null);
   /** The text that was cleared last, so that the user can restore it. */
   readonly cleared = signal("");
+  /** Receives the signs instead of the text, while a game is played. */
+  onSign: ((sign: string) => void) | null = null;
   private moved = "";
   private readonly stop: () => void;
 
@@ -75,11 +77,16 @@ export class Spelling {
   }
 
   private update(sign: string, moved: string, nowMs: number): void {
-    if (moved && moved !== this.moved) this.write(this.text.peek() + moved);
+    if (moved && moved !== this.moved) this.spell(moved);
     this.moved = moved;
     const before = this.held.peek();
     const now = hold(before, sign, nowMs);
     this.held.value = now;
-    if (now?.isSpelled && !before?.isSpelled) this.write(this.text.peek() + now.sign);
+    if (now?.isSpelled && !before?.isSpelled) this.spell(now.sign);
+  }
+
+  private spell(sign: string): void {
+    if (this.onSign) this.onSign(sign);
+    else this.write(this.text.peek() + sign);
   }
 }

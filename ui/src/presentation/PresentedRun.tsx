@@ -1,3 +1,4 @@
+import { CapturedCard } from "../camera/CapturedCard";
 import { texts } from "../i18n";
 import { labelled } from "../i18n/phrases";
 import type { Side } from "../replay/compare/pair";
@@ -42,6 +43,7 @@ export function PresentedRun({ side, place, group, isPair }: PresentedRunProps) 
           playing={side.playing}
           magnification={floorMagnification}
         />
+        <CapturedCard show={side.recordedRun.playback.show} />
       </div>
       <ReplaySentence run={run} view={side.view} />
       <div class="presentation__blocks row">

@@ -7,15 +7,18 @@ import { listen } from "../kit/listen";
 import { Select } from "../kit/Select";
 import { TimeStrip } from "../run/panels/TimeStrip";
 import { inOrder, type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
+import type { CaptureAnswer } from "../run/reducer";
 
 interface PlaybackControlsProps {
   playback: Playback;
   /** The stretches of each displayed run. */
   tracks: readonly (readonly Stretch[])[];
+  /** What captures of the run got. */
+  answers?: readonly CaptureAnswer[] | undefined;
 }
 
 /** Controls of a replay: play, step by block, speed, and the slider coloured by block. */
-export function PlaybackControls({ playback, tracks }: PlaybackControlsProps) {
+export function PlaybackControls({ playback, tracks, answers }: PlaybackControlsProps) {
   const { replay } = texts.value;
   const step = (direction: -1 | 1) => {
     playback.pause();
@@ -34,7 +37,7 @@ export function PlaybackControls({ playback, tracks }: PlaybackControlsProps) {
           onPress={() => step(1)}
         />
       </div>
-      <Slider playback={playback} tracks={tracks} />
+      <Slider playback={playback} tracks={tracks} answers={answers} />
       <Speed playback={playback} />
     </section>
   );
@@ -43,7 +46,7 @@ export function PlaybackControls({ playback, tracks }: PlaybackControlsProps) {
 function PlayButton({ playback }: { playback: Playback }) {
   const { replay } = texts.value;
   const playing = playback.playing.value;
-  const over = !playing && playback.tick.value >= playback.end;
+  const over = !playing && playback.end > 0 && playback.tick.value >= playback.end;
   const Icon = playing ? Pause : over ? RotateCcw : Play;
   return (
     <Button
@@ -60,7 +63,7 @@ function PlayButton({ playback }: { playback: Playback }) {
   );
 }
 
-function Slider({ playback, tracks }: PlaybackControlsProps) {
+function Slider({ playback, tracks, answers }: PlaybackControlsProps) {
   const { replay } = texts.value;
   const time = (tick: number) => duration(tick / 30, language.value);
   return (
@@ -70,6 +73,8 @@ function Slider({ playback, tracks }: PlaybackControlsProps) {
       end={playback.end}
       time={replay.at({ now: time(playback.tick.value), end: time(playback.end) })}
       testId="replay-slider"
+      answers={answers}
+      onAnswers={(some) => playback.showAnswers(some)}
       onTick={(tick) => playback.seek(tick)}
     />
   );

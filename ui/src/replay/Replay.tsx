@@ -41,14 +41,14 @@ export function Replay(properties: ReplayProps) {
 
 /** Floor, blocks and playback controls of a recorded run. */
 function Replayed({ recordedRun, onOpen }: ReplayProps) {
-  const { playback, stretches } = recordedRun;
+  const { playback, stretches, captures } = recordedRun;
   useEffect(() => soundOf(playback), [playback]);
   return (
     <main class="screen replay">
       <h1 class="visually-hidden">{texts.value.replay.title}</h1>
       <ReplayProgram recordedRun={recordedRun} onOpen={onOpen} />
       <ReplayFloor recordedRun={recordedRun} />
-      <PlaybackControls playback={playback} tracks={[stretches]} />
+      <PlaybackControls playback={playback} tracks={[stretches]} answers={captures} />
     </main>
   );
 }

@@ -1,5 +1,6 @@
 import { useSignal } from "@preact/signals";
 import { ChartLine } from "lucide-preact";
+import { CapturedCard } from "../camera/CapturedCard";
 import { texts } from "../i18n";
 import { PanelToggle } from "../kit/PanelToggle";
 import { MuteButton } from "../run/panels/MuteButton";
@@ -45,6 +46,7 @@ export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
           </div>
           <RunOutput view={playback.view} />
         </div>
+        <CapturedCard show={playback.show} />
         {plotting.value && (
           <div
             class={`floor__drawer floor__drawer--plots ${tall.value ? "floor__drawer--tall" : ""}`}

@@ -2,8 +2,9 @@ import { signal } from "@preact/signals";
 import { api } from "../api/client";
 import type { RunEvent, RunWithVersion } from "../api/model";
 import type { PlotSource } from "../plots/plot_source";
-import { Playback, type Stretch, stretches } from "../run/playback";
+import { Playback, type Stretch, timelineOf } from "../run/playback";
 import { RecordedStates } from "../run/recorded_states";
+import type { CaptureAnswer } from "../run/reducer";
 import { Samples } from "../run/samples";
 import { decodeTelemetry, type Telemetry } from "../run/telemetry";
 import { outcomeOf } from "../teacher/review/model";
@@ -13,6 +14,7 @@ export interface RecordedRun {
   run: RunWithVersion;
   playback: Playback;
   stretches: Stretch[];
+  captures: readonly CaptureAnswer[];
   plots: PlotSource;
 }
 
@@ -34,9 +36,12 @@ export function needsRepair({ run }: RecordedRun): boolean {
 function assemble(run: RunWithVersion, events: RunEvent[], samples: ArrayBuffer): RecordedRun {
   const telemetry = decodeTelemetry(samples);
   const history = new RecordedStates(run.id, events, telemetry);
-  const playback = new Playback(history);
-  const blocks = stretches(events, history.lastTick);
-  return { run, playback, stretches: blocks, plots: plotsOf(run, playback, telemetry, blocks) };
+  const timeline = timelineOf(events);
+  const { captures } = timeline;
+  const playback = new Playback(history, captures);
+  const stretches = timeline.until(history.lastTick);
+  const plots = plotsOf(run, playback, telemetry, stretches);
+  return { run, playback, stretches, captures, plots };
 }
 
 /** The plots of a replay. They share the tick of the time slider: they show it and set it. */

@@ -1,9 +1,9 @@
 import type { Language, Texts } from "../i18n";
 import { percent } from "../i18n/format";
-import type { Captured } from "./reducer";
+import type { CaptureAnswer } from "./reducer";
 
 /** Describes the answer to a capture: the sign, and its source, such as the camera or a person. */
-export function captureText(given: Captured, { status }: Texts, language: Language): string {
+export function captureText(given: CaptureAnswer, { status }: Texts, language: Language): string {
   const captured = given.what === "number" ? status.capturedNumber : status.captured;
   const { label, by, confidence } = given;
   if (by === null) return captured.noneSeen;

@@ -10,10 +10,19 @@ import type {
   RunOptions,
   RunWithVersion,
 } from "../api/model";
+import { CaptureShow } from "./capture_show";
 import { record } from "./live_record";
 import { MotionBuffer } from "./motion_buffer";
 import { RecordedStates } from "./recorded_states";
-import { IDLE, isLive, type Pose, type RunView, reduce, starting } from "./reducer";
+import {
+  captureAnswerIn,
+  IDLE,
+  isLive,
+  type Pose,
+  type RunView,
+  reduce,
+  starting,
+} from "./reducer";
 import { soundBetween } from "./sounds/run_sounds";
 import { beep, playSound } from "./sounds/sound";
 import { endSpeech, speak } from "./sounds/speech";
@@ -24,6 +33,9 @@ export const live = signal<RunView>(IDLE);
 
 /** The server's record of that run: program, world, and the version if requested. Null until it is loaded. */
 export const liveRun = signal<Run | RunWithVersion | null>(null);
+
+/** What captures of the run get, as it happens, or as the group asks to see it again. */
+export const captureShow = new CaptureShow();
 
 export const isRunning = computed(() => isLive(live.value));
 
@@ -102,6 +114,8 @@ function apply(event: RunEvent): void {
   if (next === before) return;
   record.add(event);
   if (event.type === "telemetry") motion.push(event.tick, next.truth, performance.now());
+  const answer = captureAnswerIn(event);
+  if (answer) captureShow.start([answer]);
   makeSound(event, before, next);
   showSoon(next);
 }
@@ -120,6 +134,7 @@ export function clear(): void {
   batch(() => {
     show(IDLE);
     liveRun.value = null;
+    captureShow.clear();
     motion.reset();
     record.begin();
   });
@@ -132,6 +147,7 @@ export function start(versionId: string, world: string, debugging: RunOptions = 
   newestRequest++; // responses about an earlier run are no longer shown
   stopRequested = false;
   show(nameless);
+  captureShow.clear();
   motion.reset();
   record.begin();
   return queueingEvents(async () => {

@@ -2,6 +2,7 @@ import { signal } from "@preact/signals";
 import type { RunEvent } from "../api/model";
 import { type Stretch, Timeline } from "./playback";
 import { RecordedStates } from "./recorded_states";
+import type { CaptureAnswer } from "./reducer";
 import { Samples } from "./samples";
 import type { Telemetry } from "./telemetry";
 
@@ -28,13 +29,17 @@ export class LiveRecord {
     return this.timeline.until(this.lastTick);
   }
 
+  get captures(): readonly CaptureAnswer[] {
+    return this.timeline.captures;
+  }
+
   get lastTick(): number {
     return this.samples.column("tick").at(-1) ?? 0;
   }
 
   /** Whether `historyOf` has the state at every tick of the run. */
   get isWhole(): boolean {
-    return this.events !== null && this.lastTick > 0;
+    return this.events !== null && (this.lastTick > 0 || this.captures.length > 0);
   }
 
   /** All states of the run. */

@@ -1,15 +1,19 @@
 import { computed, signal } from "@preact/signals";
 import type { RunEvent } from "../api/model";
 import { categoryOf } from "../blocks/definitions";
+import { CaptureShow } from "./capture_show";
 import type { RecordedStates } from "./recorded_states";
-import type { Pose } from "./reducer";
+import { type CaptureAnswer, captureAnswerIn, type Pose } from "./reducer";
 
 /** Speeds of a replay, as factors of real time. */
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16] as const;
 
 const TICKS_PER_MS = 30 / 1000;
 
-/** The clock of a replay: a tick that advances while it plays. */
+/**
+ * The clock of a replay: a tick that advances while it plays. Robot time stops during a capture, so the clock stops
+ * for each answer while it is shown.
+ */
 export class Playback {
   readonly tick = signal(0);
   readonly playing = signal(false);
@@ -21,12 +25,22 @@ export class Playback {
   readonly whole = computed(() => this.history.end);
   /** The tick at which it pauses by itself, while `playTo` plays; null otherwise. */
   readonly goal = signal<number | null>(null);
+  /** The answer to a capture that is shown now. */
+  readonly show = new CaptureShow();
+  /** Whether the clock stops for answers to captures; two runs on one clock do not. */
+  stopsAtCaptures = true;
   private handle = 0;
   private last = 0;
+  /** Index of the first answer that has not been shown since the playback began. */
+  private nextCapture = 0;
   /** Tick of the slider before somebody pointed at another tick; null while nobody does. */
   private pointedFrom: number | null = null;
 
-  constructor(readonly history: RecordedStates) {}
+  /** @param captures - the answers to captures for which the clock stops, in their order */
+  constructor(
+    readonly history: RecordedStates,
+    private readonly captures: readonly CaptureAnswer[] = [],
+  ) {}
 
   get end(): number {
     return this.history.lastTick;
@@ -51,6 +65,7 @@ export class Playback {
     this.pointedFrom = null;
     this.goal.value = null;
     if (this.tick.value >= this.end) this.tick.value = 0;
+    this.nextCapture = this.captures.findIndex(({ tick }) => tick >= this.tick.peek());
     this.playing.value = true;
     this.last = performance.now();
     this.handle = requestAnimationFrame(this.step);
@@ -70,8 +85,17 @@ export class Playback {
 
   seek(tick: number): void {
     this.pointedFrom = null;
+    this.show.clear();
     this.tick.value = this.within(tick);
+    this.nextCapture = this.captures.findIndex((answer) => answer.tick >= this.tick.peek());
     this.last = performance.now();
+  }
+
+  /** Pauses at answers to captures, and shows them. */
+  showAnswers(answers: readonly CaptureAnswer[]): void {
+    this.pause();
+    this.seek(answers[0]?.tick ?? this.tick.peek());
+    this.show.start(answers);
   }
 
   private within(tick: number): number {
@@ -80,16 +104,29 @@ export class Playback {
 
   dispose(): void {
     this.pause();
+    this.show.clear();
   }
 
   private readonly step = (now: number) => {
-    const next = this.tick.value + Math.max(0, now - this.last) * TICKS_PER_MS * this.speed.value;
+    const elapsed = this.show.now.peek() ? 0 : Math.max(0, now - this.last);
     this.last = now;
+    const next = this.tick.value + elapsed * TICKS_PER_MS * this.speed.value;
     const end = this.goal.value ?? this.end;
-    this.tick.value = Math.min(end, next);
-    if (this.tick.value >= end) this.pause();
+    const due = this.show.now.peek() ? [] : this.dueUntil(Math.min(end, next));
+    if (due.length > 0) this.show.start(due);
+    this.tick.value = Math.min(end, due[0]?.tick ?? next);
+    if (this.tick.value >= end && !this.show.now.peek()) this.pause();
     else this.handle = requestAnimationFrame(this.step);
   };
+
+  /** The next answers to captures, all of one tick, if `tick` has reached them. */
+  private dueUntil(tick: number): readonly CaptureAnswer[] {
+    const first = this.captures[this.nextCapture];
+    if (!this.stopsAtCaptures || !first || first.tick > tick) return [];
+    const due = this.captures.filter((answer) => answer.tick === first.tick);
+    this.nextCapture += due.length;
+    return due;
+  }
 }
 
 /** Interval in which one block ran. */
@@ -114,11 +151,14 @@ const HOLDERS = new Set([
 /** Limit of the number of stretches; above it neighbours are merged. */
 const MAX_STRETCHES = 6000;
 
-/** Collects from events when each block ran; blocks that only contain others are left out. */
+/** Collects from events when each block ran, without blocks that only contain others, and what captures got. */
 export class Timeline {
+  readonly captures: CaptureAnswer[] = [];
   private found: Stretch[] = [];
 
   add(event: RunEvent): void {
+    const answer = captureAnswerIn(event);
+    if (answer) this.captures.push(answer);
     const open = this.found.at(-1);
     if (event.type === "block_started" && !HOLDERS.has(event.action)) {
       if (open && open.to > event.tick) open.to = event.tick;
@@ -136,11 +176,11 @@ export class Timeline {
   }
 }
 
-/** When each block ran; blocks that only contain others are left out. */
-export function stretches(events: readonly RunEvent[], lastTick: number): Stretch[] {
+/** The timeline of a recorded run. */
+export function timelineOf(events: readonly RunEvent[]): Timeline {
   const timeline = new Timeline();
   for (const event of events) timeline.add(event);
-  return timeline.until(lastTick);
+  return timeline;
 }
 
 /** Merges neighbours of one category, so that a long run does not become thousands of narrow stretches. */

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { RunEvent } from "../api/model";
-import { Playback, stepFrom, stretches } from "./playback";
+import { Playback, stepFrom, timelineOf } from "./playback";
 import { RecordedStates } from "./recorded_states";
 import { activeBlockId } from "./reducer";
 import type { Telemetry } from "./telemetry";
@@ -83,7 +83,7 @@ describe("a recorded run", () => {
   });
 
   test("is a stretch of time for each block", () => {
-    const found = stretches(events, LAST);
+    const found = timelineOf(events).until(LAST);
     expect(found.map(({ from, to, action }) => [from, to, action])).toEqual([
       [0, 60, "move_forward"],
       [60, LAST, "turn"],
@@ -91,7 +91,7 @@ describe("a recorded run", () => {
   });
 
   test("is stepped through from block to block", () => {
-    const found = stretches(events, LAST);
+    const found = timelineOf(events).until(LAST);
     expect(stepFrom(found, 0, 1, LAST)).toBe(60);
     expect(stepFrom(found, 60, 1, LAST)).toBe(LAST);
     expect(stepFrom(found, LAST, -1, LAST)).toBe(60);

@@ -51,7 +51,7 @@ export interface Capture {
 }
 
 /** The answer to a capture. */
-export interface Captured {
+export interface CaptureAnswer {
   readonly what: CaptureOf;
   /** Name of the sign, or the number in digits; "" if none was recognised. */
   readonly label: string;
@@ -60,6 +60,9 @@ export interface Captured {
   /** Confidence of the camera's prediction, 0 to 1; null if the camera did not answer. */
   readonly confidence: number | null;
   readonly tick: number;
+}
+
+export interface Captured extends CaptureAnswer {
   /** Number of the line of the dialogue that follows it. */
   readonly nextLine: number;
 }
@@ -223,10 +226,17 @@ function numberShown({ number }: RunView, given = NO_NUMBER): number | null {
 type CaptureStarted = Extract<RunEvent, { type: "capture_started" }>;
 
 function capturedSign(view: RunView, event: GestureResultEvent): Captured | null {
-  if (event.source !== "capture") return view.captured;
-  const { result: label, what = "sign", by = null, confidence = null, tick } = event;
+  const answer = captureAnswerIn(event);
+  if (!answer) return view.captured;
   const nextLine = (view.output.talk.at(-1)?.number ?? -1) + 1;
-  return { what, label, by, confidence, tick, nextLine };
+  return { ...answer, nextLine };
+}
+
+/** The answer to a capture that the event reports; null for any other event. */
+export function captureAnswerIn(event: RunEvent): CaptureAnswer | null {
+  if (event.type !== "gesture_result" || event.source !== "capture") return null;
+  const { result: label, what = "sign", by = null, confidence = null, tick } = event;
+  return { what, label, by, confidence, tick };
 }
 
 function withTelemetry(view: RunView, event: TelemetryEvent): RunView {

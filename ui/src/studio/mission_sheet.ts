@@ -11,7 +11,10 @@ export class MissionSheet {
     private readonly open: OpenProgram,
     private readonly mine: ReadonlySignal<boolean>,
   ) {
-    this.isOpen = signal(!hasCommands(open.program.version?.document));
+    const { version } = open.program;
+    // the editor has saved nothing yet: the blocks are those that the activity begins with
+    const isUntouched = "document" in (version?.workspace ?? {});
+    this.isOpen = signal(isUntouched || !hasCommands(version?.document));
   }
 
   /** Whoever touches the program or runs it works on: the sheet no longer covers the blocks. */

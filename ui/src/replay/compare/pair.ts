@@ -22,6 +22,7 @@ export class Pair {
   constructor(first: RecordedRun, second: RecordedRun) {
     const longer = second.playback.end > first.playback.end ? second : first;
     this.playback = longer.playback;
+    this.playback.stopsAtCaptures = false;
     this.playback.seek([first, second].some(needsRepair) ? this.playback.end : 0);
     this.sides = [this.sideOf(first), this.sideOf(second)];
   }

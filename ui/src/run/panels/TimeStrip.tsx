@@ -20,6 +20,8 @@ import { CATEGORY_COLOURS } from "../../blocks/categories";
 import { categoryOf } from "../../blocks/definitions";
 import { texts } from "../../i18n";
 import { coarse, type Stretch } from "../playback";
+import type { CaptureAnswer } from "../reducer";
+import { CaptureMarks } from "./CaptureMarks";
 
 /** A stretch narrower than this fraction of the slider is too small for an icon. */
 const LEGIBLE_PART = 0.035;
@@ -56,13 +58,18 @@ interface TimeStripProps {
   /** The tick as a text, for screen readers. */
   time: string;
   testId: string;
+  /** What captures of the run got. */
+  answers?: readonly CaptureAnswer[] | undefined;
   onTick(tick: number): void;
+  /** A mark of these answers was pressed. */
+  onAnswers?(answers: readonly CaptureAnswer[]): void;
   /** Handles keys that a slider does not use; returns true if it used the key. */
   onKey?(key: string): boolean;
 }
 
 /** The time of a run, coloured by block: a press, a drag or a key selects a tick. */
-export function TimeStrip({ tracks, tick, end, time, testId, onTick, onKey }: TimeStripProps) {
+export function TimeStrip(props: TimeStripProps) {
+  const { tracks, tick, end, time, testId, onTick, onKey, answers = [], onAnswers } = props;
   const { replay } = texts.value;
   const length = Math.max(1, end);
   return (
@@ -92,6 +99,9 @@ export function TimeStrip({ tracks, tick, end, time, testId, onTick, onKey }: Ti
           if (onKey?.(event.key)) event.preventDefault();
         }}
       />
+      {answers.length > 0 && onAnswers && (
+        <CaptureMarks answers={answers} end={end} onAnswers={onAnswers} />
+      )}
       <output class="slider__time aside" aria-hidden="true">
         {time}
       </output>

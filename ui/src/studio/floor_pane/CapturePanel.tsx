@@ -25,6 +25,8 @@ interface CapturePanelProps {
   capture: Capture;
   /** The signs that the program compares the answer with. */
   expected: readonly string[];
+  /** Whether the floor has places to choose from: it stays visible beside the camera's picture. */
+  besideFloor?: boolean;
   onAnswer(result: string): void;
 }
 
@@ -32,14 +34,15 @@ interface CapturePanelProps {
  * Panel while the program waits for a sign or a number: the camera recognises it, or the group
  * chooses it.
  */
-export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps) {
+export function CapturePanel(props: CapturePanelProps) {
+  const { capture, expected, besideFloor, onAnswer } = props;
   const labels = texts.value.capture;
   const { what } = capture;
   const isNumber = what === "number";
   useLayoutEffect(() => (isNumber ? listenForDigits(onAnswer) : listenForSigns(onAnswer)));
   return (
     <section
-      class={`capture column shrinks-down ${hasPicture.value ? "capture--camera" : ""}`}
+      class={`capture column shrinks-down ${hasPicture.value ? "capture--camera" : ""} ${besideFloor ? "capture--beside" : ""}`}
       aria-label={isNumber ? labels.numberTitle : labels.title}
       data-testid="capture"
     >

@@ -5,7 +5,7 @@ import { duration } from "../../i18n/format";
 import { LinkButton } from "../../kit/LinkButton";
 import { listen } from "../../kit/listen";
 import { inspectedTick, inspectTick } from "../../run/inspected_tick";
-import { live } from "../../run/live";
+import { captureShow, live } from "../../run/live";
 import { record } from "../../run/live_record";
 import { TimeStrip } from "../../run/panels/TimeStrip";
 import { stepFrom } from "../../run/playback";
@@ -40,7 +40,7 @@ export function LastRunTimeline() {
 
 function Strip() {
   record.revision.value; // subscribes: the last samples may arrive after the end of the run
-  const { lastTick: end, stretches } = record;
+  const { lastTick: end, stretches, captures } = record;
   const tick = inspectedTick.value?.tick ?? end;
   const time = (ticks: number) => duration(ticks / 30, language.value);
   const step = (key: string) => {
@@ -56,7 +56,12 @@ function Strip() {
         end={end}
         time={texts.value.replay.at({ now: time(tick), end: time(end) })}
         testId="past-run-slider"
+        answers={captures}
         onTick={inspectTick}
+        onAnswers={(answers) => {
+          inspectTick(answers[0]?.tick ?? null);
+          captureShow.start(answers);
+        }}
         onKey={step}
       />
     </div>

@@ -1,4 +1,5 @@
 import { useSignal } from "@preact/signals";
+import { drawnHand } from "../../camera/drawn_hand";
 import { LETTERS, signNames } from "../../camera/signs";
 import { texts } from "../../i18n";
 import { namedSign } from "../../i18n/phrases";
@@ -6,6 +7,9 @@ import { Button } from "../../kit/Button";
 import { listenForKeys } from "../../kit/listen";
 import { rove } from "../../kit/roving";
 import { Tabs } from "../../kit/Tabs";
+import { lazy } from "../../shell/lazy";
+
+const SignDrawing = lazy(async () => (await import("../../camera/SignDrawing")).SignDrawing);
 
 /** If there are more signs, a field above them searches by name. */
 const MAX_WITHOUT_SEARCH = 12;
@@ -50,7 +54,13 @@ export function SignAnswers({ expected, onAnswer }: SignAnswersProps) {
       ) : (
         <div class="capture__letters">
           {LETTERS.map((letter) => (
-            <Answer key={letter} result={letter} onAnswer={onAnswer} />
+            <Answer
+              key={letter}
+              result={letter}
+              isExpected={expected.includes(letter)}
+              hasHand
+              onAnswer={onAnswer}
+            />
           ))}
           <None onAnswer={onAnswer} />
         </div>
@@ -145,20 +155,26 @@ interface AnswerProps {
   tabIndex?: number;
   /** What is read aloud; by default, what a sign of this name is called. */
   label?: string;
+  /** Whether the program compares the answer with it. */
+  isExpected?: boolean;
+  /** Whether the hand that shows it is drawn above its name. */
+  hasHand?: boolean;
   onAnswer(result: string): void;
 }
 
-function Answer({ result, tabIndex, label, onAnswer }: AnswerProps) {
+function Answer({ result, tabIndex, label, isExpected, hasHand, onAnswer }: AnswerProps) {
   return (
     <Button
       class="capture__letter"
       label={label ?? namedSign(result, texts.value)}
       testId="capture-letter"
       data-letter={result}
+      data-expected={isExpected}
       {...(tabIndex === undefined ? {} : { tabIndex, "data-rove": "" })}
       onPress={() => onAnswer(result)}
     >
-      {result}
+      {hasHand && <SignDrawing sign={result} hand={drawnHand.value} />}
+      <span>{result}</span>
     </Button>
   );
 }

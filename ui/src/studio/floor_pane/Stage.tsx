@@ -26,6 +26,7 @@ import { QuestionPanel } from "./QuestionPanel";
 import { useSolved } from "./solved";
 import { WorldChoice } from "./WorldChoice";
 
+const CapturedCard = lazy(async () => (await import("../../camera/CapturedCard")).CapturedCard);
 const TextDrawer = lazy(async () => (await import("../text/TextDrawer")).TextDrawer);
 const PlotsPanel = lazy(async () => (await import("../../plots/PlotsPanel")).PlotsPanel);
 
@@ -69,6 +70,7 @@ export function Stage({ control, drawer }: StageProps) {
         </div>
         {!waits && <RunOutput view={shown} more={sensorValues} />}
       </div>
+      {control.captures.value && <CapturedCard show={robot.captureShow} />}
       {capturing.value && <CaptureWhileAsked control={control} />}
       {asked.value && <Asked control={control} question={asked.value} />}
       {hasText && (
@@ -193,6 +195,7 @@ function CaptureWhileAsked({ control }: { control: StudioControl }) {
     <CapturePanel
       capture={capture}
       expected={control.expectedSigns.value}
+      besideFloor={(control.world.value?.zones.length ?? 0) > 0}
       onAnswer={(result) => control.send({ do: "answer_capture", result })}
     />
   );
