@@ -10,7 +10,7 @@ const DISPOSE_NOTHING = 1;
 export class GifAnimation {
   private readonly encoder = GIFEncoder();
   private readonly palette: [number, number, number][];
-  /** The index of each colour that has occurred, by its red, green and blue in 5 bits each. */
+  /** The index of each colour that has occurred. */
   private readonly known = new Map<number, number>();
   private last: Uint32Array | null = null;
 
@@ -52,12 +52,11 @@ export class GifAnimation {
   }
 
   private indexOf(pixel: number): number {
-    const [red, green, blue] = [pixel & 255, (pixel >> 8) & 255, (pixel >> 16) & 255];
-    const key = ((red >> 3) << 10) | ((green >> 3) << 5) | (blue >> 3);
-    let index = this.known.get(key);
+    let index = this.known.get(pixel);
     if (index === undefined) {
-      index = nearestColorIndex(this.palette, [red, green, blue]);
-      this.known.set(key, index);
+      const rgb = [pixel & 255, (pixel >> 8) & 255, (pixel >> 16) & 255];
+      index = nearestColorIndex(this.palette, rgb);
+      this.known.set(pixel, index);
     }
     return index;
   }

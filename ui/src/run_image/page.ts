@@ -1,12 +1,12 @@
 import type { DrawnBlock, DrawnStack } from "../editor/reader/program_drawing";
 import type { Colours } from "../scene/colours";
+import type { Size } from "../scene/viewport";
 import { type Columns, columnsOf } from "./columns";
 
 /** Sizes of a page, in pixels of the page; a canvas has `ratio` pixels for each. */
 export interface PageFormat {
   readonly ratio: number;
-  /** Width and height of the floor. */
-  readonly floor: number;
+  readonly floorWidth: number;
   readonly blocksWidth: number;
   readonly margin: number;
   /** Height of the title and the lines below it. */
@@ -19,7 +19,7 @@ export interface PageFormat {
 /** A picture to print: an A4 in landscape, at 200 dots an inch. */
 export const PRINT_FORMAT: PageFormat = {
   ratio: 2,
-  floor: 640,
+  floorWidth: 640,
   blocksWidth: 416,
   margin: 24,
   head: 92,
@@ -31,7 +31,7 @@ export const PRINT_FORMAT: PageFormat = {
 /** A frame of an animation, for a screen. */
 export const FRAME_FORMAT: PageFormat = {
   ratio: 1,
-  floor: 480,
+  floorWidth: 480,
   blocksWidth: 340,
   margin: 14,
   head: 62,
@@ -64,14 +64,17 @@ export class Page {
   constructor(
     private readonly format: PageFormat,
     texts: PageTexts,
+    private readonly floor: Size,
     stacks: readonly DrawnStack[],
     private readonly colours: Colours,
   ) {
-    const { ratio, margin, head, floor, blocksWidth } = format;
-    const [maxScale, width] = [MAX_SCALE, stacks.length > 0 ? blocksWidth + 2 * margin : margin];
-    this.blocks = columnsOf(stacks, { ...format, width: blocksWidth, height: floor, maxScale });
-    this.canvas.width = (margin + floor + width) * ratio;
-    this.canvas.height = Math.round((head + Math.max(floor, this.blocks.height) + margin) * ratio);
+    const { ratio, margin, head, floorWidth, blocksWidth, minScale } = format;
+    const area = { width: blocksWidth, height: floorWidth, maxScale: MAX_SCALE, minScale };
+    this.blocks = columnsOf(stacks, area);
+    const right = stacks.length > 0 ? margin + blocksWidth + margin : margin;
+    const height = head + Math.max(floor.height, this.blocks.height) + margin;
+    this.canvas.width = Math.round((margin + floorWidth + right) * ratio);
+    this.canvas.height = Math.round(height * ratio);
     this.still.width = this.canvas.width;
     this.still.height = this.canvas.height;
     this.drawStill(contextOf(this.still), texts);
@@ -80,14 +83,15 @@ export class Page {
   /** Draws the page with a floor; marks the running block. `speed` stands on the floor if it is not 1. */
   draw(floor: HTMLCanvasElement, running: string | null = null, speed = 1): void {
     const { ctx, format, colours } = this;
-    const { margin, head, floor: size } = format;
+    const { margin, head } = format;
+    const { width, height } = this.floor;
     ctx.setTransform(1, 0, 0, 1, 0, 0);
     ctx.drawImage(this.still, 0, 0);
     ctx.scale(format.ratio, format.ratio);
-    ctx.drawImage(floor, margin, head, size, size);
+    ctx.drawImage(floor, margin, head, width, height);
     ctx.strokeStyle = colours.wall;
     ctx.lineWidth = 1;
-    ctx.strokeRect(margin + 0.5, head + 0.5, size - 1, size - 1);
+    ctx.strokeRect(margin + 0.5, head + 0.5, width - 1, height - 1);
     if (running !== null) this.paintBlocks(ctx, (block) => block.has(running), running);
     if (speed !== 1) this.drawSpeed(speed);
   }
@@ -132,11 +136,11 @@ export class Page {
     isPainted: (block: DrawnBlock) => boolean,
     running: string | null,
   ): void {
-    const { margin, head, floor } = this.format;
+    const { margin, head, floorWidth } = this.format;
     const { placed, scale } = this.blocks;
     for (const { block, x, y } of placed.filter((one) => isPainted(one.block))) {
       ctx.save();
-      ctx.translate(2 * margin + floor + x, head + y);
+      ctx.translate(2 * margin + floorWidth + x, head + y);
       ctx.scale(scale, scale);
       block.paint(ctx, running);
       ctx.restore();
@@ -146,9 +150,9 @@ export class Page {
   /** Says at the upper right corner of the floor that the animation is faster than the run. */
   private drawSpeed(speed: number): void {
     const { ctx, colours, format } = this;
-    const { margin, head, floor, textPx } = format;
+    const { margin, head, floorWidth, textPx } = format;
     const [width, height] = [3.4 * textPx, 1.8 * textPx];
-    const [left, top] = [margin + floor - width - 10, head + 10];
+    const [left, top] = [margin + floorWidth - width - 10, head + 10];
     ctx.fillStyle = colours.ink;
     ctx.beginPath();
     ctx.roundRect(left, top, width, height, height / 2);

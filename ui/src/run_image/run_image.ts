@@ -10,7 +10,7 @@ import { paperColours } from "../scene/colours";
 import { liveryOf } from "../scene/livery/livery";
 import { fileName, saveFile } from "../shell/files/save_file";
 import { group, robotOf } from "../shell/session";
-import { type PicturedRun, RecordedFloor } from "./floor";
+import { floorSize, type PicturedRun, RecordedFloor } from "./floor";
 import { END_S, FRAMES_PER_S, planFrames } from "./frame_plan";
 import { FRAME_FORMAT, Page, type PageFormat, type PageTexts, PRINT_FORMAT } from "./page";
 
@@ -68,12 +68,9 @@ async function prepare(runId: string, format: PageFormat) {
   const { run } = pictured;
   const [stacks, mission] = await Promise.all([stacksOf(run), missionOf(run)]);
   const colours = paperColours();
-  const page = new Page(format, textsOf(pictured, mission), stacks, colours);
-  return {
-    pictured,
-    page,
-    floor: new RecordedFloor(pictured, [format.floor, format.ratio], colours),
-  };
+  const size = floorSize(pictured, format.floorWidth);
+  const page = new Page(format, textsOf(pictured, mission), size, stacks, colours);
+  return { pictured, page, floor: new RecordedFloor(pictured, size, format.ratio, colours) };
 }
 
 async function load(runId: string): Promise<PicturedRun> {
