@@ -124,6 +124,7 @@ def test_a_picture_has_floor_blocks_and_names_on_white_paper_in_any_theme(studio
     assert near(edges, WHITE_RGB).all()
     assert near(pixels[:, : width // 2], PLUM_RGB).sum() > 500  # the robot
     assert near(pixels[:, width * 6 // 10 :], MOTION_RGB, 12).sum() > 50_000  # the blocks
+    assert pixels[200:-60, 60 : width // 2].mean() > 220  # the floor is as light as by day
     assert violations(studio, "run-image") == []
 
 
@@ -194,3 +195,16 @@ def test_the_replay_saves_the_same_picture_and_hides_nothing(
     studio.wait_for_screen("replay-play")
     assert cut(studio, "run-image") == []
     assert save(studio, "picture").suggested_filename.endswith("-volta.png")
+
+
+def test_a_picture_is_saved_by_the_keyboard(studio: Studio) -> None:
+    drive(studio, SQUARE[:1])
+    studio["run-image"].focus()
+    studio.page.keyboard.press("Enter")
+    studio.page.keyboard.press("Tab")
+    expect(studio["save-run-picture"]).to_be_focused()
+    with studio.page.expect_download() as download:
+        studio.page.keyboard.press("Enter")
+    assert download.value.suggested_filename.endswith("-volta.png")
+    expect(studio["save-run-picture"]).to_have_count(0)
+    expect(studio["run-image"]).to_be_focused()
