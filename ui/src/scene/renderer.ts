@@ -374,7 +374,7 @@ export class SceneRenderer {
   ): void {
     const { view, ranges } = this;
     if (!robot) return;
-    if (ranges && this.view.run) {
+    if (ranges) {
       ctx.save();
       ctx.translate(pose.x, pose.y);
       ctx.rotate(pose.yaw);
