@@ -44,11 +44,16 @@ export function inkOn({ floor }: World, zone: Zone): string | null {
   return contrast("#ffffff", paintOf(below.color)) < LOST ? DARK : "#ffffff";
 }
 
-/** Draws the names of all pictured places on plates beside their fields, over all that stands there. */
+/** Draws the names of pictured places on plates beside their fields, over all that stands there. */
 export function drawPlates(ctx: Ctx, world: World, colours: Colours, pixel: number): void {
-  for (const zone of world.zones ?? []) {
-    if (isPictured(world, zone)) drawPlate(ctx, world, zone, colours, pixel);
+  const letters = Math.max(NAME_M, READABLE_PX * pixel);
+  ctx.save();
+  ctx.font = `700 100px ${colours.font}`;
+  const widthOf = (zone: Zone) => (ctx.measureText(textOf(zone)).width / 100 + 0.9) * letters;
+  for (const { zone, plate } of platesOf(world, widthOf, 1.4 * letters)) {
+    drawPlate(ctx, textOf(zone), plate, letters, colours, pixel);
   }
+  ctx.restore();
 }
 
 interface Plate {
@@ -58,14 +63,39 @@ interface Plate {
   readonly depth: number;
 }
 
-function drawPlate(ctx: Ctx, world: World, zone: Zone, colours: Colours, pixel: number): void {
-  const letters = Math.max(NAME_M, READABLE_PX * pixel);
+/** The plates that fit: on a small floor a name that would lie on another one is left out. Its pictogram stays. */
+export function platesOf(
+  world: World,
+  widthOf: (zone: Zone) => number,
+  depth: number,
+): { readonly zone: Zone; readonly plate: Plate }[] {
+  const placed: { zone: Zone; plate: Plate }[] = [];
+  for (const zone of world.zones ?? []) {
+    if (!isPictured(world, zone)) continue;
+    const plate = plateOf(world, zone, widthOf(zone), depth);
+    if (!placed.some((other) => overlap(plate, other.plate))) placed.push({ zone, plate });
+  }
+  return placed;
+}
+
+const overlap = (one: Plate, other: Plate) =>
+  Math.abs(one.x - other.x) < (one.width + other.width) / 2 &&
+  Math.abs(one.y - other.y) < (one.depth + other.depth) / 2;
+
+function textOf({ name }: Zone): string {
+  const translation = translationOf(name);
+  return translation ? `${name} · ${translation}` : name;
+}
+
+function drawPlate(
+  ctx: Ctx,
+  text: string,
+  plate: Plate,
+  letters: number,
+  colours: Colours,
+  pixel: number,
+): void {
   ctx.save();
-  ctx.font = `700 100px ${colours.font}`;
-  const translation = translationOf(zone.name);
-  const text = translation ? `${zone.name} · ${translation}` : zone.name;
-  const width = (ctx.measureText(text).width / 100 + 0.9) * letters;
-  const plate = plateOf(world, zone, width, 1.4 * letters);
   ctx.translate(plate.x, plate.y);
   ctx.beginPath();
   ctx.roundRect(-plate.width / 2, -plate.depth / 2, plate.width, plate.depth, plate.depth / 2);
