@@ -18,6 +18,7 @@ const LAZY = [
   "plan",
   "projector",
   "review",
+  "run_image",
   "teacher",
 ];
 /** Files with messages of the server that the page needs too, by their properties in `Texts`. */

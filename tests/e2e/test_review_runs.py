@@ -94,6 +94,8 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     teacher["compare-open"].click()
     sides = teacher["compare-side"]
     expect(sides).to_have_count(2)
+    # both paths are in one world: on one floor, which is larger than two
+    expect(teacher["scene"]).to_have_count(1)
     slider = teacher["replay-slider"]
     # a square takes longer than the run that was stopped after a second
     teacher.studio.eventually(lambda: int(slider.get_attribute("max") or 0) > 300, True)
@@ -108,8 +110,8 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     teacher["replay-speed"].select_option("16")
     teacher["replay-play"].click()
     expect(teacher.page.locator("[data-phase=finished][data-testid=compare-side]")).to_have_count(1)
-    teacher.page.locator("[data-testid=compare-view][data-value=together]").click()
-    expect(teacher["scene"]).to_have_count(1)
+    teacher.page.locator("[data-testid=compare-view][data-value=apart]").click()
+    expect(teacher["scene"]).to_have_count(2)
 
 
 def test_blocks_that_differ_are_marked_on_both_sides_and_read_in_words(teacher: Teacher) -> None:

@@ -160,6 +160,29 @@ def test_following_ends_when_the_floor_is_moved(studio: Studio) -> None:
     expect(follow).to_have_attribute("aria-pressed", "false")
 
 
+@pytest.mark.parametrize("ring", ["sonar", "lidar"])
+def test_sensors_are_seen_before_a_run_and_after_it(studio: Studio, ring: str) -> None:
+    enter_made_group(studio, [("move_forward", 0.2)], speed=10)
+    studio["world"].select_option("furnished_room")
+    studio["scene-tools"].click()
+    studio.wait_for_screen(named(studio, "ring", ring))
+
+    def floor() -> str:
+        picture: str = studio["scene"].evaluate("canvas => canvas.toDataURL()")
+        return picture
+
+    for phase in ("idle", "finished"):
+        without = floor()
+        named(studio, "ring", ring).click()
+        studio.eventually(lambda before=without: floor() != before, True)
+        named(studio, "ring", ring).click()
+        studio.eventually(lambda before=without: floor() == before, True)
+        if phase == "idle":
+            studio.run()
+            studio.wait_for_phase("finished")
+            studio.wait_for_screen("past-run")
+
+
 def test_sonar_is_asked_for_and_seen(studio: Studio) -> None:
     def is_subscription(response: Response) -> bool:
         request = response.request

@@ -22,6 +22,7 @@ import "./work/programs.css";
 import "./run/panels/time_strip.css";
 import "./studio/floor_pane/last_run_timeline.css";
 import "./replay/replay.css";
+import "./run_image/run_image.css";
 import "./versions/versions.css";
 import "./versions/differences.css";
 import "./teacher/teacher.css";

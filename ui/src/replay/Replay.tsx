@@ -6,6 +6,7 @@ import type { Playback } from "../run/playback";
 import { RobotName } from "../run/real/RobotName";
 import { VerdictLine } from "../run/real/VerdictLine";
 import { beep } from "../run/sounds/sound";
+import { SaveRunImage } from "../run_image/SaveRunImage";
 import { lazy } from "../shell/lazy";
 import { PresentButton } from "../shell/projector/PresentButton";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
@@ -65,6 +66,7 @@ function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
         <p>{run.version ? replay.readOnly : replay.noVersion}</p>
         <RobotName link={run.link} />
         {forTeacher && <PresentButton first={run.id} />}
+        <SaveRunImage runId={run.id} opens="below" />
         {run.program_id && (
           <Button icon={Blocks} testId="replay-program" onPress={onOpen}>
             {replay.openProgram}

@@ -367,3 +367,25 @@ describe("whether the robot was told to move", () => {
     expect(viewAfter(...(events as RunEvent[])).moved).toBe(moved);
   });
 });
+
+test("the desired path is known from where the robot leaves it, not while it follows", () => {
+  const at = (tick: number, y: number): RunEvent => ({
+    ...(telemetry(tick, tick / 10, y) as Extract<RunEvent, { type: "telemetry" }>),
+    goal_y_m: 0,
+  });
+  const following = [1, 2, 3].map((tick) => at(tick, 0.001 * tick)).reduce(reduce, starting(RUN));
+  expect([...points(following.idealPath)]).toEqual([]);
+  const left = [at(4, 0.05), at(5, 0.01)].reduce(reduce, following);
+  expect([...points(left.idealPath)]).toEqual([
+    [0.5, 0],
+    [0.6, 0],
+  ]);
+});
+
+test("a robot that stays behind on the desired path has not left it", () => {
+  const behind: RunEvent = {
+    ...(telemetry(1, 1, 0) as Extract<RunEvent, { type: "telemetry" }>),
+    goal_x_m: 1.2,
+  };
+  expect([...points(reduce(starting(RUN), behind).idealPath)]).toEqual([]);
+});

@@ -6,7 +6,7 @@ import type {
   TelemetryEvent,
 } from "../api/model";
 import { NOTHING, type Output, reduceOutput } from "./output";
-import { EMPTY_TRAIL, extend, type Trail } from "./trail";
+import { EMPTY_TRAIL, extend, lastPoint, type Trail } from "./trail";
 
 /** Phase of a run. */
 export type Phase = "idle" | "starting" | "running" | "paused" | "finished" | "stopped" | "failed";
@@ -101,6 +101,7 @@ export interface RunView {
   readonly setpoint: Pose;
   /** The true path. */
   readonly path: Trail;
+  /** The desired path, from where the robot first left it; empty while the robot follows it. */
   readonly idealPath: Trail;
   readonly boxes: BoxPoses;
   readonly motion: Motion | null;
@@ -251,7 +252,9 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
     truth,
     setpoint,
     path: extend(view.path, [truth.x, truth.y]),
-    idealPath: extend(view.idealPath, [setpoint.x, setpoint.y]),
+    idealPath: hasLeft(view, truth, setpoint)
+      ? extend(view.idealPath, [setpoint.x, setpoint.y])
+      : view.idealPath,
     output: reduceOutput(view.output, event, [truth.x, truth.y]),
     speed: { linear: event.command_v_mps, angular: event.command_omega_radps },
     motion: view.motion && withProgress(view.motion, event),
@@ -261,6 +264,16 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
 
 function withProgress(motion: Motion, { tick, done }: TelemetryEvent): Motion {
   return done == null || tick <= motion.since ? motion : { ...motion, done };
+}
+
+/** A robot this far beside the desired path has left it; a smaller distance is not seen, m. */
+const BESIDE_M = 0.03;
+
+/** Whether the robot has left the desired path. */
+function hasLeft({ idealPath }: RunView, truth: Pose, { x, y, yaw }: Pose): boolean {
+  const [dx, dy] = [truth.x - x, truth.y - y];
+  const beside = Math.abs(dy * Math.cos(yaw) - dx * Math.sin(yaw));
+  return lastPoint(idealPath) !== undefined || beside > BESIDE_M;
 }
 
 /** Old recordings do not contain the true pose, and a real robot does not know it. */

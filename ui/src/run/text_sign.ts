@@ -28,6 +28,12 @@ export function showText(
   };
 }
 
+/** The text that the robot said shortly before the tick of a view, in robot time; null for none. */
+export function recentText({ output, tick }: RunView): DialogueLine["text"] | null {
+  const line = output.talk.findLast(({ kind }) => kind === "said");
+  return line && tick - line.tick < TEXT_TICKS ? line.text : null;
+}
+
 /** Knows which text is shown for its minimum time, and which one after the end of its run. */
 class TextSign {
   private run: string | null = null;
@@ -47,7 +53,7 @@ class TextSign {
     if (view.run !== this.run) this.begin(view.run, isOver && !still ? number : -1, number);
     if (!line) return null;
     const isRecent = view.tick - line.tick < TEXT_TICKS;
-    if (still) return isRecent ? line.text : null;
+    if (still) return recentText(view);
     if (number !== this.newest) this.setNewest(number, isRecent);
     if (isOver && isRecent) this.hideSoon(number);
     if (isOver && this.hidden === number) return null;

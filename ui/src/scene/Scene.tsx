@@ -24,6 +24,7 @@ import { type Framing, SceneRenderer } from "./renderer";
 import { CELEBRATION_MS } from "./signs/celebration_view";
 import type { SolidView } from "./solid/view";
 import { drawMeasure, measureText } from "./tools/measure_view";
+import { PathLegend } from "./tools/PathLegend";
 import { type Grip, listenToPointer } from "./tools/pointer_input";
 import { SolidEnd } from "./tools/SolidEnd";
 import { Toolbar } from "./tools/Toolbar";
@@ -103,6 +104,7 @@ export function Scene(props: SceneProps) {
         }}
       />
       <CameraChoice />
+      <PathLegend view={view} />
       <MeasureHint tools={tools} />
       <SolidEnd floor={tools} />
     </div>

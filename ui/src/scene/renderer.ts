@@ -238,16 +238,30 @@ export class SceneRenderer {
 
   /** Draws the whole subject with the given palette on a new canvas, for export. */
   picture(size: Size, ratio: number, colours: Colours): HTMLCanvasElement {
+    return this.pictures(size, ratio, colours)();
+  }
+
+  /**
+   * Returns a function that draws the state of the time of its call, for a series of pictures. All
+   * are drawn on one canvas, and show the same part of the floor: that of the whole path.
+   */
+  pictures(size: Size, ratio: number, colours: Colours): () => HTMLCanvasElement {
     const canvas = document.createElement("canvas");
     canvas.width = size.width * ratio;
     canvas.height = size.height * ratio;
     const ctx = canvas.getContext("2d");
-    if (!ctx) return canvas;
-    const viewport = viewportFor(contentBounds(this.world, this.view, this.companion), size);
-    const { world, robot, view } = this;
-    const input = { world, robot, view, colours, size, ratio };
-    this.paintCached(ctx, input, new SceneCache(), viewport, performance.now());
-    return canvas;
+    const viewport = viewportFor(contentBounds(this.world, this.whole, this.companion), size);
+    const cache = new SceneCache();
+    return () => {
+      if (!ctx) return canvas;
+      const now = performance.now();
+      const { world, robot, view } = this;
+      const input = { world, robot, view, colours, size, ratio };
+      this.boxInterpolator.approach(view.boxes, 0, true);
+      this.paintCached(ctx, input, cache, viewport, now);
+      this.drawSigns(ctx, input, this.poseAt(now), viewport, now);
+      return canvas;
+    };
   }
 
   private setFraming(framing: Framing): void {
@@ -310,7 +324,7 @@ export class SceneRenderer {
     const input = { world, robot, view, colours, size, ratio };
     const viewport = this.cache.aligned(this.viewport, ratio);
     const blurred = this.paintCached(this.ctx, input, this.cache, viewport, now);
-    const celebrating = this.drawSigns(pose, viewport, now);
+    const celebrating = this.drawSigns(this.ctx, input, pose, viewport, now);
     this.overlay?.(this.ctx, viewport, size, colours);
     return moving || pushing || blurred || celebrating;
   }
@@ -349,8 +363,14 @@ export class SceneRenderer {
     return blurred;
   }
 
-  private drawSigns(pose: Pose, viewport: Viewport, now: number): boolean {
-    const { world, robot, livery, size, colours, view } = this;
+  private drawSigns(
+    ctx: CanvasRenderingContext2D,
+    { world, robot, size, colours, view }: CacheInput,
+    pose: Pose,
+    viewport: Viewport,
+    now: number,
+  ): boolean {
+    const { livery } = this;
     const start = startOf(world);
     const place = toWorld(start, pose.x, pose.y);
     const cameFromBelow = Math.sin(start.yaw + pose.yaw) >= 0.5;
@@ -363,7 +383,7 @@ export class SceneRenderer {
       livery,
       atRest: robot !== null && !isLive(view),
     };
-    return this.signs.draw(this.ctx, frame, now, this.still(), colours);
+    return this.signs.draw(ctx, frame, now, this.still(), colours);
   }
 
   private drawRobot(
@@ -374,7 +394,7 @@ export class SceneRenderer {
   ): void {
     const { view, ranges } = this;
     if (!robot) return;
-    if (ranges && this.view.run) {
+    if (ranges) {
       ctx.save();
       ctx.translate(pose.x, pose.y);
       ctx.rotate(pose.yaw);

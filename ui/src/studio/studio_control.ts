@@ -28,7 +28,7 @@ import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, type SentenceContext, sentenceOf } from "../run/sentence";
 import { valueText } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
-import { subscribeToRings } from "../scene/tools/sensor_rings";
+import { shownRanges, subscribeToRings } from "../scene/tools/sensor_rings";
 import { level } from "../shell/level";
 import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
 import { breakpoints, runSettings, syncRunSettings } from "./debug/debugging";
@@ -144,7 +144,10 @@ export class StudioControl {
       };
     }),
     canReset: computed(() => this.start.canReset.value),
-    ranges: robot.ranges,
+    ranges: shownRanges(
+      () => this.world.value,
+      () => this.robot.value,
+    ),
     again: () => this.start.again(),
   };
 

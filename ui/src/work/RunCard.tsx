@@ -33,7 +33,7 @@ export function RunCard({ run }: { run: Run }) {
     <a class="work-card card" href={hrefOf(run)} data-testid="run-card" data-state={run.state}>
       <span class="visually-hidden">{work.replay}: </span>
       <span class="work-card__picture">
-        <PathPicture path={run.path} />
+        <PathPicture path={run.path} failed={run.state === "failed"} />
       </span>
       <span class="work-card__words">
         <span class={`work-card__state work-card__state--${run.state}`}>

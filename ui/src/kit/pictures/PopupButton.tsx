@@ -9,8 +9,11 @@ interface PopupButtonProps {
   class?: string;
   /** What the button shows. */
   face: ComponentChildren;
-  /** The content of the popup. `pressed` closes it after a press with the pointer, for a choice that ends it. */
-  children(pressed: () => void): ComponentChildren;
+  /**
+   * The content of the popup. `pressed` closes it after a press with the pointer, for a choice that
+   * ends it; `close` closes it in any case, for an action.
+   */
+  children(pressed: () => void, close: () => void): ComponentChildren;
 }
 
 /** A button that opens a card below. Escape, Enter or a press elsewhere closes the card. */
@@ -45,10 +48,14 @@ export function PopupButton({
         {face}
         <ChevronDown class="icon popup-button__more" aria-hidden="true" />
       </Button>
-      {open && <div class="popup-button__card card">{children(pressed)}</div>}
+      {open && <div class="popup-button__card card">{children(pressed, () => close(true))}</div>}
     </div>
   );
 }
+
+/** Whether Enter presses a button in the card. */
+const isAction = (target: EventTarget | null) =>
+  target instanceof Element && target.closest(".popup-button__card button") !== null;
 
 /**
  * Closes a popup on a press outside, on loss of focus, on Enter and on Escape. The returned ref
@@ -73,6 +80,7 @@ function usePopup(
     const end = (event: KeyboardEvent) => {
       byHand.current = false;
       if (event.key !== "Escape" && event.key !== "Enter") return;
+      if (event.key === "Enter" && isAction(event.target)) return;
       event.preventDefault();
       close(true);
     };

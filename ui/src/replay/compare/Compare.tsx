@@ -16,7 +16,7 @@ import { PlaybackControls } from "../PlaybackControls";
 import { ComparedRun } from "./ComparedRun";
 import type { LoadedPair } from "./load_pair";
 import { PairDifferences } from "./PairDifferences";
-import type { Pair } from "./pair";
+import type { Pair, Side } from "./pair";
 
 type View = "apart" | "together";
 
@@ -25,7 +25,7 @@ type View = "apart" | "together";
  * controls.
  */
 export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
-  const view = useSignal<View>("apart");
+  const view = useSignal<View>(inOneWorld(pair) ? "together" : "apart");
   const isTogether = view.value === "together";
   return (
     <main class={`screen replay compare compare--${view.value}`} data-testid="compare-page">
@@ -51,6 +51,12 @@ export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
   );
 }
 
+/** Paths in one world are on one floor at first, which is larger than two. */
+function inOneWorld({ sides: [first, second] }: Pair): boolean {
+  const nameOf = ({ recordedRun }: Side) => recordedRun.run.world_document?.name;
+  return nameOf(first) === nameOf(second);
+}
+
 interface HeadProps {
   pair: Pair;
   children: ComponentChildren;
@@ -61,18 +67,17 @@ function Head({ pair, view, children }: HeadProps) {
   const { compare: labels } = texts.value.review;
   const from = reviewOrigin.value ?? { screen: "runs" };
   const back = from.screen === "runs" ? labels.back : texts.value.header.backToLesson;
-  const [first, second] = [pair.sides[0].recordedRun, pair.sides[1].recordedRun];
-  const isOtherWorld = first.run.world_document?.name !== second.run.world_document?.name;
+  const [first, second] = [pair.sides[0].recordedRun.run.id, pair.sides[1].recordedRun.run.id];
   return (
     <div class="review-head compare__head row middle gap-4">
       <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
       <h1>{labels.title}</h1>
       {children}
       {/* the floor shows the first world, so the second path may cross its walls */}
-      {view.value === "together" && isOtherWorld && (
+      {view.value === "together" && !inOneWorld(pair) && (
         <p class="compare__elsewhere">{labels.otherWorld}</p>
       )}
-      <PresentButton first={first.run.id} second={second.run.id} small />
+      <PresentButton first={first} second={second} small />
       <RadioGroup<View>
         class="switch row middle shrinks"
         label={labels.view}

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import neighbourhood from "../../../../sim/worlds/neighbourhood.json";
 import type { World } from "../../api/model";
 import { areaOf } from "../areas";
-import { hasPlateBelow, inkOn, isPictured, plateOf } from "./places";
+import { hasPlateBelow, inkOn, isPictured, plateOf, platesOf } from "./places";
 
 const TOWN = { title: "", ...neighbourhood } as unknown as World;
 const zone = (name: string) => {
@@ -55,4 +55,22 @@ describe("a place has a pictogram", () => {
     const wide = { color: "black", center: [-2, -2], size: [3, 1], heading_deg: 0 } as const;
     expect(inkOn({ ...TOWN, floor: [wide] } as never, zone("casa"))).toBe("#ffffff");
   });
+});
+
+test("all names of the town are shown on a floor of usual size; on a tiny one none lies on another", () => {
+  const pictured = TOWN.zones.filter((zone) => isPictured(TOWN, zone));
+  const shownAt = (letters: number) =>
+    platesOf(TOWN, ({ name }) => 0.7 * name.length * letters, 1.4 * letters).map(
+      ({ plate }) => plate,
+    );
+  expect(shownAt(0.2)).toHaveLength(pictured.length);
+  const tiny = shownAt(1.2);
+  expect(tiny.length).toBeGreaterThan(0);
+  expect(tiny.length).toBeLessThan(pictured.length);
+  for (const [index, one] of tiny.entries()) {
+    for (const other of tiny.slice(index + 1)) {
+      const [dx, dy] = [Math.abs(one.x - other.x), Math.abs(one.y - other.y)];
+      expect(dx >= (one.width + other.width) / 2 || dy >= one.depth).toBe(true);
+    }
+  }
 });

@@ -44,21 +44,16 @@ export function inkOn({ floor }: World, zone: Zone): string | null {
   return contrast("#ffffff", paintOf(below.color)) < LOST ? DARK : "#ffffff";
 }
 
-/**
- * Draws the names of pictured places on plates beside their fields, over all that stands there. On a small floor,
- * a place whose plate would cover another one has its pictogram alone.
- */
+/** Draws the names of pictured places on plates beside their fields, over all that stands there. */
 export function drawPlates(ctx: Ctx, world: World, colours: Colours, pixel: number): void {
   const letters = Math.max(NAME_M, READABLE_PX * pixel);
-  const drawn: Plate[] = [];
-  for (const zone of world.zones ?? []) {
-    if (!isPictured(world, zone)) continue;
-    const text = plateText(zone);
-    const plate = plateOf(world, zone, textWidth(ctx, text, letters, colours), 1.4 * letters);
-    if (drawn.some((other) => overlap(plate, other))) continue;
-    drawn.push(plate);
-    drawPlate(ctx, plate, text, letters, colours, pixel);
+  ctx.save();
+  ctx.font = `700 100px ${colours.font}`;
+  const widthOf = (zone: Zone) => (ctx.measureText(textOf(zone)).width / 100 + 0.9) * letters;
+  for (const { zone, plate } of platesOf(world, widthOf, 1.4 * letters)) {
+    drawPlate(ctx, textOf(zone), plate, letters, colours, pixel);
   }
+  ctx.restore();
 }
 
 interface Plate {
@@ -68,32 +63,35 @@ interface Plate {
   readonly depth: number;
 }
 
-function plateText({ name }: Zone): string {
+/** The plates that fit: on a small floor a name that would lie on another one is left out. Its pictogram stays. */
+export function platesOf(
+  world: World,
+  widthOf: (zone: Zone) => number,
+  depth: number,
+): { readonly zone: Zone; readonly plate: Plate }[] {
+  const placed: { zone: Zone; plate: Plate }[] = [];
+  for (const zone of world.zones ?? []) {
+    if (!isPictured(world, zone)) continue;
+    const plate = plateOf(world, zone, widthOf(zone), depth);
+    if (!placed.some((other) => overlap(plate, other.plate))) placed.push({ zone, plate });
+  }
+  return placed;
+}
+
+function textOf({ name }: Zone): string {
   const translation = translationOf(name);
   return translation ? `${name} · ${translation}` : name;
 }
 
-const plateFont = ({ font }: Colours) => `700 100px ${font}`;
-
-/** Width of a plate in metres. */
-function textWidth(ctx: Ctx, text: string, letters: number, colours: Colours): number {
-  ctx.save();
-  ctx.font = plateFont(colours);
-  const { width } = ctx.measureText(text);
-  ctx.restore();
-  return (width / 100 + 0.9) * letters;
-}
-
 function drawPlate(
   ctx: Ctx,
-  plate: Plate,
   text: string,
+  plate: Plate,
   letters: number,
   colours: Colours,
   pixel: number,
 ): void {
   ctx.save();
-  ctx.font = plateFont(colours);
   ctx.translate(plate.x, plate.y);
   ctx.beginPath();
   ctx.roundRect(-plate.width / 2, -plate.depth / 2, plate.width, plate.depth, plate.depth / 2);

@@ -8,8 +8,14 @@ type Points = readonly (readonly number[])[];
 /** If a metre has fewer pixels than this, the grid has a line every 5 m. */
 const DENSE = 12;
 
+interface PathPictureProps {
+  path: Points;
+  /** Whether the run stopped before its end: a warning sign is where the robot then was. */
+  failed?: boolean;
+}
+
 /** Small picture of a run's path, with a grid that shows its size. */
-export function PathPicture({ path }: { path: Points }) {
+export function PathPicture({ path, failed = false }: PathPictureProps) {
   const viewport = viewportOfPath(pointsOf(path));
   const start = viewport.toPixels({ x: 0, y: 0 });
   const last = pointsOf(path.slice(-1)).map(viewport.toPixels)[0];
@@ -25,12 +31,26 @@ export function PathPicture({ path }: { path: Points }) {
         <>
           <Line viewport={viewport} points={path} edged={false} />
           <StartMark at={start} />
-          <circle class="path-picture__robot" cx={last.x} cy={last.y} r="8" />
+          {failed ? (
+            <FailedMark at={[last.x, last.y]} />
+          ) : (
+            <circle class="path-picture__robot" cx={last.x} cy={last.y} r="8" />
+          )}
         </>
       ) : (
         <WaitingRobot at={[start.x, start.y]} />
       )}
     </svg>
+  );
+}
+
+/** The sign of a failed run, as beside its outcome. */
+function FailedMark({ at: [x, y] }: { at: readonly [number, number] }) {
+  return (
+    <g class="path-picture__failed" transform={`translate(${x} ${y})`}>
+      <path d="M0 -14 14 0 0 14 -14 0z" />
+      <path class="path-picture__exclamation" d="M0 -6.5V1M0 6v.4" />
+    </g>
   );
 }
 

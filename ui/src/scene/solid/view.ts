@@ -134,7 +134,7 @@ export class SolidView {
 
   setRanges(ranges: Measurements | null): void {
     this.ranges = ranges;
-    this.fans?.show(this.view.run ? ranges : null);
+    this.fans?.show(ranges);
     this.requestRedraw();
   }
 
@@ -304,7 +304,7 @@ export class SolidView {
     this.ghost = companion && this.runnerOf(companion, true);
     if (robot && this.runner.robot) {
       this.fans = new Fans(robot, this.runner.robot.heights, colours);
-      this.fans.show(this.view.run ? this.ranges : null);
+      this.fans.show(this.ranges);
       this.runner.robot.group.add(this.fans.group);
       this.belief = new Belief(robot, colours);
       this.runner.frame.add(this.belief.group);

@@ -9,6 +9,7 @@ import { captureShow, live } from "../../run/live";
 import { record } from "../../run/live_record";
 import { TimeStrip } from "../../run/panels/TimeStrip";
 import { stepFrom } from "../../run/playback";
+import { SaveRunImage } from "../../run_image/SaveRunImage";
 import { hashOf } from "../../shell/route";
 
 const DIRECTIONS: Readonly<Record<string, -1 | 1>> = { ArrowLeft: -1, ArrowRight: 1 };
@@ -34,6 +35,7 @@ export function LastRunTimeline() {
       >
         {work.replay}
       </LinkButton>
+      <SaveRunImage runId={run} opens="above" />
     </section>
   );
 }

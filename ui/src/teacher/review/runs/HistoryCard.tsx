@@ -51,7 +51,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
     >
       <a class="run-card__open" href={hashOf({ screen: "replay", run: run.id })}>
         <span class="work-card__picture">
-          <PathPicture path={run.path} />
+          <PathPicture path={run.path} failed={run.state === "failed"} />
         </span>
         <span class="work-card__words">
           <span class="run-card__group row middle gap-2">

@@ -1,0 +1,26 @@
+/** The part of gifenc (MIT) that is used; it has no types of its own. */
+declare module "gifenc" {
+  type Colour = [red: number, green: number, blue: number];
+
+  interface FrameOptions {
+    /** Colours of the animation, with its first frame only. */
+    palette?: Colour[];
+    /** Time for which the frame is shown, in ms. */
+    delay: number;
+    /** Whether pixels of `transparentIndex` show the frame before. */
+    transparent?: boolean;
+    transparentIndex?: number;
+    /** 1: the frame stays below the next one. */
+    dispose?: number;
+  }
+
+  interface Encoder {
+    writeFrame(pixels: Uint8Array, width: number, height: number, options: FrameOptions): void;
+    finish(): void;
+    bytes(): Uint8Array<ArrayBuffer>;
+  }
+
+  export function GIFEncoder(): Encoder;
+  export function quantize(rgba: Uint8ClampedArray, maxColours: number): Colour[];
+  export function nearestColorIndex(palette: Colour[], pixel: readonly number[]): number;
+}
