@@ -31,15 +31,7 @@ export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
           hidden={plotting.value && tall.value}
         >
           <div class="floor__scene grows shrinks shrinks-down">
-            <Scene
-              world={run.world_document}
-              robot={robotOf(run.model)}
-              livery={run.group_id === group.value?.id ? liveryOf(group.value) : null}
-              view={playback.view}
-              poseAt={playback.pose}
-              whole={playback.whole}
-              playing={playback.playing}
-            />
+            <RecordedFloor recordedRun={recordedRun} />
             <div class="floor__corner">
               <MuteButton view={playback.view} />
             </div>
@@ -75,5 +67,19 @@ export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
         />
       </div>
     </section>
+  );
+}
+
+function RecordedFloor({ recordedRun: { run, playback } }: { recordedRun: RecordedRun }) {
+  return (
+    <Scene
+      world={run.world_document}
+      robot={robotOf(run.model)}
+      livery={run.group_id === group.value?.id ? liveryOf(group.value) : null}
+      view={playback.view}
+      poseAt={playback.pose}
+      whole={playback.whole}
+      playing={playback.playing}
+    />
   );
 }

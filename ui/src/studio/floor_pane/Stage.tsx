@@ -43,7 +43,6 @@ interface StageProps {
 export function Stage({ control, drawer }: StageProps) {
   const capturing = useComputed(() => robot.live.value.capture !== null);
   const asked = useComputed(() => (control.mine.value ? robot.live.value.output.question : null));
-  const solved = useSolved(control);
   const waits = capturing.value || asked.value !== null;
   const { open, what, tall, editing } = drawer.value;
   const hasText = open && (editing || !waits);
@@ -54,18 +53,7 @@ export function Stage({ control, drawer }: StageProps) {
         hidden={hasText && (tall || editing)}
       >
         <div class="floor__scene grows shrinks shrinks-down">
-          <Scene
-            world={control.world.value}
-            robot={control.robot.value}
-            livery={liveryOf(group.value)}
-            view={shown}
-            poseAt={shownPose}
-            whole={robot.live}
-            companion={control.ghost.companion}
-            hold={control.hold}
-            playing={isNow}
-            solved={solved}
-          />
+          <StudioFloor control={control} />
           <Corner control={control} />
         </div>
         {!waits && <RunOutput view={shown} more={sensorValues} />}
@@ -99,6 +87,24 @@ export function Stage({ control, drawer }: StageProps) {
         </div>
       )}
     </div>
+  );
+}
+
+/** The floor of the live run, or of the moment that the group looks at. */
+function StudioFloor({ control }: { control: StudioControl }) {
+  return (
+    <Scene
+      world={control.world.value}
+      robot={control.robot.value}
+      livery={liveryOf(group.value)}
+      view={shown}
+      poseAt={shownPose}
+      whole={robot.live}
+      companion={control.ghost.companion}
+      hold={control.hold}
+      playing={isNow}
+      solved={useSolved(control)}
+    />
   );
 }
 
