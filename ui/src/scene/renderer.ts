@@ -15,10 +15,9 @@ import { type CacheInput, SceneCache } from "./scene_cache";
 import { RobotSigns } from "./signs/robot_signs";
 import {
   approach,
-  BARE_EDGE,
   clampScale,
-  EDGE,
-  EDGE_WITH_TOOLS,
+  edgeOf,
+  hasRulers,
   type Size,
   toFloor,
   toScreen,
@@ -28,9 +27,6 @@ import {
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
-
-/** Below this height a magnified floor has no numbers. */
-const LOW_PX = 200;
 
 /** The estimated pose is drawn if it differs from the true pose by more than this. */
 export const OFF_M = 0.01;
@@ -262,25 +258,11 @@ export class SceneRenderer {
   private point(): void {
     this.moved = false;
     if (this.held) return;
-    const { edge } = this;
-    if (this.framing === "subject")
-      this.target = viewportFor(
-        contentBounds(this.world, this.whole, this.companion),
-        this.size,
-        edge,
-      );
-    if (this.framing === "room") this.target = viewportFor(wholeRoom(this.world), this.size, edge);
-  }
-
-  /** Large numbers would cover a magnified floor that is low. */
-  private get hasRulers(): boolean {
-    return this.magnification === 1 || this.size.height >= LOW_PX;
-  }
-
-  /** Free margins; a magnified floor has no tools. */
-  private get edge(): typeof EDGE {
-    if (this.magnification === 1) return EDGE_WITH_TOOLS;
-    return this.hasRulers ? EDGE : BARE_EDGE;
+    const { framing, world, whole, companion, size } = this;
+    const edge = edgeOf(this.magnification, size);
+    if (framing === "subject")
+      this.target = viewportFor(contentBounds(world, whole, companion), size, edge);
+    if (framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);
   }
 
   private requestRedraw(): void {
@@ -347,7 +329,7 @@ export class SceneRenderer {
       cache.drawPen(ctx, input, viewport, end);
       this.drawRobot(ctx, pose, viewport, input);
     });
-    if (this.hasRulers) drawRulers(ctx, world, viewport, size, colours);
+    if (hasRulers(this.magnification, size)) drawRulers(ctx, world, viewport, size, colours);
     return blurred;
   }
 

@@ -17,7 +17,18 @@ export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
 /** `EDGE` with space on the right for the tools over the floor, which must not hide a goal. */
 export const EDGE_WITH_TOOLS = { ...EDGE, right: 66 };
 /** Margins without rulers. */
-export const BARE_EDGE = { left: 6, right: 6, top: 6, bottom: 6 };
+const BARE_EDGE = { left: 6, right: 6, top: 6, bottom: 6 };
+/** Below this height a magnified floor has no rulers, whose numbers would cover it. */
+const LOW_PX = 200;
+
+export const hasRulers = (magnification: number, { height }: Size): boolean =>
+  magnification === 1 || height >= LOW_PX;
+
+/** The margins of a floor; one that is magnified has no tools. */
+export function edgeOf(magnification: number, size: Size): typeof EDGE {
+  if (magnification === 1) return EDGE_WITH_TOOLS;
+  return hasRulers(magnification, size) ? EDGE : BARE_EDGE;
+}
 
 /** Height of the controls over the upper edge, below `EDGE.top`; pixels. */
 const CONTROLS = 54;
