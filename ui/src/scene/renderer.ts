@@ -15,11 +15,9 @@ import { type CacheInput, SceneCache } from "./scene_cache";
 import { RobotSigns } from "./signs/robot_signs";
 import {
   approach,
-  BARE_EDGE,
   clampScale,
-  EDGE,
-  type Edge,
-  edgeFor,
+  hasRulers,
+  marginsOf,
   type Size,
   toFloor,
   toScreen,
@@ -29,9 +27,6 @@ import {
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
-
-/** Below this height a magnified floor has no numbers. */
-const LOW_PX = 200;
 
 /** The estimated pose is drawn if it differs from the true pose by more than this. */
 export const OFF_M = 0.01;
@@ -278,21 +273,11 @@ export class SceneRenderer {
   private point(): void {
     this.moved = false;
     if (this.held) return;
-    const { world, whole, companion, size, edge } = this;
-    if (this.framing === "subject")
+    const { framing, world, whole, companion, size } = this;
+    const edge = marginsOf(size, this.magnification, this.hasControls);
+    if (framing === "subject")
       this.target = viewportFor(contentBounds(world, whole, companion), size, edge);
-    if (this.framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);
-  }
-
-  /** Large numbers would cover a magnified floor that is low. */
-  private get hasRulers(): boolean {
-    return this.magnification === 1 || this.size.height >= LOW_PX;
-  }
-
-  /** Free margins; a magnified floor has no tools. */
-  private get edge(): Edge {
-    if (this.magnification === 1) return edgeFor(this.size, this.hasControls);
-    return this.hasRulers ? EDGE : BARE_EDGE;
+    if (framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);
   }
 
   private requestRedraw(): void {
@@ -359,7 +344,7 @@ export class SceneRenderer {
       cache.drawPen(ctx, input, viewport, end);
       this.drawRobot(ctx, pose, viewport, input);
     });
-    if (this.hasRulers) drawRulers(ctx, world, viewport, size, colours);
+    if (hasRulers(this.magnification, size)) drawRulers(ctx, world, viewport, size, colours);
     return blurred;
   }
 

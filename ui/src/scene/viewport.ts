@@ -24,13 +24,20 @@ export const EDGE_WITH_TOOLS: Edge = { ...EDGE, right: 66 };
 export const EDGE_WITH_CONTROLS: Edge = { ...EDGE_WITH_TOOLS, top: EDGE.top + 54 };
 
 /** Margins without rulers. */
-export const BARE_EDGE: Edge = { left: 6, right: 6, top: 6, bottom: 6 };
+const BARE_EDGE: Edge = { left: 6, right: 6, top: 6, bottom: 6 };
+
+/** Below this height a magnified floor has no rulers, whose numbers would cover it. */
+const LOW_MAGNIFIED_PX = 200;
 
 /** Below this height a floor has no space to spare for its controls; see `studio.css`. */
 const LOW_PX = 230;
 
-/** The margins of a floor of this size. */
-export function edgeFor(size: Size, hasControls: boolean): Edge {
+export const hasRulers = (magnification: number, { height }: Size): boolean =>
+  magnification === 1 || height >= LOW_MAGNIFIED_PX;
+
+/** The margins of a floor; one that is magnified has no tools. */
+export function marginsOf(size: Size, magnification: number, hasControls: boolean): Edge {
+  if (magnification !== 1) return hasRulers(magnification, size) ? EDGE : BARE_EDGE;
   return hasControls && size.height > LOW_PX ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
 }
 

@@ -32,6 +32,7 @@ interface SolidFloorProps {
   companion?: ReadonlySignal<Companion | null> | undefined;
   playing?: ReadonlySignal<boolean> | undefined;
   ranges?: ReadonlySignal<Measurements | null> | undefined;
+  magnification?: (() => number) | undefined;
   /** The floor to which a message belongs if 3D ends. */
   floor: object;
   /** Called with the view when its first frame is drawn, and with null at its end. */
@@ -91,7 +92,9 @@ function useSolidView(
     scene.setLivery(props.livery ?? null);
     scene.setWorld(props.world);
     scene.setRobot(props.robot);
-    const sizes = new ResizeObserver(() => scene.resize(element.clientWidth, element.clientHeight));
+    const resize = () =>
+      scene.resize(element.clientWidth, element.clientHeight, props.magnification?.());
+    const sizes = new ResizeObserver(resize);
     sizes.observe(element);
     const stops = [
       effect(() => scene.setView(view.value, whole?.value)),

@@ -124,6 +124,9 @@ export function arrangeNames(
     let line = 0;
     while (line < MAX_LINES && covers(line)) line++;
     name.center.y = -line * GAP;
-    placed.push({ x, y: y + line * GAP * height, half });
+    const raised = y + line * GAP * height;
+    // a name that is raised out of the picture could not be read
+    name.visible = line === 0 || raised + height <= 1;
+    placed.push({ x, y: raised, half });
   }
 }

@@ -85,6 +85,7 @@ export class SolidView {
   private lastFrame = 0;
   private follows = false;
   private size: Size = { width: 1, height: 1 };
+  private magnification = 1;
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -164,10 +165,12 @@ export class SolidView {
     this.requestRedraw();
   }
 
-  resize(width: number, height: number): void {
+  /** `magnification` is how much larger than usual texts are. */
+  resize(width: number, height: number, magnification = 1): void {
     if (width === 0 || height === 0) return; // a hidden pane has no size
     this.surface.resize([width, height]);
     this.size = { width, height };
+    this.magnification = magnification;
     this.cameras.resize(this.size);
     this.requestRedraw();
   }
@@ -258,8 +261,9 @@ export class SolidView {
     if (this.companion) this.place(this.ghost, this.companion.view, this.companion.pose());
     this.belief?.show(this.view, pose);
     const turning = this.moveCamera(pose, elapsed);
-    this.floor?.arrangeNames(this.cameras.camera, this.cameras.pixel);
-    if (this.beep) sizeLabel(this.beep, BEEP_PX * this.cameras.pixel);
+    const pixel = this.cameras.pixel * this.magnification;
+    this.floor?.arrangeNames(this.cameras.camera, pixel);
+    if (this.beep) sizeLabel(this.beep, BEEP_PX * pixel);
     this.surface.render(this.cameras.camera);
     if (this.isFirst) this.options.onFirstFrame();
     this.isFirst = false;
