@@ -7,7 +7,18 @@ const BLOCKLY = fileURLToPath(new URL("./node_modules/blockly/msg", import.meta.
 const TEXTS = /^\0virtual:texts\/([\w-]+)\/(start|lazy)$/;
 
 /** Areas of the page that are fetched with the first part that is loaded lazily. All others are needed at the start. */
-const LAZY = ["album", "camera", "captured", "exchange", "game", "help", "kiosk", "plan", "review", "teacher"];
+const LAZY = [
+  "album",
+  "camera",
+  "captured",
+  "exchange",
+  "game",
+  "help",
+  "kiosk",
+  "plan",
+  "review",
+  "teacher",
+];
 /** Files with messages of the server that the page needs too, by their properties in `Texts`. */
 const SERVER_MESSAGES = {
   start: { reasons: ["program", "robots", "run"] },
