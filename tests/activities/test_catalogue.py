@@ -53,9 +53,9 @@ def read(text: str) -> ParseResult:
 def test_a_game_begins_with_a_program_that_plays_x_and_does_not_pass_yet(
     name: str, language: str
 ) -> None:
-    begun = start_of(name, language)
-    assert begun is not None
-    report = check_program(choose_activity(name), read_document(begun))
+    started = start_of(name, language)
+    assert started is not None
+    report = check_program(choose_activity(name), read_document(started))
     assert (report.faults, report.passed) == ((), False)
     (first, *_) = report.cases
     assert first.reason == "no_more_gestures", "X has played all its signs"

@@ -217,8 +217,8 @@ def test_practice_goes_on_without_a_camera(studio: Studio) -> None:
 def test_a_round_of_words_is_played_with_keys_and_says_what_went_well(studio: Studio) -> None:
     studio["practice"].click()
     studio["practice-mode"].last.click()
-    word = studio["game-word"]
-    first = word.get_attribute("aria-label") or ""
+    target = studio["game-word"]
+    first = target.get_attribute("aria-label") or ""
     studio["game-hint"].click()
     expect(studio.page.locator(".game .sign-drawing")).to_be_visible()
     for layout in each_layout(studio):
@@ -228,14 +228,14 @@ def test_a_round_of_words_is_played_with_keys_and_says_what_went_well(studio: St
     studio.choose_language("pt-BR")
     for letter in first.lower():
         studio.page.keyboard.press(letter)
-    expect(word).not_to_have_attribute("aria-label", first)
+    expect(target).not_to_have_attribute("aria-label", first)
     for _ in range(4):
         studio["game-skip"].click()
     expect(studio["game-outcome"]).to_contain_text(f"Vocês soletraram: {first}.")
     expect(studio["game-outcome"]).to_contain_text(f"Para praticar mais: {first[0]}.")
     assert violations(studio, "game-outcome") == []
     studio["game-again"].click()
-    expect(word).to_be_visible()
+    expect(target).to_be_visible()
 
 
 def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:

@@ -123,9 +123,9 @@ def _begin(group_id: str, mission: "Mission", parts: Services) -> ProgramRow:
         feedback=mission.feedback,
         activity=mission.name,
     )
-    begun = start_of(mission.name, parts.settings.language)
-    document = {"pinel_ir": 1, "functions": [], "commands": [], **(begun or {}), "name": name}
-    workspace = {"document": document} if begun else {}  # the page makes blocks of the document
+    started = start_of(mission.name, parts.settings.language)
+    document = {"pinel_ir": 1, "functions": [], "commands": [], **(started or {}), "name": name}
+    workspace = {"document": document} if started else {}  # the page makes blocks of the document
     parts.store.versions.save(program.id, workspace, document, setup=setup.model_dump())
     return program
 

@@ -1,6 +1,6 @@
 import { language, type Texts, texts } from "../i18n";
-import type { CaptureShow } from "../run/capture_show";
-import { captureText } from "../run/captured";
+import type { CaptureShow } from "../run/captures/capture_show";
+import { captureText } from "../run/captures/captured";
 import type { CaptureAnswer } from "../run/reducer";
 import { drawnHand } from "./drawn_hand";
 import { SignDrawing } from "./SignDrawing";

@@ -7,9 +7,9 @@ import { texts } from "../i18n";
 import { namedSign } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import type { Spelling } from "./spelling";
-import { drawWords, N_WORDS, type RoundOutcome, WordGame } from "./word_game";
+import { drawTargets, N_TARGETS, type RoundOutcome, SpellingGame } from "./spelling_game";
 
-const newRound = () => new WordGame(drawWords(texts.peek().game.words.split(" ")));
+const newRound = () => new SpellingGame(drawTargets(texts.peek().game.words.split(" ")));
 
 /** Rounds of words: each letter is made with a sign, or with its key. */
 export function Game({ spelling }: { spelling: Spelling }) {
@@ -29,20 +29,20 @@ export function Game({ spelling }: { spelling: Spelling }) {
       {current.value === null ? (
         <Outcome outcome={game.outcome} onAgain={() => setGame(newRound)} />
       ) : (
-        <Word game={game} word={current.value} />
+        <Target game={game} target={current.value} />
       )}
     </section>
   );
 }
 
-function Word({ game, word }: { game: WordGame; word: string }) {
+function Target({ game, target }: { game: SpellingGame; target: string }) {
   const labels = texts.value.game;
   const next = game.next.value;
   return (
     <>
-      <h2 class="game__title">{labels.number({ n: game.number, of: N_WORDS })}</h2>
-      <p class="game__word row center gap-2" aria-label={word} role="img" data-testid="game-word">
-        {[...word].map((letter, index) => (
+      <h2 class="game__title">{labels.number({ n: game.number, of: N_TARGETS })}</h2>
+      <p class="game__word row center gap-2" aria-label={target} role="img" data-testid="game-word">
+        {[...target].map((letter, index) => (
           <span
             key={`${index} ${letter}`}
             class="game__letter"
@@ -82,14 +82,14 @@ function Next({ letter, other }: { letter: string; other: string | null }) {
 /** What went well in the round, and which letters to make again. */
 function Outcome({ outcome, onAgain }: { outcome: RoundOutcome; onAgain(): void }) {
   const { game } = texts.value;
-  const { words, alone, hinted } = outcome;
+  const { spelled, alone, hinted } = outcome;
   return (
     <div class="column gap-3" role="status" data-testid="game-outcome">
       <h2 class="game__title row middle gap-2">
         <CircleCheck class="icon" aria-hidden="true" />
-        {words.length > 0 ? game.done : game.over}
+        {spelled.length > 0 ? game.done : game.over}
       </h2>
-      {words.length > 0 && <p>{game.spelled({ words: words.join(", ") })}</p>}
+      {spelled.length > 0 && <p>{game.spelled({ words: spelled.join(", ") })}</p>}
       {alone.length > 0 && <p>{game.alone({ letters: alone.join(", ") })}</p>}
       {hinted.length > 0 && <p>{game.hinted({ letters: hinted.join(", ") })}</p>}
       <div class="row">

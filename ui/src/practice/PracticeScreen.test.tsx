@@ -61,18 +61,18 @@ describe("practising signs", () => {
   test("is a game of words too, by signs or keys, with a hand as a hint", async () => {
     const { container } = render(<PracticeScreen />);
     fireEvent.click(screen.getByText("Jogo de palavras"));
-    const word = () => screen.getByTestId("game-word").getAttribute("aria-label") ?? "";
+    const target = () => screen.getByTestId("game-word").getAttribute("aria-label") ?? "";
     const spelled = () => container.querySelectorAll('[data-state="spelled"]').length;
     fireEvent.click(screen.getByTestId("game-hint"));
     expect(container.querySelector(".game .sign-drawing")).toBeTruthy();
-    fireEvent.keyDown(document.body, { key: word()[0]?.toLowerCase() });
+    fireEvent.keyDown(document.body, { key: target()[0]?.toLowerCase() });
     expect(spelled()).toBe(1);
     expect(container.querySelector(".game .sign-drawing")).toBeNull();
     await passesAxe(container);
     for (let n = 0; n < 5; n++) fireEvent.click(screen.getByTestId("game-skip"));
     expect(screen.getByTestId("game-outcome").textContent).toContain("Para praticar mais: ");
     fireEvent.click(screen.getByTestId("game-again"));
-    expect(word()).not.toBe("");
+    expect(target()).not.toBe("");
   });
 
   test("goes on without a camera: drawings, letters and text stay", async () => {

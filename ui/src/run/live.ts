@@ -10,7 +10,7 @@ import type {
   RunOptions,
   RunWithVersion,
 } from "../api/model";
-import { CaptureShow } from "./capture_show";
+import { CaptureShow } from "./captures/capture_show";
 import { record } from "./live_record";
 import { MotionBuffer } from "./motion_buffer";
 import { RecordedStates } from "./recorded_states";

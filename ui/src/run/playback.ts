@@ -1,7 +1,7 @@
 import { computed, signal } from "@preact/signals";
 import type { RunEvent } from "../api/model";
 import { categoryOf } from "../blocks/definitions";
-import { CaptureShow } from "./capture_show";
+import { CaptureShow } from "./captures/capture_show";
 import type { RecordedStates } from "./recorded_states";
 import { type CaptureAnswer, captureAnswerIn, type Pose } from "./reducer";
 

@@ -1,7 +1,7 @@
 import type { Language, Texts } from "../i18n";
 import { degrees, formatNumber, metres, seconds } from "../i18n/format";
 import { reasonText } from "../i18n/reasons";
-import { captureText } from "./captured";
+import { captureText } from "./captures/captured";
 import { drivingText } from "./driving";
 import { idleParts, type StoredProgram } from "./idle_parts";
 import type { ActiveBlock, Motion, RunView } from "./reducer";

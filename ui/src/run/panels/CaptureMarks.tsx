@@ -2,7 +2,7 @@ import { language, texts } from "../../i18n";
 import { seconds } from "../../i18n/format";
 import { Button } from "../../kit/Button";
 import { rove } from "../../kit/roving";
-import { captureText } from "../captured";
+import { captureText } from "../captures/captured";
 import type { CaptureAnswer } from "../reducer";
 
 /** Answers nearer than this fraction of the strip share a mark. */

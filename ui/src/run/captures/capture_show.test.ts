@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import type { RunEvent } from "../api/model";
+import type { RunEvent } from "../../api/model";
+import { Playback, timelineOf } from "../playback";
+import { RecordedStates } from "../recorded_states";
+import { NO_TELEMETRY } from "../telemetry";
 import { CaptureShow, SHOW_MS } from "./capture_show";
-import { Playback, timelineOf } from "./playback";
-import { RecordedStates } from "./recorded_states";
-import { NO_TELEMETRY } from "./telemetry";
 
 const RUN = "run-1";
 let seq = 0;

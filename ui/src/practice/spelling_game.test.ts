@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { LETTERS } from "../api/declared";
-import { drawWords, N_WORDS, WordGame } from "./word_game";
+import { drawTargets, N_TARGETS, SpellingGame } from "./spelling_game";
 
 const catalogue = import.meta.glob<{ game: { words: string } }>(
   "../../../pinel_desktop/messages/catalogue/*/page/game.json",
@@ -8,30 +8,30 @@ const catalogue = import.meta.glob<{ game: { words: string } }>(
 );
 
 describe("a round of words", () => {
-  const spell = (game: WordGame, letters: string) => {
+  const spell = (game: SpellingGame, letters: string) => {
     for (const letter of letters) game.receive(letter);
   };
 
   test("is spelled letter by letter; another sign is told and costs nothing", () => {
-    const game = new WordGame(["SOL", "UVA"]);
+    const game = new SpellingGame(["SOL", "UVA"]);
     spell(game, "SB");
     expect([game.next.value, game.other.value, game.nSpelled.value]).toEqual(["O", "B", 1]);
     spell(game, "OL");
     expect([game.current.value, game.nSpelled.value]).toEqual(["UVA", 0]);
     spell(game, "UVA");
     expect(game.current.value).toBeNull();
-    expect(game.outcome.words).toEqual(["SOL", "UVA"]);
+    expect(game.outcome.spelled).toEqual(["SOL", "UVA"]);
   });
 
   test("says at its end which letters needed no hint, and which to make again", () => {
-    const game = new WordGame(["SOL", "MAR", "LUA"]);
+    const game = new SpellingGame(["SOL", "MAR", "LUA"]);
     game.receive("S");
     game.hint();
     spell(game, "OL");
     game.skip();
     spell(game, "LUA");
     expect(game.outcome).toEqual({
-      words: ["SOL", "LUA"],
+      spelled: ["SOL", "LUA"],
       alone: ["A", "L", "S", "U"],
       hinted: ["O"],
     });
@@ -40,23 +40,23 @@ describe("a round of words", () => {
   });
 
   test("has different words of the list", () => {
-    const words = drawWords(["A", "B", "C", "D", "E", "F"], () => 0.99);
-    expect(words).toEqual(["F", "E", "D", "C", "B"]);
-    expect(words).toHaveLength(N_WORDS);
+    const drawn = drawTargets(["A", "B", "C", "D", "E", "F"], () => 0.99);
+    expect(drawn).toEqual(["F", "E", "D", "C", "B"]);
+    expect(drawn).toHaveLength(N_TARGETS);
   });
 
   test.each(Object.entries(catalogue))("%s has letters at rest only, none twice in a row", (_, {
     game,
   }) => {
-    const words = game.words.split(" ");
-    expect(words.length).toBeGreaterThanOrEqual(20);
-    expect(new Set(words).size).toBe(words.length);
-    for (const word of words) {
+    const targets = game.words.split(" ");
+    expect(targets.length).toBeGreaterThanOrEqual(20);
+    expect(new Set(targets).size).toBe(targets.length);
+    for (const target of targets) {
       expect(
-        [...word].filter((letter) => !LETTERS.includes(letter as never)),
-        word,
+        [...target].filter((letter) => !LETTERS.includes(letter as never)),
+        target,
       ).toEqual([]);
-      expect(word).not.toMatch(/(.)\1/);
+      expect(target).not.toMatch(/(.)\1/);
     }
   });
 });

@@ -1,5 +1,5 @@
 import { signal } from "@preact/signals";
-import type { CaptureAnswer } from "./reducer";
+import type { CaptureAnswer } from "../reducer";
 
 /** How long an answer to a capture is shown. */
 export const SHOW_MS = 1500;

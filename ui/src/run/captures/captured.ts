@@ -1,6 +1,6 @@
-import type { Language, Texts } from "../i18n";
-import { percent } from "../i18n/format";
-import type { CaptureAnswer } from "./reducer";
+import type { Language, Texts } from "../../i18n";
+import { percent } from "../../i18n/format";
+import type { CaptureAnswer } from "../reducer";
 
 /** Describes the answer to a capture: the sign, and its source, such as the camera or a person. */
 export function captureText(given: CaptureAnswer, { status }: Texts, language: Language): string {
