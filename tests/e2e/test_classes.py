@@ -46,6 +46,9 @@ def to_part(studio: Studio, part: str) -> None:
 
 
 def open_lesson(studio: Studio, title: str, activity: str = "") -> None:
+    studio["lesson-title"].wait_for(state="attached")
+    if not studio["lesson-title"].is_visible():  # another is open
+        studio["open-another"].click()
     studio["lesson-title"].fill(title)
     if activity:
         studio["lesson-activity"].select_option(activity)
@@ -231,6 +234,21 @@ def test_lessons_are_joined_and_taken_apart(studio: Studio) -> None:
     studio["lesson-apart"].click()
     expect(studio["lesson-link"]).to_have_count(2)
     studio["lesson-link"].first.click()
+    expect(studio["lesson-page"]).to_be_visible()
+
+
+def test_an_opened_lesson_leads_to_its_review_and_folds_its_form(studio: Studio) -> None:
+    open_class(studio, "lessons")
+    open_lesson(studio, "Quadrados")
+    expect(studio["lesson-title"]).to_be_hidden()
+    review = studio["lesson-now-review"]
+    expect(review).to_be_focused()
+    expect(studio.page.locator(".button--run:visible")).to_have_count(1)
+    assert violations(studio, "lesson-now") == []
+    studio["open-another"].click()
+    expect(studio["lesson-title"]).to_be_visible()
+    expect(review).to_be_in_viewport(ratio=1)
+    review.click()
     expect(studio["lesson-page"]).to_be_visible()
 
 

@@ -24,7 +24,7 @@ interface GroupRowProps {
 /** The element of a group's row, if it is shown. */
 export const rowOf = (group: string) => document.getElementById(`group-${group}`);
 
-/** A group: its name, timeline and metrics; when opened, its runs as text. */
+/** A group: its name, what it is at and its timeline; when opened and on paper its metrics, when opened its runs as text. */
 export function GroupRow(props: GroupRowProps) {
   const { review, layout, withDays, open, onToggle, onAccepted } = props;
   const { group, entries, figures, blocks, hints } = review;
@@ -38,6 +38,7 @@ export function GroupRow(props: GroupRowProps) {
       data-testid="review-group"
       data-name={group.name}
       data-need={review.need}
+      data-open={open}
     >
       <div class="group-row__who">
         <Button
@@ -55,6 +56,9 @@ export function GroupRow(props: GroupRowProps) {
         <CategoryChips blocks={blocks} />
       </div>
       <div class="group-row__work">
+        <p class="group-row__sentence" data-testid="review-sentence">
+          {review.sentence}
+        </p>
         {entries.length === 0 ? (
           <p class="group-row__nothing">{lesson.nothing}</p>
         ) : (
