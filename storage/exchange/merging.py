@@ -109,9 +109,7 @@ def merge(
                     protected_runs=COUNTS_HERE,
                 )
             record_unresolved(db, bundle.info, report.would_delete)
-            return replace(
-                report, n_unconfirmed=n_unconfirmed(db), lesson_id=_newest_lesson(db)
-            )
+            return replace(report, n_unconfirmed=n_unconfirmed(db), lesson_id=_newest_lesson(db))
 
         return database.write(write, attached=bundle.address)
 

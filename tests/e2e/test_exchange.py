@@ -14,6 +14,7 @@ from pinel_desktop.app import App
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.made_program import enter_made_group
+from tests.e2e.past_lesson import Step, document_of, workspace_of
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 from tests.web.browser import Browser
@@ -70,7 +71,10 @@ def at_the_files(studio: Studio, folder: Path) -> None:
 
 
 def test_the_work_of_one_pc_comes_to_another(studio: Studio, far_pc: Browser, stick: Path) -> None:
-    make_group(far_pc)
+    (program,) = ask(far_pc, "GET", f"/groups/{make_group(far_pc)}/programs")["programs"]
+    steps: list[Step] = [("turn", 90)]
+    version = {"workspace": workspace_of(steps), "document": document_of(steps)}
+    ask(far_pc, "POST", f"/programs/{program['id']}/versions", version)
     save_bundle(far_pc, stick)
     (stick / "estragado.pinel").write_bytes(b"SQLite format 3\0 but not for long")
     at_the_files(studio, stick)

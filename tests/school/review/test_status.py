@@ -35,7 +35,11 @@ def test_what_the_activity_said_is_counted_while_it_stays_the_same() -> None:
     def missed(n: int, key: str) -> Run:
         return run(f"m{n}", "v", n, n, mistake_key=key, **NOT_YET)
 
-    assert status(missed(1, "side"), missed(2, "turn"), missed(3, "turn")) == ("not_passed", 2, "m3")
+    assert status(missed(1, "side"), missed(2, "turn"), missed(3, "turn")) == (
+        "not_passed",
+        2,
+        "m3",
+    )
 
 
 @pytest.mark.parametrize(

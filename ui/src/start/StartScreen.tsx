@@ -47,13 +47,14 @@ export function StartScreen() {
   }, []);
   return (
     <Loaded of={found} as="screen" actions={<TeacherLink />}>
-      {([groups, classes]) =>
-        groups.length + classes.length === 0 ? (
+      {([all, classes]) => {
+        const groups = all.filter(({ of_teacher }) => !of_teacher);
+        return groups.length + classes.length === 0 ? (
           <FirstGroup onLesson={onLesson} />
         ) : (
           <Groups groups={groups} classes={classes} opened={opened.value} onLesson={onLesson} />
-        )
-      }
+        );
+      }}
     </Loaded>
   );
 }
