@@ -1,7 +1,7 @@
 """The teacher's own programs, for solutions of activities: in a group of this PC that pupils are not shown.
 
-A program needs a group. The teacher's is made with the first program; other PCs, to which its work is merged, show it as
-any other group without a class.
+A program needs a group. The teacher's is made with the first program. Other PCs, to which its work is merged, show it
+as any other group without a class.
 """
 
 from pinel_desktop.messages import describe
@@ -32,8 +32,9 @@ def _group(store: Store) -> GroupRow | None:
 
 def _new_group(store: Store, language: str) -> GroupRow:
     name = describe("teacher_group", {}, language).message
-    merged = (one for one in store.groups.all() if name_key(one.name) == name_key(name))
-    # the teacher's group of another PC becomes that of this one
+    without_class = (one for one in store.groups.all() if one.classroom_id is None)
+    # the teacher's group of another PC, which came by a merge, becomes that of this one
+    merged = (one for one in without_class if name_key(one.name) == name_key(name))
     group = next(merged, None) or store.groups.create(name)
     store.settings.set(_TEACHER_GROUP, group.id)
     return group

@@ -52,6 +52,8 @@ def build_solution(pc: Studio) -> None:
     pc["making-new"].click()
     pc["making-build"].click()
     pc.wait_until_open()
+    expect(pc["header-group"]).to_contain_text("Soluções")
+    expect(pc["tour"]).to_have_count(0)  # it is for pupils
     write_program(pc, TWO_METRES)
     pc["home"].click()
     expect(pc["group-card"]).to_have_count(1)

@@ -223,7 +223,7 @@ def test_the_teacher_s_programs_are_in_a_group_of_their_own(teacher: Browser) ->
     groups = teacher.get("/api/groups").data["groups"]
     assert {one["name"]: one["of_teacher"] for one in groups} == {
         "Tatus": False,
-        "The teacher's programs": True,
+        "Solutions": True,
     }
     teacher.send("DELETE", f"/api/groups/{first['group_id']}")
     assert teacher.post("/api/own-activities/programs").data["group_id"] != first["group_id"]

@@ -14,7 +14,7 @@ def hit(n: int, block: str = "b") -> Run:
 
 def status(*runs: Run) -> tuple[str, int, str | None]:
     found = status_of(runs, has_passed=False, attempts=None)
-    return found.kind, found.n, found.run and found.run.id
+    return found.kind, found.n, found.run.id if found.run else None
 
 
 def test_collisions_in_a_row_are_counted_by_their_block() -> None:

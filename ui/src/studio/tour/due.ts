@@ -2,8 +2,9 @@ import { TOUR_OVER, tourSteps } from "../../shell/help";
 import { group } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 
-/** Whether the guided first drive is due in a program: once, to a group without work, or until it is over. */
+/** Whether the guided first drive is due in a program: once, to a group of pupils without work, or until it is over. */
 export function isTourDue(open: OpenProgram): boolean {
+  if (group.peek()?.of_teacher) return false;
   const storedStep = tourSteps.of(open.program.group_id);
   return storedStep === null ? isNew(open) : storedStep !== TOUR_OVER;
 }

@@ -15,7 +15,7 @@ export function MergedLessons({ results }: MergedLessonsProps) {
   const lessons = new Map(results.flatMap(({ lesson }) => (lesson ? [[lesson.id, lesson]] : [])));
   if (lessons.size === 0) return null;
   return (
-    <div class="button-row">
+    <div class="button-row exchange__lessons">
       {[...lessons.values()].map((lesson) => (
         <LinkButton
           key={lesson.id}

@@ -2,12 +2,19 @@ import type { GroupReview } from "../../../api/model";
 
 type Reviewed = Pick<GroupReview, "group" | "entries">;
 
-/** PCs of a group whose picture and colour another group of the lesson has too; "" if none has. */
+/** PCs of a group whose picture and colour a group of other PCs has too; "" if none has. */
 export function computersOfLookalike(one: Reviewed, all: readonly Reviewed[]): string {
   const { id, picture, color } = one.group;
+  const computers = computersOf(one);
   const isAlike = all.some(
-    ({ group }) => group.id !== id && group.picture === picture && group.color === color,
+    (other) =>
+      other.group.id !== id &&
+      other.group.picture === picture &&
+      other.group.color === color &&
+      computersOf(other) !== computers,
   );
-  const names = one.entries.flatMap(({ computer }) => computer ?? []);
-  return isAlike ? [...new Set(names)].join(", ") : "";
+  return isAlike ? computers : "";
 }
+
+const computersOf = ({ entries }: Reviewed) =>
+  [...new Set(entries.flatMap(({ computer }) => computer ?? []))].join(", ");
