@@ -157,7 +157,9 @@ def test_the_door_says_what_is_wrong_and_how_long_to_wait(first_day: Studio, wat
     prepare(studio)
     studio["sign-out"].click()
     studio["teacher-link"].click()
-    expect(studio.page.get_by_text("Esqueceu o PIN?")).to_contain_text("pinel pin")
+    forgotten = studio.page.get_by_text("Esqueceu o PIN?")
+    expect(forgotten).not_to_contain_text("comando")
+    expect(studio["pin-forgotten"]).to_have_attribute("href", "#/manuals/teacher")
     for _ in range(5):
         studio["pin"].fill("0000")
         studio["sign-in"].click()

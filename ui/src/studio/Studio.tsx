@@ -50,8 +50,8 @@ export function Studio({ open }: { open: OpenProgram }) {
 function useTour({ open, missionSheet }: StudioControl): void {
   useEffect(() => {
     const { id } = open.program;
-    const isBegun = !open.mission.peek() || !missionSheet.isOpen.peek();
-    if (isBegun && isTourDue(open)) tourFor.value = id;
+    const isStarted = !open.mission.peek() || !missionSheet.isOpen.peek();
+    if (isStarted && isTourDue(open)) tourFor.value = id;
     return () => {
       if (tourFor.peek() === id) tourFor.value = null;
     };

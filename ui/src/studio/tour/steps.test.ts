@@ -38,10 +38,10 @@ describe("the guided first drive", () => {
   });
 
   test("in a mission ends after the first run", () => {
-    const begun = after(beginning(NOTHING), NOTHING, MISSION_STEPS);
+    const started = after(beginning(NOTHING), NOTHING, MISSION_STEPS);
     const run = { actions: ["move_forward"], run: "1" };
-    expect(advanced(begun, stateWith(run), MISSION_STEPS).step).toBe("end");
-    expect(advanced(begun, stateWith(run)).step).toBe("turn");
+    expect(advanced(started, stateWith(run), MISSION_STEPS).step).toBe("end");
+    expect(advanced(started, stateWith(run)).step).toBe("turn");
   });
 
   test("takes another block too, and says so until the next one", () => {
