@@ -43,6 +43,7 @@ from pinel_desktop.activities.recorded import (
     not_judged_text,
     tolerance_of,
 )
+from pinel_desktop.activities.wording import block_text
 
 __all__ = [
     "EXAMPLES",
@@ -63,6 +64,7 @@ __all__ = [
     "Trial",
     "activity_names",
     "activity_titles",
+    "block_text",
     "case_of_real_run",
     "case_of_run",
     "check_files",

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from pinel_desktop.activities.commands import Command
+from pinel_desktop.activities.commands import Command, commands_of
 from pinel_desktop.messages import (
     LANGUAGES,
     SOURCE_LANGUAGE,
@@ -106,6 +106,12 @@ def short_name(action: str, language: str) -> str:
     """Returns the short name of a kind of block."""
     key = f"block_{action}" if action != "pen" else "block_pen_down"
     return describe(key, {}, language).remedy
+
+
+def block_text(document: Mapping[str, Any], block: str, language: str) -> str | None:
+    """Returns the label of a block by its id; None if the program has no command of that block."""
+    found = next((one for one in commands_of(document) if one.block == block), None)
+    return block_label(found, language) if found else None
 
 
 def block_label(command: Command, language: str) -> str:

@@ -12,6 +12,7 @@ from pinel_desktop.school.review import (
     BlocksInUse,
     Edit,
     GroupReview,
+    GroupStatus,
     GroupWork,
     LessonReview,
     Run,
@@ -23,6 +24,7 @@ from pinel_desktop.school.review import (
     summary,
     versions_needed,
 )
+from pinel_desktop.web.group_sentences import sentence_of
 from pinel_desktop.web.models import review as shapes
 from pinel_desktop.web.models.classes import Lesson
 from pinel_desktop.web.services import Services
@@ -37,6 +39,7 @@ class LessonReport:
 
     Attributes:
         activity: of all parts of the lesson; None without one, or if they differ.
+        missions: names of the activities of its parts.
         differing: titles of the activities of the parts if they differ.
         parts: titles of the lesson and of the lessons joined to it, by their key.
         reasons: messages why runs ended, by run id.
@@ -50,6 +53,7 @@ class LessonReport:
     history: LessonHistory
     review: LessonReview
     activity: str | None
+    missions: list[str]
     differing: list[str]
     parts: dict[str, str]
     reasons: dict[str, str]
@@ -59,8 +63,8 @@ class LessonReport:
     hints: dict[str, list[str]]
     language: str
 
-    def model(self) -> shapes.LessonReview:
-        """Returns the response for the page."""
+    def model(self, store: Store) -> shapes.LessonReview:
+        """Returns the response for the page; the store has the programs that sentences name blocks of."""
         found = summary(self.review, self.activity)
         texts = self.reasons | self.advice_texts
         heads = {group.id: shapes.GroupHead.of(group) for group in self.history.groups}
@@ -68,7 +72,8 @@ class LessonReport:
             shapes.GroupReview(
                 group=heads[group.id],
                 need=found.needs[group.id],
-                entries=[_timeline_entry(entry, self.history, texts) for entry in group.timeline],
+                sentence=self._sentence(found.statuses[group.id], store, texts),
+                entries=[self._entry(entry, texts) for entry in group.timeline],
                 figures=shapes.Figures.of(group.metrics),
                 blocks=_blocks(group.blocks),
                 hints=[self._hints(name, n) for name, n in group.hints.items()],
@@ -77,6 +82,20 @@ class LessonReport:
         ]
         lesson = Lesson.of(self.lesson)
         return shapes.LessonReview(lesson=lesson, summary=self._summary(found), groups=groups)
+
+    def _sentence(self, status: GroupStatus, store: Store, texts: dict[str, str]) -> str:
+        other = self._other_mission(status.run)
+        return sentence_of(status, store, texts=texts, other_mission=other, language=self.language)
+
+    def _entry(self, entry: TimelineEntry, texts: dict[str, str]) -> shapes.TimelineEntry:
+        return _timeline_entry(entry, self.history, texts, self._other_mission(entry.run))
+
+    def _other_mission(self, run: Run | None) -> str | None:
+        """Title of a run's activity if the lesson has activities, and others."""
+        name = run and run.activity
+        if not name or not self.missions or name in self.missions:
+            return None
+        return self.titles.get(name, name)
 
     def _hints(self, activity: str, n: int) -> shapes.OpenedHints:
         texts = self.hints.get(activity, [])[:n]
@@ -125,6 +144,7 @@ def read_lesson(lesson_id: str, parts: Services) -> LessonReport:
         history=lines,
         review=review_lesson(groups),
         activity=activity,
+        missions=named,
         differing=[titles.get(name, name) for name in named] if len(named) > 1 else [],
         parts={one.id: one.title for one in parts_of_it},
         reasons=_reasons(lines, language),
@@ -189,7 +209,7 @@ def _reasons(lines: LessonHistory, language: str) -> dict[str, str]:
 
 
 def _timeline_entry(
-    entry: TimelineEntry, lines: LessonHistory, texts: dict[str, str]
+    entry: TimelineEntry, lines: LessonHistory, texts: dict[str, str], other_mission: str | None
 ) -> shapes.TimelineEntry:
     run, changes = entry.run, entry.changes
     return shapes.TimelineEntry(
@@ -204,6 +224,7 @@ def _timeline_entry(
         n_edits=None if run else entry.n_edits,
         since=entry.since,
         changes=None if changes is None else shapes.ChangeCounts.of(changes),
+        other_mission=other_mission,
         **_of_run(run, texts),
         repairs=entry.repairs,
     )

@@ -13,7 +13,7 @@ from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from storage.errors import StoreError, error_name
 from storage.exchange.bundle_rules import problem_in_rows
@@ -87,15 +87,24 @@ def open_bundle(path: Path, *, max_samples: int | None = None) -> Iterator[Bundl
         yield Bundle(info, address(copy, "immutable"))
 
 
-def declares_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
-    """Returns whether the file declares that names were left out of it; False if it cannot be a bundle.
+class Declaration(NamedTuple):
+    """What a file says of itself, unchecked.
 
-    Reads only the file's head, and only once while the size and time of the file stay the same.
+    Attributes:
+        anonymous: names were left out of it.
+        computer_id: the PC that wrote it, "" if it cannot be a bundle.
     """
+
+    anonymous: bool = False
+    computer_id: str = ""
+
+
+def declaration_of(path: Path, size_bytes: int, modified_s: float) -> Declaration:
+    """Reads the declaration in a file's head, only once while the size and time of the file stay the same."""
     try:
-        return _read_anonymous_flag(path, size_bytes, modified_s)
+        return _read_declaration(path, size_bytes, modified_s)
     except (sqlite3.Error, UnicodeDecodeError):  # not cached: a stick may be busy
-        return False
+        return Declaration()
 
 
 def prepares_lesson(path: Path) -> bool:
@@ -109,13 +118,13 @@ def prepares_lesson(path: Path) -> bool:
 
 
 @lru_cache(maxsize=_MAX_CACHED_BUNDLES)
-def _read_anonymous_flag(path: Path, size_bytes: int, modified_s: float) -> bool:
+def _read_declaration(path: Path, size_bytes: int, modified_s: float) -> Declaration:
     with closing(_connected(path)) as db:
         rows = db.execute("SELECT sql FROM sqlite_schema WHERE name = 'bundle'").fetchall()
         if [_text("bundle", str(row[0])) for row in rows] != [_text("bundle", BUNDLE_TABLE)]:
-            return False
-        found = db.execute("SELECT anonymous FROM bundle LIMIT 1").fetchone()
-        return bool(found and found[0])
+            return Declaration()
+        found = db.execute("SELECT anonymous, computer_id FROM bundle LIMIT 1").fetchone()
+        return Declaration(bool(found[0]), str(found[1])) if found else Declaration()
 
 
 def check_head(path: Path) -> None:

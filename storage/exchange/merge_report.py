@@ -24,6 +24,7 @@ class MergeReport:
         exports: files that were written from this store and may still hold deleted rows.
         still_in: backups that could not be rewritten and may still hold deleted rows.
         n_unconfirmed: number of the bundle's runs whose pass does not count on this PC yet.
+        lesson_id: the newest lesson with work in the bundle, or the lesson that it was joined to; None without one.
     """
 
     info: BundleInfo
@@ -37,6 +38,7 @@ class MergeReport:
     exports: tuple[Exported, ...] = ()
     still_in: tuple[Path, ...] = ()
     n_unconfirmed: int = 0
+    lesson_id: str | None = None
 
     @property
     def left_in(self) -> list[str]:

@@ -59,6 +59,10 @@ _OURS = " UNION ALL ".join(
         f"SELECT classroom_id FROM main.former_classes WHERE NOT has_left AND {_GROUP_HERE}",
     )
 )
+_NEWEST_LESSON = """
+    SELECT coalesce(part_of, id) FROM main.lessons
+    WHERE id IN (SELECT lesson_id FROM bundle.runs UNION SELECT lesson_id FROM bundle.versions)
+    ORDER BY opened_at DESC, id DESC LIMIT 1"""
 _DECIDED = (
     (DELETIONS, f"theirs.turn % 2 OR theirs.id NOT IN ({_OURS})"),
     (TOMBSTONES, f"theirs.id IN {RETAINED_KEYS} OR theirs.id NOT IN ({_OURS})"),
@@ -105,9 +109,14 @@ def merge(
                     protected_runs=COUNTS_HERE,
                 )
             record_unresolved(db, bundle.info, report.would_delete)
-            return replace(report, n_unconfirmed=n_unconfirmed(db))
+            return replace(report, n_unconfirmed=n_unconfirmed(db), lesson_id=_newest_lesson(db))
 
         return database.write(write, attached=bundle.address)
+
+
+def _newest_lesson(db: sqlite3.Connection) -> str | None:
+    found = db.execute(_NEWEST_LESSON).fetchone()
+    return str(found[0]) if found else None
 
 
 def nonzero(counts: dict[str, int]) -> dict[str, int]:

@@ -32,6 +32,17 @@ class Computers(Repository):
         now = self._database.now()
         return self._database.write(lambda db: this_computer(db, now))
 
+    def is_this(self, computer_id: str | None) -> bool:
+        """Returns whether the key is that of this PC."""
+        with self._database.read_connection() as db:
+            found = find_computer(db)
+        return found is not None and found[0] == computer_id
+
+    def name_of_other(self, computer_id: str | None) -> str | None:
+        """Returns the name of a PC if it is known and not this one."""
+        found = self._rows("SELECT name FROM computers WHERE id = ?", computer_id)
+        return None if not found or self.is_this(computer_id) else str(found[0]["name"])
+
     def rename(self, name: str) -> str:
         """Renames this PC. Raises StoreError `name_empty` or `name_too_long`."""
         clean, now = clean_name(name), self._database.now()

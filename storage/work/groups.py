@@ -62,7 +62,7 @@ class Groups(Repository):
     ) -> GroupRow:
         """Adds a group. Colour, picture and pattern that it does not choose are ones that few groups of the class have.
 
-        Of equally rare colours and patterns the name decides, so that groups of several PCs seldom look alike once the
+        Of equally rare ones the name decides, so that groups of several PCs seldom look alike once the
         PCs are merged.
 
         Raises:
@@ -182,7 +182,7 @@ def _free_appearance(
 ) -> dict[str, str | None]:
     """Returns what the group chose; for the rest, the first values that fewest groups of the class have.
 
-    Colours and patterns are counted from a place that the key of the name gives. The pattern is rather one that no
+    Each is counted from a place that the key of the name gives. The pattern is rather one that no
     group has in the same colour. The page proposes the same (`ui/src/work/livery/appearance.ts`).
     """
     number = _number_of(key)
@@ -193,7 +193,10 @@ def _free_appearance(
     liveries = Counter((row[0], row[2]) for row in others)
     free = {
         "color": color,
-        "picture": min(PICTURES, key=lambda one: pictures[one]),
+        "picture": min(
+            _rotated(PICTURES, number // len(COLORS) // len(PATTERNS)),
+            key=lambda one: pictures[one],
+        ),
         "robot_name": "",
         "robot_pattern": min(
             _rotated(PATTERNS, number // len(COLORS)),

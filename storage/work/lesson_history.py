@@ -24,7 +24,7 @@ _RUNS = f"""
            runs.started_at, runs.ended_at, {masking_damage("state")}, {masking_damage("reason")},
            {masking_damage("params")},
            runs.activity, {counted()},
-           runs.duration_s, runs.computer_id, runs.lesson_id, runs.world, runs.link,
+           runs.duration_s, runs.computer_id, runs.lesson_id, runs.world, runs.link, runs.block,
            CASE WHEN runs.passed = 0 AND json_valid(runs.check_report)
                 THEN (SELECT json_group_array(json(json_extract(value, '$.advice')))
                 FROM json_each(runs.check_report, '$.cases')) END,
@@ -88,6 +88,7 @@ class LessonRun(NamedTuple):
     lesson_id: str
     world: str
     link: str
+    block: str | None
     advice_json: str | None
     unconfirmed: str | None
 

@@ -29,6 +29,15 @@ Target = Callable[[], Place]
 _A_FRAME = "new Promise(requestAnimationFrame)"
 
 
+def begin_mission(page: Page) -> None:
+    """Closes the mission's sheet by its button, and skips the tour that this begins for a new group."""
+    start = page.get_by_test_id("mission-start")
+    begins_tour = start.get_attribute("data-tour") == "true"
+    start.click()
+    if begins_tour:
+        page.get_by_test_id("tour-skip").click()
+
+
 class Blocks:
     """Finds blocks by their text, or by its start."""
 
@@ -90,9 +99,8 @@ class Blocks:
 
         Closes the mission's sheet first, which may cover the flyout.
         """
-        start = self._page.get_by_test_id("mission-start")
-        if start.is_visible():
-            start.click()
+        if self._page.get_by_test_id("mission-start").is_visible():
+            begin_mission(self._page)
         category = self.category(name)
         if category.get_attribute("aria-selected") != "true":
             category.click()

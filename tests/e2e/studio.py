@@ -98,7 +98,7 @@ class Studio:
         self["group-name"].fill(name)
         self["create-group"].click()
         self.wait_until_open()
-        # a group in a lesson is not offered the tour
+        # in the mission of a lesson the sheet's button begins the tour
         if not tour and self.api(f"/programs/{self.program_id}")["version"] is None:
             self["tour-skip"].click()
         if level is not None:

@@ -46,6 +46,9 @@ def to_part(studio: Studio, part: str) -> None:
 
 
 def open_lesson(studio: Studio, title: str, activity: str = "") -> None:
+    studio["lesson-title"].wait_for(state="attached")
+    if not studio["lesson-title"].is_visible():  # another is open
+        studio["open-another"].click()
     studio["lesson-title"].fill(title)
     if activity:
         studio["lesson-activity"].select_option(activity)
@@ -154,7 +157,9 @@ def test_the_door_says_what_is_wrong_and_how_long_to_wait(first_day: Studio, wat
     prepare(studio)
     studio["sign-out"].click()
     studio["teacher-link"].click()
-    expect(studio.page.get_by_text("Esqueceu o PIN?")).to_contain_text("pinel pin")
+    forgotten = studio.page.get_by_text("Esqueceu o PIN?")
+    expect(forgotten).not_to_contain_text("comando")
+    expect(studio["pin-forgotten"]).to_have_attribute("href", "#/manuals/teacher")
     for _ in range(5):
         studio["pin"].fill("0000")
         studio["sign-in"].click()
@@ -231,6 +236,21 @@ def test_lessons_are_joined_and_taken_apart(studio: Studio) -> None:
     studio["lesson-apart"].click()
     expect(studio["lesson-link"]).to_have_count(2)
     studio["lesson-link"].first.click()
+    expect(studio["lesson-page"]).to_be_visible()
+
+
+def test_an_opened_lesson_leads_to_its_review_and_folds_its_form(studio: Studio) -> None:
+    open_class(studio, "lessons")
+    open_lesson(studio, "Quadrados")
+    expect(studio["lesson-title"]).to_be_hidden()
+    review = studio["lesson-now-review"]
+    expect(review).to_be_focused()
+    expect(studio.page.locator(".button--run:visible")).to_have_count(1)
+    assert violations(studio, "lesson-now") == []
+    studio["open-another"].click()
+    expect(studio["lesson-title"]).to_be_visible()
+    expect(review).to_be_in_viewport(ratio=1)
+    review.click()
     expect(studio["lesson-page"]).to_be_visible()
 
 

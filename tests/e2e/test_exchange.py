@@ -14,6 +14,7 @@ from pinel_desktop.app import App
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.made_program import enter_made_group
+from tests.e2e.past_lesson import Step, document_of, workspace_of
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 from tests.web.browser import Browser
@@ -70,7 +71,10 @@ def at_the_files(studio: Studio, folder: Path) -> None:
 
 
 def test_the_work_of_one_pc_comes_to_another(studio: Studio, far_pc: Browser, stick: Path) -> None:
-    make_group(far_pc)
+    (program,) = ask(far_pc, "GET", f"/groups/{make_group(far_pc)}/programs")["programs"]
+    steps: list[Step] = [("turn", 90)]
+    version = {"workspace": workspace_of(steps), "document": document_of(steps)}
+    ask(far_pc, "POST", f"/programs/{program['id']}/versions", version)
     save_bundle(far_pc, stick)
     (stick / "estragado.pinel").write_bytes(b"SQLite format 3\0 but not for long")
     at_the_files(studio, stick)
@@ -85,6 +89,9 @@ def test_the_work_of_one_pc_comes_to_another(studio: Studio, far_pc: Browser, st
     expect(results.filter(has_text="nada de novo")).to_have_count(1)
     expect(studio.page.get_by_role("table")).to_be_visible()
     assert violations(studio, "merge-results") == []
+    expect(studio["merged-lesson"]).to_have_count(1)  # both times the same
+    studio["merged-lesson"].click()
+    expect(studio["review-group"]).to_have_attribute("data-name", "Os Tatus")
     studio["home"].click()
     expect(studio["group-card"].filter(has_text="Os Tatus")).to_be_visible()
 
@@ -274,9 +281,13 @@ def test_a_file_without_names_is_merged_only_when_it_is_ticked(studio: Studio, s
     expect(studio["merge-files"]).to_have_count(0)
     studio.page.get_by_label("Sem nomes nem textos").uncheck()
     studio["save-bundle"].click()
-    expect(studio["found-file"]).to_have_count(2)
+    own = studio["found-file"].filter(has_text="Deste computador")
+    expect(own).to_have_count(1)
+    expect(own.get_by_role("checkbox")).not_to_be_checked()  # it brings nothing
+    own.get_by_role("checkbox").check()
     studio["merge-files"].click()
     expect(studio["merge-results"].get_by_role("listitem")).to_have_count(1)
+    own.get_by_role("checkbox").uncheck()
     assert len(studio.api("/groups")["groups"]) == 1
 
     file.get_by_role("checkbox").check()
@@ -336,7 +347,7 @@ def test_answers_about_one_folder_do_not_stand_under_another(
 
     studio["merge-files"].click()
     # each result that arrives moves what is below it
-    expect(studio["merge-results"].get_by_role("listitem")).to_have_count(2)
+    expect(studio["merge-results"].get_by_role("listitem")).to_have_count(1)
     empty = tmp_path / "vazia"
     empty.mkdir()
     studio["shared-folder"].fill(str(empty))
@@ -350,11 +361,11 @@ def test_answers_about_one_folder_do_not_stand_under_another(
 
 
 def test_a_merging_that_goes_on_while_somebody_looks_again_shows_nothing_later(
-    studio: Studio, stick: Path
+    studio: Studio, far_pc: Browser, stick: Path
 ) -> None:
-    make_group(studio)
+    make_group(far_pc)
     at_the_files(studio, stick)
-    save_bundle(studio, stick)
+    save_bundle(far_pc, stick)
     held: list[Route] = []
 
     def hold(route: Route) -> None:

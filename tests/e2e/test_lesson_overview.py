@@ -57,6 +57,18 @@ def test_groups_that_need_help_come_first_and_no_part_is_a_ranking(teacher: Teac
     teacher.studio.expect_each(rows, "data-name", ["Grupo 2", "Grupo 10", "Araras", "Quatis"])
     parts = teacher["lesson-page"].locator("section[data-need] > h2")
     expect(parts).to_have_text(["Precisam de ajuda", "Estão trabalhando", "Cumpriram a atividade"])
+    sentences = teacher["review-sentence"]
+    expect(sentences).to_have_text(
+        [
+            *["3 batidas seguidas em “andar para frente 9 m”."] * 2,
+            "Uma batida em “andar para frente 9 m”.",
+            "Cumpriu a atividade na primeira tentativa.",
+        ]
+    )
+    figures = rows.first.get_by_test_id("review-figure")
+    expect(figures.first).to_be_hidden()
+    rows.first.get_by_test_id("review-open").click()
+    expect(figures.first).to_be_visible()
     assert violations(teacher.studio, "review-group") == []
 
 
@@ -79,11 +91,11 @@ def test_the_summary_leads_to_the_runs_of_a_group_and_to_the_commonest_fault(
 def test_the_hints_that_a_group_read_are_shown(teacher: Teacher) -> None:
     teacher.go(f"lesson/{teacher.past.lesson}")
     row = teacher.row("Grupo 2")
-    row.locator("[data-testid=review-figure][data-name=n_hints]").focus()
-    expect(teacher.page.get_by_role("tooltip")).to_contain_text("as dicas 1 e 2")
     teacher.studio.wait_for_screen(row)  # a group that needs help may be expanded already
     if row.get_by_test_id("review-open").get_attribute("aria-expanded") == "false":
         row.get_by_test_id("review-open").click()
+    row.locator("[data-testid=review-figure][data-name=n_hints]").focus()
+    expect(teacher.page.get_by_role("tooltip")).to_contain_text("as dicas 1 e 2")
     expect(row.get_by_test_id("review-hints")).to_contain_text("Quantos cantos o quadrado tem?")
     expect(row.get_by_test_id("review-hints").get_by_role("listitem")).to_have_count(2)
     teacher.go(f"compare/{teacher.past.runs[-3]}/{teacher.past.runs[-1]}")

@@ -4,6 +4,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.e2e.axe import violations
+from tests.e2e.blocks import begin_mission
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_classes import PIN, open_lesson, prepare, to_part
@@ -23,7 +24,7 @@ def sign_in_with(studio: Studio) -> None:
 
 def put_move(studio: Studio, distance: str) -> None:
     """Begins the mission with one move."""
-    studio["mission-start"].click()
+    begin_mission(studio.page)
     expect(studio["mission-sheet"]).to_have_count(0)
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", MOVE, blocks.below(blocks.start()))

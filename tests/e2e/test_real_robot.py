@@ -47,6 +47,7 @@ def set_up(studio: Studio, port: int, fields: Mapping[str, str] = NEAR_THE_EDGE)
     """Types the teacher's settings of a robot."""
     to_part(studio, "robot")
     studio.page.locator("[data-testid=robot-kind][data-value=bridge]").click()
+    studio["robot-limits"].click()
     for name, typed in {"port": str(port), **fields}.items():
         field(studio, name).fill(typed)
     studio["robot-keep"].click()
@@ -214,6 +215,9 @@ def test_teacher_finds_the_robot_moves_it_by_a_held_key_and_makes_its_place_the_
         prepare(studio)
         to_part(studio, "robot")
         studio.page.locator("[data-testid=robot-kind][data-value=dds]").click()
+        expect(studio["robots-find"]).to_be_in_viewport()
+        expect(field(studio, "domain")).to_be_hidden()
+        studio["robot-address"].click()
         for name, typed in {"domain": domain, "peers": "127.0.0.1", "command_topic": "x"}.items():
             field(studio, name).fill(str(typed))
         studio["robots-find"].click()
@@ -293,6 +297,7 @@ def test_wrong_field_is_named_and_a_forgotten_robot_is_offered_no_more(
     prepare(studio)
     to_part(studio, "robot")
     studio.page.locator("[data-testid=robot-kind][data-value=bridge]").click()
+    studio["robot-limits"].click()
     field(studio, "max_v_mps").fill("12")
     studio["robot-keep"].click()
     fault = studio.page.get_by_role("alert")

@@ -62,6 +62,7 @@ def test_each_group_is_a_line_of_what_it_did(teacher: Teacher) -> None:
 
 def test_a_number_says_what_it_counts(teacher: Teacher) -> None:
     teacher.open_lesson()
+    teacher.row("Abelhas").get_by_test_id("review-open").click()
     figure = teacher.row("Abelhas").locator("[data-testid=review-figure]").first
     figure.focus()
     expect(teacher.page.get_by_role("tooltip")).to_contain_text("Conta cada mudança")

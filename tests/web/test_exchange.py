@@ -14,8 +14,10 @@ from pinel_desktop.app import App
 from storage.exchange.scope import Scope
 from storage.file.backups import make_backup
 from storage.sql import opened
+from tests.storage.sample_runs import ended
 from tests.web.browser import ApiResponse, Browser
 from tests.web.conftest import SQUARE
+from tests.web.fake_engine import FakeEngine
 
 PIN = {"pin": "314159"}
 
@@ -51,15 +53,42 @@ def test_all_work_goes_to_another_pc_by_stick(
     assert written["left_out"] is None
     other.put("/api/folders/shared", {"path": str(stick)})
     (folder,) = other.get("/api/folders").data["folders"]
-    assert [file["name"] for file in folder["files"]] == [written["name"]]
+    assert [(file["name"], file["own"]) for file in folder["files"]] == [(written["name"], False)]
     to_merge = {"paths": [folder["files"][0]["path"]]}
     first, again = (other.post("/api/bundles/merge", to_merge).data for _ in range(2))
     assert first["merged"][0]["added"] == {"groups": 1, "programs": 1, "versions": 1, "runs": 0}
     assert (first["merged"][0]["computer"], again["merged"][0]["nothing_new"]) == ("PC 07", True)
     assert first["content_hash"] == again["content_hash"]
+    (lesson,) = other.get("/api/classrooms/none/lessons").data["lessons"]
+    assert [one["merged"][0]["lesson"]["id"] for one in (first, again)] == [lesson["id"]] * 2
     (computer,) = other.get("/api/bundles/heard").data["computers"]
     assert computer["name"] == "PC 07"
     assert [group["name"] for group in other.get("/api/groups").data["groups"]] == ["Os Robôs"]
+
+
+def test_a_file_of_this_pc_is_told_from_those_of_others(
+    teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    teacher.patch("/api/computer", {"name": "PC 07"})
+    teacher.post("/api/bundles", {"folder": str(stick)})
+    other.patch("/api/computer", {"name": "PC 08"})
+    other.post("/api/bundles", {"folder": str(stick)})
+    (folder,) = teacher.put("/api/folders/shared", {"path": str(stick)}).data["folders"]
+    assert {file["name"][:5]: file["own"] for file in folder["files"]} == {
+        "PC 07": True,
+        "PC 08": False,
+    }
+
+
+def test_a_run_names_the_other_pc_on_which_it_ran(
+    teacher: Browser, other: Browser, engine: FakeEngine, run: dict[str, Any], stick: Path
+) -> None:
+    teacher.patch("/api/computer", {"name": "PC 07"})
+    engine.send(ended(run["id"], 0, 0))
+    path = teacher.post("/api/bundles", {"folder": str(stick)}).data["path"]
+    other.post("/api/bundles/merge", {"paths": [path]})
+    names = [one.get(f"/api/runs/{run['id']}").data["other_computer"] for one in (teacher, other)]
+    assert names == [None, "PC 07"]
 
 
 def test_the_file_with_which_the_app_was_opened_is_offered_to_the_teacher_until_it_is_merged(

@@ -213,3 +213,19 @@ def test_one_of_a_newer_release_is_told_and_offered_to_nobody(
     group = browser.post("/api/groups", {"name": "G"}).data["id"]
     created = browser.post(f"/api/groups/{group}/activities", {"activity": newer})
     assert created.error["code"] == "activity_newer"
+
+
+def test_the_teacher_s_programs_are_in_a_group_of_their_own(teacher: Browser) -> None:
+    first, second = (teacher.post("/api/own-activities/programs").data for _ in range(2))
+    assert first["group_id"] == second["group_id"]
+    assert first["name"] != second["name"]
+    teacher.post("/api/groups", {"name": "Tatus"})
+    groups = teacher.get("/api/groups").data["groups"]
+    assert {one["name"]: one["of_teacher"] for one in groups} == {
+        "Tatus": False,
+        "Solutions": True,
+    }
+    teacher.send("DELETE", f"/api/groups/{first['group_id']}")
+    assert teacher.post("/api/own-activities/programs").data["group_id"] != first["group_id"]
+    teacher.post("/api/teacher/leave")
+    assert teacher.post("/api/own-activities/programs").error["code"] == "teacher_only"

@@ -247,12 +247,26 @@ def test_the_review_says_who_needs_what_and_which_hints_were_read(
     review = teacher.get(f"/api/lessons/{lesson['id']}/review").data
     (mine,) = review["groups"]
     assert (mine["need"], review["summary"]["not_begun"]) == ("help", [other["name"]])
+    assert mine["sentence"] == "2 batidas seguidas."
     (hints,) = mine["hints"]
     assert (hints["title"], hints["n"]) == ("Um quadrado de 1 m", 2)
     assert hints["texts"][0] == "Quantos cantos o quadrado tem?"
     messages = [mark["message"] for mark in mine["entries"] if mark["kind"] == "run"]
     assert messages[0] == "Vejam o giro."
     assert messages[1] != messages[0]
+
+
+def test_a_pass_of_another_mission_is_named_as_one(
+    teacher: Browser, pupils: Pupils, ninth: str
+) -> None:
+    place = f"/api/classrooms/{ninth}/lessons"
+    other = teacher.post(place, {"title": "Labirinto", "activity": "maze"}).data
+    pupils.run(pupils.edit(move()), passed=1)
+    teacher.put("/api/settings", {"language": "pt-BR"})
+    (mine,) = teacher.get(f"/api/lessons/{other['id']}/review").data["groups"]
+    assert mine["need"] == "working"
+    assert mine["entries"][-1]["other_mission"] == "Um quadrado de 1 m"
+    assert mine["sentence"] == "Em outra missão, “Um quadrado de 1 m”: Cumpriu a atividade."
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

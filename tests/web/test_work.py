@@ -43,6 +43,7 @@ def test_a_group_is_made_and_listed_with_its_counts(
             "robot_name",
             "robot_pattern",
             "has_album",
+            "of_teacher",
             "classroom_id",
             "created_at",
         }

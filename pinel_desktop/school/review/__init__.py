@@ -20,6 +20,7 @@ from pinel_desktop.school.review.lesson import (
 )
 from pinel_desktop.school.review.lesson_events import Edit, GroupWork, Run
 from pinel_desktop.school.review.spreadsheet import spreadsheet
+from pinel_desktop.school.review.status import GroupStatus, status_of
 from pinel_desktop.school.review.summary import CommonMistake, Need, Summary, summary
 
 __all__ = [
@@ -33,6 +34,7 @@ __all__ = [
     "Edit",
     "GroupMetrics",
     "GroupReview",
+    "GroupStatus",
     "GroupWork",
     "LessonReview",
     "Need",
@@ -46,6 +48,7 @@ __all__ = [
     "review_group",
     "review_lesson",
     "spreadsheet",
+    "status_of",
     "summary",
     "versions_needed",
 ]

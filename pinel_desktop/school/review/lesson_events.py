@@ -44,6 +44,7 @@ class Run:
         unconfirmed: why a pass that came with a file does not count; `passed` is None then.
         lesson_id: the lesson, or the part of a joined lesson, in which the program ran.
         world: its name, "own" for a world that the group made.
+        block: id of the block at which it ended; None without one.
         mistake_key: text shown for a run that did not pass, without numbers; equal for equal mistakes.
         link: the robot; "sim" is the simulator.
         duration_s: robot time, which may be slower or faster than wall time.
@@ -65,6 +66,7 @@ class Run:
     computer_id: str | None = None
     lesson_id: str | None = None
     world: str | None = None
+    block: str | None = None
     mistake_key: str | None = None
     link: str = "sim"
 

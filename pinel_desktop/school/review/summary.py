@@ -8,6 +8,7 @@ from typing import Literal
 from pinel_desktop.school.review.group_timeline import is_failing
 from pinel_desktop.school.review.lesson import LessonReview
 from pinel_desktop.school.review.lesson_events import Run
+from pinel_desktop.school.review.status import GroupStatus, status_of
 
 Need = Literal["help", "working", "passed"]
 
@@ -34,10 +35,14 @@ class CommonMistake:
 class Summary:
     """The lesson in one line. Groups are in the order of the review, which is no ranking.
 
+    The page shows the groups by need: first those that need help, then those at work, then those that have passed; of
+    equal need in the order of the review.
+
     Attributes:
         n_passed: groups that passed the activity; None if the lesson has none.
         stuck: names of the groups whose last three runs all failed or did not pass.
         needs: by the group's id: "help" if the group is stuck, "passed" if it passed the activity, else "working".
+        statuses: by the group's id: what it is at.
         mistake: None if no mistake is common to two groups.
     """
 
@@ -45,6 +50,7 @@ class Summary:
     n_passed: int | None
     stuck: tuple[str, ...]
     needs: Mapping[str, Need]
+    statuses: Mapping[str, GroupStatus]
     mistake: CommonMistake | None
 
 
@@ -57,6 +63,14 @@ def summary(review: LessonReview, activity: str | None) -> Summary:
         n_passed=sum(_passed(runs, activity) for runs in groups.values()) if activity else None,
         stuck=tuple(one.name for one in review.groups if needs[one.id] == "help"),
         needs=needs,
+        statuses={
+            one.id: status_of(
+                groups[one.id],
+                has_passed=needs[one.id] == "passed",
+                attempts=one.metrics.attempts_until_passed,
+            )
+            for one in review.groups
+        },
         mistake=_commonest_mistake(groups.values()),
     )
 

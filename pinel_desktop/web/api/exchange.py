@@ -14,6 +14,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.classes import Lesson
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.exchange import (
     Bundle,
@@ -279,13 +280,15 @@ def _folder(folder: "FolderOnDisk") -> Folder:
 
 
 def _file(file: "FileOnDisk") -> FileFound:
-    from storage.exchange.bundle_reading import declares_anonymous, prepares_lesson  # noqa: PLC0415 - see above
+    from storage.exchange.bundle_reading import declaration_of, prepares_lesson  # noqa: PLC0415 - see above
 
+    anonymous, computer_id = declaration_of(file.path, file.size_bytes, file.modified_s)
     return FileFound(
         path=json_safe(str(file.path)),
         name=json_safe(file.path.name),
         size_bytes=file.size_bytes,
-        anonymous=declares_anonymous(file.path, file.size_bytes, file.modified_s),
+        anonymous=anonymous,
+        own=services().store.computers.is_this(computer_id),
         lesson=prepares_lesson(file.path),
         modified_at=datetime.fromtimestamp(file.modified_s, UTC).isoformat(),
     )
@@ -329,6 +332,7 @@ def _merged(path: Path, body: BundlesToMerge) -> Merged:
 
 
 def _report(path: Path, report: "MergeReport") -> Merged:
+    lessons = services().store.lessons
     return Merged(
         path=str(path),
         name=path.name,
@@ -343,6 +347,7 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         would_delete=_pending_deletion(report),
         left_in=[json_safe(path) for path in report.left_in],
         n_unconfirmed=report.n_unconfirmed,
+        lesson=Lesson.of(lessons.get(report.lesson_id)) if report.lesson_id else None,
     )
 
 

@@ -3,6 +3,7 @@
 from flask import Response
 
 from pinel_desktop.school.album import album_of
+from pinel_desktop.school.teacher_programs import teacher_group
 from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.album import Album, Sticker
@@ -10,6 +11,7 @@ from pinel_desktop.web.models.work import Group, GroupChanges, GroupList, NewGro
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import is_teacher, require_teacher
+from storage import GroupRow
 from storage.work.groups import Appearance
 
 api = Resource("groups", "Groups of pupils.", __name__)
@@ -18,8 +20,13 @@ api = Resource("groups", "Groups of pupils.", __name__)
 @api.get("/groups", responses=responses(GroupList))
 def list_groups() -> Response:
     """All groups, most recently used first."""
-    rows = services().store.groups.all()
-    return json_response(GroupList(groups=[Group.of(row) for row in rows]))
+    store = services().store
+    own = teacher_group(store)
+    return json_response(GroupList(groups=[_group(row, own) for row in store.groups.all()]))
+
+
+def _group(row: GroupRow, of_teacher: str | None) -> Group:
+    return Group.of(row, of_teacher=row.id == of_teacher)
 
 
 @api.post("/groups", responses=responses(Group, "classroom_not_found", "group_exists", *WRITES))
@@ -28,7 +35,7 @@ def create_group(body: NewGroup) -> Response:
     groups = services().store.groups
     appearance = Appearance(body.color or "", body.picture, body.robot_name, body.robot_pattern)
     row = groups.create(body.name, classroom_id=body.classroom_id, appearance=appearance)
-    return json_response(Group.of(row))
+    return json_response(_group(row, teacher_group(services().store)))
 
 
 @api.patch(
@@ -43,7 +50,7 @@ def change_group(path: IdPath, body: GroupChanges) -> Response:
     if "classroom_id" in changes:
         require_teacher()
     row = services().store.groups.change(path.id, changes, by_teacher=is_teacher())
-    return json_response(Group.of(row))
+    return json_response(_group(row, teacher_group(services().store)))
 
 
 @api.get("/groups/<id>/album", responses=responses(Album, "group_not_found"))

@@ -22,7 +22,7 @@ def get_lesson_review(path: IdPath) -> Response:
     from pinel_desktop.web.lesson_review import read_lesson  # noqa: PLC0415 - see above
 
     require_teacher()
-    return json_response(read_lesson(path.id, services()).model())
+    return json_response(read_lesson(path.id, services()).model(services().store))
 
 
 @api.get("/lessons/<id>/review.csv", responses=responses(_CSV, *TEACHER, "lesson_not_found"))

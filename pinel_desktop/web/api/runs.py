@@ -272,6 +272,7 @@ def get_run(path: IdPath) -> Response:
             run_model(row),
             version=version_model(version) if version else None,
             world_document=_world_of(row),
+            other_computer=store.computers.name_of_other(row.computer_id),
             **_verdict(row),
         )
     )

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from pinel_desktop.web.models import Id, RequestModel, ResponseModel, Time
+from pinel_desktop.web.models.classes import Lesson
 from pinel_desktop.web.models.errors import Notice
 
 _Path = Annotated[str, Field(max_length=4000)]
@@ -20,6 +21,7 @@ class FileFound(ResponseModel):
     name: str
     size_bytes: int
     anonymous: bool
+    own: Annotated[bool, Field(description="written on this PC, so that merging it brings nothing")]
     lesson: Annotated[bool, Field(description="it prepares a PC for a lesson")]
     modified_at: Time
 
@@ -167,6 +169,9 @@ class Merged(ResponseModel):
     would_delete: PendingDeletion | None = None
     left_in: list[str] = Field(default=[])
     n_unconfirmed: int = 0
+    lesson: Annotated[
+        Lesson | None, Field(description="the newest with work in the file, as it is now")
+    ] = None
     problem: Notice | None = None
 
 

@@ -54,6 +54,9 @@ class TimelineEntry(ResponseModel):
         str | None, Field(description="why the run ended, or what its activity said about it")
     ]
     activity: str | None
+    other_mission: Annotated[
+        str | None, Field(description="title of its activity if the lesson has others")
+    ]
     passed: bool | None
     unconfirmed: Annotated[Unconfirmed | None, Field(description="as of a run")]
     duration_s: float | None
@@ -97,6 +100,7 @@ class GroupReview(ResponseModel):
         Literal["help", "working", "passed"],
         Field(description="`help` if the last three runs or more did not succeed"),
     ]
+    sentence: Annotated[str, Field(description="what the group is at")]
     entries: list[TimelineEntry]
     figures: Figures
     blocks: list[BlockCount]

@@ -83,6 +83,9 @@ class RunWithVersion(Run):
         str | None, Field(description="what a run that did not pass lacks, in words")
     ]
     missing_block: Annotated[str | None, Field(description="id of the block that it is about")]
+    other_computer: Annotated[
+        str | None, Field(description="name of the PC on which it ran; null for this PC")
+    ]
     version: Version | None
     world_document: World | None
 

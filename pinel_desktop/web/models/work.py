@@ -41,6 +41,7 @@ class Group(ResponseModel):
     has_album: Annotated[
         bool, Field(description="false if the teacher switched the album off for the class")
     ]
+    of_teacher: Annotated[bool, Field(description="it holds the teacher's own programs of this PC")]
 
 
 class GroupList(ResponseModel):

@@ -154,7 +154,7 @@ def test_a_lesson_s_records_are_lines_of_its_groups(school: School) -> None:
     school.run("stars")
     (lesson,) = school.store.lessons.of_classroom(school.groups["9º A"])
     lines = school.store.lesson_histories.of([lesson.id])
-    assert [(group.name, group.picture) for group in lines.groups] == [("robots", "rocket")]
+    assert [(group.name, group.picture) for group in lines.groups] == [("robots", "anchor")]
     work = lines.work[school.groups["robots"]]
     assert [(edit.version_id, edit.number, edit.parent_id) for edit in work.edits] == [
         (first, 1, None),

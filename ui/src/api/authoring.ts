@@ -11,6 +11,8 @@ export const authoringApi = {
       : put("/api/own-activities/{id}", { ...of(id), body }),
   remove: (id: string) => del("/api/own-activities/{id}", of(id)),
   restore: (id: string) => post("/api/own-activities/{id}/take-back", of(id)),
+  /** A new program of the teacher, for a sample solution. */
+  newProgram: () => post("/api/own-activities/programs"),
   measure: (body: Stage) => post("/api/own-activities/measure", { body }),
   /** Runs the solution and an empty program with the ideal and the realistic robot. */
   tryOut: (body: OwnActivityDraft) => post("/api/own-activities/try", { body }),

@@ -76,7 +76,9 @@ function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
       <VerdictLine of={run} />
       {!forTeacher && <RunNotes runId={run.id} />}
       <ReplayBlocks run={run} view={playback.view} />
-      {forTeacher && run.group_id && <TeacherNote key={run.id} run={run.id} />}
+      {forTeacher && run.group_id && (
+        <TeacherNote key={run.id} run={run.id} otherComputer={run.other_computer} />
+      )}
     </section>
   );
 }

@@ -2,7 +2,7 @@ import { useSignal } from "@preact/signals";
 import { DoorClosed, DoorOpen, GraduationCap, Hand } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { NO_CLASS } from "../api/classes";
-import type { Classroom, Group } from "../api/model";
+import type { Classroom, Group, OpenedLesson } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
@@ -14,7 +14,7 @@ import { groupsAndClasses } from "../shell/first_answers";
 import { hashOf } from "../shell/route";
 import { group, program, report } from "../shell/session";
 import { loadTeacherSession, teacherSession } from "../shell/teacher/teacher_session";
-import { OpenLessonFile } from "../work/OpenLessonFile";
+import { OpenLessonFile, openedText } from "../work/OpenLessonFile";
 import { ImportProgram } from "../work/ProgramFile";
 import { GroupCard } from "./GroupCard";
 import { NewGroup } from "./NewGroup";
@@ -24,7 +24,7 @@ const SHOWN_AT_FIRST = 11;
 
 interface LessonFileProps {
   /** Called after the lesson of a file was opened: its class and groups are on this PC. */
-  onLesson(): Promise<void>;
+  onLesson(opened: OpenedLesson): Promise<void>;
 }
 
 interface Found {
@@ -35,6 +35,11 @@ interface Found {
 /** Shows the groups of a class with their pictures, and a field for a new group. */
 export function StartScreen() {
   const found = useLoaded("start", groupsAndClasses);
+  const opened = useSignal("");
+  const onLesson = (lesson: OpenedLesson) => {
+    opened.value = openedText(lesson);
+    return found.reload();
+  };
   useEffect(() => {
     group.value = null;
     program.value = null;
@@ -42,18 +47,24 @@ export function StartScreen() {
   }, []);
   return (
     <Loaded of={found} as="screen" actions={<TeacherLink />}>
-      {([groups, classes]) =>
-        groups.length + classes.length === 0 ? (
-          <FirstGroup onLesson={found.reload} />
+      {([all, classes]) => {
+        const groups = all.filter(({ of_teacher }) => !of_teacher);
+        return groups.length + classes.length === 0 ? (
+          <FirstGroup onLesson={onLesson} />
         ) : (
-          <Groups groups={groups} classes={classes} onLesson={found.reload} />
-        )
-      }
+          <Groups groups={groups} classes={classes} opened={opened.value} onLesson={onLesson} />
+        );
+      }}
     </Loaded>
   );
 }
 
-function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
+interface GroupsProps extends Found, LessonFileProps {
+  /** Text about the lesson file that was opened; "" without one. */
+  opened: string;
+}
+
+function Groups({ groups, classes, opened, onLesson }: GroupsProps) {
   const { start, classes: labels } = texts.value;
   const shown = shownClass(classroom.value, classes, groups);
   const here = groupsIn(shown, groups);
@@ -72,6 +83,9 @@ function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
           <TeacherLink />
         </div>
       </div>
+      <p role="status" class={opened && "notice-box"} data-testid="lesson-opened">
+        {opened}
+      </p>
       {classes.length > 0 && <ClassChips classes={classes} withNone={withNone} shown={shown} />}
       {here.length ? (
         <Cards key={shown} groups={here} classroomId={classroomId} />

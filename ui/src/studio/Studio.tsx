@@ -2,15 +2,16 @@ import { useEffect } from "preact/hooks";
 import { useInstance } from "../kit/instance";
 import * as robot from "../run/live";
 import { isLive } from "../run/reducer";
-import { TOUR_OVER, tourFor, tourSteps } from "../shell/help";
+import { tourFor } from "../shell/help";
 import { lazy } from "../shell/lazy";
-import { group, program } from "../shell/session";
+import { program } from "../shell/session";
 import { BlocksPane } from "./blocks_pane/BlocksPane";
 import { FloorPane } from "./floor_pane/FloorPane";
 import type { OpenProgram } from "./program/open_program";
 import { Splitter } from "./Splitter";
 import { shownPart } from "./split";
 import { StudioControl } from "./studio_control";
+import { isTourDue } from "./tour/due";
 
 const TourBalloon = lazy(async () => (await import("./tour/TourBalloon")).TourBalloon);
 const WorldEditor = lazy(async () => (await import("../world_editor/WorldEditor")).WorldEditor);
@@ -18,7 +19,7 @@ const WorldEditor = lazy(async () => (await import("../world_editor/WorldEditor"
 /** The studio: blocks on the left, floor on the right. */
 export function Studio({ open }: { open: OpenProgram }) {
   const control = useInstance(() => new StudioControl(open));
-  useTour(open);
+  useTour(control);
   const { worlds } = control;
   const store = worlds.store.value;
   return (
@@ -42,20 +43,17 @@ export function Studio({ open }: { open: OpenProgram }) {
   );
 }
 
-/** Offers the guided first drive once to a group without work; resumes it after a reload of the page. */
-function useTour(open: OpenProgram): void {
+/**
+ * Offers the guided first drive to a group to which it is due; resumes it after a reload of the page. In a mission that
+ * is not begun, the button of its sheet begins it.
+ */
+function useTour({ open, missionSheet }: StudioControl): void {
   useEffect(() => {
-    const { id, group_id } = open.program;
-    const storedStep = tourSteps.of(group_id);
-    const isDue = storedStep === null ? isNew(open) : storedStep !== TOUR_OVER;
-    if (isDue && !open.mission.peek()) tourFor.value = id;
+    const { id } = open.program;
+    const isStarted = !open.mission.peek() || !missionSheet.isOpen.peek();
+    if (isStarted && isTourDue(open)) tourFor.value = id;
     return () => {
       if (tourFor.peek() === id) tourFor.value = null;
     };
   }, []);
-}
-
-function isNew({ program: { version } }: OpenProgram): boolean {
-  const { n_programs = 0, n_in_bin = 0, n_runs = 0 } = group.peek() ?? {};
-  return n_programs <= 1 && n_in_bin === 0 && n_runs === 0 && !version;
 }

@@ -10,5 +10,5 @@ export interface School {
 
 export async function loadSchool(): Promise<School> {
   const [classes, groups] = await Promise.all([classesApi.classrooms(), api.groups()]);
-  return { classes, groups };
+  return { classes, groups: groups.filter(({ of_teacher }) => !of_teacher) };
 }

@@ -13,6 +13,7 @@ from pinel_desktop.school.own_activities import (
     own_goal,
     save_activity,
 )
+from pinel_desktop.school.teacher_programs import create_program
 from pinel_desktop.web.api import TEACHER, WRITES, Resource, responses
 from pinel_desktop.web.errors import InvalidActivityError
 from pinel_desktop.web.models import Empty, IdPath
@@ -28,6 +29,7 @@ from pinel_desktop.web.models.own_activities import (
     Trial,
     Trials,
 )
+from pinel_desktop.web.models.work import Program
 from pinel_desktop.web.responses import describe_faults, json_response, notice
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
@@ -107,6 +109,14 @@ def restore_own_activity(path: IdPath) -> Response:
     require_teacher()
     services().store.own_activities.undelete(path.id)
     return json_response(Empty())
+
+
+@api.post("/own-activities/programs", responses=responses(Program, *TEACHER, *WRITES))
+def create_solution_program() -> Response:
+    """Creates an empty program of the teacher, for a sample solution. For the teacher."""
+    require_teacher()
+    parts = services()
+    return json_response(Program.of(create_program(parts.store, parts.settings.language)))
 
 
 @api.post("/own-activities/measure", responses=responses(Sample, *TEACHER, "body_too_large"))

@@ -3,7 +3,9 @@ import type { Activity } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { GoalPicture } from "../../scene/small/GoalPicture";
+import { tourFor } from "../../shell/help";
 import type { StudioControl } from "../studio_control";
+import { isTourDue } from "../tour/due";
 import { CasesTried } from "./CasesTried";
 import { CheckList } from "./CheckList";
 import { HowJudged } from "./HowJudged";
@@ -53,10 +55,14 @@ interface FootProps {
   isSuccess: boolean;
 }
 
-/** The hints, which open one after the other and stay open until success, and the button that closes the sheet. */
+/** The hints, which open one after the other and stay open until success, and the button that closes the sheet and begins a tour that is due. */
 function Foot({ control, mission: { hints }, isSuccess }: FootProps) {
   const { activity } = texts.value;
   const { open } = control;
+  const begin = () => {
+    control.missionSheet.close();
+    if (isTourDue(open)) tourFor.value = open.id;
+  };
   const n = isSuccess ? 0 : Math.min(open.setup.value.n_hints, hints.length);
   return (
     <>
@@ -72,7 +78,8 @@ function Foot({ control, mission: { hints }, isSuccess }: FootProps) {
           kind={isSuccess ? "plain" : "main"}
           icon={Play}
           testId="mission-start"
-          onPress={() => control.missionSheet.close()}
+          data-tour={isTourDue(open)}
+          onPress={begin}
         >
           {control.open.isEmpty ? activity.start : activity.toBlocks}
         </Button>

@@ -6,7 +6,7 @@ import { Button } from "../../kit/Button";
 import { useInstance } from "../../kit/instance";
 import { beginActivity } from "../../shell/begin_activity";
 import type { StudioControl } from "../studio_control";
-import { type Progress, STEPS, type TourStep } from "./steps";
+import type { Progress, TourStep } from "./steps";
 import { useTargets } from "./targets";
 import { Tour } from "./tour";
 
@@ -25,6 +25,7 @@ export function TourBalloon({ control }: { control: StudioControl }) {
   const { rings, corner, drag } = useTargets(step, control, balloon);
   useFocus(balloon, step);
   const labels = texts.value.help.tour;
+  if (tour.inMission && control.missionSheet.isOpen.value) return null; // the sheet is read first
   return (
     <>
       {rings.map(({ x, y, width, height }, index) => (
@@ -57,9 +58,9 @@ export function TourBalloon({ control }: { control: StudioControl }) {
         style={{ left: corner.x, top: corner.y }}
         onKeyDown={({ key }) => key === "Escape" && tour.end()}
       >
-        <Ticks step={step} />
+        <Ticks step={step} steps={tour.steps} />
         <p class="tour__words" role="status">
-          {stepText(progress.value)}
+          {stepText(progress.value, tour.inMission)}
         </p>
         <Buttons tour={tour} step={step} control={control} />
       </section>
@@ -76,7 +77,7 @@ function useFocus(balloon: { readonly current: HTMLElement | null }, step: TourS
   }, [step]);
 }
 
-function stepText({ step, isOther }: Progress): string {
+function stepText({ step, isOther }: Progress, inMission: boolean): string {
   const { tour } = texts.value.help;
   const { run } = texts.value.run;
   switch (step) {
@@ -93,7 +94,7 @@ function stepText({ step, isOther }: Progress): string {
     case "again":
       return isOther ? tour.other : tour.again;
     case "end":
-      return tour.end({ stop: texts.value.run.stop });
+      return (inMission ? tour.endMission : tour.end)({ stop: texts.value.run.stop });
   }
 }
 
@@ -102,14 +103,14 @@ function blockName(key: TextKey): string {
   return texts.value.blocks[key].replace(/^%1 /, "").replace(/ ?%.*/, "");
 }
 
-function Ticks({ step }: { step: TourStep }) {
-  const now = STEPS.indexOf(step);
+function Ticks({ step, steps }: { step: TourStep; steps: readonly TourStep[] }) {
+  const now = steps.indexOf(step);
   return (
     <p class="row gap-1">
       <span class="visually-hidden">
-        {texts.value.help.tour.place({ n: now + 1, all: STEPS.length })}
+        {texts.value.help.tour.place({ n: now + 1, all: steps.length })}
       </span>
-      {STEPS.map((one, index) => (
+      {steps.map((one, index) => (
         <span key={one} class="tour__tick" data-now={index === now} aria-hidden="true">
           {index < now && <Check class="icon" />}
         </span>
@@ -121,6 +122,15 @@ function Ticks({ step }: { step: TourStep }) {
 function Buttons({ tour, step, control }: { tour: Tour; step: TourStep; control: StudioControl }) {
   const labels = texts.value.help.tour;
   const group = control.open.program.group_id;
+  if (step === "end" && tour.inMission) {
+    return (
+      <div class="row">
+        <Button kind="main" testId="tour-free" onPress={() => tour.end()}>
+          {labels.toMission}
+        </Button>
+      </div>
+    );
+  }
   if (step === "end") {
     return (
       <div class="row wrap gap-2">

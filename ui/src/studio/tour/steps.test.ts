@@ -1,5 +1,13 @@
 import { describe, expect, test } from "vitest";
-import { advanced, after, beginning, type Progress, STEPS, type StudioState } from "./steps";
+import {
+  advanced,
+  after,
+  beginning,
+  MISSION_STEPS,
+  type Progress,
+  STEPS,
+  type StudioState,
+} from "./steps";
 
 const NOTHING: StudioState = { actions: [], run: null, isRunning: false };
 const stateWith = (more: Partial<StudioState>): StudioState => ({ ...NOTHING, ...more });
@@ -27,6 +35,13 @@ describe("the guided first drive", () => {
         stateWith({ actions: two, run: "2" }),
       ),
     ).toEqual(["move", "run", "watch", "turn", "again", "again", "end"]);
+  });
+
+  test("in a mission ends after the first run", () => {
+    const started = after(beginning(NOTHING), NOTHING, MISSION_STEPS);
+    const run = { actions: ["move_forward"], run: "1" };
+    expect(advanced(started, stateWith(run), MISSION_STEPS).step).toBe("end");
+    expect(advanced(started, stateWith(run)).step).toBe("turn");
   });
 
   test("takes another block too, and says so until the next one", () => {

@@ -3,6 +3,9 @@ export const STEPS = ["hello", "move", "run", "watch", "turn", "again", "end"] a
 
 export type TourStep = (typeof STEPS)[number];
 
+/** The steps in a mission: its program gets no more than the first move. */
+export const MISSION_STEPS: readonly TourStep[] = ["hello", "move", "run", "watch", "end"];
+
 /** The pupils' progress so far, as far as the studio knows it. */
 export interface StudioState {
   /** Actions of the commands directly under the start block, in order. */
@@ -46,11 +49,15 @@ function put(before: readonly string[], now: readonly string[]): string[] {
   });
 }
 
-/** Progress at the next step; the last step follows itself. */
-export function after({ step, since, isOther }: Progress, { actions, run }: StudioState): Progress {
+/** Progress at the next of the steps; the last step follows itself. */
+export function after(
+  { step, since, isOther }: Progress,
+  { actions, run }: StudioState,
+  steps: readonly TourStep[] = STEPS,
+): Progress {
   const expected = EXPECTED_ACTIONS[step];
   return {
-    step: STEPS[STEPS.indexOf(step) + 1] ?? "end",
+    step: steps[steps.indexOf(step) + 1] ?? "end",
     // a remark about the other block also applies to the step of its run
     isOther: expected ? !put(since.actions, actions).includes(expected) : step === "run" && isOther,
     since: {
@@ -61,8 +68,12 @@ export function after({ step, since, isOther }: Progress, { actions, run }: Stud
 }
 
 /** Progress in a state of the studio: skips each step that is done, by whatever means. */
-export function advanced(progress: Progress, state: StudioState): Progress {
-  return isDone(progress, state) ? advanced(after(progress, state), state) : progress;
+export function advanced(
+  progress: Progress,
+  state: StudioState,
+  steps: readonly TourStep[] = STEPS,
+): Progress {
+  return isDone(progress, state) ? advanced(after(progress, state, steps), state, steps) : progress;
 }
 
 function isDone({ step, since }: Progress, { actions, run, isRunning }: StudioState): boolean {

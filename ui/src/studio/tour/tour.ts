@@ -3,7 +3,17 @@ import * as robot from "../../run/live";
 import { TOUR_OVER, tourFor, tourSteps } from "../../shell/help";
 import { report } from "../../shell/session";
 import type { StudioControl } from "../studio_control";
-import { advanced, after, beginning, isStep, type Progress, type StudioState } from "./steps";
+import {
+  advanced,
+  after,
+  beginning,
+  isStep,
+  MISSION_STEPS,
+  type Progress,
+  STEPS,
+  type StudioState,
+  type TourStep,
+} from "./steps";
 
 /** After this time in a step, the tour offers to do the step for the pupils. */
 const SHOW_AFTER_MS = 20_000;
@@ -13,17 +23,22 @@ export class Tour {
   readonly progress = signal<Progress>(beginning({ actions: [], run: null, isRunning: false }));
   /** Whether the tour offers to do the step: the step has lasted `SHOW_AFTER_MS`. */
   readonly canShow = signal(false);
+  /** Whether the program is for a mission. */
+  readonly inMission: boolean;
+  readonly steps: readonly TourStep[];
   private readonly stops: (() => void)[];
   private timer = 0;
 
   constructor(private readonly control: StudioControl) {
+    this.inMission = control.open.mission.peek() !== null;
+    this.steps = this.inMission ? MISSION_STEPS : STEPS;
     const storedStep = tourSteps.of(this.group);
     this.progress.value = beginning(this.studioState(), isStep(storedStep) ? storedStep : "hello");
     this.storeStep();
     this.stops = [
       effect(() => {
         const state = this.studioState();
-        this.setProgress(advanced(this.progress.peek(), state));
+        this.setProgress(advanced(this.progress.peek(), state, this.steps));
       }),
     ];
     this.wait();
@@ -31,7 +46,7 @@ export class Tour {
 
   /** Goes to the next step, from a step that asks for no action. */
   next(): void {
-    this.setProgress(after(this.progress.peek(), this.studioState()));
+    this.setProgress(after(this.progress.peek(), this.studioState(), this.steps));
   }
 
   /** Performs the action of the step for the pupils. */

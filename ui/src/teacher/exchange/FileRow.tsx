@@ -9,7 +9,7 @@ interface FileRowProps {
   onToggle(): void;
 }
 
-/** A bundle file. Marks an anonymous bundle, because merging it duplicates groups. */
+/** A bundle file. Marks a file of this PC, which brings nothing, and an anonymous one, which duplicates groups. */
 export function FileRow({ file, isChosen, onToggle }: FileRowProps) {
   const labels = texts.value.exchange;
   return (
@@ -22,6 +22,7 @@ export function FileRow({ file, isChosen, onToggle }: FileRowProps) {
           onChange={onToggle}
         />
         <span class="exchange__name">{file.name}</span>
+        {file.own && <span class="exchange__nameless">{labels.ownFile}</span>}
         {file.anonymous && <span class="exchange__nameless">{labels.nameless}</span>}
         <span class="exchange__about">
           {labels.file({

@@ -5,6 +5,7 @@ import type { FileFound, FolderList, KnownComputerList } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { FolderFiles } from "./FolderFiles";
+import { MergedLessons } from "./MergedLessons";
 import { MergeResult } from "./MergeResult";
 import { OpenedFile } from "./OpenedFile";
 import { Undecided } from "./Undecided";
@@ -21,7 +22,7 @@ interface MergeBoxProps {
 
 /**
  * Merges files of sticks. Initially the file with which PINEL was opened is selected, without one all
- * files except anonymous ones.
+ * files except anonymous ones and those of this PC.
  */
 export function MergeBox({
   found: { folders, opened },
@@ -32,8 +33,8 @@ export function MergeBox({
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
   const { progress, mergeAll } = merging;
   const labels = texts.value.exchange;
-  const isChosen = ({ path, anonymous }: FileFound) =>
-    ticked.value.get(path) ?? (opened?.file ? path === opened.file.path : !anonymous);
+  const isChosen = ({ path, anonymous, own }: FileFound) =>
+    ticked.value.get(path) ?? (opened?.file ? path === opened.file.path : !anonymous && !own);
   const found = [...(opened?.file ? [opened.file] : []), ...folders.flatMap(({ files }) => files)];
   // the opened file may be on a stick, too
   const chosen = [...new Set(found.filter(isChosen).map(({ path }) => path))];
@@ -102,6 +103,7 @@ function Results({ merging, lessons }: ResultsProps) {
           ))}
         </ul>
       )}
+      <MergedLessons results={results.value} />
     </div>
   );
 }

@@ -1,4 +1,4 @@
-import { useSignal } from "@preact/signals";
+import type { Signal } from "@preact/signals";
 import { Download, FolderOpen, Save } from "lucide-preact";
 import { authoringApi } from "../../api/authoring";
 import { exchange } from "../../api/exchange";
@@ -9,6 +9,7 @@ import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
 import { valueIn } from "../../kit/requests/load_state";
+import { setClassroom } from "../../shell/classroom";
 import { fileName, saveFile } from "../../shell/files/save_file";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { OpenLessonFile, openedText } from "../../work/OpenLessonFile";
@@ -17,20 +18,23 @@ import { useTeacherLoaded } from "../useTeacherLoaded";
 interface LessonFileProps {
   /** The open lesson; null without one, so that there is nothing to save. */
   lesson: Lesson | null;
+  /** Text about what was saved or opened last. */
+  status: Signal<string>;
   onOpened(): Promise<void>;
 }
 
 /** Saves the file that prepares other PCs for the open lesson; opens a lesson file. */
-export function LessonFile({ lesson, onOpened }: LessonFileProps) {
+export function LessonFile({ lesson, status, onOpened }: LessonFileProps) {
   const { file: labels } = texts.value.making;
   const folders = useTeacherLoaded("folders", async () => (await exchange.folders()).folders);
   // the buttons do not wait for the folders: what is below would move away from a click
   const found = valueIn(folders) ?? [];
-  const status = useSignal("");
   const { fault, act } = useAction(asTeacher);
   const openFound = (file: FileFound) =>
     act(async () => {
-      status.value = openedText(await authoringApi.openFoundLesson(file.path));
+      const opened = await authoringApi.openFoundLesson(file.path);
+      setClassroom(opened.classroom.id);
+      status.value = openedText(opened);
       await onOpened();
     });
   return (

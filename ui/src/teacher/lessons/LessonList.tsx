@@ -1,4 +1,4 @@
-import { Link2 } from "lucide-preact";
+import { ChevronDown, Link2 } from "lucide-preact";
 import { useState } from "preact/hooks";
 import { classesApi } from "../../api/classes";
 import type { Lesson } from "../../api/model";
@@ -10,6 +10,9 @@ import { asTeacher } from "../../shell/teacher/teacher_session";
 import { LessonRow } from "./LessonRow";
 import { titleOf, whole, withParts } from "./lessons";
 
+/** Older lessons are shown on request: what is below the list stays near. */
+const SHOWN_AT_FIRST = 4;
+
 interface LessonListProps {
   lessons: readonly Lesson[];
   onChanged(): Promise<void>;
@@ -18,6 +21,7 @@ interface LessonListProps {
 /** The lessons of a class, newest first, with selection to join several. */
 export function LessonList({ lessons, onChanged }: LessonListProps) {
   const { lessons: labels } = texts.value.teacher;
+  const [isWhole, setWhole] = useState(false);
   const [picked, setPicked] = useState<readonly string[]>([]);
   const { fault, act } = useAction(asTeacher);
   const groups = withParts(lessons);
@@ -37,7 +41,7 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
       <h2 class="lessons__title">{labels.list}</h2>
       {lessons.length === 0 && <p class="teacher__hint">{labels.empty}</p>}
       <ul class="column gap-2">
-        {groups.map(({ lesson, parts }) => (
+        {(isWhole ? groups : groups.slice(0, SHOWN_AT_FIRST)).map(({ lesson, parts }) => (
           <li key={lesson.id} class="card">
             <LessonRow lesson={lesson} onChanged={onChanged}>
               {groups.length > 1 && (
@@ -57,6 +61,16 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
           </li>
         ))}
       </ul>
+      {!isWhole && groups.length > SHOWN_AT_FIRST && (
+        <Button
+          kind="plain"
+          icon={ChevronDown}
+          testId="lessons-earlier"
+          onPress={() => setWhole(true)}
+        >
+          {labels.earlier({ count: groups.length - SHOWN_AT_FIRST })}
+        </Button>
+      )}
       {groups.length > 1 && <Join n={marked.length} onJoin={() => act(join)} />}
       <FaultLine fault={fault} />
     </section>

@@ -1,3 +1,4 @@
+import { type Signal, useSignal } from "@preact/signals";
 import { classesApi, NO_CLASS } from "../../api/classes";
 import { language, texts } from "../../i18n";
 import { LinkButton } from "../../kit/LinkButton";
@@ -8,10 +9,9 @@ import { hashOf } from "../../shell/route";
 import type { School } from "../school";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 import { ClassPreset } from "./ClassPreset";
+import { CurrentLesson } from "./CurrentLesson";
 import { LessonFile } from "./LessonFile";
 import { LessonList } from "./LessonList";
-import { LessonNow } from "./LessonNow";
-import { OpenLesson } from "./OpenLesson";
 
 interface LessonsPartProps {
   school: School;
@@ -23,6 +23,7 @@ export function LessonsPart({ school: { classes, groups }, reload }: LessonsPart
   const { lessons: labels } = texts.value.teacher;
   const shown = shownClass(classroom.value, classes, groups);
   const withNone = groupsIn(NO_CLASS, groups).length > 0;
+  const opened = useSignal(""); // outlives the class shown, which the opened lesson changes
   if (classes.length === 0) {
     return (
       <>
@@ -31,8 +32,8 @@ export function LessonsPart({ school: { classes, groups }, reload }: LessonsPart
         <LinkButton kind="main" href={hashOf({ screen: "teacher", part: "classes" })}>
           {labels.makeClass}
         </LinkButton>
-        <LessonFile lesson={null} onOpened={reload} />
-        {withNone && <ClassLessons id={NO_CLASS} />}
+        <LessonFile lesson={null} status={opened} onOpened={reload} />
+        {withNone && <ClassLessons id={NO_CLASS} opened={opened} />}
       </>
     );
   }
@@ -40,17 +41,18 @@ export function LessonsPart({ school: { classes, groups }, reload }: LessonsPart
     <>
       <h1>{labels.title}</h1>
       <ClassChips classes={classes} withNone={withNone} shown={shown} />
-      <ClassLessons key={shown} id={shown} />
+      <ClassLessons key={shown} id={shown} opened={opened} />
     </>
   );
 }
 
 interface ClassLessonsProps {
   id: string;
+  /** Text about the lesson file that was opened last. */
+  opened: Signal<string>;
 }
 
-function ClassLessons({ id }: ClassLessonsProps) {
-  const { lessons: labels } = texts.value.teacher;
+function ClassLessons({ id, opened }: ClassLessonsProps) {
   const found = useTeacherLoaded(`${id} ${language.value}`, () => loadLessons(id));
   return (
     <Loaded of={found}>
@@ -60,21 +62,14 @@ function ClassLessons({ id }: ClassLessonsProps) {
         return (
           <>
             {id !== NO_CLASS && (
-              <section class="panel card">
-                {open ? (
-                  <LessonNow lesson={open} activities={activities} onClosed={found.reload} />
-                ) : (
-                  <p class="teacher__hint">{current ? labels.byItself : labels.none}</p>
-                )}
-                <OpenLesson
-                  classroom={id}
-                  activities={activities}
-                  proposed={now?.preset.activity ?? ""}
-                  another={open !== null}
-                  onOpened={found.reload}
-                />
-              </section>
+              <CurrentLesson
+                classroom={id}
+                now={now}
+                activities={activities}
+                onChanged={found.reload}
+              />
             )}
+            <LessonList lessons={lessons} onChanged={found.reload} />
             {now && (
               <ClassPreset
                 classroom={id}
@@ -83,8 +78,9 @@ function ClassLessons({ id }: ClassLessonsProps) {
                 onChanged={found.reload}
               />
             )}
-            {id !== NO_CLASS && <LessonFile lesson={open} onOpened={found.reload} />}
-            <LessonList lessons={lessons} onChanged={found.reload} />
+            {id !== NO_CLASS && (
+              <LessonFile lesson={open} status={opened} onOpened={found.reload} />
+            )}
           </>
         );
       }}

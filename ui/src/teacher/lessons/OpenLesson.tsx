@@ -19,7 +19,7 @@ interface OpenLessonProps {
   activities: readonly ActivityChoice[];
   /** Name of the activity in the preset of the class, or "". */
   proposed: string;
-  /** Whether another lesson is open: opening a lesson closes the other lesson. */
+  /** Whether another lesson is open: a button with the form's title folds it, and opening a lesson closes the other. */
   another: boolean;
   onOpened(): Promise<void>;
 }
@@ -42,7 +42,7 @@ export function OpenLesson(props: OpenLessonProps) {
   };
   return (
     <Form class="open-lesson column gap-3" onSubmit={submit}>
-      <h2>{another ? labels.openAnother : labels.open}</h2>
+      {!another && <h2>{labels.open}</h2>}
       <div class="teacher__row">
         <Field
           label={labels.name}

@@ -1,13 +1,17 @@
 import { useSignal } from "@preact/signals";
+import { Blocks } from "lucide-preact";
+import { authoringApi } from "../../api/authoring";
 import { api } from "../../api/client";
 import { type Group, worldTitle } from "../../api/model";
 import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
 import { Field } from "../../kit/Field";
 import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
 import { Select, type SelectOption } from "../../kit/Select";
+import { go } from "../../shell/route";
 import { worlds } from "../../shell/session";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import type { ActivityEditor } from "./activity_editor";
@@ -20,8 +24,13 @@ interface SolutionPartProps {
 /** Chooses the sample solution among the programs of all groups, its world and its inputs. */
 export function SolutionPart({ editor, groups }: SolutionPartProps) {
   const { making: labels } = texts.value;
-  const group = useSignal("");
-  const options = groups.map(({ id, name }): SelectOption<string> => [id, name]);
+  const own = groups.find(({ of_teacher }) => of_teacher);
+  const group = useSignal(editor.id ? "" : (own?.id ?? ""));
+  const others = groups.filter((one) => one !== own);
+  const options = [
+    ...(own ? [[own.id, labels.solution.mine] as const] : []),
+    ...others.map(({ id, name }): SelectOption<string> => [id, name]),
+  ];
   return (
     <section class="making__part">
       <h2>{labels.solution.title}</h2>
@@ -38,6 +47,7 @@ export function SolutionPart({ editor, groups }: SolutionPartProps) {
             }}
           />
         </label>
+        <BuildButton />
         {group.value && <Programs key={group.value} group={group.value} editor={editor} />}
       </div>
       {editor.stage.value && <WorldAndInputs editor={editor} />}
@@ -48,6 +58,21 @@ export function SolutionPart({ editor, groups }: SolutionPartProps) {
         <p class="notice-box">{labels.solution.unfinished}</p>
       )}
     </section>
+  );
+}
+
+/** Opens a new program of the teacher in the studio. */
+function BuildButton() {
+  const { fault, act } = useAction(asTeacher);
+  const build = () =>
+    act(async () => go({ screen: "studio", program: (await authoringApi.newProgram()).id }));
+  return (
+    <>
+      <Button icon={Blocks} testId="making-build" onPress={build}>
+        {texts.value.making.solution.build}
+      </Button>
+      <FaultLine fault={fault} />
+    </>
   );
 }
 

@@ -9,10 +9,16 @@ export type RunOutcome = "passed" | "finished" | "notyet" | "stopped" | "failed"
 export interface Ended {
   readonly state: TimelineEntry["state"];
   readonly passed: boolean | null;
+  /** Title of its activity if it is none of the lesson's. */
+  readonly other_mission?: string | null;
 }
 
-/** A passed run counts as passed even if it was stopped after reaching the goal. */
-export function outcomeOf({ state, passed }: Ended): RunOutcome {
+/**
+ * A passed run counts as passed even if it was stopped after reaching the goal. Of another mission than the lesson's
+ * only its end counts.
+ */
+export function outcomeOf({ state, passed, other_mission }: Ended): RunOutcome {
+  if (other_mission) return state ?? "running";
   if (passed) return "passed";
   if (state === "finished" && passed === false) return "notyet";
   return state ?? "running";

@@ -1,6 +1,7 @@
 import type { RealRobot, RobotField } from "../../api/model";
 import { texts } from "../../i18n";
 import { Field } from "../../kit/Field";
+import { Disclosure } from "../Disclosure";
 import { FoundRobots } from "./FoundRobots";
 import { RoomPicture } from "./RoomPicture";
 import type { Draft } from "./robot_description";
@@ -12,7 +13,10 @@ interface RobotFieldsProps {
   fill(texts: Draft): void;
 }
 
-/** The fields of a robot description, in sections. */
+/**
+ * The fields of a robot description. What a search finds, or else the address, comes first; the rest has values that
+ * do, and is folded.
+ */
 export function RobotFields({ robot, draft, field, fill }: RobotFieldsProps) {
   const { parts } = texts.value.robotSetup;
   const inputs = (part: RobotField["part"]) =>
@@ -31,26 +35,41 @@ export function RobotFields({ robot, draft, field, fill }: RobotFieldsProps) {
           onText={field(name).onText}
         />
       ));
+  const isSearched = draft.domain !== undefined;
   return (
     <>
-      <fieldset class="robot-form__part">
-        <legend>{parts.speed}</legend>
-        {inputs("speed")}
-      </fieldset>
-      <fieldset class="robot-form__part">
-        <legend>{parts.room}</legend>
-        {inputs("room")}
-        <RoomPicture draft={draft} />
-      </fieldset>
-      <fieldset class="robot-form__part">
-        <legend>{parts.address}</legend>
-        {inputs("address")}
-        {draft.domain !== undefined && <FoundRobots robot={robot} draft={draft} fill={fill} />}
-      </fieldset>
-      <details class="robot-form__more">
-        <summary>{parts.tolerance}</summary>
+      {isSearched ? (
+        <FoundRobots robot={robot} draft={draft} fill={fill} />
+      ) : (
+        <fieldset class="robot-form__part">
+          <legend>{parts.address}</legend>
+          {inputs("address")}
+        </fieldset>
+      )}
+      <Disclosure label={limitsText(draft)} testId="robot-limits">
+        <div class="robot-form__part">
+          {inputs("speed")}
+          {inputs("room")}
+          <RoomPicture draft={draft} />
+        </div>
+      </Disclosure>
+      {isSearched && (
+        <Disclosure label={parts.address} testId="robot-address">
+          <div class="robot-form__part">{inputs("address")}</div>
+        </Disclosure>
+      )}
+      <Disclosure label={parts.tolerance} testId="robot-tolerances">
         <div class="robot-form__part">{inputs("tolerance")}</div>
-      </details>
+      </Disclosure>
     </>
   );
+}
+
+/** The speed and the room that hold now, also while their fields are folded. */
+function limitsText(draft: Draft): string {
+  return texts.value.robotSetup.parts.limits({
+    speed: draft.max_v_mps ?? "",
+    width: draft["room.width_m"] ?? "",
+    depth: draft["room.depth_m"] ?? "",
+  });
 }

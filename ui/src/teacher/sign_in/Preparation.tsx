@@ -11,10 +11,10 @@ import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
 import { setClassroom } from "../../shell/classroom";
-import { command } from "../../shell/command";
 import { go } from "../../shell/route";
 import { asTeacher, choosePin, teacherSession } from "../../shell/teacher/teacher_session";
 import { useDraft } from "../useDraft";
+import { ForgottenPin } from "./ForgottenPin";
 import { pinFault } from "./pin";
 
 interface PreparationProps {
@@ -90,7 +90,7 @@ function PreparationForm({ known, onDone }: PreparationProps & { known: Known })
             {door.back}
           </LinkButton>
         </div>
-        <p class="labelled__hint">{labels.forgotten({ command })}</p>
+        <ForgottenPin text={labels.forgotten} />
       </Form>
     </main>
   );

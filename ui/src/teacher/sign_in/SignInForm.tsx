@@ -7,9 +7,9 @@ import { PinField } from "../../kit/Field";
 import { Form } from "../../kit/Form";
 import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
-import { command } from "../../shell/command";
 import { go } from "../../shell/route";
 import { cancelWaiting, signIn } from "../../shell/teacher/teacher_session";
+import { ForgottenPin } from "./ForgottenPin";
 
 interface SignInFormProps {
   /** Whether the teacher was signed in before. */
@@ -56,7 +56,7 @@ export function SignInForm({ again }: SignInFormProps) {
             {labels.back}
           </Button>
         </div>
-        {fault === null && <p class="labelled__hint">{labels.forgotten({ command })}</p>}
+        {fault === null && <ForgottenPin text={labels.forgotten} />}
       </Form>
     </main>
   );

@@ -7,7 +7,7 @@ export type Appearance = Pick<Group, "color" | "picture" | "robot_name" | "robot
 
 /**
  * The appearance proposed to a new group: the first colour, picture and pattern that fewest groups of its class have.
- * Colours and patterns are counted from a place that the name gives, so that groups of several PCs seldom look alike
+ * Each is counted from a place that the name gives, so that groups of several PCs seldom look alike
  * once the PCs are merged. The pattern is rather one that no group has in the same colour. The server proposes the same
  * (`storage/work/groups.py`).
  */
@@ -20,7 +20,10 @@ export function freeAppearance(
   const count = (fits: (other: Appearance) => boolean) => others.filter(fits).length;
   const color =
     chosenColor ?? rarest(rotated(GROUP_COLORS, number), (one) => count((at) => at.color === one));
-  const picture = rarest(PICTURE_NAMES, (one) => count((at) => at.picture === one));
+  const picture = rarest(
+    rotated(PICTURE_NAMES, Math.floor(number / GROUP_COLORS.length / ROBOT_PATTERNS.length)),
+    (one) => count((at) => at.picture === one),
+  );
   const robot_pattern = rarest(
     rotated(ROBOT_PATTERNS, Math.floor(number / GROUP_COLORS.length)),
     (one) => {

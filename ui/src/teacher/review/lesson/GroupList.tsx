@@ -6,6 +6,7 @@ import { daysOf } from "../days";
 import { timelinesOf } from "../timeline/timelines";
 import { GroupRow } from "./GroupRow";
 import type { LessonViewState } from "./lesson_view_state";
+import { computersOfLookalike } from "./lookalikes";
 import { forPrint, PRINT_TIMELINE_PX } from "./printing";
 
 /** Minimum width for which a timeline is laid out. */
@@ -43,6 +44,7 @@ export function GroupList({ review: { groups }, viewState, onAccepted }: GroupLi
           review={review}
           layout={layout}
           withDays={withDays}
+          lookalikeOn={computersOfLookalike(review, groups)}
           open={open.value.has(review.group.id)}
           onToggle={() => toggle(review.group.id)}
           onAccepted={onAccepted}

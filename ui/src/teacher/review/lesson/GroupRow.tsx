@@ -16,6 +16,8 @@ interface GroupRowProps {
   layout: TimelineLayout;
   /** Whether the lesson lasted several days. */
   withDays: boolean;
+  /** PCs of the group if another one looks like it, else "". */
+  lookalikeOn: string;
   open: boolean;
   onToggle(): void;
   onAccepted(): unknown;
@@ -24,9 +26,9 @@ interface GroupRowProps {
 /** The element of a group's row, if it is shown. */
 export const rowOf = (group: string) => document.getElementById(`group-${group}`);
 
-/** A group: its name, timeline and metrics; when opened, its runs as text. */
+/** A group: its name, what it is at and its timeline; when opened and on paper its metrics, when opened its runs as text. */
 export function GroupRow(props: GroupRowProps) {
-  const { review, layout, withDays, open, onToggle, onAccepted } = props;
+  const { review, layout, withDays, lookalikeOn, open, onToggle, onAccepted } = props;
   const { group, entries, figures, blocks, hints } = review;
   const { lesson, detail } = texts.value.review;
   const book = useMemo(() => new TimelineIndex(entries, withDays), [entries, withDays]);
@@ -38,6 +40,7 @@ export function GroupRow(props: GroupRowProps) {
       data-testid="review-group"
       data-name={group.name}
       data-need={review.need}
+      data-open={open}
     >
       <div class="group-row__who">
         <Button
@@ -52,9 +55,13 @@ export function GroupRow(props: GroupRowProps) {
           <span dir="auto">{group.name}</span>
           <ChevronDown class="icon group-row__chevron" aria-hidden="true" />
         </Button>
+        {lookalikeOn && <p class="group-row__computer one-line aside">{lookalikeOn}</p>}
         <CategoryChips blocks={blocks} />
       </div>
       <div class="group-row__work">
+        <p class="group-row__sentence" data-testid="review-sentence">
+          {review.sentence}
+        </p>
         {entries.length === 0 ? (
           <p class="group-row__nothing">{lesson.nothing}</p>
         ) : (

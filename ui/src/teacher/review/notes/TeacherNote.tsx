@@ -10,14 +10,18 @@ import { useNoteEditor } from "./note_editor";
 
 interface TeacherNoteProps {
   run: string;
+  /** The other PC on which the run took place; null for this PC. */
+  otherComputer: string | null;
 }
 
-/** Editor of the teacher's note about a run. The group reads it when it next opens its work. */
-export function TeacherNote({ run }: TeacherNoteProps) {
+/** Editor of the teacher's note about a run. The group reads it when it next opens its work on a PC that has it. */
+export function TeacherNote({ run, otherComputer }: TeacherNoteProps) {
   const notes = useLoaded(run, () => reviewApi.notes(run));
   return (
     <Loaded of={notes}>
-      {(found) => <LastNote key={run} run={run} last={found.at(-1) ?? null} />}
+      {(found) => (
+        <LastNote key={run} run={run} otherComputer={otherComputer} last={found.at(-1) ?? null} />
+      )}
     </Loaded>
   );
 }
@@ -26,9 +30,9 @@ interface LastNoteProps extends TeacherNoteProps {
   last: Note | null;
 }
 
-function LastNote({ run, last }: LastNoteProps) {
+function LastNote({ run, otherComputer, last }: LastNoteProps) {
   const { note: labels } = texts.value.review;
-  const editor = useNoteEditor(run, last);
+  const editor = useNoteEditor(run, otherComputer, last);
   const { open, text, changed } = editor;
   const show = () => {
     open.value = true;

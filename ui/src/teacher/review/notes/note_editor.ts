@@ -17,13 +17,19 @@ export interface NoteEditor {
   readonly open: Signal<boolean>;
   /** Whether the text differs from the sent note. */
   readonly changed: boolean;
+  /** The other PC on which the group works; null for this PC. */
+  readonly otherComputer: string | null;
   write(text: string): void;
   save(): Promise<void>;
   remove(): Promise<void>;
 }
 
 /** `last`: the sent note. */
-export function useNoteEditor(run: string, last: Note | null): NoteEditor {
+export function useNoteEditor(
+  run: string,
+  otherComputer: string | null,
+  last: Note | null,
+): NoteEditor {
   const draft = draftOf(run);
   const note = useSignal(last);
   const text = useSignal(draft ?? last?.text ?? "");
@@ -60,21 +66,22 @@ export function useNoteEditor(run: string, last: Note | null): NoteEditor {
     const left = changed ? text.value : "";
     if (known) await act(() => reviewApi.deleteNote(known.id).then(() => null), "deleted", left);
   };
-  return { note, text, state, open, changed, write, save, remove };
+  return { note, text, state, open, changed, otherComputer, write, save, remove };
 }
 
 /** Save state and read state of the note, as text. */
-export function stateText({ note, text, state, changed }: NoteEditor): string {
+export function stateText({ note, text, state, changed, otherComputer }: NoteEditor): string {
   const { note: labels } = texts.value.review;
+  const there = otherComputer && labels.there({ computer: otherComputer });
   if (state.value === "saving") return labels.saving;
   if (changed && text.value.trim()) return labels.draft;
   if (changed && note.value) return labels.emptied;
   if (state.value === "deleted") return labels.deleted;
-  if (!note.value) return labels.help;
+  if (!note.value) return there ?? labels.help;
   const read = note.value.seen_at
     ? labels.seen({
         when: relativeTime(note.value.seen_at, new Date(), language.value, texts.value),
       })
-    : labels.unseen;
+    : (there ?? labels.unseen);
   return `${labels.saved}. ${read}`;
 }

@@ -28,6 +28,7 @@ function entry(
     reason: null,
     message: null,
     activity: null,
+    other_mission: null,
     passed: null,
     unconfirmed: null,
     link: null,

@@ -93,12 +93,13 @@ function aboutRun(entry: TimelineEntry, book: TimelineIndex): string[] {
   ];
 }
 
-/** Program, time, and duration of the run. */
+/** Program, mission if it is none of the lesson's, time, and duration of the run. */
 export function facts(entry: TimelineEntry, book: TimelineIndex): string {
   const time = texts.value.review.detail.at({ time: timeOfDay(entry.at, language.value) });
   const day = shortDay(Date.parse(entry.at) / 1000, language.value);
   return [
     entry.program_name,
+    entry.other_mission && texts.value.review.line.otherMission({ title: entry.other_mission }),
     book.withDays ? `${day} ${time}` : time,
     entry.duration_s ? duration(entry.duration_s, language.value) : null,
     ...onRobot(entry),
