@@ -231,6 +231,11 @@ class Studio:
     def wait_for_phase(self, phase: str, timeout_ms: float = RUN_MS) -> None:
         expect(self["scene"]).to_have_attribute("data-phase", phase, timeout=timeout_ms)
 
+    def floor_picture(self) -> str:
+        """The picture of the floor, as a URL."""
+        picture: str = self["scene"].evaluate("canvas => canvas.toDataURL()")
+        return picture
+
     def number(self, test_id: str) -> float:
         """Returns the exact value of a number that the page shows now, from `data-value`."""
         return float(self[test_id].get_attribute("data-value") or "nan")

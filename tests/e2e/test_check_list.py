@@ -128,22 +128,16 @@ def test_the_robot_of_another_case_is_shown_on_the_floor(studio: Studio) -> None
     studio["mission-fold"].click()
     case = studio["case"].first
     studio.wait_for_screen("cases-tried")
-    own = floor(studio)
+    own = studio.floor_picture()
     case.click()
     expect(case).to_have_attribute("aria-pressed", "true")
-    studio.eventually(lambda: floor(studio) == own, False)
+    studio.eventually(lambda: studio.floor_picture() == own, False)
     assert violations(studio, "cases-tried") == []
     case.click()
-    studio.eventually(lambda: floor(studio) == own, True)
+    studio.eventually(lambda: studio.floor_picture() == own, True)
     case.click()
     studio.page.keyboard.press("Escape")
-    studio.eventually(lambda: floor(studio) == own, True)
-
-
-def floor(studio: Studio) -> str:
-    """The picture of the floor."""
-    picture: str = studio["scene"].evaluate("canvas => canvas.toDataURL()")
-    return picture
+    studio.eventually(lambda: studio.floor_picture() == own, True)
 
 
 def test_success_is_seen_heard_where_wanted_and_leads_on(studio: Studio) -> None:

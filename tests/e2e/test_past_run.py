@@ -41,12 +41,6 @@ def drive(studio: Studio, steps: list[Step] = SHORT) -> None:
     expect(studio["status-line"].get_by_role("status")).to_contain_text("O programa terminou")
 
 
-def floor_picture(studio: Studio) -> str:
-    """Returns the picture of the floor."""
-    picture: str = studio["scene"].evaluate("canvas => canvas.toDataURL()")
-    return picture
-
-
 def press(slider: Locator, part: float) -> None:
     box = box_of(slider)
     slider.page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
@@ -58,7 +52,7 @@ def test_a_press_shows_the_moment_on_the_floor_in_the_blocks_and_in_words(studio
     studio.page.on("request", lambda request: requests.append(request.url))
     slider, status = studio["past-run-slider"], studio["status-line"]
     studio.wait_for_screen("past-run-slider")
-    end_text, end_floor = status.inner_text(), floor_picture(studio)
+    end_text, end_floor = status.inner_text(), studio.floor_picture()
     end = int(slider.get_attribute("max") or 0)
     expect(slider).to_have_js_property("value", str(end))
     expect(studio.blocks.running()).to_have_count(0)
@@ -68,7 +62,7 @@ def test_a_press_shows_the_moment_on_the_floor_in_the_blocks_and_in_words(studio
     expect(status).to_contain_text("Andando:")
     studio.expect_number("pose-x", pytest.approx(0.25, abs=0.15))
     studio.expect_number("elapsed", pytest.approx(0.3 * end / 30, abs=0.3))
-    studio.eventually(lambda: floor_picture(studio) != end_floor, True)
+    studio.eventually(lambda: studio.floor_picture() != end_floor, True)
 
     press(slider, 0.9)
     expect(studio.blocks.running()).to_contain_text("girar")
@@ -78,7 +72,7 @@ def test_a_press_shows_the_moment_on_the_floor_in_the_blocks_and_in_words(studio
     studio.page.keyboard.press("Escape")
     expect(studio.blocks.running()).to_have_count(0)
     expect(status).to_have_text(end_text, use_inner_text=True)
-    studio.eventually(lambda: floor_picture(studio), end_floor)
+    studio.eventually(lambda: studio.floor_picture(), end_floor)
     assert [url for url in requests if "/api/" in url] == []
 
 

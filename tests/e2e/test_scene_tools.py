@@ -1,5 +1,6 @@
 """Tools of the floor: start pose, return to the start, ruler, protractor, sensors, follow, picture."""
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -167,16 +168,15 @@ def test_sensors_are_seen_before_a_run_and_after_it(studio: Studio, ring: str) -
     studio["scene-tools"].click()
     studio.wait_for_screen(named(studio, "ring", ring))
 
-    def floor() -> str:
-        picture: str = studio["scene"].evaluate("canvas => canvas.toDataURL()")
-        return picture
+    def is_as(before: str) -> bool:
+        return studio.floor_picture() == before
 
     for phase in ("idle", "finished"):
-        without = floor()
+        without = studio.floor_picture()
         named(studio, "ring", ring).click()
-        studio.eventually(lambda before=without: floor() != before, True)
+        studio.eventually(partial(is_as, without), False)
         named(studio, "ring", ring).click()
-        studio.eventually(lambda before=without: floor() == before, True)
+        studio.eventually(partial(is_as, without), True)
         if phase == "idle":
             studio.run()
             studio.wait_for_phase("finished")
