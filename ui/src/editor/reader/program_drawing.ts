@@ -1,5 +1,4 @@
 import * as Blockly from "blockly/core";
-import "../editor.css";
 import { registerBlocks } from "../../blocks";
 import { shownWorkspace } from "../../blocks/loader";
 import type { Language } from "../../i18n";
