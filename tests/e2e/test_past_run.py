@@ -72,7 +72,7 @@ def test_a_press_shows_the_moment_on_the_floor_in_the_blocks_and_in_words(studio
     studio.page.keyboard.press("Escape")
     expect(studio.blocks.running()).to_have_count(0)
     expect(status).to_have_text(end_text, use_inner_text=True)
-    studio.eventually(lambda: studio.floor_picture(), end_floor)
+    studio.eventually(studio.floor_picture, end_floor)
     assert [url for url in requests if "/api/" in url] == []
 
 

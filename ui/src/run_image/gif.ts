@@ -9,7 +9,7 @@ const DISPOSE_NOTHING = 1;
 /** An animation as a GIF. A frame stores only the pixels that differ from the frame before. */
 export class GifAnimation {
   private readonly encoder = GIFEncoder();
-  private readonly palette: [number, number, number][];
+  private readonly colours: [number, number, number][];
   /** The index of each colour that has occurred. */
   private readonly known = new Map<number, number>();
   private last: Uint32Array | null = null;
@@ -18,17 +18,17 @@ export class GifAnimation {
    * @param typical - frames that have all colours of the animation, such as its first and its last.
    */
   constructor(typical: readonly ImageData[]) {
-    this.palette = quantize(sampleOf(typical), MAX_COLOURS);
+    this.colours = quantize(sampleOf(typical), MAX_COLOURS);
   }
 
   add(frame: ImageData, delayMs: number): void {
     const { width, height } = frame;
     const isFirst = this.last === null;
     this.encoder.writeFrame(this.indexed(frame), width, height, {
-      ...(isFirst && { palette: [...this.palette, [0, 0, 0]] }),
+      ...(isFirst && { palette: [...this.colours, [0, 0, 0]] }),
       delay: delayMs,
       transparent: !isFirst,
-      transparentIndex: this.palette.length,
+      transparentIndex: this.colours.length,
       dispose: DISPOSE_NOTHING,
     });
   }
@@ -45,7 +45,7 @@ export class GifAnimation {
     const result = new Uint8Array(pixels.length);
     for (let at = 0; at < pixels.length; at++) {
       const pixel = pixels[at] ?? 0;
-      result[at] = last?.[at] === pixel ? this.palette.length : this.indexOf(pixel);
+      result[at] = last?.[at] === pixel ? this.colours.length : this.indexOf(pixel);
     }
     this.last = pixels;
     return result;
@@ -55,7 +55,7 @@ export class GifAnimation {
     let index = this.known.get(pixel);
     if (index === undefined) {
       const rgb = [pixel & 255, (pixel >> 8) & 255, (pixel >> 16) & 255];
-      index = nearestColorIndex(this.palette, rgb);
+      index = nearestColorIndex(this.colours, rgb);
       this.known.set(pixel, index);
     }
     return index;

@@ -2,9 +2,8 @@
 declare module "gifenc" {
   type Colour = [red: number, green: number, blue: number];
 
-  interface FrameOptions {
-    /** Colours of the animation, with its first frame only. */
-    palette?: Colour[];
+  /** `palette`: colours of the animation, with its first frame only. */
+  interface FrameOptions extends Partial<Record<"palette", Colour[]>> {
     /** Time for which the frame is shown, in ms. */
     delay: number;
     /** Whether pixels of `transparentIndex` show the frame before. */
@@ -22,5 +21,5 @@ declare module "gifenc" {
 
   export function GIFEncoder(): Encoder;
   export function quantize(rgba: Uint8ClampedArray, maxColours: number): Colour[];
-  export function nearestColorIndex(palette: Colour[], pixel: readonly number[]): number;
+  export function nearestColorIndex(colours: Colour[], pixel: readonly number[]): number;
 }

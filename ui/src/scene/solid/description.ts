@@ -2,9 +2,9 @@ import type { Language, World } from "../../api/model";
 import type { Texts } from "../../i18n";
 import { degrees, headingDegrees, metres } from "../../i18n/format";
 import type { BoxPoses, Pose } from "../../run/reducer";
+import { type Ahead, aheadOf } from "../ahead";
 import { startOf, toWorld } from "../frames";
 import { placeAt } from "../mark_text";
-import { type Ahead, aheadOf } from "./ahead";
 
 interface Shown {
   readonly world: World | null;

@@ -1,8 +1,8 @@
 import type { Ring, Robot, World } from "../../api/model";
 import type { BoxPoses, Pose } from "../../run/reducer";
+import { aheadOf } from "../ahead";
 import { startOf, toWorld } from "../frames";
 import type { Measurements } from "../ranges_view";
-import { aheadOf } from "../solid/ahead";
 
 /**
  * Where the beams of sonars and laser scanner end while no run is live: the link of a live run

@@ -1,6 +1,6 @@
-import type { World } from "../../api/model";
-import type { BoxPoses, Pose } from "../../run/reducer";
-import { type Area, areaOf, WALL_M } from "../areas";
+import type { World } from "../api/model";
+import type { BoxPoses, Pose } from "../run/reducer";
+import { type Area, areaOf, WALL_M } from "./areas";
 
 type Box = World["boxes"][number];
 

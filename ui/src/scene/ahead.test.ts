@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import neighbourhood from "../../../../sim/worlds/neighbourhood.json";
-import type { World } from "../../api/model";
-import { textsOf } from "../../i18n";
+import neighbourhood from "../../../sim/worlds/neighbourhood.json";
+import type { World } from "../api/model";
+import { textsOf } from "../i18n";
 import { aheadOf } from "./ahead";
-import { describeFloor } from "./description";
+import { describeFloor } from "./solid/description";
 
 const box = (kind: string | null, x: number, y: number, movable = false) => ({
   kind,
