@@ -99,6 +99,7 @@ def test_two_runs_side_by_side_have_a_floor_each(
     page = _teacher(open_studio()).page
     _go(page, school[1]["compare"])
     page.reload()
+    page.locator("[data-testid=compare-view][data-value=apart]").click()
     floors = page.get_by_test_id("scene")
     expect(floors).to_have_count(2)
     for floor in (floors.first, floors.last):  # beside the blocks, which have the greater half

@@ -9,6 +9,7 @@ from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_classes import PIN, open_lesson, prepare, to_part
 from tests.e2e.test_layout import cut
+from tests.e2e.test_tour import do_step, expect_step
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -95,6 +96,32 @@ def test_a_group_that_has_passed_the_mission_of_the_lesson_goes_on_without_its_b
     expect(studio["mission"]).to_contain_text("Pão e volta")
     studio.wait_for_screen("mission-sheet")
     expect(studio["lesson-mission"]).to_have_count(0)
+
+
+def test_a_new_group_of_a_lesson_drives_once_in_its_mission(studio: Studio) -> None:
+    studio.open_teacher_part("314159")
+    name = studio.unique("9º A")
+    classroom = studio.send("POST", "/classrooms", {"name": name})["id"]
+    lesson = {"title": "", "activity": "square"}
+    studio.send("POST", f"/classrooms/{classroom}/lessons", lesson)
+    studio.send("POST", "/teacher/leave", {})
+    studio.page.reload()
+    studio["class-chip"].filter(has_text=name).click()
+    studio.enter_group(studio.unique("Os Tatus"), level=None, tour=True)
+    expect(studio["mission-sheet"]).to_be_visible()
+    expect(studio["tour"]).to_have_count(0)
+    studio["mission-start"].click()
+    do_step(studio, "hello")
+    do_step(studio, "move")
+    do_step(studio, "run")
+    expect_step(studio, "end")
+    expect(studio["tour"]).to_contain_text("o que falta para a missão?")
+    studio["mission-fold"].click()
+    expect(studio["tour"]).to_have_count(0)
+    studio["mission-fold"].click()
+    studio["tour-free"].click()
+    expect(studio["tour"]).to_have_count(0)
+    assert studio.actions() == ["move_forward"]
 
 
 def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None:

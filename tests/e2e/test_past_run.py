@@ -102,7 +102,7 @@ def test_a_block_that_is_gone_is_lit_nowhere_and_the_moment_is_shown_all_the_sam
     studio.blocks.by_text("girar").click(position={"x": 20, "y": 20})
     studio.page.keyboard.press("Delete")
     studio.eventually(studio.actions, ["move_forward"])
-    press(studio["past-run-slider"], 0.95)
+    press(studio["past-run-slider"], 0.85)
     expect(studio["status-line"]).to_contain_text("Girando")
     expect(studio.blocks.running()).to_have_count(0)
     press(studio["past-run-slider"], 0.2)

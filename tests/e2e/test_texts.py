@@ -115,7 +115,7 @@ def test_no_text_of_a_pupil_s_screen_is_written_into_the_code(keys: Studio) -> N
     keys.enter_new_group()
     data |= _strings(keys.api(f"/programs/{keys.program_id}"))
     check("studio")
-    for button in ("ir-toggle", "plots-toggle", "scene-tools"):
+    for button in ("scene-tools", "ir-toggle", "plots-toggle"):
         keys[button].click()
         check(button)
     keys["open-work"].click()

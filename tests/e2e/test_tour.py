@@ -89,32 +89,6 @@ def test_another_block_is_fine_and_a_click_will_do(studio: Studio) -> None:
     expect(studio["tour"]).not_to_contain_text("1 m")
 
 
-def test_a_new_group_of_a_lesson_drives_once_in_its_mission(studio: Studio) -> None:
-    studio.open_teacher_part("314159")
-    name = studio.unique("9º A")
-    classroom = studio.send("POST", "/classrooms", {"name": name})["id"]
-    lesson = {"title": "", "activity": "square"}
-    studio.send("POST", f"/classrooms/{classroom}/lessons", lesson)
-    studio.send("POST", "/teacher/leave", {})
-    studio.page.reload()
-    studio["class-chip"].filter(has_text=name).click()
-    begin(studio)
-    expect(studio["mission-sheet"]).to_be_visible()
-    expect(studio["tour"]).to_have_count(0)
-    studio["mission-start"].click()
-    do_step(studio, "hello")
-    do_step(studio, "move")
-    do_step(studio, "run")
-    expect_step(studio, "end")
-    expect(studio["tour"]).to_contain_text("o que falta para a missão?")
-    studio["mission-fold"].click()
-    expect(studio["tour"]).to_have_count(0)
-    studio["mission-fold"].click()
-    studio["tour-free"].click()
-    expect(studio["tour"]).to_have_count(0)
-    assert studio.actions() == ["move_forward"]
-
-
 def do_step(studio: Studio, step: str) -> None:
     """Completes a step in the fewest clicks."""
     expect_step(studio, step)

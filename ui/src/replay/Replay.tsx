@@ -65,7 +65,7 @@ function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
         <Eye class="icon" aria-hidden="true" />
         <p>{run.version ? replay.readOnly : replay.noVersion}</p>
         <RobotName link={run.link} />
-        {forTeacher && <PresentButton first={run.id} />}
+        {forTeacher && <PresentButton first={run.id} small />}
         <SaveRunImage runId={run.id} opens="below" />
         {run.program_id && (
           <Button icon={Blocks} testId="replay-program" onPress={onOpen}>

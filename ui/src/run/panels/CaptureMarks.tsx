@@ -22,6 +22,7 @@ export function CaptureMarks({ answers, end, onAnswers }: CaptureMarksProps) {
   return (
     <fieldset class="captures" aria-label={texts.value.captured.marks} onKeyDown={rove}>
       {grouped(answers, length).map((group, index) => {
+        const text = group.map(({ label }) => label || "–").join(" ");
         const at = `${(100 * (group[0]?.tick ?? 0)) / length}%`;
         return (
           <Button
@@ -29,13 +30,13 @@ export function CaptureMarks({ answers, end, onAnswers }: CaptureMarksProps) {
             kind="bare"
             class="captures__mark"
             style={{ left: at, translate: `-${at}` }}
-            label={group.map(described).join("; ")}
+            label={`${text}. ${group.map(described).join("; ")}`}
             tabIndex={index === 0 ? 0 : -1}
             data-rove=""
             testId="capture-mark"
             onPress={() => onAnswers(group)}
           >
-            {group.map(({ label }) => label || "–").join(" ")}
+            {text}
           </Button>
         );
       })}
