@@ -58,14 +58,17 @@ function Replayed({ recordedRun, onOpen }: ReplayProps) {
 function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
   const { run, playback } = recordedRun;
   const { replay } = texts.value;
+  const what = run.version ? replay.readOnly : replay.noVersion;
   const forTeacher = teacherSession.value?.is_open || isPinAsked.value;
   return (
     <section class="blocks" aria-label={replay.ofVersion}>
       <div class="blocks__tools replay__tools row middle rigid gap-1">
         <Eye class="icon" aria-hidden="true" />
-        <p>{run.version ? replay.readOnly : replay.noVersion}</p>
+        <p title={what} data-shortened>
+          {what}
+        </p>
         <RobotName link={run.link} />
-        {forTeacher && <PresentButton first={run.id} small />}
+        {forTeacher && <PresentButton first={run.id} />}
         <SaveRunImage runId={run.id} opens="below" />
         {run.program_id && (
           <Button icon={Blocks} testId="replay-program" onPress={onOpen}>

@@ -77,7 +77,7 @@ function Head({ pair, view, children }: HeadProps) {
       {view.value === "together" && !inOneWorld(pair) && (
         <p class="compare__elsewhere">{labels.otherWorld}</p>
       )}
-      <PresentButton first={first} second={second} small />
+      <PresentButton first={first} second={second} />
       <RadioGroup<View>
         class="switch row middle shrinks"
         label={labels.view}

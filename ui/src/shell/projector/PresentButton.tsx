@@ -7,12 +7,10 @@ interface PresentButtonProps {
   first: string;
   /** A run beside the first one. */
   second?: string;
-  /** Without text. */
-  small?: boolean;
 }
 
 /** Shows a run, or two side by side, on the projector. */
-export function PresentButton({ first, second, small = false }: PresentButtonProps) {
+export function PresentButton({ first, second }: PresentButtonProps) {
   const { show } = texts.value.projector;
   return (
     <Button
@@ -22,8 +20,6 @@ export function PresentButton({ first, second, small = false }: PresentButtonPro
       testId="present"
       data-run={first}
       onPress={() => present(first, second ?? null)}
-    >
-      {small ? undefined : <span class="present-word">{show}</span>}
-    </Button>
+    />
   );
 }

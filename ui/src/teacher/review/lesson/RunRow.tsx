@@ -59,7 +59,7 @@ export function RunRow({ entry, book, onAccepted }: RunRowProps) {
         <LinkButton icon={Play} href={hashOf({ screen: "replay", run: entry.run_id })}>
           {detail.replay}
         </LinkButton>
-        <PresentButton first={entry.run_id} small />
+        <PresentButton first={entry.run_id} />
       </div>
     </li>
   );
