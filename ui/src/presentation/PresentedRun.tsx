@@ -45,7 +45,7 @@ export function PresentedRun({ side, place, group, isPair }: PresentedRunProps) 
         />
         <CapturedCard show={side.recordedRun.playback.show} />
       </div>
-      <ReplaySentence run={run} view={side.view} />
+      <ReplaySentence run={run} view={side.view} beginning={({ projector }) => projector.begin} />
       <div class="presentation__blocks row">
         <SideBlocks
           side={side}

@@ -24,7 +24,7 @@ export function ReplayFloor({ recordedRun }: { recordedRun: RecordedRun }) {
   const besides = plotting.value ? "floor__view--beside" : "";
   return (
     <section class="floor column shrinks shrinks-down gap-2" aria-label={studio.floor}>
-      <ReplaySentence run={run} view={playback.view} />
+      <ReplaySentence run={run} view={playback.view} beginning={({ replay }) => replay.begin} />
       <div class="floor__stage column grows shrinks-down gap-2">
         <div
           class={`floor__view column grows shrinks-down gap-2 ${besides}`}

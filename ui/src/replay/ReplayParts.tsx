@@ -3,7 +3,7 @@ import { effect, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { JudgedEvent, RunWithVersion } from "../api/model";
 import { createEditor, type Editor, type Fault } from "../editor";
-import { language, texts } from "../i18n";
+import { language, type Texts, texts } from "../i18n";
 import { besideBlock, failureIn } from "../run/failure";
 import { withVerdict } from "../run/judgement";
 import { StatusLine } from "../run/panels/StatusLine";
@@ -39,10 +39,15 @@ function adviceAt({ missing, missing_block }: RunWithVersion, view: RunView): Fa
   return [{ block: missing_block, message: missing, remedy: "", isQuiet: true }];
 }
 
+interface ReplaySentenceProps extends ReplayedRun {
+  /** The sentence before the first tick. */
+  beginning(all: Texts): string;
+}
+
 /** A sentence about the robot's action at the current tick. */
-export function ReplaySentence({ run, view }: ReplayedRun) {
+export function ReplaySentence({ run, view, beginning }: ReplaySentenceProps) {
   const sentence = useComputed<Sentence>(() => {
-    const begin: Sentence = { text: texts.value.replay.begin, detail: "", tone: "calm" };
+    const begin: Sentence = { text: beginning(texts.value), detail: "", tone: "calm" };
     // a run that was interrupted before its first tick has only an ending to show
     if (view.value.tick < 1 && isLive(view.value)) return begin;
     const voice = {

@@ -53,7 +53,7 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
           />
         </div>
       )}
-      <ReplaySentence run={run} view={side.view} />
+      <ReplaySentence run={run} view={side.view} beginning={({ replay }) => replay.begin} />
       <div class="compare__blocks row shrinks-down">
         <SideBlocks
           key={String(together)}
