@@ -66,9 +66,8 @@ def test_a_sign_after_which_nothing_moves_is_shown_large_marked_on_the_strip_and
     studio.enter_new_group()
     write_program(studio, "robot.classify_gestures(timeout=60)\n")
     studio.run()
-    card, marks = studio["captured"], studio["capture-mark"]
+    card, marks = studio["captured"].filter(has_text="Vi um B"), studio["capture-mark"]
     card.wait_for(timeout=CAMERA_MS)  # by frames: it is shown for a moment
-    assert card.get_attribute("data-sign") == "B"
     expect(card).to_be_hidden()
     expect(marks).to_have_text(["B"])
     expect(marks).to_have_accessible_name(re.compile("A câmera viu B"))
@@ -79,7 +78,6 @@ def test_a_sign_after_which_nothing_moves_is_shown_large_marked_on_the_strip_and
     expect(studio["replay-play"]).to_have_attribute("data-does", "play")
     studio["replay-play"].click()
     card.wait_for()
-    assert card.inner_text() == "Vi um B"
     expect(card).to_be_hidden()
     expect(studio["replay-play"]).to_have_attribute("data-does", "play")
     expect(marks).to_have_text(["B"])
