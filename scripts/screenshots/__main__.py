@@ -2,7 +2,7 @@
 
     python -m scripts.screenshots FOLDER            every screen, for inspection
     python -m scripts.screenshots FOLDER --quick    Portuguese, light, 1366 x 768 only
-    python -m scripts.screenshots docs/images --readme   the pictures of the README
+    python -m scripts.screenshots docs/images --readme   the pictures of README and manual
 
 The app runs on temporary data folders with generated groups, programs and runs.
 """
@@ -62,7 +62,7 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--quick", action="store_true", help="one size, theme and language")
     parser.add_argument(
-        "--readme", action="store_true", help="start, studio, replay and lesson only"
+        "--readme", action="store_true", help="the pictures of README and manual only"
     )
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)

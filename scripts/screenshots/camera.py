@@ -21,6 +21,7 @@ CHROMIUM = shutil.which("chromium-headless-shell") or "/usr/bin/chromium"
 ARGUMENTS = [
     "--no-sandbox",
     "--disable-gpu",
+    "--enable-unsafe-swiftshader",  # WebGL by the software renderer, for the floor in 3D
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",

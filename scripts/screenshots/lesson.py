@@ -90,11 +90,16 @@ def files(camera: Photographer, stick: Path) -> None:
 
 
 def readme(camera: Photographer, past: Past) -> None:
-    """Takes the picture of the lesson for the README."""
+    """Takes the pictures of README and manual: the lesson, and a run of it on the projector."""
     _enter(camera)
     camera.go(f"#/lesson/{past.lesson}")
     camera.of("review-group").first.wait_for()
     camera.save("lesson")
+    camera.go(f"#/present/same/{past.runs[0]}")
+    camera.of("presentation").wait_for()
+    camera.page.keyboard.press("PageDown")
+    camera.page.wait_for_timeout(1_500)
+    camera.save("projector")
 
 
 def _enter(camera: Photographer) -> None:

@@ -176,7 +176,7 @@ def replay(camera: Photographer, run: str) -> None:
 
 
 def readme(camera: Photographer, seeded: Seed) -> None:
-    """Takes the three pictures of the README."""
+    """Takes the pictures of README and manual: start, studio, replay, floor in 3D, album."""
     camera.go("#/")
     camera.of("group-card").first.wait_for()
     camera.page.wait_for_timeout(500)
@@ -188,3 +188,10 @@ def readme(camera: Photographer, seeded: Seed) -> None:
     camera.wait_for_phase("finished")
     replay(camera, seeded.run)
     camera.save("replay")
+    camera.page.locator('[data-testid="floor-view"][data-value="true"]').click()
+    camera.of("scene-3d").wait_for()
+    camera.page.wait_for_timeout(3_000)
+    camera.save("floor-3d")
+    camera.of("open-album").click()
+    camera.of("album-count").wait_for()
+    camera.save("album")
