@@ -4,7 +4,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.e2e.axe import violations
-from tests.e2e.blocks import begin_mission
+from tests.e2e.blocks import begin_mission, box_of
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_classes import PIN, open_lesson, prepare, to_part
@@ -116,6 +116,9 @@ def test_a_new_group_of_a_lesson_drives_once_in_its_mission(studio: Studio) -> N
     do_step(studio, "run")
     expect_step(studio, "end")
     expect(studio["tour"]).to_contain_text("o que falta para a missão?")
+    studio.wait_for_screen("tour")
+    balloon, verdict = box_of(studio["tour"]), box_of(studio["status-line"])
+    assert balloon["y"] >= verdict["y"] + verdict["height"]
     studio["mission-fold"].click()
     expect(studio["tour"]).to_have_count(0)
     studio["mission-fold"].click()

@@ -75,7 +75,11 @@ function partsOf(step: TourStep, control: StudioControl): Parts {
         ? driving(control)
         : { rings: boxes(byId("run")), beside: boxOf(byId("status-line")) };
     case "end":
-      return { rings: boxes(byId("saved-mark"), byId("stop")) };
+      // below the verdict of the first run, which it must not cover
+      return {
+        rings: boxes(byId("saved-mark"), byId("stop")),
+        beside: boxOf(byId("status-line")),
+      };
   }
 }
 
