@@ -4,7 +4,6 @@ import type { ActivityChoice, CurrentLesson as Current, Lesson } from "../../api
 import { texts } from "../../i18n";
 import { LinkButton } from "../../kit/LinkButton";
 import { hashOf } from "../../shell/route";
-import { Disclosure } from "../Disclosure";
 import { LessonNow } from "./LessonNow";
 import { OpenLesson } from "./OpenLesson";
 
@@ -43,9 +42,10 @@ export function CurrentLesson({ classroom, now, activities, onChanged }: Current
   return (
     <section class="panel card">
       <LessonNow lesson={open} activities={activities} isNew={isNew} onClosed={onChanged} />
-      <Disclosure key={open.id} label={openAnother} testId="open-another">
+      <details key={open.id} class="folded">
+        <summary data-testid="open-another">{openAnother}</summary>
         {form}
-      </Disclosure>
+      </details>
     </section>
   );
 }

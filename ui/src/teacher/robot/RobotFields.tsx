@@ -1,7 +1,6 @@
 import type { RealRobot, RobotField } from "../../api/model";
 import { texts } from "../../i18n";
 import { Field } from "../../kit/Field";
-import { Disclosure } from "../Disclosure";
 import { FoundRobots } from "./FoundRobots";
 import { RoomPicture } from "./RoomPicture";
 import type { Draft } from "./robot_description";
@@ -46,21 +45,24 @@ export function RobotFields({ robot, draft, field, fill }: RobotFieldsProps) {
           {inputs("address")}
         </fieldset>
       )}
-      <Disclosure label={limitsText(draft)} testId="robot-limits">
+      <details class="folded">
+        <summary data-testid="robot-limits">{limitsText(draft)}</summary>
         <div class="robot-form__part">
           {inputs("speed")}
           {inputs("room")}
           <RoomPicture draft={draft} />
         </div>
-      </Disclosure>
+      </details>
       {isSearched && (
-        <Disclosure label={parts.address} testId="robot-address">
+        <details class="folded">
+          <summary data-testid="robot-address">{parts.address}</summary>
           <div class="robot-form__part">{inputs("address")}</div>
-        </Disclosure>
+        </details>
       )}
-      <Disclosure label={parts.tolerance} testId="robot-tolerances">
+      <details class="folded">
+        <summary data-testid="robot-tolerances">{parts.tolerance}</summary>
         <div class="robot-form__part">{inputs("tolerance")}</div>
-      </Disclosure>
+      </details>
     </>
   );
 }
