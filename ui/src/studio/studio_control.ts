@@ -8,7 +8,6 @@ import { expectedSigns, hasCapture } from "../camera/expected";
 import { canonicalSign } from "../camera/signs";
 import type { Fault as BlockFault, Editor } from "../editor";
 import { language, texts } from "../i18n";
-import { duration } from "../i18n/format";
 import { problemOf, Refused } from "../kit/requests/problem";
 import { besideBlock, failureOf } from "../run/failure";
 import type { StoredProgram } from "../run/idle_parts";
@@ -21,11 +20,10 @@ import {
   isChecked,
   robotHasRun,
   robotOfRun,
-  SIMULATOR,
 } from "../run/real/real_robot";
 import { robotSentence } from "../run/real/robot_sentence";
 import { isLive, runningBlock } from "../run/reducer";
-import { parameterIn, type Sentence, type SentenceContext, sentenceOf } from "../run/sentence";
+import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { valueText } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
 import { shownRanges, subscribeToRings } from "../scene/tools/sensor_rings";
@@ -40,6 +38,7 @@ import { renameProgram } from "./program/rename";
 import { setupOf } from "./program/setup";
 import { StoredUndo } from "./program/stored_undo";
 import { StartChoice } from "./start_choice";
+import { pastSentence, withReturnAdvice } from "./studio_sentence";
 import { WorldControl } from "./world_control";
 
 const POINTING_MS = 2500;
@@ -388,24 +387,6 @@ export class StudioControl {
     const { value: run } = robot.liveRun;
     return run && "version" in run ? run.version : this.ran;
   }
-}
-
-/** Adds advice to return a real robot: it stays where its run ended, but the next run begins at the start. */
-function withReturnAdvice(sentence: Sentence): Sentence {
-  const isReal = (robot.liveRun.value?.link ?? SIMULATOR) !== SIMULATOR;
-  const { reason } = robot.live.value.ending ?? {};
-  const hasMore = sentence.detail && reason !== "stopped_by_person";
-  return isReal && !hasMore ? { ...sentence, detail: texts.value.robot.backToStart } : sentence;
-}
-
-/** The robot's action at the inspected tick, with its time. */
-function pastSentence(context: SentenceContext): Sentence | null {
-  const { tick = 0, history } = inspectedTick.value ?? {};
-  const sentence = sentenceOf(shown.value, { ...context, past: true });
-  if (!sentence || !history) return sentence;
-  const time = (ticks: number) => duration(ticks / 30, context.language);
-  const at = context.texts.replay.at({ now: time(tick), end: time(history.lastTick) });
-  return { ...sentence, detail: [at, sentence.detail].filter(Boolean).join(" · ") };
 }
 
 /** Closes the shown problem once the run has ended for any reason. */
