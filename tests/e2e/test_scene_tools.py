@@ -162,7 +162,7 @@ def test_following_ends_when_the_floor_is_moved(studio: Studio) -> None:
 
 
 @pytest.mark.parametrize("ring", ["sonar", "lidar"])
-def test_sensors_are_seen_before_a_run_and_after_it(studio: Studio, ring: str) -> None:
+def test_sensors_are_drawn_before_and_after_a_run(studio: Studio, ring: str) -> None:
     enter_made_group(studio, [("move_forward", 0.2)], speed=10)
     studio["world"].select_option("furnished_room")
     studio["scene-tools"].click()

@@ -66,7 +66,7 @@ def test_all_work_goes_to_another_pc_by_stick(
     assert [group["name"] for group in other.get("/api/groups").data["groups"]] == ["Os Robôs"]
 
 
-def test_a_file_of_this_pc_is_told_from_those_of_others(
+def test_a_file_of_this_pc_is_marked_as_its_own(
     teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
 ) -> None:
     teacher.patch("/api/computer", {"name": "PC 07"})

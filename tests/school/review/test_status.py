@@ -21,7 +21,7 @@ def test_collisions_in_a_row_are_counted_by_their_block() -> None:
     assert status(hit(1, "a"), hit(2), hit(3)) == ("collision", 2, "h3")
 
 
-def test_a_run_that_finished_begins_the_count_anew() -> None:
+def test_a_finished_run_resets_the_count() -> None:
     assert status(hit(1), run("f", "v", 2, 2), hit(3)) == ("collision", 1, "h3")
 
 
