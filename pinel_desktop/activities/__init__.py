@@ -11,7 +11,6 @@ from pinel_desktop.activities.checking import (
     path_of,
 )
 from pinel_desktop.activities.diagnosis import Advice, input_text
-from pinel_desktop.activities.evidence import RunLog, RunLogBuilder
 from pinel_desktop.activities.examples import (
     EXAMPLES,
     example,
@@ -43,6 +42,7 @@ from pinel_desktop.activities.recorded import (
     not_judged_text,
     tolerance_of,
 )
+from pinel_desktop.activities.run_log import RunLog, RunLogBuilder
 from pinel_desktop.activities.wording import block_text
 
 __all__ = [

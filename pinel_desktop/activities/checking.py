@@ -9,9 +9,10 @@ import numpy as np
 from pinel_desktop.activities.checks import Check
 from pinel_desktop.activities.checks.base import CheckResult, RealRobotTolerance, Value
 from pinel_desktop.activities.diagnosis import Advice, Facts, advice_of, fits
-from pinel_desktop.activities.evidence import Evidence, RunLog, RunLogBuilder
+from pinel_desktop.activities.evidence import Evidence
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
+from pinel_desktop.activities.run_log import RunLog, RunLogBuilder
 from pinel_desktop.activities.wording import TextByLanguage, texts_of
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.clock import TICK_HZ

@@ -8,7 +8,7 @@ from typing import Any, Literal
 from pinel_desktop.activities.checking import evaluate, in_time
 from pinel_desktop.activities.checks import Check
 from pinel_desktop.activities.checks.base import CheckResult, RealRobotTolerance
-from pinel_desktop.activities.evidence import Evidence, RunLog
+from pinel_desktop.activities.evidence import Evidence
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.activities.recorded import (
     begins_like,
@@ -17,6 +17,7 @@ from pinel_desktop.activities.recorded import (
     cases_in,
     judging_blockers,
 )
+from pinel_desktop.activities.run_log import RunLog
 from pinel_desktop.robot import SimulationConfig
 from sim.world import World, world_from_document
 

@@ -11,10 +11,10 @@ from typing import Any, Literal, NamedTuple, get_args
 from pydantic import ValidationError
 
 from pinel_desktop.activities.checks.base import RealRobotTolerance, SimulatorRequirement
-from pinel_desktop.activities.evidence import RunLog
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
 from pinel_desktop.activities.reading import solution_of
+from pinel_desktop.activities.run_log import RunLog
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 from pinel_desktop.program.sensors import SENSORS

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pinel_desktop.activities.evidence import COLUMNS
+from pinel_desktop.activities.run_log import COLUMNS
 from pinel_desktop.events.app_events import JudgedCase
 
 

@@ -148,7 +148,7 @@ class Grader:
 
     def _observed_run(self, run: RunRow) -> "ObservedRun | None":
         """Returns the recorded run for the judge; None if the run was stopped or has no telemetry."""
-        from pinel_desktop.activities.evidence import COLUMNS  # noqa: PLC0415 - heavy
+        from pinel_desktop.activities.run_log import COLUMNS  # noqa: PLC0415 - heavy
         from pinel_desktop.judge.messages import ObservedRun  # noqa: PLC0415 - heavy
 
         telemetry = self._store.runs.telemetry(run.id)

@@ -15,8 +15,8 @@ from pinel_desktop.activities import (
     case_of_run,
     check_program,
     choose_activity,
+    run_log,
 )
-from pinel_desktop.activities import evidence as evidence_module
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.cli import main
 from pinel_desktop.commands.world_file import choose_world
@@ -79,9 +79,9 @@ def recorded(given: GivenProgram, folder: Path, case: int, *options: str) -> tup
 
 def test_evidence_rounds_as_the_record_does() -> None:
     for name in ("x_m", "y_m", "true_x_m", "true_y_m"):
-        assert STEPS[name] == evidence_module.STEP_M
-    assert STEPS["yaw_rad"] == STEPS["true_yaw_rad"] == evidence_module.STEP_RAD
-    assert STEPS["done"] == evidence_module.STEP_DONE
+        assert STEPS[name] == run_log.STEP_M
+    assert STEPS["yaw_rad"] == STEPS["true_yaw_rad"] == run_log.STEP_RAD
+    assert STEPS["done"] == run_log.STEP_DONE
 
 
 @pytest.mark.parametrize("given", GIVEN, ids=str)

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.activities.evidence import RunLogBuilder
+from pinel_desktop.activities.run_log import RunLogBuilder
 from pinel_desktop.events.model import RunEnded
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset, RobotState, SimulationConfig

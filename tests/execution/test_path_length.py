@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pinel_desktop.activities.evidence import RunLogBuilder
+from pinel_desktop.activities.run_log import RunLogBuilder
 from pinel_desktop.execution.recorder import TelemetryRecorder
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset, SimulationConfig
 from pinel_desktop.runs.spec import RunSpec
