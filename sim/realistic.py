@@ -16,19 +16,21 @@ _STANDSTILL_MPS = 1e-3  # below this speed friction stops a wheel whose command 
 
 @dataclass(frozen=True, slots=True)
 class Realism:
-    """Parameters of the imperfections; each noise and bias is a standard deviation.
+    """Parameters of the imperfections; each noise is a standard deviation.
 
     Attributes:
-        wheel_bias: relative error of a wheel's distance, constant over the run.
+        wheel_bias_sd: standard deviation of the relative error of a wheel's distance, constant over the run.
         wheel_noise: relative error of a wheel's distance, drawn at every tick.
         lag_s: time constant of the wheel's first-order response.
         latency_s: time from the command to the wheel, a whole number of substeps.
         pose_noise_m, pose_noise_rad: error of an externally measured pose, in x and y, and in yaw.
         sonar_noise: relative error of a sonar's distance.
         lidar_noise_m: error of a lidar's distance, the same at every distance.
+        track_m: true distance between the wheels; None if it is the track that the robot believes to have.
+        wheel_bias_left, wheel_bias_right: mean of the relative error of a wheel's distance.
     """
 
-    wheel_bias: float
+    wheel_bias_sd: float
     wheel_noise: float
     lag_s: float
     latency_s: float
@@ -36,6 +38,9 @@ class Realism:
     pose_noise_rad: float
     sonar_noise: float
     lidar_noise_m: float
+    track_m: float | None = None
+    wheel_bias_left: float = 0.0
+    wheel_bias_right: float = 0.0
 
     @property
     def delay_s(self) -> float:
@@ -48,7 +53,7 @@ REALISTIC = Realism(
     # square of 1 m driven by odometry end some centimetres from its start. J. Borenstein and L.
     # Feng measured that for robots of this kind ("Measurement and correction of systematic odometry
     # errors in mobile robots", 1996).
-    wheel_bias=0.005,
+    wheel_bias_sd=0.005,
     wheel_noise=0.02,
     lag_s=0.06,
     latency_s=0.05,
@@ -66,7 +71,8 @@ class RealisticDrive:
     """Simulates the wheels between the command and the body, and their odometry.
 
     Encoders measure the rotation of the wheels: the body's motion without slip, which encoders cannot measure. Blocked
-    wheels do not rotate, so their encoders count nothing.
+    wheels do not rotate, so their encoders count nothing. Commands become speeds of wheels, and rotations become
+    odometry, by the track that the robot believes to have (`track_m`); the body moves by its true track.
 
     Attributes:
         odometry: x and y (m) and yaw (rad, not wrapped) in the world's frame, integrated from the true start.
@@ -77,10 +83,15 @@ class RealisticDrive:
     def __init__(
         self, simulator: Simulator, track_m: float, seed: int, realism: Realism = REALISTIC
     ) -> None:
-        self._simulator, self._half_track, self._realism = simulator, track_m / 2.0, realism
+        self._simulator, self._realism = simulator, realism
+        self._believed_half_track = track_m / 2.0
+        self._half_track = (realism.track_m or track_m) / 2.0
         self._noises = Noise(seed, _LEFT), Noise(seed, _RIGHT)
-        bias = Noise(seed, _BIAS)
-        self._biases = tuple(1.0 + realism.wheel_bias * bias.normal(0, side) for side in (0, 1))
+        bias, means = Noise(seed, _BIAS), (realism.wheel_bias_left, realism.wheel_bias_right)
+        self._biases = tuple(
+            1.0 + mean + realism.wheel_bias_sd * bias.normal(0, side)
+            for side, mean in enumerate(means)
+        )
         self._in_transit = deque([(0.0, 0.0)] * round(realism.latency_s / SUBSTEP_S))
         self._response = 1.0 - math.exp(-SUBSTEP_S / realism.lag_s)
         self._left = self._right = 0.0
@@ -92,7 +103,7 @@ class RealisticDrive:
     def tick(self, v_mps: float, omega_radps: float) -> None:
         """Advances by one tick with the given command."""
         self.tick_number += 1
-        turn = omega_radps * self._half_track
+        turn = omega_radps * self._believed_half_track
         command = (v_mps - turn, v_mps + turn)
         slips = self._slips()
         for _ in range(SUBSTEPS):
@@ -128,7 +139,7 @@ class RealisticDrive:
         ahead = (x - x0) * math.cos(middle) + (y - y0) * math.sin(middle)
         left = (ahead - turned * self._half_track) / slips[0]
         right = (ahead + turned * self._half_track) / slips[1]
-        ahead, turned = (left + right) / 2.0, (right - left) / 2.0 / self._half_track
+        ahead, turned = (left + right) / 2.0, (right - left) / 2.0 / self._believed_half_track
         odo_x, odo_y, odo_yaw = self.odometry
         middle = odo_yaw + turned / 2.0
         self.odometry = (

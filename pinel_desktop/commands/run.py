@@ -23,6 +23,7 @@ from pinel_desktop.commands.real_robot import (
     robot_options,
     stopped_by_signals,
 )
+from pinel_desktop.commands.robot_parameters import chosen_parameters
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.event_sequencer import EventSequencer
@@ -58,6 +59,10 @@ _INVALID_REASONS = (
     "robot_setting_unclear",
     "bridge_option_unclear",
     "bridge_option_alone",
+    "unknown_robot_parameter",
+    "robot_parameter_range",
+    "robot_parameter_unclear",
+    "robot_parameters_ideal",
     *WRONG_SOURCE,
 )
 
@@ -101,6 +106,13 @@ _INVALID_REASONS = (
     show_default=True,
     help="How the robot knows where it is: a camera sees it, to about 1 mm and 0.1 degrees, or it counts on its "
     "wheels, which slip. An ideal robot knows it exactly.",
+)
+@click.option(
+    "--set",
+    "parameters",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help="A parameter of the realistic robot, such as track_m=0.33 (docs/sweep.md); the robot itself does not know it.",
 )
 @click.option(
     "--pace",
@@ -267,7 +279,12 @@ def _spec(
         world=world.document,
         link=options["robot"],
         robot=robot,
-        setting=SimulationConfig(options["model"], options["preset"], options["feedback"]),
+        setting=SimulationConfig(
+            options["model"],
+            options["preset"],
+            options["feedback"],
+            chosen_parameters(options["parameters"]),
+        ),
         seed=options["seed"],
         inputs=inputs,
         pace=options["pace"],

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from pinel_desktop.errors import PinelError
@@ -177,8 +178,9 @@ class SimLink:
             self._make_realistic(model, setting, seed)
 
     def _make_realistic(self, robot: RobotModel, setting: SimulationConfig, seed: int) -> None:
-        self._drive = RealisticDrive(self.simulator, robot.track_m, seed)
-        self._measuring = MeasurementNoise(seed)
+        realism = replace(REALISTIC, **setting.parameters.changes)
+        self._drive = RealisticDrive(self.simulator, robot.track_m, seed, realism)
+        self._measuring = MeasurementNoise(seed, realism)
         self._uses_odometry = setting.feedback == "odometry"
         self.command_delay_s += REALISTIC.delay_s
         self.sensors = RealisticSensors(

@@ -11,6 +11,7 @@ from pinel_desktop.robot.models import (
     RobotModel,
     Sonar,
 )
+from pinel_desktop.robot.robot_parameters import RobotParameters, robot_parameters_from
 from pinel_desktop.robot.sensors import Segment, Sensors
 from pinel_desktop.robot.simulation_config import (
     FEEDBACKS,
@@ -35,12 +36,14 @@ __all__ = [
     "Preset",
     "RobotLink",
     "RobotModel",
+    "RobotParameters",
     "RobotState",
     "Segment",
     "Sensors",
     "SimulationConfig",
     "Sonar",
     "Twist2D",
+    "robot_parameters_from",
     "simulation_config_from",
     "wrap_angle",
 ]

@@ -354,3 +354,22 @@ def test_what_a_real_robot_cannot_sense_is_a_fault_before_it_moves(tmp_path: Pat
     assert status == 2
     assert [fault["code"] for fault in printed["faults"]] == ["sensor_missing"]
     assert printed["n_executed"] == 0
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        (["--set", "track_m=0.35"], "robot_parameters_ideal"),
+        (["--preset", "realistic", "--set", "track_m=9"], "robot_parameter_range"),
+        (["--preset", "realistic", "--set", "track_m"], "robot_parameter_unclear"),
+        (["--preset", "realistic", "--set", "track_m=wide"], "robot_parameter_unclear"),
+        (["--preset", "realistic", *["--set", "lag_s=0.1"] * 2], "robot_parameter_unclear"),
+        (["--preset", "realistic", "--set", "wings=2"], "unknown_robot_parameter"),
+    ],
+)
+def test_wrong_parameter_of_the_robot_is_named_before_the_run(
+    options: list[str], reason: str
+) -> None:
+    status, printed = run_json(SQUARE, *options)
+    assert (status, printed["reason"], printed["run_id"]) == (2, reason, None)
+    assert printed["message"]

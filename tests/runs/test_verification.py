@@ -65,6 +65,27 @@ def test_every_robot_comes_out_the_same(model: str, preset: str, tmp_path: Path)
         assert store.runs.get(run_id).model == model
 
 
+def test_robot_with_parameters_of_its_own_comes_out_the_same(tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    options = [
+        "--seed",
+        "7",
+        "--preset",
+        "realistic",
+        "--set",
+        "track_m=0.35",
+        "--set",
+        "lag_s=0.1",
+    ]
+    changed, plain = record_run("square", db, *options), record_run("square", db, *options[:4])
+    status, verdict = verify(changed, db)
+    assert (status, verdict["outcome"], verdict["whole"]) == (0, "identical", True)
+    with open_for_reading(db) as store:
+        rows = [store.runs.get(one) for one in (changed, plain)]
+    assert rows[0].parameters["robot_parameters"] == {"track_m": 0.35, "lag_s": 0.1}
+    assert rows[0].telemetry_sha256 != rows[1].telemetry_sha256
+
+
 def test_another_process_and_another_hash_seed_change_nothing(tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
     run_id = record_run("tic_tac_toe", db, "--preset", "realistic")
