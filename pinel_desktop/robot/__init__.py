@@ -11,7 +11,7 @@ from pinel_desktop.robot.models import (
     RobotModel,
     Sonar,
 )
-from pinel_desktop.robot.robot_parameters import RobotParameters, robot_parameters_from
+from pinel_desktop.robot.robot_parameters import BOUNDS, RobotParameters, robot_parameters_from
 from pinel_desktop.robot.sensors import Segment, Sensors
 from pinel_desktop.robot.simulation_config import (
     FEEDBACKS,
@@ -23,6 +23,7 @@ from pinel_desktop.robot.simulation_config import (
 )
 
 __all__ = [
+    "BOUNDS",
     "FEEDBACKS",
     "PIONEER_3DX",
     "PRESETS",

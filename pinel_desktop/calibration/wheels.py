@@ -1,0 +1,187 @@
+"""Scales of both wheels, track and slip of a robot, from odometry and true poses.
+
+The odometry of a robot with a differential drive counts what its wheels rolled; a wheel of another size or another
+track moves the body differently (J. Borenstein and L. Feng, "Measurement and correction of systematic odometry errors
+in mobile robots", 1996). The parameters maximize the likelihood of the true poses, each predicted from the one before
+by a Kalman filter whose process noise is the slip of the wheels (A. Martinelli et al., "Simultaneous localization and
+odometry self calibration for mobile robot", 2007).
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pinel_desktop.calibration.drive import Drive, Floats, TruePose
+from pinel_desktop.calibration.estimate import Estimate, estimate, unknown
+from pinel_desktop.calibration.least_squares import jacobian, least_squares
+
+# relative noise of a wheel's distance in a tick: the range that is searched, and the value if the poses cannot tell it
+_NOISE_RANGE = (1e-3, 0.2)
+_TYPICAL_NOISE = 0.02
+_N_NOISE_STEPS = 12
+_MIN_DEGREES_OF_FREEDOM = 3
+_NOISE_PRIOR = 0.7  # standard deviation of the noise's logarithm around the typical value
+# a parameter with a larger standard deviation is not told by the runs
+_MAX_SD = (
+    0.02  # of the scale, of the wheels' difference, and of the track relative to its nominal value
+)
+_PRIOR_SD = 0.1
+_N_PARAMETERS = 3
+_STEPS = np.array([1e-5, 1e-5, 1e-5])  # for derivatives
+
+
+@dataclass(frozen=True, slots=True)
+class WheelCalibration:
+    """The result.
+
+    Attributes:
+        scale: metres that the body moves per metre that its odometry counts.
+        difference: relative difference of the two wheels, right minus left; positive turns the robot to the left.
+        track_m: distance between the wheels' points of contact.
+        wheel_noise: relative error of a wheel's distance in a tick, one standard deviation.
+        knows_noise: whether the true poses were enough to tell the noise.
+        n_poses: number of true poses.
+    """
+
+    scale: Estimate
+    difference: Estimate
+    track_m: Estimate
+    wheel_noise: float
+    knows_noise: bool
+    n_poses: int
+
+
+def calibrate_wheels(drives: Sequence[Drive], track_m: float) -> WheelCalibration:
+    """Returns the parameters that explain the true poses best.
+
+    Args:
+        drives: runs of one robot; without true poses nothing is known.
+        track_m: the track with which the robot computes its odometry.
+    """
+    counted = [(drive.wheel_distances(track_m), drive.truth) for drive in drives]
+    n_poses = sum(len(truth) for _, truth in counted)
+    nominal = np.array([1.0, 0.0, track_m])
+    if n_poses == 0:
+        nothing = [unknown(float(value)) for value in nominal]
+        return WheelCalibration(*nothing, _TYPICAL_NOISE, knows_noise=False, n_poses=0)
+    knows_noise = 3 * n_poses - _N_PARAMETERS >= _MIN_DEGREES_OF_FREEDOM
+    noise = _TYPICAL_NOISE
+    best, slopes = _fit(counted, nominal, nominal, noise)
+    for _ in range(3 if knows_noise else 0):
+        noise = _likeliest_noise(counted, best)
+        best, slopes = _fit(counted, nominal, best, noise)
+    return WheelCalibration(
+        *_estimates(best, slopes, nominal, 3 * n_poses - _N_PARAMETERS),
+        noise,
+        knows_noise=knows_noise,
+        n_poses=n_poses,
+    )
+
+
+_Counted = tuple[Floats, tuple[TruePose, ...]]
+
+
+def _fit(
+    counted: Sequence[_Counted], nominal: Floats, start: Floats, noise: float
+) -> tuple[Floats, Floats]:
+    def residuals(parameters: Floats) -> Floats:
+        off = (parameters - nominal) / (_PRIOR_SD * _units(nominal))
+        return np.concatenate((_innovations(counted, parameters, noise)[0], off))
+
+    return least_squares(residuals, start, _STEPS)
+
+
+def _likeliest_noise(counted: Sequence[_Counted], parameters: Floats) -> float:
+    """Returns the likeliest noise, by restricted maximum likelihood: fitted parameters make residuals too small."""
+    tried = np.geomspace(*_NOISE_RANGE, _N_NOISE_STEPS)
+    costs = [_noise_cost(counted, parameters, float(noise)) for noise in tried]
+    place = int(np.argmin(costs))
+    if place in (0, len(tried) - 1):
+        return float(tried[place])
+    around = np.log(tried[place - 1 : place + 2])
+    a, b, _ = np.polyfit(around, costs[place - 1 : place + 2], 2)
+    return float(math.exp(-b / (2.0 * a)))
+
+
+def _noise_cost(counted: Sequence[_Counted], parameters: Floats, noise: float) -> float:
+    """Returns -2 times the logarithm of the restricted likelihood, up to a constant."""
+
+    def residuals(one: Floats) -> Floats:
+        return _innovations(counted, one, noise)[0]
+
+    values, log_determinant = _innovations(counted, parameters, noise)
+    slopes = jacobian(residuals, parameters, _STEPS)
+    lost = float(np.linalg.slogdet(slopes.T @ slopes + np.eye(3))[1])
+    prior = (math.log(noise / _TYPICAL_NOISE) / _NOISE_PRIOR) ** 2
+    return float(values @ values) + log_determinant + lost + prior
+
+
+def _estimates(best: Floats, slopes: Floats, nominal: Floats, n_free: int) -> Iterator[Estimate]:
+    sds = np.sqrt(np.diag(np.linalg.inv(slopes.T @ slopes)))
+    for value, sd, default, unit in zip(best, sds, nominal, _units(nominal), strict=True):
+        too_wide = sd > _MAX_SD * unit
+        yield unknown(float(default)) if too_wide else estimate(value, sd, n_free)
+
+
+def _units(nominal: Floats) -> Floats:
+    """Returns what a relative error of 1 is for each parameter."""
+    return np.array([1.0, 1.0, nominal[2]])
+
+
+def _innovations(
+    counted: Sequence[_Counted], parameters: Floats, noise: float
+) -> tuple[Floats, float]:
+    """Returns the whitened differences between true and predicted poses, and the sum of log determinants."""
+    values, log_determinant = [], 0.0
+    for distances, truth in counted:
+        for whitened, logarithm in _filtered(distances, truth, parameters, noise):
+            values.append(whitened)
+            log_determinant += logarithm
+    return np.concatenate(values), log_determinant
+
+
+def _filtered(
+    distances: Floats, truth: Sequence[TruePose], parameters: Floats, noise: float
+) -> Iterator[tuple[Floats, float]]:
+    """Filters one run; yields for each true pose its whitened innovation and the log determinant of its covariance."""
+    pose, covariance, begun = np.zeros(3), np.zeros((3, 3)), 0
+    for measured in truth:
+        pose, covariance = _predicted(
+            pose, covariance, distances[begun : measured.tick], parameters, noise
+        )
+        begun = measured.tick
+        error = np.array([measured.x_m, measured.y_m, measured.heading_rad]) - pose
+        error[2] = (error[2] + math.pi) % (2.0 * math.pi) - math.pi
+        spread = covariance + np.diag([measured.sd_m**2, measured.sd_m**2, measured.sd_rad**2])
+        lower = np.linalg.cholesky(spread)
+        yield np.linalg.solve(lower, error), 2.0 * float(np.log(np.diag(lower)).sum())
+        gain = covariance @ np.linalg.inv(spread)
+        pose, covariance = pose + gain @ error, covariance - gain @ covariance
+        covariance = (covariance + covariance.T) / 2.0
+
+
+def _predicted(
+    pose: Floats, covariance: Floats, distances: Floats, parameters: Floats, noise: float
+) -> tuple[Floats, Floats]:
+    """Returns pose and covariance after the given wheel distances, (n, 2) in m."""
+    scale, difference, track_m = parameters
+    left = distances[:, 0] * scale * (1.0 - difference / 2.0)
+    right = distances[:, 1] * scale * (1.0 + difference / 2.0)
+    ahead, turned = (left + right) / 2.0, (right - left) / track_m
+    heading = pose[2] + np.cumsum(turned)
+    middle = heading - turned / 2.0
+    cos, sin = np.cos(middle), np.sin(middle)
+    xs, ys = pose[0] + np.cumsum(ahead * cos), pose[1] + np.cumsum(ahead * sin)
+    if len(xs) == 0:
+        return pose, covariance
+    end = np.array([xs[-1], ys[-1], heading[-1]])
+    across_x, across_y = -(end[1] - ys), end[0] - xs  # how the end moves with a turn in each tick
+    shift = np.array([[1.0, 0.0, pose[1] - end[1]], [0.0, 1.0, end[0] - pose[0]], [0.0, 0.0, 1.0]])
+    slips = [
+        np.array([cos * rolled / 2.0 + across_x * turn, sin * rolled / 2.0 + across_y * turn, turn])
+        for rolled, turn in ((left, -left / track_m), (right, right / track_m))
+    ]
+    process = noise**2 * sum(slip @ slip.T for slip in slips)
+    return end, shift @ covariance @ shift.T + process
