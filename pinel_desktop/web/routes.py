@@ -17,6 +17,7 @@ from pinel_desktop.web.api import (
     status,
     stream,
     teacher,
+    truths,
     versions,
     worlds,
 )
@@ -33,6 +34,7 @@ RESOURCES = (
     programs,
     versions,
     runs,
+    truths,
     history,
     review,
     notes,
