@@ -55,20 +55,20 @@ def calibrate_response(drives: Sequence[Drive]) -> Response | None:
     found = [least_squares(residuals, np.array(start), steps) for start in _STARTS_S]
     best, slopes = min(found, key=lambda one: float(np.square(residuals(one[0])).sum()))
     sds, n_free = _standard_deviations(residuals(best), slopes)
-    values = zip(_inside(*best), sds, strict=True)
-    return Response(*(estimate(value, sd, n_free) for value, sd in values))
+    latency_s, lag_s = _inside(*best)
+    return Response(estimate(latency_s, sds[0], n_free), estimate(lag_s, sds[1], n_free))
 
 
 def _inside(latency_s: float, lag_s: float) -> tuple[float, float]:
     return min(max(latency_s, 0.0), _MAX_S), min(max(lag_s, _MIN_LAG_S), _MAX_S)
 
 
-def _standard_deviations(values: Floats, slopes: Floats) -> tuple[Floats, int]:
+def _standard_deviations(values: Floats, slopes: Floats) -> tuple[list[float], int]:
     """Returns standard deviations from the residuals' spread, and the degrees of freedom."""
     n_free = max(len(values) - 2, 1)
     information = slopes.T @ slopes + np.eye(2) * np.finfo(float).tiny
     variances = float(values @ values) / n_free * np.diag(np.linalg.inv(information))
-    return np.sqrt(variances), n_free
+    return np.sqrt(variances).tolist(), n_free
 
 
 def _responded(commands: Floats, latency_s: float, lag_s: float) -> Floats:

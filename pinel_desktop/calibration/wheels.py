@@ -64,20 +64,17 @@ def calibrate_wheels(drives: Sequence[Drive], track_m: float) -> WheelCalibratio
     n_poses = sum(len(truth) for _, truth in counted)
     nominal = np.array([1.0, 0.0, track_m])
     if n_poses == 0:
-        nothing = [unknown(float(value)) for value in nominal]
-        return WheelCalibration(*nothing, _TYPICAL_NOISE, knows_noise=False, n_poses=0)
+        scale, difference, track = (unknown(float(value)) for value in nominal)
+        return WheelCalibration(scale, difference, track, _TYPICAL_NOISE, False, 0)
     knows_noise = 3 * n_poses - _N_PARAMETERS >= _MIN_DEGREES_OF_FREEDOM
     noise = _TYPICAL_NOISE
     best, slopes = _fit(counted, nominal, nominal, noise)
     for _ in range(3 if knows_noise else 0):
         noise = _likeliest_noise(counted, best)
         best, slopes = _fit(counted, nominal, best, noise)
-    return WheelCalibration(
-        *_estimates(best, slopes, nominal, 3 * n_poses - _N_PARAMETERS),
-        noise,
-        knows_noise=knows_noise,
-        n_poses=n_poses,
-    )
+    n_free = 3 * n_poses - _N_PARAMETERS
+    scale, difference, track = _estimates(best, slopes, nominal, n_free)
+    return WheelCalibration(scale, difference, track, noise, knows_noise, n_poses)
 
 
 _Counted = tuple[Floats, tuple[TruePose, ...]]
@@ -102,7 +99,7 @@ def _likeliest_noise(counted: Sequence[_Counted], parameters: Floats) -> float:
         return float(tried[place])
     around = np.log(tried[place - 1 : place + 2])
     a, b, _ = np.polyfit(around, costs[place - 1 : place + 2], 2)
-    return float(math.exp(-b / (2.0 * a)))
+    return math.exp(-b / (2.0 * a))
 
 
 def _noise_cost(counted: Sequence[_Counted], parameters: Floats, noise: float) -> float:
