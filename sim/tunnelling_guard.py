@@ -24,20 +24,20 @@ class TunnellingGuard:
         self, space: pymunk.Space, boxes: Sequence[pymunk.Body], robot: pymunk.Body
     ) -> None:
         self._space = space
-        self._boxes = [BodyAccess(box) for box in boxes]
-        self._all = (*boxes, robot)
+        self._all = [(body, BodyAccess(body)) for body in (*boxes, robot)]
+        self._boxes = [access for _, access in self._all[:-1]]
         self._rays = Rays(space, _FIXED_ONLY)
 
     def wrap(self, steps: Callable[[int], None]) -> Callable[[int], None]:
         """Returns `steps` with a check: if a box has tunnelled, its steps are undone."""
 
         def guarded(number: int) -> None:
-            places = [box.position() for box in self._boxes]
-            before = [(body, body.position, body.angle) for body in self._all]
+            before = [(access.position(), access.angle()) for _, access in self._all]
             steps(number)
-            if any(map(self._has_tunnelled, self._boxes, places)):
-                for body, place, angle in before:
-                    self._put_back(body, place, angle)
+            for box, (place, _) in zip(self._boxes, before, strict=False):  # without the robot
+                if self._has_tunnelled(box, place):
+                    self._put_all_back(before)
+                    return
 
         return guarded
 
@@ -46,7 +46,8 @@ class TunnellingGuard:
         # written as "not >=" so that NaN counts as tunnelled
         return now != before and not self._rays.fraction(*before, *now) >= 1.0
 
-    def _put_back(self, body: pymunk.Body, place: pymunk.Vec2d, angle: float) -> None:
-        body.position, body.angle = place, angle
-        body.velocity, body.angular_velocity = _STANDSTILL, 0.0
-        self._space.reindex_shapes_for_body(body)
+    def _put_all_back(self, before: list[tuple[tuple[float, float], float]]) -> None:
+        for (body, _), (place, angle) in zip(self._all, before, strict=True):
+            body.position, body.angle = place, angle
+            body.velocity, body.angular_velocity = _STANDSTILL, 0.0
+            self._space.reindex_shapes_for_body(body)
