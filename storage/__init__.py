@@ -20,6 +20,8 @@ from storage.row_types import (
     RunStart,
     RunSummary,
     SignSamples,
+    TruePoseRow,
+    TruthRow,
     VersionRow,
     VersionSummary,
 )
@@ -57,6 +59,8 @@ __all__ = [
     "SignSamples",
     "Store",
     "StoreError",
+    "TruePoseRow",
+    "TruthRow",
     "VersionRow",
     "VersionSummary",
     "open_for_reading",

@@ -46,3 +46,5 @@ PICTURES = (
 PATTERNS = ("waves", "stripes", "dots", "checks", "star", "plain")
 # for a group whose colour is unknown
 GREY = "#808080"
+# where a robot truly was: a tape measure, a camera above the floor, what the robot's own localisation publishes
+TRUTH_SOURCES = ("tape", "camera", "localisation")

@@ -27,4 +27,6 @@ MAX_OWN_ACTIVITIES = 200  # of a school, without deleted ones
 SAMPLES_PER_HOUR = 108_000
 # of all runs in a file opened without PIN: unpacking them takes a second, and no program is run for so long
 MAX_SAMPLES_WITHOUT_PIN = 36 * SAMPLES_PER_HOUR
+MAX_TRUE_POSES = 60_000  # of a run by one source: more than an hour of a camera at 15 Hz
+FARTHEST_M = 100.0  # of a true pose from the start, along each axis
 MAX_SAMPLES = 200_000  # in a chunk of telemetry, and in a whole run; an hour has 108,000

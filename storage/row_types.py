@@ -10,6 +10,7 @@ from storage.text import readable_object, readable_points
 _SAMPLE_BYTES = 2 * N_FEATURES
 
 Json = dict[str, Any]
+TruePoseRow = tuple[int | None, float, float, float, float, float]
 SIMULATOR = "sim"  # the link of simulated runs
 
 
@@ -279,6 +280,20 @@ def _estimated_closing_error_m(summary: Json) -> float | None:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
     return value if math.isfinite(value) else None
+
+
+class TruthRow(NamedTuple):
+    """Where a real robot truly was in a run, by one source.
+
+    Attributes:
+        poses: tick (None: after the run), x, y in m, heading in rad, one sigma of position in m and of heading in rad;
+            in the frame of the start, in the order of the ticks.
+    """
+
+    run_id: str
+    source: str
+    measured_at: str
+    poses: tuple[TruePoseRow, ...]
 
 
 class RunSummary(NamedTuple):

@@ -18,6 +18,7 @@ from storage.runs.confirmation import Unconfirmed
 from storage.runs.grading import GradingResults
 from storage.runs.history import RunHistory
 from storage.runs.runs import Batch, Runs, close_runs, write_batch
+from storage.runs.truths import Truths
 from storage.sql import Stop, exists
 from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
@@ -68,6 +69,7 @@ class Store:
         self.album_runs = AlbumRuns(database)
         self.unconfirmed = Unconfirmed(database)
         self.notes = Notes(database)
+        self.truths = Truths(database)
         self.history = RunHistory(database)
         self.lesson_histories = LessonHistories(database)
         self.settings = Settings(database)

@@ -18,6 +18,7 @@ from pinel_desktop.web.api import (
     status,
     stream,
     teacher,
+    truths,
     versions,
     worlds,
 )
@@ -34,6 +35,7 @@ RESOURCES = (
     programs,
     versions,
     runs,
+    truths,
     history,
     review,
     notes,

@@ -11,7 +11,8 @@ from storage.exchange.merging import merge_attached
 from storage.file.connection import Database
 from storage.limits import MAX_SAMPLES_WITHOUT_PIN
 
-_WORK = ("programs", "versions", "runs", "notes", "tombstones", "deletions", "former_classes")
+_OF_RUNS = ("runs", "notes", "truths")
+_WORK = ("programs", "versions", *_OF_RUNS, "tombstones", "deletions", "former_classes")
 
 
 def merge_lesson(database: Database, path: Path) -> tuple[MergeReport, str]:

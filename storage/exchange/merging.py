@@ -37,7 +37,7 @@ from storage.sql import column_names, insert, row_count
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import DELETIONS, FORMER_CLASSES, REPLICATED, TOMBSTONES
-from storage.tables.runs import EVENTS, RUNS, TELEMETRY
+from storage.tables.runs import EVENTS, RUNS, TELEMETRY, TRUTHS
 from storage.tables.work import GROUPS, LABELS, NOTES, TAUGHT_SIGNS, VERSIONS
 from storage.text import new_id, to_json
 
@@ -157,6 +157,7 @@ def merge_attached(
         merging.rows(table)
     merging.runs()
     merging.rows(NOTES)
+    merging.rows(TRUTHS)
     _note(db, info, now, merging.added)
     deleted = set(deletion.ids) | (tombstoned_keys(db) - before)
     return MergeReport(

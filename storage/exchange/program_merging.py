@@ -23,7 +23,7 @@ from storage.limits import MAX_SAMPLES_WITHOUT_PIN
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import COMPUTERS
-from storage.tables.runs import EVENTS, RUNS, TELEMETRY
+from storage.tables.runs import EVENTS, RUNS, TELEMETRY, TRUTHS
 from storage.tables.work import CLASSROOMS, GROUPS, LABELS, LESSONS, PROGRAMS, VERSIONS
 
 _PROGRAM = "(SELECT id FROM bundle.programs)"
@@ -90,7 +90,7 @@ def _merge(db: sqlite3.Connection, info: BundleInfo) -> MergeReport:
     coming = f"{_RUNS} AND {may_merge(RUNS)} AND {is_new(RUNS)}"
     db.execute(f"CREATE TEMP TABLE coming AS SELECT id FROM bundle.runs AS theirs WHERE {coming}")
     added[RUNS.name] = insert_new(db, RUNS, "theirs.id IN temp.coming")
-    for table in (EVENTS, TELEMETRY):
+    for table in (EVENTS, TELEMETRY, TRUTHS):
         added[table.name] = insert_new(db, table, "theirs.run_id IN temp.coming")
     db.execute("DROP TABLE temp.coming")
     return MergeReport(info, nonzero(added), {}, {}, {})

@@ -24,6 +24,7 @@ _WITH_ID = (
     "class_presets",
     "programs",
     "notes",
+    "truths",
     "version_labels",
     "taught_signs",
     "versions",

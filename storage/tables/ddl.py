@@ -237,4 +237,15 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
         "ALTER TABLE groups ADD COLUMN robot_name TEXT NOT NULL DEFAULT ''",
         "ALTER TABLE groups ADD COLUMN robot_pattern TEXT NOT NULL DEFAULT ''",
     ),
+    "truths_of_runs": (
+        f"""CREATE TABLE truths (
+            id TEXT PRIMARY KEY,
+            run_id TEXT NOT NULL REFERENCES runs(id),
+            source TEXT NOT NULL,
+            poses TEXT NOT NULL,
+            measured_at TEXT NOT NULL,
+            {_STATE}
+        ) STRICT""",
+        "CREATE INDEX truths_run ON truths (run_id)",
+    ),
 }

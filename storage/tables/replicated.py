@@ -19,7 +19,7 @@ from storage.tables.columns import (
     numbered,
 )
 from storage.tables.local import LOCAL
-from storage.tables.runs import EVENTS, RUNS, TELEMETRY
+from storage.tables.runs import EVENTS, RUNS, TELEMETRY, TRUTHS
 from storage.tables.work import (
     CLASS_PRESETS,
     CLASSROOMS,
@@ -120,5 +120,6 @@ REPLICATED = (
     EVENTS,
     TELEMETRY,
     NOTES,
+    TRUTHS,
 )
 TABLES = {table.name: table for table in (*REPLICATED, *LOCAL)}

@@ -10,15 +10,18 @@ import struct
 from collections.abc import Callable
 from datetime import datetime
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any
 
 from storage.json_check import is_object, parsed
 from storage.limits import (
+    FARTHEST_M,
     LAST_YEAR,
     MAX_COUNT,
     MAX_NAME,
     MAX_SIGN,
     MAX_TAUGHT_SAMPLES,
+    MAX_TRUE_POSES,
     N_FEATURES,
 )
 from storage.text import FIRST_IMPLAUSIBLE_ID
@@ -165,6 +168,27 @@ def _are_points(value: list[Any]) -> bool:
     )
 
 
+def _are_poses(value: list[Any]) -> bool:
+    """Accepts poses as `row_types.TruthRow` has them, in the order of their ticks; the one after the run is last."""
+    if len(value) > MAX_TRUE_POSES or not all(map(_is_pose, value)):
+        return False
+    ticks = [math.inf if pose[0] is None else pose[0] for pose in value]
+    return all(before < after for before, after in pairwise(ticks))
+
+
+def _is_pose(value: Any) -> bool:
+    if not (isinstance(value, list) and len(value) == 6 and all(map(real, value[1:]))):
+        return False
+    tick, x, y, heading, sigma_m, sigma_rad = value
+    return (
+        (tick is None or count(tick))
+        and max(abs(x), abs(y)) <= FARTHEST_M
+        and abs(heading) <= math.pi
+        and 0 < sigma_m <= FARTHEST_M
+        and 0 < sigma_rad <= math.pi
+    )
+
+
 def _is_world(value: dict[str, Any]) -> bool:
     """Checks what can be checked without the simulator: version, name, and the types of the parts."""
     return (
@@ -211,6 +235,7 @@ name = line(MAX_NAME, min_length=1)
 json_object = json_of(dict)
 faults = json_of(list, _are_faults)
 points = json_of(list, _are_points)
+poses = json_of(list, _are_poses)
 world = json_of(dict, _is_world)
 activity = json_of(dict, _is_activity)
 goal = json_of(dict, _is_goal)

@@ -1,5 +1,6 @@
 """Declarations of the tables of `storage/runs/`; `replicated.py` has their order."""
 
+from storage.choices import TRUTH_SOURCES
 from storage.limits import MAX_SAMPLES
 from storage.tables import rules
 from storage.tables.columns import (
@@ -10,6 +11,7 @@ from storage.tables.columns import (
     JSON,
     KEY,
     NUMBER,
+    REVISED,
     TEXT,
     TIME,
     UNCHANGED,
@@ -172,4 +174,32 @@ TELEMETRY = ReplicatedTable(
     key=("run_id", "chunk"),
     condition=ENDED,
     parquet=False,
+)
+TRUTHS = ReplicatedTable(
+    "truths",
+    "Where a real robot truly was in a run, by one source of truth; a run has a row for each source.",
+    (
+        Column("id", KEY, "key, made of run and source"),
+        parent("run_id", "runs", "the run"),
+        Column(
+            "source",
+            TEXT,
+            "`tape` (a tape measure), `camera` (above the floor) or `localisation` (the robot's own)",
+            rules.one_of(*TRUTH_SOURCES),
+            UNCHANGED,
+        ),
+        Column(
+            "poses",
+            JSON,
+            "a list of [tick, x, y, heading, one sigma of the position, one sigma of the heading] in the frame of the"
+            " start (x ahead, y to the left), in m and rad; tick in steps of 1/30 s, null for where the robot was after"
+            " the run; empty where somebody took the measurement back",
+            rules.poses,
+            UNCHANGED,
+        ),
+        Column("measured_at", TIME, "when it was recorded"),
+        *REVISED,
+    ),
+    condition=ENDED,
+    counts_empty=False,
 )

@@ -271,7 +271,7 @@ def get_run(path: IdPath) -> Response:
         RunWithVersion.of(
             run_model(row),
             version=version_model(version) if version else None,
-            world_document=_world_of(row),
+            world_document=world_of(row),
             other_computer=store.computers.name_of_other(row.computer_id),
             **_verdict(row),
         )
@@ -301,7 +301,8 @@ def _why_not_judged(why: object) -> str | None:
     return not_judged_text(why, services().settings.language)
 
 
-def _world_of(row: RunRow) -> World:
+def world_of(row: RunRow) -> World:
+    """Returns the world of a run. Raises PinelError `run_damaged`."""
     try:
         return World.model_validate(row.world_document)
     except ValidationError as error:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from storage import ClassroomRow, GroupRow, ProgramRow, RunRow, Store, StoreError
+from storage.choices import TRUTH_SOURCES
 from storage.limits import N_FEATURES
 from tests.storage.bundle_makers import merged, removed, work
 
@@ -26,7 +27,7 @@ class RandomLife:
         self._common: tuple[Deed, ...] = (
             *(self._make_group, self._make_class, self._work, self._save, self._open),
             *(self._rename_group, self._rename_class, self._throw_away, self._note),
-            *(self._teach, self._make_activity, self._preset),
+            *(self._teach, self._make_activity, self._preset, self._measure),
         )
         self._rare: tuple[Deed, ...] = (
             *(self._delete_class, self._delete_group, self._delete_program, self._delete_run),
@@ -76,6 +77,11 @@ class RandomLife:
     def _note(self) -> None:
         if run := self._run():
             self._store.notes.write(run.id, self._name())
+
+    def _measure(self) -> None:
+        if run := self._run():
+            x, source = self._chance.random(), self._chance.choice(TRUTH_SOURCES)
+            self._store.truths.record(run.id, source, [(None, x, 0.0, 0.0, 0.01, 0.03)])
 
     def _teach(self) -> None:
         if classroom := self._classroom():

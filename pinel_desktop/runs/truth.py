@@ -1,0 +1,165 @@
+"""Where a real robot truly was in a run, by a source of truth that is not its odometry.
+
+Poses are in the frame of the start, as a person measures them: from the start mark, x ahead, y to the left, heading
+counterclockwise, in metres and radians. Each has a standard uncertainty (one sigma) of position and heading.
+"""
+
+import math
+from bisect import bisect_left
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal, NamedTuple
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.robot import Pose2D
+from pinel_desktop.robot.geometry import wrap_angle
+from storage import TruePoseRow, TruthRow
+from storage.limits import FARTHEST_M, MAX_TRUE_POSES
+
+Source = Literal["tape", "camera", "localisation"]
+# one sigma of a person's measurement with a tape and a protractor
+TAPE_SIGMA_M = 0.01
+TAPE_SIGMA_RAD = math.radians(2)
+# a robot's centre may be so far outside of its room: the room is as the teacher typed it
+_OUTSIDE_M = 1.0
+# between poses that are farther apart nothing is known: half a second
+_GAP_TICKS = 15
+_ALONG_THE_WAY: tuple[Source, ...] = ("camera", "localisation")
+_SIGMA = (1e-5, FARTHEST_M)
+_BOUNDS = {
+    "x_m": (-FARTHEST_M, FARTHEST_M),
+    "y_m": (-FARTHEST_M, FARTHEST_M),
+    "heading_rad": (-math.tau, math.tau),
+    "sigma_m": _SIGMA,
+    "sigma_rad": (1e-5, math.pi),
+}
+
+
+class TruePose(NamedTuple):
+    """A pose of the robot.
+
+    Attributes:
+        tick: robot time in steps of 1/30 s; None where the robot stood after the run.
+        sigma_m, sigma_rad: standard uncertainty of each coordinate of the position, and of the heading.
+    """
+
+    tick: int | None
+    pose: Pose2D
+    sigma_m: float
+    sigma_rad: float
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """What one source says about a run; the poses are in the order of their ticks, and there is at least one."""
+
+    source: Source
+    poses: tuple[TruePose, ...]
+
+    @property
+    def end(self) -> TruePose:
+        """The pose after the run, or the last one that the source saw."""
+        return self.poses[-1]
+
+    @property
+    def along_the_way(self) -> tuple[TruePose, ...]:
+        """The poses during the run."""
+        return self.poses[:-1] if self.poses[-1].tick is None else self.poses
+
+    def at(self, tick: float) -> TruePose | None:
+        """Returns the pose at a tick, interpolated; None where the source saw nothing for half a second around it."""
+        poses = self.along_the_way
+        after = bisect_left(poses, tick, key=_tick)
+        if after < len(poses) and _tick(poses[after]) == tick:
+            return poses[after]
+        if not 0 < after < len(poses):
+            return None
+        return _between(poses[after - 1], poses[after], tick)
+
+    def as_rows(self) -> list[TruePoseRow]:
+        """Returns the poses as the store records them."""
+        return [(tick, *pose, sigma, sigma_rad) for tick, pose, sigma, sigma_rad in self.poses]
+
+
+def truths_of(rows: Iterable[TruthRow]) -> list[Truth]:
+    """Returns the truths of a run (`store.truths.of_run`)."""
+    return [
+        Truth(
+            row.source,  # type: ignore[arg-type] # the store accepts these sources only
+            tuple(
+                TruePose(tick, Pose2D(x, y, yaw), *sigmas) for tick, x, y, yaw, *sigmas in row.poses
+            ),
+        )
+        for row in rows
+    ]
+
+
+def read_truth(source: Source, poses: Iterable[TruePoseRow]) -> Truth | None:
+    """Checks what a source says; None for no poses.
+
+    Raises:
+        PinelError: `truth_range` with field, value and bounds; `truth_order` if ticks do not grow; `truth_too_many`.
+    """
+    checked = tuple(map(_checked, poses))
+    ticks = [_tick(pose) for pose in checked]
+    if any(before >= after for before, after in pairwise(ticks)):
+        raise PinelError("truth_order")
+    if len(checked) > MAX_TRUE_POSES:
+        raise PinelError("truth_too_many", n=len(checked), max=MAX_TRUE_POSES)
+    return Truth(source, checked) if checked else None
+
+
+def check_in_room(pose: Pose2D, start: Pose2D, width_m: float, depth_m: float) -> None:
+    """Raises PinelError `truth_outside_room` if a measured pose is more than a metre outside of the robot's room.
+
+    Args:
+        start: the start in the room's frame, whose origin is the centre of the room.
+    """
+    place = start.compose(pose)
+    over = max(abs(place.x_m) - width_m / 2, abs(place.y_m) - depth_m / 2)
+    if over > _OUTSIDE_M:
+        raise PinelError("truth_outside_room", width=width_m, depth=depth_m)
+
+
+def best_at_end(truths: Iterable[Truth]) -> Truth | None:
+    """Returns the truth that knows best where the robot stood after the run; None for no truths."""
+    return min(truths, key=lambda truth: truth.end.sigma_m, default=None)
+
+
+def best_along_the_way(truths: Iterable[Truth]) -> Truth | None:
+    """Returns the truth to compare a path with: the camera's before the robot's own localisation; None for neither."""
+    found = {truth.source: truth for truth in truths if len(truth.along_the_way) > 1}
+    return next((found[source] for source in _ALONG_THE_WAY if source in found), None)
+
+
+def _checked(row: TruePoseRow) -> TruePose:
+    tick, *values = row
+    for (field, (low, high)), value in zip(_BOUNDS.items(), values, strict=True):
+        if not low <= value <= high:  # also refuses NaN
+            raise PinelError("truth_range", field=field, value=value, low=low, high=high)
+    if tick is not None and tick < 0:
+        raise PinelError("truth_range", field="tick", value=tick, low=0, high=math.inf)
+    x, y, heading, sigma_m, sigma_rad = values
+    return TruePose(tick, Pose2D(x, y, wrap_angle(heading)), sigma_m, sigma_rad)
+
+
+def _tick(pose: TruePose) -> float:
+    return math.inf if pose.tick is None else pose.tick
+
+
+def _between(before: TruePose, after: TruePose, tick: float) -> TruePose | None:
+    first, last = _tick(before), _tick(after)
+    if last - first > _GAP_TICKS:
+        return None
+    part = (tick - first) / (last - first)
+    (x, y, yaw), (x1, y1, yaw1) = before.pose, after.pose
+    pose = Pose2D(
+        x + part * (x1 - x), y + part * (y1 - y), wrap_angle(yaw + part * wrap_angle(yaw1 - yaw))
+    )
+    return TruePose(
+        round(tick),
+        pose,
+        max(before.sigma_m, after.sigma_m),
+        max(before.sigma_rad, after.sigma_rad),
+    )
