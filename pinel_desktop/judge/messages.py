@@ -164,12 +164,14 @@ class PredictionRequest:
         spec: the run's spec as `RunSpec.as_message`, with the profile of its robot.
         events: all events but telemetry so far, in wire format.
         columns: the robot's own poses by column, each of shape (n,): `x_m`, `y_m`, `yaw_rad`.
+        truths: sources of truth, each with its poses as the store has them.
         is_whole: whether the run came to its end.
     """
 
     spec: Mapping[str, Any]
     events: Sequence[Mapping[str, Any]]
     columns: Mapping[str, NDArray[np.float64]]
+    truths: Sequence[tuple[Any, Any]]
     is_whole: bool
 
     def as_message(self) -> dict[str, Any]:
@@ -178,6 +180,7 @@ class PredictionRequest:
             "predict": dict(self.spec),
             "events": [dict(event) for event in self.events],
             "columns": {name: _packed(column) for name, column in self.columns.items()},
+            "truths": [list(truth) for truth in self.truths],
             "is_whole": self.is_whole,
         }
 
@@ -185,7 +188,8 @@ class PredictionRequest:
     def from_message(cls, message: Mapping[str, Any]) -> "PredictionRequest":
         """Reads the request from plain data."""
         columns = {name: _unpacked(text) for name, text in message["columns"].items()}
-        return cls(message["predict"], message["events"], columns, message["is_whole"])
+        truths, is_whole = message["truths"], message["is_whole"]
+        return cls(message["predict"], message["events"], columns, truths, is_whole)
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,8 +197,8 @@ class PredictedRun:
     """The prediction of a run, and the run beside it; as plain data.
 
     Attributes:
-        path: every third pose of the prediction and the last one, as `[tick, x_m, y_m, yaw_rad]`, in the start frame; the heading
-            has no jumps.
+        path: every third pose of the prediction and the last one, as `[tick, x_m, y_m, yaw_rad]`, in the start frame;
+            the heading has no jumps.
         steps: the steps of the prediction (`runs.prediction.Step`).
         awaits_input, is_cut, reads_sensors, knows_room: as in `runs.prediction.Prediction`.
         difference: `runs.difference.Difference`.

@@ -8,9 +8,10 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.judge.messages import PredictedRun, PredictionRequest
 from pinel_desktop.runs.difference import difference
-from pinel_desktop.runs.measured import by_odometry
+from pinel_desktop.runs.measured import measured_poses
 from pinel_desktop.runs.prediction import Path, predict, steps_of
 from pinel_desktop.runs.spec import spec_from
+from pinel_desktop.runs.truth import read_truth
 
 _POSES = ("x_m", "y_m", "yaw_rad")
 _EVERY_TICKS = 3
@@ -27,9 +28,11 @@ def predicted_run(request: PredictionRequest) -> PredictedRun:
         raise PinelError("run_damaged", part="parameters")
     prediction = predict(spec, request.events)
     rows = np.column_stack([request.columns[name] for name in _POSES])
+    found = (read_truth(source, poses) for source, poses in request.truths)
+    truths = [truth for truth in found if truth is not None]
     beside = difference(
         prediction,
-        by_odometry(rows),
+        measured_poses(rows, truths),
         steps_of(request.events),
         is_whole=request.is_whole,
         tolerance=(spec.robot.move_tolerance_m, spec.robot.turn_tolerance_deg),

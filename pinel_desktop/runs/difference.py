@@ -1,7 +1,7 @@
 """The difference between a real robot's run and its prediction: by step, at the end, and of the whole path.
 
-Both runs are compared at the same moments of the program: at the start and the end of each step, and in between at the same
-part of it. A real robot, which answers later and settles longer, is so not compared with a place that it left before.
+Both runs are compared at the same moments of the program: at the start and the end of each step, and in between at the
+same part of it. So a real robot, which answers later and settles longer, is not compared with a place ahead of it.
 """
 
 import math
@@ -22,6 +22,8 @@ Kind = Literal["turn", "move"]
 MIN_TURN_DEG, MIN_MOVE_M = 1.0, 0.02
 # a step of which the prediction turns or moves less is no turn, or no move
 _A_TURN_DEG, _A_MOVE_M = 3.0, 0.03
+_TURN_M = 0.2  # way of a wheel per radian, about
+_NO_WAY_M = 0.01
 _AVERAGED_TICKS = 2  # around a step's end, for measurements with noise
 
 
@@ -32,8 +34,10 @@ class StepDifference:
     Attributes:
         block, action, amount: as in the event `block_started`.
         tick: tick of the real run at which it started.
-        predicted_turned_deg, predicted_moved_m: predicted turn, counterclockwise; predicted distance from its start to its end.
-        turned_deg, moved_m: what was measured; the distance in the predicted direction. None where the source saw nothing.
+        predicted_turned_deg, predicted_moved_m: predicted turn, counterclockwise; predicted distance from its start to
+            its end.
+        turned_deg, moved_m: what was measured, the distance in the predicted direction; None where the source saw
+            nothing.
     """
 
     block: str | None
@@ -51,7 +55,7 @@ class StepDifference:
         return self.action, self.block if self.amount is None else round(self.amount, 2)
 
     def more(self, kind: Kind) -> float | None:
-        """Returns how much more the robot turned (degrees) or moved (m) than predicted; None for a step of another kind."""
+        """Returns how much more the robot turned (degrees) or moved (m) than predicted; None for another kind."""
         if kind == "turn":
             predicted, measured = self.predicted_turned_deg, self.turned_deg
         else:
@@ -84,8 +88,8 @@ class Finding:
     """A difference that is worth a sentence.
 
     Attributes:
-        how: `each` time the step ran, `once` in one execution of it, or on `average` of all turns, of which only the sum
-            is known.
+        how: `each` time the step ran, `once` in one execution of it, or on `average` of all turns, of which only the
+            sum is known.
         difference: how much more the robot turned (degrees) or moved (m) than predicted; negative: less.
         n: number of executions.
         block, action, amount, tick: of the step, of several its first execution.
@@ -108,11 +112,11 @@ class Difference:
 
     Attributes:
         source: source of the poses that were compared along the way.
-        ate_m: absolute trajectory error: root mean square of the distances between the two paths, which begin at one pose. As in
-            Sturm et al., A Benchmark for the Evaluation of RGB-D SLAM Systems, IROS 2012, aligned at the start instead of
-            over the whole path. None if less than two poses can be compared.
-        parted: block at which the real run did another step than the prediction; "" for a step without a block, None if
-            it never did.
+        ate_m: absolute trajectory error: root mean square of the distances between the two paths (Sturm et al., A
+            Benchmark for the Evaluation of RGB-D SLAM Systems, IROS 2012). They are aligned at the start, not over the
+            whole path. None if less than two poses can be compared.
+        parted: block at which the real run did another step than the prediction; "" for a step without a block, None
+            if it never did.
     """
 
     source: Source
@@ -150,14 +154,14 @@ def difference(
     parted = _parted(prediction.steps, steps)
     path = measured.path
     found = [_step_difference(ours, theirs, prediction.path, path) for ours, theirs in matched]
-    is_same = parted is None and not prediction.awaits_input and not prediction.is_cut
-    is_same = is_same and is_whole and len(matched) == len(prediction.steps) == len(steps)
+    is_same = is_whole and not (prediction.awaits_input or prediction.is_cut)
+    is_same = is_same and len(matched) == len(prediction.steps) == len(steps)
     at_end = _at_end(prediction, measured, path, matched, is_same=is_same)
     findings = _findings(found, measured.source, tolerance)
     if is_same and at_end and at_end.source != measured.source == "odometry":
         findings = [*_on_average(found, at_end, tolerance), *findings]
     return Difference(
-        measured.source, found, at_end, _ate(prediction.path, path, matched), parted, findings
+        measured.source, found, at_end, _ate(prediction.path, measured, matched), parted, findings
     )
 
 
@@ -220,19 +224,28 @@ def _way(start: Path, end: Path) -> tuple[float, float, float]:
     return float(cos * dx + sin * dy), float(cos * dy - sin * dx), float(end[2] - start[2])
 
 
-def _ate(predicted: Path, path: Path, matched: _Matched) -> float | None:
-    """The error over all ticks of the matched steps, at the same part of each step."""
-    if not matched:
-        return None
-    real_knots = [0] + [tick for _, theirs in matched for tick in (theirs.start, theirs.end or 0)]
-    our_knots = [0] + [tick for ours, _ in matched for tick in (ours.start, ours.end or 0)]
-    ticks = np.arange(min(real_knots[-1] + 1, len(path)))
-    at = np.interp(ticks, real_knots, our_knots)
-    rows = np.arange(len(predicted))
-    ours = np.column_stack([np.interp(at, rows, predicted[:, i]) for i in (0, 1)])
-    off = np.hypot(*(path[ticks, :2] - ours).T)
-    known = off[~np.isnan(off)]
+def _ate(predicted: Path, measured: Measured, matched: _Matched) -> float | None:
+    """The error over all ticks of the matched steps, each beside the prediction at the same part of the step."""
+    off: list[Path] = []
+    for ours, theirs in matched:
+        ticks = np.arange(theirs.start, min((theirs.end or 0) + 1, len(measured.path)))
+        ours_ticks = np.arange(ours.start, (ours.end or 0) + 1)
+        own_part, part = _parts(predicted[ours_ticks]), _parts(measured.odometry[ticks])
+        beside = [np.interp(part, own_part, predicted[ours_ticks, column]) for column in (0, 1)]
+        off.append(np.hypot(*(measured.path[ticks, :2].T - beside)))
+    distances = np.concatenate(off) if off else np.zeros(0)
+    known = distances[~np.isnan(distances)]
     return float(np.sqrt(np.mean(known**2))) if len(known) > 1 else None
+
+
+def _parts(path: Path) -> Path:
+    """How much of its way a robot has come at each pose of a step, 0 to 1; of its time where it does not move."""
+    x, y, yaw = np.abs(np.diff(path, axis=0)).T
+    come = np.concatenate([[0.0], np.cumsum(np.hypot(x, y) + _TURN_M * yaw)])
+    if come[-1] < _NO_WAY_M:
+        come = np.arange(len(path), dtype=np.float64)
+    parts: Path = come / max(come[-1], 1.0e-9)
+    return parts
 
 
 def _at_end(

@@ -39,16 +39,16 @@ class Unusual:
 def unusual(own: Difference, others: Sequence[Difference]) -> Unusual | None:
     """Returns what is most out of the ordinary in a run; None for nothing, or with too few other runs.
 
-    Median and median absolute deviation of the other runs decide, so that a few odd runs among them do not count. Only runs
-    with the same source of poses are compared.
+    Median and median absolute deviation of the other runs decide, so that a few odd runs among them do not count. Only
+    runs with the same source of poses are compared.
     """
     same = [one for one in others if one.source == own.source]
     if len(same) < MIN_OTHER_RUNS:
         return None
-    found = [_unusual_path(own, same), _unusual_step("turn", own, same)]
-    found.append(_unusual_step("move", own, same))
-    best = max((one for one in found if one is not None), key=lambda one: one[0], default=None)
-    return best and best[1]
+    steps = [_unusual_step("turn", own, same), _unusual_step("move", own, same)]
+    best = max((one for one in steps if one is not None), key=lambda one: one[0], default=None)
+    found = best or _unusual_path(own, same)  # a step says more than the path
+    return found and found[1]
 
 
 _Scored = tuple[float, Unusual] | None

@@ -132,7 +132,7 @@ class StepLog:
     def start(self, tick: int, step: Mapping[str, Any]) -> None:
         """Adds a `block_started`, as its fields."""
         if step["amount"] is not None or step["action"] in _TO_A_PLACE:
-            self.steps.append(Step(*(step[name] for name in _STEP_FIELDS), tick))
+            self.steps.append(Step(**{name: step[name] for name in _STEP_FIELDS}, start=tick))
 
     def end(self, tick: int, pointer: str) -> None:
         """Adds a `block_ended`."""

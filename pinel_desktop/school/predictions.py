@@ -34,15 +34,15 @@ class Predictions:
 
     def __init__(self, store: Store, judge: "Callable[[], JudgeClient]") -> None:
         self._store, self._judge = store, judge
-        self._differences: OrderedDict[str, Difference | None] = OrderedDict()
+        self._differences: OrderedDict[object, Difference | None] = OrderedDict()
 
     def of_run(self, run_id: str) -> "PredictedRun":
         """Predicts a run of a real robot, live or recorded, and compares it with its prediction.
 
         Raises:
-            PinelError: `prediction_simulated` for a run in the simulator, `prediction_no_robot` for a record of an earlier
-                release without the robot's limits, `run_not_repeatable` for one without its program, `run_newer`,
-                `run_damaged`, and `judge_lost`.
+            PinelError: `prediction_simulated` for a run in the simulator, `prediction_no_robot` for a record of an
+                earlier release without the robot's limits, `run_not_repeatable` for one without its program,
+                `run_newer`, `run_damaged`, and `judge_lost`.
             StoreError: `run_not_found`, `run_damaged`.
         """
         from pinel_desktop.judge.messages import PredictionRequest  # noqa: PLC0415 - heavy
@@ -55,6 +55,7 @@ class Predictions:
                 spec=spec.as_message(),
                 events=self._store.runs.events(run_id),
                 columns={name: telemetry.column(name) for name in ("x_m", "y_m", "yaw_rad")},
+                truths=[(truth.source, truth.poses) for truth in self._store.truths.of_run(run_id)],
                 is_whole=row.state == "finished",
             )
         )
@@ -102,14 +103,16 @@ class Predictions:
         """The difference of an ended run, from memory if it was asked for before; None without a prediction."""
         from pinel_desktop.runs.difference import Difference  # noqa: PLC0415 - heavy
 
-        if run_id not in self._differences:
+        truths = self._store.truths.of_run(run_id)
+        key = (run_id, *((truth.source, truth.measured_at) for truth in truths))
+        if key not in self._differences:
             found = None
             with suppress(PinelError, StoreError):
                 found = Difference.from_message(self.of_run(run_id).difference)
-            self._differences[run_id] = found
+            self._differences[key] = found
             while len(self._differences) > _MAX_STORED:
                 self._differences.popitem(last=False)
-        return self._differences[run_id]
+        return self._differences[key]
 
 
 def _profile(parameters_json: str | None) -> RobotProfile | None:

@@ -51,7 +51,7 @@ class Finding(ResponseModel):
     how: Annotated[
         Literal["each", "once", "average"],
         Field(
-            description="each time the step ran, in one execution, or the average of turns of which only the sum is known"
+            description="each time the step ran, in one execution, or on average of turns, of which the sum is known"
         ),
     ]
     source: Source
