@@ -50,8 +50,8 @@ def measured_poses(rows: Path, truths: Sequence[Truth]) -> Measured:
         return Measured("odometry", odometry, odometry, end, end_source)
     path = np.full_like(odometry, np.nan)
     for tick, own in enumerate(odometry):
-        if (seen := along.at(tick)) is not None:
-            path[tick] = _beside(np.array(seen.pose), own)
+        if (pose := along.at(tick)) is not None:
+            path[tick] = _beside(np.array(pose.pose), own)
     start = _start(path[: _n_at_rest(odometry)])
     if last is along and end is not None:
         end = _from(start, end)
