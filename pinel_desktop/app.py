@@ -29,6 +29,7 @@ from pinel_desktop.school.detectors import Detectors
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
 from pinel_desktop.school.opened_file import OpenedFile
+from pinel_desktop.school.predictions import Predictions
 from pinel_desktop.school.robot_profiles import RobotProfiles
 from pinel_desktop.school.robot_status_feed import RobotStatusFeed
 from pinel_desktop.school.sign_teaching import SignTeaching
@@ -281,6 +282,7 @@ class App:
             teacher=TeacherSessions(self._store.settings),
             robots=RobotProfiles(self._store.settings, LINK_NAMES),
             status_feed=self._status_feed,
+            predictions=Predictions(self._store, lambda: self._grader.judge),
             opened_file=OpenedFile(self._hub.publish, self._opened),
             read_document=self._read,
             read_world=_read_world,

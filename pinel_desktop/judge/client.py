@@ -5,7 +5,13 @@ from typing import Any
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import CheckProgress
-from pinel_desktop.judge.messages import JudgeRequest, RunUpdate, Verdict
+from pinel_desktop.judge.messages import (
+    JudgeRequest,
+    PredictedRun,
+    PredictionRequest,
+    RunUpdate,
+    Verdict,
+)
 from pinel_desktop.processes import own_command
 from pinel_desktop.processes.heartbeat import HangTimeouts
 from pinel_desktop.processes.messages import Message
@@ -66,6 +72,14 @@ class JudgeClient:
         """
         checks: list[CheckProgress] | None = self._ask(run_update.as_message())
         return checks
+
+    def predict(self, request: PredictionRequest) -> PredictedRun:
+        """Returns the prediction of a real robot's run, and the run beside it.
+
+        Raises:
+            PinelError: as `judge`, and any error of `runs.prediction.predict`.
+        """
+        return PredictedRun(**self._ask(request.as_message()))
 
     def _ask(self, message: Message) -> Any:
         self.start()

@@ -156,6 +156,63 @@ class RunUpdate:
         return cls(message["follow"], start_info, message["events"], message["language"])
 
 
+@dataclass(frozen=True, slots=True)
+class PredictionRequest:
+    """A run of a real robot, live or recorded, to be predicted.
+
+    Attributes:
+        spec: the run's spec as `RunSpec.as_message`, with the profile of its robot.
+        events: all events but telemetry so far, in wire format.
+        columns: the robot's own poses by column, each of shape (n,): `x_m`, `y_m`, `yaw_rad`.
+        truths: sources of truth, each with its poses as the store has them.
+        is_whole: whether the run came to its end.
+    """
+
+    spec: Mapping[str, Any]
+    events: Sequence[Mapping[str, Any]]
+    columns: Mapping[str, NDArray[np.float64]]
+    truths: Sequence[tuple[Any, Any]]
+    is_whole: bool
+
+    def as_message(self) -> dict[str, Any]:
+        """Returns the request as plain data."""
+        return {
+            "predict": dict(self.spec),
+            "events": [dict(event) for event in self.events],
+            "columns": {name: _packed(column) for name, column in self.columns.items()},
+            "truths": [list(truth) for truth in self.truths],
+            "is_whole": self.is_whole,
+        }
+
+    @classmethod
+    def from_message(cls, message: Mapping[str, Any]) -> "PredictionRequest":
+        """Reads the request from plain data."""
+        columns = {name: _unpacked(text) for name, text in message["columns"].items()}
+        truths, is_whole = message["truths"], message["is_whole"]
+        return cls(message["predict"], message["events"], columns, truths, is_whole)
+
+
+@dataclass(frozen=True, slots=True)
+class PredictedRun:
+    """The prediction of a run, and the run beside it; as plain data.
+
+    Attributes:
+        path: every third pose of the prediction and the last one, as `[tick, x_m, y_m, yaw_rad]`, in the start frame;
+            the heading has no jumps.
+        steps: the steps of the prediction (`runs.prediction.Step`).
+        awaits_input, is_cut, reads_sensors, knows_room: as in `runs.prediction.Prediction`.
+        difference: `runs.difference.Difference`.
+    """
+
+    path: list[tuple[float, ...]]
+    steps: list[dict[str, Any]]
+    awaits_input: bool
+    is_cut: bool
+    reads_sensors: bool
+    knows_room: bool
+    difference: dict[str, Any]
+
+
 def _packed(column: NDArray[np.float64]) -> str:
     return base64.b64encode(np.ascontiguousarray(column, dtype="<f8").tobytes()).decode("ascii")
 

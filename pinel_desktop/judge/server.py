@@ -25,7 +25,15 @@ from pinel_desktop.activities import (
 )
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import JudgedCase
-from pinel_desktop.judge.messages import JudgeRequest, ObservedRun, RunStartInfo, RunUpdate, Verdict
+from pinel_desktop.judge.messages import (
+    JudgeRequest,
+    ObservedRun,
+    PredictionRequest,
+    RunStartInfo,
+    RunUpdate,
+    Verdict,
+)
+from pinel_desktop.judge.prediction import predicted_run
 from pinel_desktop.messages import describe
 from pinel_desktop.processes.messages import (
     PING,
@@ -102,6 +110,8 @@ def _respond(message: Message, evaluator: LiveRunEvaluator) -> Message:
         if "follow" in message:
             lines = evaluator.update(RunUpdate.from_message(message))
             return response(number, None if lines is None else [asdict(line) for line in lines])
+        if "predict" in message:
+            return response(number, asdict(predicted_run(PredictionRequest.from_message(message))))
         return response(number, asdict(verdict_on(JudgeRequest.from_message(message))))
     except PinelError as error:
         return response(number, error=error)

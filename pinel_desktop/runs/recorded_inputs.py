@@ -126,9 +126,9 @@ class RecordedInputs:
                 case "run_state" if event["state"] == "paused":
                     self._requests.append(_pause(place, event, moment))
                 case "gesture_result" if event["source"] == "capture":
-                    self.gestures.recorded.append(_Input(place, event["tick"], _capture(event)))
+                    self.gestures.recorded.append(_Input(place, event["tick"], capture_of(event)))
                 case "answered":
-                    answer = _as_typed(event["value"])
+                    answer = typed_answer(event["value"])
                     self.answers.recorded.append(_Input(place, event["tick"], answer))
                 case "run_ended":
                     self._ended = event
@@ -201,7 +201,7 @@ class _Recorded(Generic[T]):
         return
 
 
-def _capture(event: WireEvent) -> Capture:
+def capture_of(event: WireEvent) -> Capture:
     """Returns the recorded result; records of earlier releases contain only the sign."""
     return Capture(
         _text(event["result"]), event.get("by"), event.get("confidence"), event.get("second", "")
@@ -214,7 +214,7 @@ def _text(value: object) -> str:
     return value
 
 
-def _as_typed(value: object) -> str:
+def typed_answer(value: object) -> str:
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     return format(Decimal(repr(value)), "f") if is_number else _text(value)
 

@@ -45,6 +45,8 @@ STATUS = {
     "run_in_progress": 409,
     "bridge_busy": 409,
     "run_not_live": 409,
+    "prediction_simulated": 409,
+    "prediction_no_robot": 409,
     "run_damaged": 409,
     "version_damaged": 409,
     "robot_not_set_up": 409,

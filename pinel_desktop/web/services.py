@@ -22,6 +22,7 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.program.reading import ParseResult
     from pinel_desktop.school.detectors import Detectors
     from pinel_desktop.school.opened_file import OpenedFile
+    from pinel_desktop.school.predictions import Predictions
     from pinel_desktop.school.robot_profiles import RobotProfiles
     from pinel_desktop.school.robot_status_feed import RobotStatusFeed
     from pinel_desktop.school.sign_teaching import SignTeaching
@@ -99,6 +100,7 @@ class Services:
     teacher: TeacherSessions
     robots: RobotProfiles
     status_feed: RobotStatusFeed
+    predictions: Predictions
     opened_file: OpenedFile
     read_document: ReadDocument
     read_world: ReadWorld

@@ -1,0 +1,54 @@
+"""Answers a request for the prediction of a real robot's run."""
+
+from dataclasses import asdict
+
+import numpy as np
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.inputs import ScriptedInputs
+from pinel_desktop.judge.messages import PredictedRun, PredictionRequest
+from pinel_desktop.runs.difference import difference
+from pinel_desktop.runs.measured import measured_poses
+from pinel_desktop.runs.prediction import Path, predict, steps_of
+from pinel_desktop.runs.spec import spec_from
+from pinel_desktop.runs.truth import read_truth
+
+_POSES = ("x_m", "y_m", "yaw_rad")
+_EVERY_TICKS = 3
+
+
+def predicted_run(request: PredictionRequest) -> PredictedRun:
+    """Predicts a run and compares it with its prediction.
+
+    Raises:
+        PinelError: `run_damaged` for a spec without a robot, and any error of `predict`.
+    """
+    spec = spec_from(request.spec, ScriptedInputs())
+    if spec.robot is None:
+        raise PinelError("run_damaged", part="parameters")
+    prediction = predict(spec, request.events)
+    rows = np.column_stack([request.columns[name] for name in _POSES])
+    found = (read_truth(source, poses) for source, poses in request.truths)
+    truths = [truth for truth in found if truth is not None]
+    beside = difference(
+        prediction,
+        measured_poses(rows, truths),
+        steps_of(request.events),
+        is_whole=request.is_whole,
+        tolerance=(spec.robot.move_tolerance_m, spec.robot.turn_tolerance_deg),
+    )
+    return PredictedRun(
+        _thinned(prediction.path),
+        [asdict(step) for step in prediction.steps],
+        prediction.awaits_input,
+        prediction.is_cut,
+        prediction.reads_sensors,
+        prediction.knows_room,
+        asdict(beside),
+    )
+
+
+def _thinned(path: Path) -> list[tuple[float, ...]]:
+    last = len(path) - 1
+    ticks = [*range(0, last, _EVERY_TICKS), last]
+    return [(tick, *(round(float(value), 4) for value in path[tick])) for tick in ticks]

@@ -1,0 +1,52 @@
+"""Predictions of runs on real robots."""
+
+from flask import Response
+
+from pinel_desktop.web.api import TEACHER, Resource, responses
+from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.predictions import RunPrediction, UnusualRun, UnusualRuns
+from pinel_desktop.web.responses import json_response
+from pinel_desktop.web.services import services
+from pinel_desktop.web.teaching import require_teacher
+
+api = Resource("predictions", "Predictions of runs on real robots.", __name__)
+
+
+@api.get(
+    "/runs/<id>/prediction",
+    responses=responses(
+        RunPrediction,
+        "run_not_found",
+        "prediction_simulated",
+        "prediction_no_robot",
+        "run_not_repeatable",
+        "run_newer",
+        "run_damaged",
+        "judge_lost",
+    ),
+)
+def get_prediction(path: IdPath) -> Response:
+    """What the ideal simulated robot does with the spec of a real robot's run, and the run beside it.
+
+    During the run the prediction ends at an input that nobody has given yet.
+    """
+    parts = services()
+    if parts.engine.live_run == path.id:
+        parts.flush_recording()
+    return json_response(RunPrediction.of(parts.predictions.of_run(path.id)))
+
+
+@api.get("/unusual-runs", responses=responses(UnusualRuns, *TEACHER))
+def list_unusual_runs() -> Response:
+    """Runs among the newest ones of real robots whose difference is out of the ordinary for their robot.
+
+    Empty while a run is live: the PC then works for the robot. For the teacher.
+    """
+    require_teacher()
+    parts = services()
+    if parts.engine.live_run is not None:
+        return json_response(UnusualRuns(runs=[]))
+    found = parts.predictions.unusual_runs()
+    return json_response(
+        UnusualRuns(runs=[UnusualRun.of(odd, run=run, source=source) for run, source, odd in found])
+    )
