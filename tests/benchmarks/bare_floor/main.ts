@@ -20,7 +20,7 @@ import type { Robot, World } from "../../../ui/src/api/model";
 import { fetchTexts } from "../../../ui/src/i18n";
 import "../../../ui/src/kit/tokens.css";
 import { IDLE, type Pose } from "../../../ui/src/run/reducer";
-import { wholeRoom } from "../../../ui/src/scene/content_bounds";
+import { wholeRoom } from "../../../ui/src/scene/framing/content_bounds";
 import { BOX_SOLIDS, chestOf, type Solid, wallOf } from "../../../ui/src/scene/mat/solids";
 import { Cameras } from "../../../ui/src/scene/solid/cameras";
 import { extend } from "../../../ui/src/run/trail";

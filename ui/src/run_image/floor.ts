@@ -4,10 +4,10 @@ import type { RecordedStates } from "../run/recorded_states";
 import { recentText } from "../run/text_sign";
 import { spokenText } from "../run/values";
 import type { Colours } from "../scene/colours";
-import { contentBounds } from "../scene/content_bounds";
+import { contentBounds } from "../scene/framing/content_bounds";
+import { EDGE, type Size } from "../scene/framing/viewport";
 import type { Livery } from "../scene/livery/livery";
 import { SceneRenderer } from "../scene/renderer";
-import { EDGE, type Size } from "../scene/viewport";
 
 /** A recorded run, and what its pictures show of its group. */
 export interface PicturedRun {

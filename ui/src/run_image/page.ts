@@ -1,6 +1,6 @@
 import type { DrawnBlock, DrawnStack } from "../editor/reader/program_drawing";
 import type { Colours } from "../scene/colours";
-import type { Size } from "../scene/viewport";
+import type { Size } from "../scene/framing/viewport";
 import { type Columns, columnsOf } from "./columns";
 
 /** Sizes of a page, in pixels of the page; a canvas has `ratio` pixels for each. */

@@ -3,9 +3,9 @@ import type { Pose, RunView } from "../run/reducer";
 import { points } from "../run/trail";
 import type { Colours } from "./colours";
 import { startOf } from "./frames";
+import type { Viewport } from "./framing/viewport";
 import type { Livery } from "./livery/livery";
 import { drawRobot } from "./robot";
-import type { Viewport } from "./viewport";
 
 /** A second run on the same floor, with its own start pose. */
 export interface Companion {

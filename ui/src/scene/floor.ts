@@ -3,10 +3,10 @@ import type { BoxPoses } from "../run/reducer";
 import { WALL_M } from "./areas";
 import type { Colours } from "./colours";
 import { roomOf, startOf, toStart, toWorld } from "./frames";
+import { EDGE, type Size, toScreen, type Viewport } from "./framing/viewport";
 import { drawPaint, drawZones } from "./ground";
 import { drawAppearance, drawGround, drawPrints, hasGround } from "./mat/draw";
 import { drawPlates } from "./mat/places";
-import { EDGE, type Size, toScreen, type Viewport } from "./viewport";
 
 /** Height of the world selector over the upper left corner, pixels. */
 const WORLD_CHOICE = 68;

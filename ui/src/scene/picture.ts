@@ -1,6 +1,6 @@
 import { fileName, saveFile } from "../shell/files/save_file";
 import { type Colours, paperColours } from "./colours";
-import type { Size } from "./viewport";
+import type { Size } from "./framing/viewport";
 
 const WIDTH = 800;
 const HEIGHT = 640;

@@ -4,38 +4,23 @@ import type { Point } from "../run/trail";
 import { BoxInterpolator } from "./box_interpolator";
 import { type Colours, readColours } from "./colours";
 import { type Companion, drawCompanion } from "./companion";
-import { contentBounds, wholeRoom } from "./content_bounds";
 import { drawMovableBoxes, drawRulers } from "./floor";
 import { HANDLE_M, startOf, toWorld, type XY } from "./frames";
+import { contentBounds } from "./framing/content_bounds";
+import { FramedViewport, type Framing } from "./framing/framed_viewport";
+import { hasRulers, type Size, toScreen, type Viewport, viewportFor } from "./framing/viewport";
 import type { Livery } from "./livery/livery";
 import { hasPlateBelow } from "./mat/places";
 import { drawRanges, type Measurements } from "./ranges_view";
 import { drawBelief, drawKnob, drawRobot } from "./robot";
 import { type CacheInput, SceneCache } from "./scene_cache";
 import { RobotSigns } from "./signs/robot_signs";
-import {
-  approach,
-  clampScale,
-  hasRulers,
-  marginsOf,
-  type Size,
-  toFloor,
-  toScreen,
-  type Viewport,
-  viewportFor,
-} from "./viewport";
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
 
 /** The estimated pose is drawn if it differs from the true pose by more than this. */
 export const OFF_M = 0.01;
-
-/**
- * Content of the viewport: `subject` (the bounds of `content_bounds`), the whole room, the view set
- * by the user, or the robot, which it follows.
- */
-export type Framing = "subject" | "room" | "manual" | "robot";
 
 /** Draws over the floor, in pixels. */
 export type Overlay = (
@@ -58,35 +43,34 @@ export class SceneRenderer {
   private ratio = 1;
   /** How much larger everything is drawn that has a size in pixels. */
   private magnification = 1;
-  private viewport: Viewport | null = null;
-  private target: Viewport = { x: 0, y: 0, scale: 60 };
-  private framing: Framing = "subject";
   private redrawUntil = 0;
   private handle = 0;
   private lastFrame = 0;
-  private moved = false;
   private cache = new SceneCache();
   private readonly boxInterpolator = new BoxInterpolator();
   private ranges: Measurements | null = null;
   /** Whether the robot is at its start and can be dragged. */
   private movable = false;
-  /** Whether the user drags something: the viewport does not move meanwhile. */
-  private held = false;
   private overlay: Overlay | null = null;
   private companion: Companion | null = null;
   private livery: Livery | null = null;
   private readonly signs = new RobotSigns();
+  private readonly viewport: FramedViewport;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly poseAt: (now: number) => Pose,
     private readonly still: () => boolean,
-    private readonly onFraming: (framing: Framing) => void = () => {},
-    private readonly hasControls = false,
+    onFraming: (framing: Framing) => void = () => {},
+    hasControls = false,
   ) {
     const ctx = canvas.getContext("2d");
     if (!ctx) throw new Error("no 2D canvas");
     this.ctx = ctx;
+    this.viewport = new FramedViewport(() => {
+      const { world, whole, companion, size, magnification } = this;
+      return { world, whole, companion, size, magnification, hasControls };
+    }, onFraming);
   }
 
   setWorld(world: World | null): void {
@@ -95,13 +79,11 @@ export class SceneRenderer {
     this.world = world;
     if (sameRoom) {
       // only the start pose differs
-      this.moved = true;
-      this.requestRedraw();
-      return;
+      this.viewport.invalidate();
+    } else {
+      this.viewport.reset();
     }
-    this.setFraming("subject");
-    this.viewport = null;
-    this.aim();
+    this.requestRedraw();
   }
 
   setRobot(robot: Robot | null): void {
@@ -138,34 +120,30 @@ export class SceneRenderer {
   /** Sets the second run on this floor. */
   setCompanion(companion: Companion | null): void {
     this.companion = companion;
-    this.moved = true;
+    this.viewport.invalidate();
     this.requestRedraw();
   }
 
   /** Fixes the viewport while the user drags something. */
   hold(held: boolean): void {
-    this.held = held;
-    this.moved = true;
+    this.viewport.hold(held);
     this.requestRedraw();
   }
 
   /** Turns following the robot on or off. */
   follow(isOn: boolean): void {
-    if (isOn) this.setFraming("robot");
-    else if (this.framing === "robot") this.setFraming("manual");
-    this.aim();
+    this.viewport.follow(isOn);
+    this.requestRedraw();
   }
 
   /** Converts a point of the canvas to the world frame. */
   floorAt(place: XY): XY {
-    const { x, y } = place;
-    const drawn = { x: x / this.magnification, y: y / this.magnification };
-    return toFloor(this.viewport ?? this.target, this.size, drawn);
+    return this.viewport.floorAt(place);
   }
 
   /** Size of a pixel in metres. */
   get pixel(): number {
-    return 1 / ((this.viewport ?? this.target).scale * this.magnification);
+    return 1 / (this.viewport.current.scale * this.magnification);
   }
 
   get shownWorld(): World | null {
@@ -185,8 +163,7 @@ export class SceneRenderer {
   setView(view: RunView, whole = view): void {
     this.view = view;
     this.whole = whole;
-    // the viewport is computed at the next redraw, because many events may arrive before it
-    this.moved = true;
+    this.viewport.invalidate();
     this.requestRedraw();
   }
 
@@ -201,29 +178,24 @@ export class SceneRenderer {
     this.ratio = (window.devicePixelRatio || 1) * magnification;
     this.canvas.width = Math.round(this.size.width * this.ratio);
     this.canvas.height = Math.round(this.size.height * this.ratio);
-    this.viewport = null;
-    this.aim();
+    this.viewport.jump();
+    this.requestRedraw();
     this.draw(performance.now());
   }
 
   /** Shows the subject; if the viewport already shows it, shows the whole room. */
   frame(): void {
-    this.setFraming(this.framing === "subject" ? "room" : "subject");
-    this.aim();
+    this.viewport.fit();
+    this.requestRedraw();
   }
 
   zoom(factor: number): void {
-    if (this.framing !== "robot") this.setFraming("manual");
-    this.target = { ...this.target, scale: clampScale(this.target.scale * factor) };
+    this.viewport.zoom(factor);
     this.requestRedraw();
   }
 
   pan(dx: number, dy: number): void {
-    this.setFraming("manual");
-    const { x, y, scale } = this.target;
-    const m = 1 / (scale * this.magnification);
-    this.target = { x: x - dx * m, y: y + dy * m, scale };
-    this.viewport = { ...this.target };
+    this.viewport.pan(dx, dy);
     this.requestRedraw();
   }
 
@@ -259,27 +231,6 @@ export class SceneRenderer {
     };
   }
 
-  private setFraming(framing: Framing): void {
-    if (framing === this.framing) return;
-    this.framing = framing;
-    this.onFraming(framing);
-  }
-
-  private aim(): void {
-    this.point();
-    this.requestRedraw();
-  }
-
-  private point(): void {
-    this.moved = false;
-    if (this.held) return;
-    const { framing, world, whole, companion, size } = this;
-    const edge = marginsOf(size, this.magnification, this.hasControls);
-    if (framing === "subject")
-      this.target = viewportFor(contentBounds(world, whole, companion), size, edge);
-    if (framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);
-  }
-
   private requestRedraw(): void {
     this.redrawUntil = performance.now() + LINGER_MS;
     this.handle ||= requestAnimationFrame((now) => this.tick(now));
@@ -295,19 +246,15 @@ export class SceneRenderer {
 
   private draw(now: number): boolean {
     if (this.size.width === 0) return false; // hidden
-    if (this.moved) this.point();
     const pose = this.poseAt(now);
-    if (this.framing === "robot" && !this.held) {
-      this.target = { ...toWorld(startOf(this.world), pose.x, pose.y), scale: this.target.scale };
-    }
-    this.viewport ??= { ...this.target };
     const elapsed = Math.min(50, now - this.lastFrame);
     this.lastFrame = now;
-    const moving = approach(this.viewport, this.target, elapsed, this.still());
+    const place = toWorld(startOf(this.world), pose.x, pose.y);
+    const moving = this.viewport.advance(place, elapsed, this.still());
     const pushing = this.boxInterpolator.approach(this.view.boxes, elapsed, this.still());
     const { world, robot, view, colours, size, ratio } = this;
     const input = { world, robot, view, colours, size, ratio };
-    const viewport = this.cache.aligned(this.viewport, ratio);
+    const viewport = this.cache.aligned(this.viewport.current, ratio);
     const blurred = this.paintCached(this.ctx, input, this.cache, viewport, now);
     const celebrating = this.drawSigns(this.ctx, input, pose, viewport, now);
     this.overlay?.(this.ctx, viewport, size, colours);

@@ -6,8 +6,8 @@ import type { Colours } from "./colours";
 import { drawMarks, drawStroke } from "./drawings";
 import { drawFloor } from "./floor";
 import { startOf } from "./frames";
+import type { Size, Viewport } from "./framing/viewport";
 import { drawStart } from "./robot";
-import type { Size, Viewport } from "./viewport";
 
 type Ctx = CanvasRenderingContext2D;
 

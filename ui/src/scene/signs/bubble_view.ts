@@ -1,6 +1,6 @@
 import type { Colours } from "../colours";
 import type { XY } from "../frames";
-import type { Size } from "../viewport";
+import type { Size } from "../framing/viewport";
 import { bubbleLines, characters, isRightToLeft } from "./bubble_lines";
 
 type Ctx = CanvasRenderingContext2D;

@@ -1,6 +1,6 @@
 import type { GoalPicture } from "../../api/model";
-import { includeObjects } from "../content_bounds";
 import { type Box, include, roomOf, type XY } from "../frames";
+import { includeObjects } from "../framing/content_bounds";
 
 export const WIDTH = 240;
 export const HEIGHT = 150;

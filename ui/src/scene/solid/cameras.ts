@@ -2,8 +2,8 @@ import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Pose } from "../../run/reducer";
 import type { Box } from "../frames";
+import type { Size } from "../framing/viewport";
 import type { CameraMode } from "../tools/view_mode";
-import type { Size } from "../viewport";
 
 const FIELD_DEG = 42;
 const NEAR_M = 0.04;

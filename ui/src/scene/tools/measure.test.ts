@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { textsOf } from "../../i18n";
 import { BoxInterpolator } from "../box_interpolator";
-import { toFloor, toScreen } from "../viewport";
+import { toFloor, toScreen } from "../framing/viewport";
 import { measured, snapped, turnBetween, turned } from "./measure";
 import { measureText } from "./measure_view";
 import { facing, handleOf, movedTo, nudged } from "./start_pose";

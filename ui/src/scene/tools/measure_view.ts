@@ -2,7 +2,7 @@ import type { Language, Texts } from "../../i18n";
 import { decimal, metres } from "../../i18n/format";
 import type { Colours } from "../colours";
 import type { XY } from "../frames";
-import { type Size, toScreen, type Viewport } from "../viewport";
+import { type Size, toScreen, type Viewport } from "../framing/viewport";
 import type { Measured, MeasureTool } from "./measure";
 
 type Ctx = CanvasRenderingContext2D;

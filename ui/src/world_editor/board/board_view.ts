@@ -1,10 +1,10 @@
 import type { Robot, World } from "../../api/model";
 import { type Colours, readColours } from "../../scene/colours";
-import { wholeRoom } from "../../scene/content_bounds";
 import { drawFloor, drawRulers } from "../../scene/floor";
 import type { XY } from "../../scene/frames";
+import { wholeRoom } from "../../scene/framing/content_bounds";
+import { clampScale, type Size, type Viewport, viewportFor } from "../../scene/framing/viewport";
 import { drawRobot, drawStart } from "../../scene/robot";
-import { clampScale, type Size, type Viewport, viewportFor } from "../../scene/viewport";
 
 /** Viewport and size of the board. */
 export interface View {

@@ -1,6 +1,6 @@
 import { lineThrough, outlineOf } from "../../scene/areas";
 import type { XY } from "../../scene/frames";
-import { toScreen } from "../../scene/viewport";
+import { toScreen } from "../../scene/framing/viewport";
 import { pointsOf } from "../geometry";
 import { isArea, type WorldObject } from "../plan";
 import type { View } from "./board_view";

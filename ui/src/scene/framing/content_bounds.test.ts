@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
-import type { World } from "../api/model";
-import { IDLE } from "../run/reducer";
-import { EMPTY_TRAIL, extend } from "../run/trail";
+import type { World } from "../../api/model";
+import { IDLE } from "../../run/reducer";
+import { EMPTY_TRAIL, extend } from "../../run/trail";
+import { startOf, toStart, toWorld } from "../frames";
 import { contentBounds } from "./content_bounds";
-import { startOf, toStart, toWorld } from "./frames";
 import { EDGE, EDGE_WITH_CONTROLS, EDGE_WITH_TOOLS, toScreen, viewportFor } from "./viewport";
 
 const world = (over: Partial<World> = {}): World => ({

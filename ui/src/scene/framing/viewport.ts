@@ -1,4 +1,4 @@
-import type { Box, XY } from "./frames";
+import type { Box, XY } from "../frames";
 
 /** Maps the world frame to the canvas: `x`, `y` is the centre in metres, `scale` is in pixels per metre. */
 export interface Viewport {

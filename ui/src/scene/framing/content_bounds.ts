@@ -1,7 +1,7 @@
-import type { World } from "../api/model";
-import type { RunView } from "../run/reducer";
-import type { Point, Trail } from "../run/trail";
-import { type Box, include, roomOf, type StartPose, startOf, toWorld } from "./frames";
+import type { World } from "../../api/model";
+import type { RunView } from "../../run/reducer";
+import type { Point, Trail } from "../../run/trail";
+import { type Box, include, roomOf, type StartPose, startOf, toWorld } from "../frames";
 
 /** Margins around the start and around the path, and the walls' thickness, in metres. */
 const AROUND_START = 2.1;
