@@ -1,5 +1,7 @@
 """The workspace in the page: fields, loose blocks, undo, copies, trash, languages, themes."""
 
+from typing import Any
+
 import pytest
 from playwright.sync_api import expect
 
@@ -161,6 +163,79 @@ def test_the_trash_gives_back(one_move: Studio) -> None:
         ".blocklyTrashcanFlyout .blocklyDraggable:not(.blocklyShadow)"
     )
     expect(given_back).to_contain_text("4")
+
+
+def test_the_trash_closes_by_its_button_by_escape_and_by_a_press_elsewhere(one_move: Studio) -> None:
+    blocks, page = one_move.blocks, one_move.page
+    blocks.select(blocks.by_text("andar para frente"))
+    page.keyboard.press("Delete")
+    expect(blocks.all()).to_have_count(1)
+    contents = page.locator(".blocklyTrashcanFlyout")
+    closings = (
+        one_move["trash-close"].click,
+        lambda: page.keyboard.press("Escape"),
+        one_move["scene"].click,
+        blocks.category("motion").click,
+    )
+    for close in closings:
+        page.locator(".blocklyTrash").click()
+        expect(contents).to_be_visible()
+        close()
+        expect(contents).to_be_hidden()
+        expect(one_move["trash-close"]).to_be_hidden()
+    page.keyboard.press("Escape")
+    page.locator(".blocklyTrash").click()
+    expect(contents).to_be_visible()
+    lost = contents.locator(".blocklyDraggable:not(.blocklyShadow)").first
+    blocks.drag(lost, blocks.below(blocks.start()))
+    expect_distances(one_move, 1)
+    expect(contents).to_be_hidden()
+
+
+@pytest.fixture
+def stack(studio: Studio) -> Studio:
+    """A program of three blocks, one below the other."""
+    enter_made_group(studio, [("move_forward", 1), ("turn", 90), ("wait", 2)])
+    return studio
+
+
+def outline(commands: list[dict[str, Any]]) -> list[Any]:
+    """The actions, and those inside a block as a list behind it."""
+    parts = [[one["action"], outline(one.get("commands", []))] for one in commands]
+    return [part for pair in parts for part in pair if part]
+
+
+@pytest.mark.parametrize(("text", "action"), [("repetir", "repeat"), ("para sempre", "forever")])
+def test_a_loop_dropped_on_a_stack_takes_up_the_blocks_below(
+    stack: Studio, text: str, action: str
+) -> None:
+    blocks = stack.blocks
+    blocks.drag_from_toolbox("flow", text, blocks.below(blocks.by_text("andar para frente")))
+    wrapped = ["move_forward", action, ["turn", "wait"]]
+    stack.eventually(lambda: outline(stack.commands()), wrapped)
+    stack["undo"].click()
+    stack.eventually(stack.actions, ["move_forward", "turn", "wait"])
+    assert stack.stacks() == 1
+    stack["redo"].click()
+    stack.eventually(lambda: outline(stack.commands()), wrapped)
+
+
+def test_a_loop_dragged_past_a_stack_leaves_it_as_it_was(stack: Studio) -> None:
+    blocks, page = stack.blocks, stack.page
+    blocks.open_category("flow")
+    loop = box_of(blocks.in_flyout("repetir").locator("> .blocklyPath"))
+    place = blocks.below(blocks.by_text("andar para frente"))()
+    page.mouse.move(loop["x"] + 20, loop["y"] + 26)
+    page.mouse.down()
+    page.mouse.move(place.x + 20, place.y + 26, steps=6)
+    page.mouse.move(place.x + 23, place.y + 26)
+    marker = page.locator(".blocklyInsertionMarker")
+    expect(marker.filter(has_text="girar")).to_have_count(1)
+    page.mouse.move(place.x + 300, place.y + 220, steps=6)
+    expect(marker).to_have_count(0)
+    page.mouse.up()
+    expect(blocks.loose()).to_have_count(1)
+    stack.eventually(stack.actions, ["move_forward", "turn", "wait"])
 
 
 def test_another_language_says_the_same_program(one_move: Studio) -> None:

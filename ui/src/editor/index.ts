@@ -28,6 +28,7 @@ import { dimLooseBlocks, ensureStartBlock } from "./start_block";
 import { pageFont, showTheme, type ThemeName } from "./themes";
 import { appendBlock } from "./toolbox/append";
 import { PinelToolbox } from "./toolbox/flyout";
+import { addTrashClosing } from "./toolbox/trash";
 import { interceptEmptyUndo, undoInto } from "./undo";
 import { Minimap } from "./viewport/minimap";
 import { ScrollBars } from "./viewport/scroll_bars";
@@ -63,7 +64,7 @@ class BlockEditor implements Editor {
   private readonly minimap: Minimap;
   private readonly scrollBars: ScrollBars;
   private readonly hint = new StartHint();
-  private readonly zoomControls: ReturnType<typeof addZoomControls>;
+  private readonly controls: ReturnType<typeof addZoomControls>[];
   private readonly sizes: ResizeObserver;
   private readonly disposeFocusRestorer: () => void;
   private known = "";
@@ -89,7 +90,8 @@ class BlockEditor implements Editor {
     this.minimap = new Minimap(this.workspace);
     this.scrollBars = new ScrollBars(this.workspace);
     this.values = options.evaluate && new ValueBubble(this.workspace, options.evaluate);
-    this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
+    const zoom = addZoomControls(this.workspace, () => this.zoomToFit());
+    this.controls = [zoom, addTrashClosing(this.workspace)];
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
     this.disposeFocusRestorer = restoreFocus(this.workspace);
@@ -151,7 +153,7 @@ class BlockEditor implements Editor {
     this.language = language;
     applyLanguage(language);
     this.updateToolbox();
-    this.zoomControls.relabel();
+    for (const { relabel } of this.controls) relabel();
     // blocks read their texts when they are created
     this.remake();
   }
@@ -235,7 +237,7 @@ class BlockEditor implements Editor {
     setKnownSigns(null);
     setKnownPlaces(null);
     this.sizes.disconnect();
-    this.zoomControls.remove();
+    for (const { remove } of this.controls) remove();
     this.values?.dispose();
     this.minimap.dispose();
     this.scrollBars.dispose();

@@ -1,6 +1,7 @@
 import * as Blockly from "blockly/core";
 import { syncCalls } from "../blocks/shapes/function_sync";
 import { type OfferedActions, registerFlyouts, toolbox } from "../blocks/toolbox/toolbox";
+import { patchOrphans, WRAPPING_PLUGINS } from "./dragging/wrapping";
 import { adaptMenus } from "./menus";
 import type { EditorOptions } from "./options";
 import { RENDERER, registerRenderer } from "./renderer";
@@ -27,12 +28,13 @@ export function injectWorkspace(
   adaptMenus();
   patchAriaUpdates();
   patchFlyoutClicks();
+  patchOrphans();
   const workspace = Blockly.inject(options.container, {
     toolbox: toolbox(options.level, offered()),
     theme: blocklyTheme(options.theme),
     renderer: RENDERER,
     css: false, // the renderer adds it
-    plugins: TOOLBOX_PLUGINS,
+    plugins: { ...TOOLBOX_PLUGINS, ...WRAPPING_PLUGINS },
     media: options.mediaPath,
     sounds: false,
     trashcan: true,
