@@ -13,6 +13,8 @@ from types import SimpleNamespace
 _START_S = 60.0
 # the workers of a test are quiet, and find its modules
 _ENVIRONMENT = {"DASK_DISTRIBUTED__LOGGING__DISTRIBUTED": "critical", "PYTHONPATH": os.getcwd()}
+# without an address, the server of the dashboard that is off listens on all networks
+_NO_PAGE = ("--no-dashboard", "--dashboard-address", "127.0.0.1:0")
 _WORKER = "from distributed.cli.dask_worker import main; main()"
 
 
@@ -27,6 +29,10 @@ class DaskCluster(SimpleNamespace):
     address: str
     scheduler: subprocess.Popen[bytes]
     workers: list[subprocess.Popen[bytes]]
+
+    @property
+    def processes(self) -> list[subprocess.Popen[bytes]]:
+        return [self.scheduler, *self.workers]
 
     def kill_a_worker(self) -> None:
         worker = self.workers.pop()
@@ -45,7 +51,7 @@ def dask_cluster(folder: Path, n_workers: int, *, before: str = "") -> Iterator[
     file = folder / "scheduler.json"
     scheduler = _python(
         "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0",
-        "--no-dashboard", "--scheduler-file", str(file),
+        *_NO_PAGE, "--scheduler-file", str(file),
     )  # fmt: skip
     workers: list[subprocess.Popen[bytes]] = []
     try:
@@ -53,7 +59,7 @@ def dask_cluster(folder: Path, n_workers: int, *, before: str = "") -> Iterator[
         workers += (
             _python(
                 "-c", f"{before}\n{_WORKER}", address, "--host", "127.0.0.1", "--nthreads", "1",
-                "--no-dashboard", "--no-nanny", "--local-directory", str(folder),
+                *_NO_PAGE, "--no-nanny", "--local-directory", str(folder),
             )
             for _ in range(n_workers)
         )  # fmt: skip

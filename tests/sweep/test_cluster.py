@@ -1,5 +1,6 @@
 """A Dask cluster gives the rows that one process gives, and names what is wrong with it."""
 
+import os
 import socket
 import time
 from collections.abc import Iterator
@@ -87,15 +88,17 @@ def test_closing_leaves_the_cluster_free_for_others(three: DaskCluster) -> None:
 def test_no_port_is_opened_here_and_none_of_the_cluster_beyond_loopback(three: DaskCluster) -> None:
     connected = Cluster(run_nothing, three.address)
     try:
-        processes = [psutil.Process(), *(psutil.Process(one.pid) for one in three.workers)]
-        listening = [
-            [one.laddr.ip for one in process.net_connections() if one.status == psutil.CONN_LISTEN]
-            for process in processes
-        ]
+        here, *there = map(listening, [os.getpid(), *(one.pid for one in three.processes)])
     finally:
         connected.end()
-    assert listening[0] == []
-    assert all(ips and set(ips) == {"127.0.0.1"} for ips in listening[1:])
+    assert here == set()
+    assert there == [{"127.0.0.1"}] * len(three.processes)
+
+
+def listening(pid: int) -> set[str]:
+    """Returns the addresses on which a process listens."""
+    connections = psutil.Process(pid).net_connections()
+    return {one.laddr.ip for one in connections if one.status == psutil.CONN_LISTEN}
 
 
 @pytest.mark.parametrize("address", ["10.0.0.5", "tcp://host", "http://host:1", "tcp://host:x", ""])
