@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from pinel_desktop import __version__
 from pinel_desktop.app_database import WRITABLE_NOTICES, open_database
 from pinel_desktop.camera.client import CameraClient, CameraState
+from pinel_desktop.cloud.client import CloudClient
 from pinel_desktop.database_locations import forget_location
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.events.app_events import CameraChanged, Notice
@@ -226,6 +227,8 @@ class App:
         self._signs = SignTeaching(
             self._store, self._camera, self._hub.publish, lambda: self._settings.language
         )
+        self._cloud = CloudClient(self._hub.publish, lambda: self._settings.language)
+        undo.callback(self._cloud.close)
         self._detectors = Detectors(
             self._database.with_name("detectors"), self._settings, self._camera, self._recognizer
         )
@@ -271,6 +274,7 @@ class App:
             camera=self._camera,
             detectors=self._detectors,
             signs=self._signs,
+            cloud=self._cloud,
             hub=self._hub,
             guard=self._guard,
             settings=self._settings,

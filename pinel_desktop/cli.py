@@ -23,9 +23,8 @@ _COMMANDS = {
     "doctor": "Say what this PC has and lacks.",
 }
 _SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup", "sweep": "batch.sweep"}
-_HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "kiosk", "window")} | {
-    "app": "app"
-}
+_OWNED = ("camera", "cloud", "engine", "judge", "kiosk", "window")
+_HIDDEN = {name: f"owned.{name}" for name in _OWNED} | {"app": "app"}
 
 
 class _LazyGroup(click.Group):

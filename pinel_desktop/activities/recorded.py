@@ -27,7 +27,7 @@ from sim.world import Wall, World, WorldError, world_from_document
 Missing = Literal[SimulatorRequirement, "walls", "sensors", "starts"]
 
 # Reasons why a run is not judged: missing data of the simulator, or the run itself.
-Reason = Literal[Missing, "inputs", "stopped", "failed", "record"]
+Reason = Literal[Missing, "inputs", "stopped", "failed", "record", "cloud"]
 _ORDER: tuple[Missing, ...] = ("zones", "boxes", "walls", "sensors", "starts", "contact", "pace")
 
 # Actions that drive to a place by its name.

@@ -108,6 +108,46 @@ class Judged(StreamEvent):
     not_judged: str | None = None
 
 
+class CloudRow(TypedDict):
+    """One robot of a cloud.
+
+    Attributes:
+        seed: seed of its random numbers, with which a run repeats its drive.
+        well: whether it passed, or without an activity, touched nothing and reached the end of the program.
+        cause: why not: it touched something, a check does not hold, or the run failed; null if it went well.
+        path: poses of the robot (x and y in m, world frame), evenly spaced in time, then the end.
+    """
+
+    seed: int
+    well: bool
+    cause: Literal["collision", "check", "failure"] | None
+    path: list[tuple[float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class CloudProgress(StreamEvent):
+    """Robots of a cloud have arrived, or the cloud is over.
+
+    Attributes:
+        cloud: id of the cloud.
+        n: number of all its robots.
+        rows: the robots that have arrived since the last event.
+        is_over: whether no more robots come: all have arrived, or the cloud was stopped or lost.
+        n_good: at the end, how many passed, or without an activity, end where most of them end.
+        text: at the end, that and what stopped the others, as text in the chosen language.
+        block: at the end, id of the block that stopped most of the others; null without one.
+    """
+
+    type: ClassVar[str] = "cloud"
+    cloud: str
+    n: int
+    rows: list[CloudRow]
+    is_over: bool
+    n_good: int
+    text: str
+    block: str | None
+
+
 @dataclass(frozen=True, slots=True)
 class ProgramChanged(StreamEvent):
     """A program was saved, deleted or restored.

@@ -20,7 +20,7 @@ from pinel_desktop import __version__
 from pinel_desktop.paths import read_regular
 from pinel_desktop.processes.log_text import OWN_PACKAGES, PlainFormatter
 
-PROCESSES = ("window", "app", "engine", "camera", "judge")
+PROCESSES = ("window", "app", "engine", "camera", "judge", "cloud")
 # tells a process that this one starts where the database is
 _VARIABLE = "PINEL_LOG_BESIDE"
 _MAX_BYTES = 500_000

@@ -35,6 +35,7 @@ class ProcessPool(Generic[T, R]):
         self._function, self._n_processes, self._attempts = function, n_processes, attempts
         self._idle: list[_Worker[T, R]] = []
         self._busy: dict[_Worker[T, R], tuple[T, int]] = {}
+        self._is_cancelled = False
 
     def start(self) -> None:
         """Starts all processes, so that the first tasks need not wait for the interpreter's imports."""
@@ -46,12 +47,14 @@ class ProcessPool(Generic[T, R]):
 
         Closing the generator kills the processes that are busy; the others wait for the next tasks.
         """
-        waiting = iter(tasks)
+        self._is_cancelled, waiting = False, iter(tasks)
         try:
             while self._assign(waiting) or self._busy:
                 for worker in self._ready():
                     task, attempt = self._busy.pop(worker)
                     result = worker.result()
+                    if self._is_cancelled:
+                        return
                     if not isinstance(result, ProcessDied):
                         self._idle.append(worker)
                     elif attempt < self._attempts:
@@ -62,6 +65,12 @@ class ProcessPool(Generic[T, R]):
             for worker in self._busy:
                 worker.end()
             self._busy.clear()
+
+    def cancel(self) -> None:
+        """Ends `results`, which runs on another thread, and kills the processes that are busy."""
+        self._is_cancelled = True
+        for worker in tuple(self._busy):
+            worker.kill()
 
     def end(self) -> None:
         """Kills all processes."""
@@ -116,6 +125,9 @@ class _Worker(Generic[T, R]):
             self.end()
             return ProcessDied(self._process.exitcode)
         return result
+
+    def kill(self) -> None:
+        self._process.kill()
 
     def end(self) -> None:
         self.connection.close()

@@ -153,6 +153,13 @@ class RecordedInputs:
             self._control.stop()
 
 
+def given_inputs(events: Iterable[WireEvent]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Returns the signs and the answers of a recorded run, in their order. Raises what `RecordedInputs` raises."""
+    inputs = RecordedInputs(events)
+    gestures = tuple(one.given.label for one in inputs.gestures.recorded)
+    return gestures, tuple(one.given for one in inputs.answers.recorded)
+
+
 class _Recorded(Generic[T]):
     """Gives recorded inputs at their ticks.
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from pinel_desktop.judge.messages import JudgeRequest, ObservedRun, RunStartInfo, Verdict
 
 _log = logging.getLogger(__name__)
+NOT_JUDGED = "not_judged"  # parameter of a run that the group only watches: why it is not judged
 
 
 class Grader:
@@ -101,6 +102,8 @@ class Grader:
         """Returns the judge's verdict on a run from its record. Raises PinelError, StoreError."""
         from pinel_desktop.judge.messages import Verdict  # noqa: PLC0415 - heavy
 
+        if isinstance(reason := run.parameters.get(NOT_JUDGED), str):
+            return Verdict(None, None, [], not_judged=reason)
         if run.link == SIMULATOR:
             verdict = self._verdict(self._judge_request(run))
             return replace(verdict, passed=run.state == "finished" and verdict.passed)

@@ -6,9 +6,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pinel_desktop.sweep.rows import Cause, Row
 
+TOGETHER_M = 0.1
 _PERCENTILES = (5, 50, 95)
 
 
@@ -31,6 +33,7 @@ class Summary:
 
     Attributes:
         n_runs, n_well, n_collided: all runs, those that went well, and those that touched something.
+        n_together: those that went well and end within `TOGETHER_M` of where most of these end.
         closing_error_m: the 5th, 50th and 95th percentile; None if no run started.
         duration_s: the same percentiles of the robot time.
         end_spread_m: distance of the ends from their centre below which 95 % of them lie; None if no run started.
@@ -40,6 +43,7 @@ class Summary:
     n_runs: int
     n_well: int
     n_collided: int
+    n_together: int
     closing_error_m: tuple[float, float, float] | None
     duration_s: tuple[float, float, float] | None
     end_spread_m: float | None
@@ -55,10 +59,12 @@ def summary_of(rows: Iterable[Row]) -> Summary:
     """Returns the summary of rows; their order does not matter."""
     rows = sorted(rows, key=lambda row: row.index)
     begun = [row for row in rows if row.end is not None]
+    well = [row for row in begun if row.is_well]
     return Summary(
         n_runs=len(rows),
         n_well=sum(row.is_well for row in rows),
         n_collided=sum(row.n_collisions > 0 for row in rows),
+        n_together=int(np.count_nonzero(_distances(well) <= TOGETHER_M)),
         closing_error_m=_percentiles([row.closing_error_m or 0.0 for row in begun]),
         duration_s=_percentiles([row.duration_s for row in begun]),
         end_spread_m=_end_spread_m(begun),
@@ -74,11 +80,15 @@ def _percentiles(values: list[float]) -> tuple[float, float, float] | None:
 
 
 def _end_spread_m(rows: list[Row]) -> float | None:
-    if not rows:
-        return None
-    ends = np.array([row.end[:2] for row in rows if row.end is not None])
-    distances = np.hypot(*(ends - np.median(ends, axis=0)).T)
-    return round(float(np.percentile(distances, _PERCENTILES[-1])), 6)
+    distances = _distances(rows)
+    return round(float(np.percentile(distances, _PERCENTILES[-1])), 6) if rows else None
+
+
+def _distances(rows: list[Row]) -> NDArray[np.float64]:
+    """Returns the distance (m) of each end from the median of the ends."""
+    ends = np.array([row.end[:2] for row in rows if row.end is not None]).reshape(-1, 2)
+    middle = np.median(ends, axis=0) if len(ends) else 0.0
+    return np.asarray(np.hypot(*(ends - middle).T), dtype=np.float64)
 
 
 def _reasons(rows: list[Row]) -> tuple[tuple[Reason, int], ...]:

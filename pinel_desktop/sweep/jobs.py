@@ -22,7 +22,7 @@ from pinel_desktop.program.reading import ParseResult, read_document
 from pinel_desktop.robot import SimulationConfig
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
-from pinel_desktop.sweep.rows import Row
+from pinel_desktop.sweep.rows import TOO_LONG, Row
 from sim.world import World, WorldError, world_from_document
 
 DEFAULT_LIMIT_S = 300.0  # as that of an activity
@@ -163,7 +163,7 @@ def _result(job: Job, row: Row) -> Row:
         path=_path(evidence, job.n_poses),
     )
     if row.state == "stopped":  # nobody stops these runs but their limit
-        row = replace(row, state="failed", reason="too_long", params={"limit": job.limit_s})
+        row = replace(row, state="failed", reason=TOO_LONG, params={"limit": job.limit_s})
     return _with_cause(row, _activity(job.activity) if job.activity else None, evidence)
 
 

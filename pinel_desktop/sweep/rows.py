@@ -6,6 +6,7 @@ from typing import Any, Literal
 # why a run did not go well: it touched something, a check does not hold, or the run failed
 Cause = Literal["collision", "check", "failure"]
 LOST = "worker_lost"  # reason of a row whose process died
+TOO_LONG = "too_long"  # reason of a run that its time limit ended
 
 
 @dataclass(frozen=True, slots=True)

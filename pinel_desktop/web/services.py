@@ -14,6 +14,7 @@ from pinel_desktop.web.guard import Guard
 
 if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.camera.client import CameraClient
+    from pinel_desktop.cloud.client import CloudClient
     from pinel_desktop.engine.client import EngineClient
     from pinel_desktop.events.hub import Hub
     from pinel_desktop.judge.messages import RunStartInfo
@@ -91,6 +92,7 @@ class Services:
     camera: CameraClient
     detectors: Detectors
     signs: SignTeaching
+    cloud: CloudClient
     hub: Hub
     guard: Guard
     settings: Settings

@@ -15,7 +15,7 @@ from pinel_desktop.robot import RobotModel, SimulationConfig
 from pinel_desktop.robot.robot_profile import ROOM
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
-from pinel_desktop.school.grading import start_info_of
+from pinel_desktop.school.grading import NOT_JUDGED, start_info_of
 from pinel_desktop.school.own_activities import known_activity
 from pinel_desktop.web.api import OCTETS, WRITES, Resource, responses
 from pinel_desktop.web.api.activities import world_name
@@ -83,8 +83,8 @@ def begin_run(body: NewRun) -> Response:
     """
     parts = services()
     version = parts.store.versions.get(body.version_id)
-    activity = _activity(version)
-    spec = _spec(version, activity, body, parts)
+    activity = activity_of(version)
+    spec = spec_for(version, activity, body, parts)
     if parts.engine.live_run is not None:
         raise PinelError("run_in_progress")
     record = record_of(
@@ -93,10 +93,12 @@ def begin_run(body: NewRun) -> Response:
         app_version=parts.app_version,
         version_id=version.id,
         activity=activity.name if activity else None,
+        more={NOT_JUDGED: "cloud"} if body.cloud else None,
     )
     row = parts.store.runs.begin(record)
     _use_signs_of(row.group_id, parts)
-    _prepare_judge(row, activity, version, parts)
+    if not body.cloud:
+        _prepare_judge(row, activity, version, parts)
     try:
         parts.engine.run(row.id, spec, _first_commands(body))
     except PinelError:
@@ -129,14 +131,17 @@ def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
     return version.document
 
 
-def _spec(
+def spec_for(
     version: VersionRow, activity: "Activity | None", body: NewRun, parts: Services
 ) -> RunSpec:
+    """Returns the spec of a live run. Raises what `begin_run` declares."""
     document = _runnable(version, parts)
     if body.robot != SIMULATOR:
         return _real_spec(document, body, parts)
     if activity:
         world, setting = _stage(activity)
+        if body.cloud:
+            setting = SimulationConfig(setting.model, body.preset, body.feedback)
     else:
         world, setting = _world(version, body.world, parts), _setting(body)
         if body.start:
@@ -174,7 +179,7 @@ def _world_name(spec: RunSpec, activity: "Activity | None", body: NewRun) -> str
     return world_name(activity) if activity else body.world
 
 
-def _activity(version: VersionRow) -> "Activity | None":
+def activity_of(version: VersionRow) -> "Activity | None":
     """Returns the activity that a version is to solve; None without one, or if this release cannot use it."""
     name = (version.setup or {}).get("activity")
     if name is None:

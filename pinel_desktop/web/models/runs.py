@@ -120,6 +120,12 @@ class NewRun(RequestModel):
         str, Field(max_length=20, description="`sim`, or the link of a real robot that is set up")
     ] = SIMULATOR
     slow: Annotated[bool, Field(description="a real robot at half of its speeds")] = False
+    cloud: Annotated[
+        bool,
+        Field(
+            description="one robot of a cloud, by its seed: an activity does not judge it and does not choose its preset"
+        ),
+    ] = False
     paused: Annotated[bool, Field(description="hold before the first block")] = False
 
 

@@ -1,0 +1,53 @@
+"""Requests of the app to the process of the clouds, as plain data for JSON lines."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from pinel_desktop.robot import SimulationConfig
+
+N_ROBOTS = 50
+STOP = "cloud_stop"
+
+
+@dataclass(frozen=True, slots=True)
+class CloudRequest:
+    """A program to be driven by `N_ROBOTS` robots, each with the slip of its own seed.
+
+    Attributes:
+        cloud: id of the cloud.
+        document: the program's document.
+        world: the world's document with the start of the robot.
+        model: name of the robot's model.
+        activity: the activity as JSON, which judges each run; None without one.
+        gestures, answers: what the program reads; None for those of the activity's first case.
+        language: language of the sentence for the group.
+    """
+
+    cloud: str
+    document: Mapping[str, Any]
+    world: Mapping[str, Any]
+    model: str
+    activity: str | None
+    gestures: tuple[str, ...] | None
+    answers: tuple[str, ...] | None
+    language: str
+
+    def as_message(self) -> dict[str, Any]:
+        """Returns the request as plain data."""
+        return {"type": "cloud_begin", **asdict(self)}
+
+    @classmethod
+    def from_message(cls, message: Mapping[str, Any]) -> "CloudRequest":
+        """Reads the request from plain data."""
+        return cls(**{name: message[name] for name in cls.__slots__})
+
+    @property
+    def setting(self) -> SimulationConfig:
+        """The setting of all robots of clouds."""
+        return cloud_setting(self.model)
+
+
+def cloud_setting(model: str) -> SimulationConfig:
+    """Returns the realistic robot, which knows its pose by its wheels only, as a real one without a camera above it."""
+    return SimulationConfig(model, "realistic", "odometry")

@@ -1,0 +1,141 @@
+"""The process of the clouds: one program in 50 robots, by the app's client."""
+
+import json
+import os
+import queue
+import signal
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import psutil
+import pytest
+
+from pinel_desktop.activities import choose_activity
+from pinel_desktop.cloud.client import CloudClient
+from pinel_desktop.cloud.messages import N_ROBOTS, CloudRequest
+from sim.world import world_document
+
+pytestmark = pytest.mark.waits
+
+PROGRAMS = Path(__file__).parents[1] / "programs"
+SQUARE = json.loads((PROGRAMS / "square.json").read_text("utf-8"))
+ENDLESS = {
+    **SQUARE,
+    "commands": [{"action": "forever", "commands": [{"action": "wait", "seconds": 1}]}],
+}
+WAIT_S = 60.0
+
+Event = dict[str, Any]
+
+
+class Clouds:
+    """A client and what it has published."""
+
+    def __init__(self) -> None:
+        self.events: queue.Queue[Event] = queue.Queue()
+        self.client = CloudClient(self.events.put, lambda: "pt-BR")
+
+    def begin(self, document: Event, activity: str | None = None) -> str:
+        return self.client.begin(
+            CloudRequest(
+                cloud="",
+                document=document,
+                world=world_document("empty_room"),
+                model="pioneer_3dx",
+                activity=choose_activity(activity).model_dump_json() if activity else None,
+                gestures=() if activity is None else None,
+                answers=() if activity is None else None,
+                language="pt-BR",
+            )
+        )
+
+    def next(self) -> Event:
+        return self.events.get(timeout=WAIT_S)
+
+    def to_the_end(self) -> tuple[list[Event], Event]:
+        """Returns all rows of a cloud in the order of their seeds, and its last event."""
+        rows: list[Event] = []
+        while not (event := self.next())["is_over"]:
+            rows += event["rows"]
+        return sorted(rows, key=lambda row: int(row["seed"])), event
+
+
+@pytest.fixture(scope="module")
+def lasting() -> Iterator[Clouds]:
+    clouds = Clouds()
+    clouds.client.prepare()
+    yield clouds
+    clouds.client.close()
+
+
+def test_all_robots_arrive_and_a_sentence_says_how_firm_the_program_is(lasting: Clouds) -> None:
+    cloud = lasting.begin(SQUARE)
+    rows, end = lasting.to_the_end()
+    assert [row["seed"] for row in rows] == list(range(1, N_ROBOTS + 1))
+    assert len({tuple(map(tuple, row["path"])) for row in rows}) == N_ROBOTS
+    assert (end["cloud"], end["n"]) == (cloud, N_ROBOTS)
+    assert end["text"].startswith(f"{end['n_good']} de 50 robôs param a menos de 10 cm")
+
+
+def test_a_mission_judges_each_robot(lasting: Clouds) -> None:
+    lasting.begin(SQUARE, "square")
+    rows, end = lasting.to_the_end()
+    assert end["n_good"] == sum(row["well"] for row in rows)
+    assert f"{end['n_good']} de 50 robôs" in end["text"]
+    assert "missão" in end["text"]
+
+
+def test_stop_ends_a_cloud_and_says_how_many_came(lasting: Clouds) -> None:
+    cloud = lasting.begin(ENDLESS)
+    lasting.next()
+    lasting.client.stop(cloud)
+    rows, end = lasting.to_the_end()
+    assert len(rows) < N_ROBOTS
+    assert end["cloud"] == cloud
+
+
+def test_a_new_cloud_ends_the_one_before(lasting: Clouds) -> None:
+    lasting.begin(ENDLESS)
+    cloud = lasting.begin(SQUARE)
+    rows, end = lasting.to_the_end()
+    assert (len([row for row in rows if row["well"]]), end["cloud"]) == (N_ROBOTS, cloud)
+
+
+def test_a_killed_worker_costs_no_robot(lasting: Clouds) -> None:
+    lasting.begin(SQUARE)
+    first = lasting.next()
+    assert lasting.client.pid is not None
+    for worker in psutil.Process(lasting.client.pid).children():
+        worker.kill()
+    rows, _ = lasting.to_the_end()
+    assert len(rows) + len(first["rows"]) == N_ROBOTS
+    assert all(row["cause"] is None for row in rows)
+
+
+def test_a_killed_process_is_said_and_the_next_cloud_comes() -> None:
+    clouds = Clouds()
+    try:
+        clouds.begin(ENDLESS)
+        clouds.next()
+        assert clouds.client.pid is not None
+        os.kill(clouds.client.pid, signal.SIGKILL)
+        _, end = clouds.to_the_end()
+        assert end["text"].startswith("Os 50 robôs pararam de repente.")
+        clouds.begin(SQUARE)
+        assert len(clouds.to_the_end()[0]) == N_ROBOTS
+    finally:
+        clouds.client.close()
+
+
+def test_no_process_stays_when_the_app_ends() -> None:
+    clouds = Clouds()
+    clouds.begin(ENDLESS)
+    clouds.next()
+    assert clouds.client.pid is not None
+    process = psutil.Process(clouds.client.pid)
+    every = [process, *process.children(recursive=True)]
+    assert len(every) > 1
+    clouds.client.close()
+    _, alive = psutil.wait_procs(every, timeout=WAIT_S)
+    assert alive == []
