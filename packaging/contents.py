@@ -38,7 +38,7 @@ _PYTHON_EXTRAS = "tkinter _tkinter turtle idlelib lib2to3 ensurepip venv pydoc_d
 _OPTIONAL = (
     "cryptography yaml rich pygments markdown_it IPython pandas scipy onnx tflite pygame pyglet "
     "pytest _pytest hypothesis mypy numpy.f2py numpy.testing numpy.distutils "
-    "webview.platforms.android webview.platforms.cef pyarrow duckdb matplotlib PIL"
+    "webview.platforms.android webview.platforms.cef pyarrow duckdb distributed dask matplotlib PIL"
 )
 _GPL = "readline"
 EXCLUDED = [*_PYTHON_EXTRAS.split(), *_OPTIONAL.split(), *_GPL.split()]

@@ -10,6 +10,7 @@ from pinel_desktop.commands.options import chosen_file, database_option
 _COMMANDS = {
     "run": "Run a program and print its result.",
     "serve": "Serve the page without a window and print its address.",
+    "sweep": "Run programs with many seeds and write a table.",
     "python": "Print a program as Python text.",
     "check": "Check whether programs fulfil an activity.",
     "runs": "List, show and verify recorded runs.",
@@ -21,7 +22,7 @@ _COMMANDS = {
     "setup": "Set up this PC by a file.",
     "doctor": "Say what this PC has and lacks.",
 }
-_SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup"}
+_SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup", "sweep": "batch.sweep"}
 _OWNED = ("camera", "cloud", "engine", "judge", "kiosk", "window")
 _HIDDEN = {name: f"owned.{name}" for name in _OWNED} | {"app": "app"}
 

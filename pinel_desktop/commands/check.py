@@ -14,10 +14,12 @@ from pinel_desktop.activities import (
     check_files,
     choose_activity,
 )
+from pinel_desktop.commands.batch.workers import chosen_workers, worker_options
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import location_of, print_faults
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain, language_of_system
+from pinel_desktop.processes.workers import Workers
 
 _MAX_FAULTS = 5
 _MAX_FAULTS_OF_ACTIVITY = 50
@@ -28,14 +30,15 @@ _PASSED, _NOT_PASSED, _UNUSABLE, _INTERRUPTED = 0, 1, 2, 130
 @click.argument("activity")
 @click.argument("files", metavar="FILE...", nargs=-1, required=True)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object per program.")
-@click.option(
-    "--processes",
-    type=click.IntRange(1, 256),
-    help="Number of parallel processes; one per core by default.",
-)
+@worker_options
 @click.pass_context
 def command(
-    ctx: click.Context, activity: str, files: tuple[str, ...], as_json: bool, processes: int | None
+    ctx: click.Context,
+    activity: str,
+    files: tuple[str, ...],
+    as_json: bool,
+    workers: int | None,
+    dask: str | None,
 ) -> None:
     """Check whether programs pass an activity.
 
@@ -44,8 +47,9 @@ def command(
     were ready are then printed.
     """
     language = language_of_system()
+    chosen = chosen_workers(workers, dask)
     try:
-        reports, is_whole = _checked(choose_activity(activity), files, processes)
+        reports, is_whole = _checked(choose_activity(activity), files, chosen)
     except PinelError as error:
         _print_error(error, language)
         ctx.exit(_UNUSABLE)
@@ -71,13 +75,13 @@ def _print_error(error: PinelError, language: str) -> None:
 
 
 def _checked(
-    activity: Activity, files: tuple[str, ...], processes: int | None
+    activity: Activity, files: tuple[str, ...], workers: Workers
 ) -> tuple[list[Report], bool]:
     """Returns the reports in the order of the files, and whether they are complete. Prints the progress to stderr."""
     reports: dict[int, Report] = {}
     with click.progressbar(length=len(files), file=sys.stderr) as progress:
         try:
-            for i, report in check_files(activity, files, n_processes=processes):
+            for i, report in check_files(activity, files, workers):
                 reports[i] = report
                 progress.update(1)
         except KeyboardInterrupt:

@@ -12,6 +12,7 @@ import click
 from pinel_desktop import __version__
 from pinel_desktop.camera.client import CameraState
 from pinel_desktop.camera.inputs import WRONG_RECOGNIZER, WRONG_SOURCE, CameraInputs
+from pinel_desktop.commands.batch.robot_parameters import chosen_parameters
 from pinel_desktop.commands.database import require_location
 from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
 from pinel_desktop.commands.printing import metric_lines, print_problem
@@ -23,7 +24,6 @@ from pinel_desktop.commands.real_robot import (
     robot_options,
     stopped_by_signals,
 )
-from pinel_desktop.commands.robot_parameters import chosen_parameters
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.event_sequencer import EventSequencer

@@ -3,10 +3,11 @@
 import json
 import re
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
+from pinel_desktop.commands.batch.workers import chosen_workers, worker_options
 from pinel_desktop.commands.database import opened_for_reading
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.errors import PinelError
@@ -71,14 +72,38 @@ def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
 
 
 @command.command("verify")
-@click.argument("run")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.argument("run", required=False)
+@click.option(
+    "--all", "is_all", is_flag=True, help="Verify all runs of the simulator, oldest first."
+)
+@worker_options
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object per run.")
 @click.pass_context
-def verify(ctx: click.Context, run: str, as_json: bool) -> None:
+def verify(
+    ctx: click.Context,
+    run: str | None,
+    is_all: bool,
+    workers: int | None,
+    dask: str | None,
+    as_json: bool,
+) -> None:
     """Repeat a recorded run and compare all recorded data.
 
-    RUN is as for `show`. Exit status: 0 equal, 1 different, changed, or not repeatable.
+    RUN is as for `show`. Exit status: 0 equal, 1 different, changed, or not repeatable; of all runs, 1 if one is
+    different, changed or damaged, 2 if a cluster cannot be used, 130 ended by Ctrl-C.
     """
+    if (run is None) is not is_all:
+        raise click.UsageError("give RUN or --all")
+    chosen = chosen_workers(workers, dask)
+    if run is not None:
+        _verify_one(ctx, run, as_json)
+    from pinel_desktop.commands.batch.verify_all import verify_all  # noqa: PLC0415 - imports the simulator
+
+    with opened_for_reading(chosen_database(ctx)) as store:
+        ctx.exit(verify_all(store, chosen, as_json=as_json))
+
+
+def _verify_one(ctx: click.Context, run: str, as_json: bool) -> NoReturn:
     from pinel_desktop.runs.verification import verify_run  # noqa: PLC0415 - imports the simulator
 
     with opened_for_reading(chosen_database(ctx)) as store:

@@ -1,14 +1,14 @@
 """A Dask cluster for independent tasks, with the methods of `ProcessPool`. Dask schedules; nothing here does.
 
-The cluster is started by whoever keeps it (docs/district.md). This process only connects to its scheduler, and listens
-on no port.
+Whoever keeps the cluster starts it (docs/district.md). This process connects to its scheduler and listens on no port.
 """
 
 import logging
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import CancelledError
 from functools import partial
 from itertools import islice
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 from urllib.parse import urlsplit
 
 from pinel_desktop.errors import PinelError
@@ -20,12 +20,11 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 R = TypeVar("R")
-_SCHEMES = ("tcp", "tls")
 _CONNECT_S = 5  # until a cluster without scheduler or workers is named
-_SILENT_S = 10  # without a result, until the cluster is asked for its workers
-# Tasks that wait at each thread of the workers, so that none is idle while a result travels; few, so that
-# a million tasks need no memory.
-_QUEUED = 8
+_SILENT_S = 20  # without a result, until the cluster is asked whether it has workers
+# Submitted tasks: at least so many, and so many for each thread of the workers. None is idle while a result travels,
+# and a million tasks need no memory.
+_MIN_SUBMITTED, _SUBMITTED_PER_THREAD = 64, 8
 
 
 class Cluster(Generic[T, R]):
@@ -41,23 +40,25 @@ class Cluster(Generic[T, R]):
     """
 
     def __init__(self, function: Callable[[T], R], address: str) -> None:
-        self._address = _checked(address)
+        self._address = address
         self._client = _connected(address)
         try:
-            self._require_workers()
-            self._call = partial(_call, function, versions())
+            self._require_same_versions()
+            n_threads = sum(self._client.nthreads().values())
         except BaseException:
             self.end()
             raise
+        self._call = partial(_call, function, versions())
+        self._n_submitted = max(_MIN_SUBMITTED, _SUBMITTED_PER_THREAD * n_threads)
 
-    def _require_workers(self) -> None:
+    def _require_same_versions(self) -> None:
         try:
             self._client.wait_for_workers(1, timeout=_CONNECT_S)
         except TimeoutError as error:
             raise PinelError("cluster_without_workers", address=self._address) from error
-        own = versions()
         for worker, found in self._client.run(versions, on_error="return").items():
-            _require_same(worker, own, found)
+            # an earlier release has no such function
+            _require_same(worker, versions(), {} if isinstance(found, Exception) else found)
 
     def results(self, tasks: Iterable[T]) -> Iterator[tuple[T, R | ProcessDied]]:
         """Yields each task with its result, in order of completion.
@@ -66,36 +67,90 @@ class Cluster(Generic[T, R]):
         generator cancels the tasks that wait.
 
         Raises:
-            PinelError: `cluster_lost`, `cluster_other_version` for a worker that joined later, `cluster_failed`.
+            PinelError: `cluster_lost`; `cluster_other_version` for a worker that joined later; `cluster_failed`.
         """
-        waiting, submitted = iter(tasks), dict[Future[Any], T]()
+        waiting = iter(tasks)
+        submitted: dict[Future[R], T] = {}
         try:
             while True:
-                n_free = self._n_threads * _QUEUED - len(submitted)
-                for task in islice(waiting, n_free):
+                for task in islice(waiting, self._n_submitted - len(submitted)):
                     submitted[self._client.submit(self._call, task, pure=False)] = task
                 if not submitted:
                     return
                 for future, result in self._done(list(submitted)):
                     yield submitted.pop(future), result
+        except (OSError, CancelledError) as error:  # the scheduler has ended
+            raise PinelError("cluster_lost", address=self._address) from error
         finally:
-            self._client.cancel(list(submitted))
+            for future in submitted:
+                future.release()
 
     def end(self) -> None:
-        """Ends the connection. The cluster goes on."""
+        """Ends the connection; tasks that wait are cancelled, the cluster goes on."""
         self._client.close(timeout=_CONNECT_S)
 
-    def _done(self, futures: list[Future[Any]]) -> list[tuple[Future[Any], R | ProcessDied]]:
-        """Waits for results; returns those that are there, none after a while without any."""
+    def _done(self, futures: "list[Future[R]]") -> "list[tuple[Future[R], R | ProcessDied]]":
+        """Waits for results and returns those that exist; after a long time without any, returns none."""
+        from distributed import wait  # noqa: PLC0415 - the extra `cluster`
+
         try:
-            ready, _ = wait(futures, timeout=_SILENT_S, return_when="FIRST_COMPLETED")
+            ready = wait(futures, timeout=_SILENT_S, return_when="FIRST_COMPLETED").done
             good = [future for future in ready if future.status == "finished"]
             gather = partial(self._client.gather, good, asynchronous=True)
             results = self._client.sync(gather, callback_timeout=_SILENT_S)
         except TimeoutError:
-            self._require_any_worker()
+            if not self._client.nthreads():
+                raise PinelError("cluster_lost", address=self._address) from None
             return []
-        except (OSError, CancelledError) as error:
-            raise PinelError("cluster_lost", address=self._address) from error
-        failed = [(future, self._failure(future)) for future in ready if future.status == "error"]
+        failed = [(future, _died(future)) for future in ready if future.status == "error"]
         return [*zip(good, results, strict=True), *failed]
+
+
+def _connected(address: str) -> "Client":
+    parts = urlsplit(address)
+    try:
+        is_address = parts.scheme in ("tcp", "tls") and parts.hostname and parts.port
+    except ValueError:  # the port is no number
+        is_address = False
+    if not is_address:
+        raise PinelError("cluster_address", value=address)
+    try:
+        from distributed import Client  # noqa: PLC0415 - the extra `cluster`
+    except ImportError:
+        raise PinelError("cluster_extra_missing") from None
+    # its warnings are for who keeps the cluster; what matters here is an error of ours
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    try:
+        return Client(address, timeout=_CONNECT_S)
+    except (OSError, TimeoutError) as error:
+        raise PinelError("cluster_unreachable", address=address) from error
+
+
+def _call(function: Callable[[T], R], expected: Mapping[str, str], task: T) -> R:
+    """Runs on a worker, which may have joined after the versions were compared."""
+    _require_same("", expected, versions())
+    return function(task)
+
+
+def _require_same(worker: str, own: Mapping[str, str], found: Mapping[str, str]) -> None:
+    for part, version in own.items():
+        if found.get(part) != version:
+            raise PinelError(
+                "cluster_other_version",
+                worker=worker,
+                part=part,
+                own=version,
+                found=found.get(part, "?"),
+            )
+
+
+def _died(future: "Future[R]") -> ProcessDied:
+    """Returns the result of a task that lost several workers; raises what failed otherwise."""
+    from distributed import KilledWorker  # noqa: PLC0415 - the extra `cluster`
+
+    error = future.exception()
+    if isinstance(error, KilledWorker):
+        return ProcessDied(None)
+    if isinstance(error, PinelError):
+        raise error
+    raise PinelError("cluster_failed", detail=f"{type(error).__name__}: {error}") from error

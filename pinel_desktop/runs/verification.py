@@ -49,15 +49,20 @@ class VerificationResult:
     parts: tuple[Discrepancy, ...] = ()
 
 
-def verify_run(store: Store, row: RunRow) -> VerificationResult:
-    """Repeats a recorded run in this process, and compares it with everything that the store holds of the run.
+@dataclass(frozen=True, slots=True)
+class RecordedRun:
+    """Everything that the store holds of one run: any process can verify it, also on another machine."""
 
-    The replay uses the recorded semantics version (`execution.semantics`).
+    record: Record
+    document: dict[str, Any]
+
+
+def recorded_run(store: Store, row: RunRow) -> RecordedRun:
+    """Reads a run for `verify_recorded`.
 
     Raises:
         PinelError: `run_not_simulated` for a real robot's run, `run_not_ended` for a run without its end,
-            `run_not_repeatable` for a record of an earlier release that lacks necessary data, `run_newer` for a
-            record of a later release, `run_damaged` for an unreadable record, and what reading and opening raise.
+            `run_not_repeatable` for a record of an earlier release that lacks necessary data.
         StoreError: `run_damaged` for an unreadable record.
     """
     if row.link != "sim":
@@ -65,12 +70,33 @@ def verify_run(store: Store, row: RunRow) -> VerificationResult:
     if row.state == "running":
         raise PinelError("run_not_ended", id=row.id)
     record = Record(row, store.runs.telemetry(row.id).rows, store.runs.events(row.id))
+    return RecordedRun(record, _document(store, row))
+
+
+def verify_run(store: Store, row: RunRow) -> VerificationResult:
+    """Verifies a run of the store in this process.
+
+    Raises what `recorded_run` and `verify_recorded` raise.
+    """
+    return verify_recorded(recorded_run(store, row))
+
+
+def verify_recorded(run: RecordedRun) -> VerificationResult:
+    """Repeats a recorded run in this process, and compares it with everything that the store holds of the run.
+
+    The replay uses the recorded semantics version (`execution.semantics`).
+
+    Raises:
+        PinelError: `run_newer` for a record of a later release, `run_damaged` for an unreadable record, and what
+            reading and opening raise.
+    """
+    record, row = run.record, run.record.row
     until = len(record.rows) if row.reason in INTERRUPTED_REASONS else None
     replay = ReplayLog()
     # The replay stops one tick after the record's end: one more tick proves a difference. A
     # forged program might run for long.
     max_ticks = len(record.rows) + 1 if until is None else until
-    spec = spec_of(row, _document(store, row), RecordedInputs(record.events, max_ticks))
+    spec = spec_of(row, run.document, RecordedInputs(record.events, max_ticks))
     result = start(spec, replay.observe)
     difference = first_difference(record.rows, replay.rows())
     parts = _parts(record, replay, result, difference)

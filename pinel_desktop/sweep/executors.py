@@ -1,14 +1,15 @@
-"""What runs jobs on this machine: processes of a pool. A cluster maps `run_job` over the same jobs."""
+"""What runs jobs: processes of this machine, or a cluster."""
 
-import os
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from pinel_desktop.processes.pool import ProcessDied, ProcessPool
+from pinel_desktop.processes.workers import Workers, results_of
 from pinel_desktop.sweep.jobs import Job, run_job
 from pinel_desktop.sweep.rows import LOST, Row
 
 ATTEMPTS = 2  # a job whose process was killed is tried once more
+_ONE_PER_CORE = Workers()
 
 
 def new_pool(n_workers: int) -> ProcessPool[Job, Row]:
@@ -16,23 +17,15 @@ def new_pool(n_workers: int) -> ProcessPool[Job, Row]:
     return ProcessPool(run_job, n_workers, ATTEMPTS)
 
 
-def run_jobs(jobs: Iterable[Job], n_workers: int | None = None) -> Iterator[Row]:
-    """Runs jobs on processes of this machine; yields rows in order of completion.
+def run_jobs(jobs: Iterable[Job], workers: Workers = _ONE_PER_CORE) -> Iterator[Row]:
+    """Runs jobs; yields rows in order of completion.
 
-    Closing the generator ends the processes.
+    Closing the generator ends the processes of this machine.
 
-    Args:
-        n_workers: number of processes; None is one per core. With 1, the jobs run in this process.
+    Raises:
+        PinelError: a cluster cannot be used.
     """
-    n_workers = n_workers or os.cpu_count() or 1
-    if n_workers == 1:
-        yield from map(run_job, jobs)
-        return
-    pool = new_pool(n_workers)
-    try:
-        yield from rows_of(pool, jobs)
-    finally:
-        pool.end()
+    return _rows(results_of(run_job, jobs, workers, attempts=ATTEMPTS))
 
 
 def rows_of(pool: ProcessPool[Job, Row], jobs: Iterable[Job]) -> Iterator[Row]:
@@ -40,7 +33,11 @@ def rows_of(pool: ProcessPool[Job, Row], jobs: Iterable[Job]) -> Iterator[Row]:
 
     A job that kills its processes has a row that says so.
     """
-    for job, result in pool.results(jobs):
+    return _rows(pool.results(jobs))
+
+
+def _rows(results: Iterator[tuple[Job, Row | ProcessDied]]) -> Iterator[Row]:
+    for job, result in results:
         yield lost_row(job, result.exit_code) if isinstance(result, ProcessDied) else result
 
 

@@ -4,7 +4,7 @@ pyarrow is large and only this module uses it, so a school that wants Parquet fi
 """
 
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -33,17 +33,15 @@ def write_parquet(bundle: Path, dest: Path) -> Path:
     Raises:
         StoreError: `parquet_missing` without pyarrow; `export_failed`.
     """
-    try:
-        import pyarrow  # noqa: F401, PLC0415 - optional
-    except ImportError:
-        raise StoreError("parquet_missing") from None
+    require_pyarrow()
     part = dest.with_name(f".{dest.name}.part")
     try:
         shutil.rmtree(part, ignore_errors=True)
         part.mkdir()
         with closing(opened(bundle, "ro")) as db:
-            for table in FILES:
-                _write_table(db, table, part / f"{table}.parquet")
+            for table, declared in FILES.items():
+                columns = [(column.name, column.type) for column in declared]
+                write_columns(part / f"{table}.parquet", columns, _batches(db, table))
         return part.rename(free_path(dest, suffix=""))
     except OSError as error:
         problem = error.strerror or str(error)
@@ -53,19 +51,35 @@ def write_parquet(bundle: Path, dest: Path) -> Path:
             shutil.rmtree(part, ignore_errors=True)
 
 
-def _write_table(db: sqlite3.Connection, table: str, path: Path) -> None:
+def require_pyarrow() -> None:
+    """Raises StoreError `parquet_missing` without pyarrow."""
+    try:
+        import pyarrow  # noqa: F401, PLC0415 - optional
+    except ImportError:
+        raise StoreError("parquet_missing") from None
+
+
+def write_columns(
+    path: Path, columns: Sequence[tuple[str, str]], batches: Iterable[Sequence[Sequence[Any]]]
+) -> None:
+    """Writes one Parquet file.
+
+    Args:
+        columns: name and type (docs/parquet.md) of each column.
+        batches: rows, of which each batch is a row group; none of them is empty.
+    """
     import pyarrow as pa  # noqa: PLC0415
     import pyarrow.parquet as pq  # noqa: PLC0415
 
-    kinds = [column.type for column in FILES[table]]
-    schema = pa.schema([(column.name, _type(column.type)) for column in FILES[table]])
+    schema = pa.schema([(name, _type(kind)) for name, kind in columns])
     with pq.ParquetWriter(path, schema, compression="zstd") as writer:
-        for rows in _batches(db, table):
+        for rows in batches:
             values = zip(*rows, strict=True)
-            columns = [
-                _array(list(column), kind) for column, kind in zip(values, kinds, strict=True)
+            arrays = [
+                _array(list(column), kind)
+                for column, (_, kind) in zip(values, columns, strict=True)
             ]
-            writer.write_table(pa.table(columns, schema=schema))
+            writer.write_table(pa.table(arrays, schema=schema))
 
 
 def _batches(db: sqlite3.Connection, table: str) -> Iterator[list[tuple[Any, ...]]]:

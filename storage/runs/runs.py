@@ -123,6 +123,10 @@ class Runs(Repository):
         query = "SELECT id FROM runs WHERE substr(id, 1, ?) = ? ORDER BY id DESC LIMIT 10"
         return [str(row["id"]) for row in self._rows(query, len(prefix), prefix)]
 
+    def ids(self) -> list[str]:
+        """Returns the ids of all runs, oldest first."""
+        return [str(row["id"]) for row in self._rows("SELECT id FROM runs ORDER BY id")]
+
     def events(self, run_id: str) -> list[Json]:
         """Returns all events but telemetry, as they were on the wire.
 

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from pinel_desktop.activities import check_files, choose_activity
+from pinel_desktop.processes.workers import Workers
 from tests.in_time import in_time
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
@@ -51,7 +52,7 @@ def when(condition: Callable[[], bool], then: Callable[[], None]) -> None:
 
 
 def test_a_process_that_dies_is_its_programs_failure_and_the_others_go_on(endless: str) -> None:
-    reports = check_files(choose_activity("square"), [endless, SQUARE, SQUARE], n_processes=2)
+    reports = check_files(choose_activity("square"), [endless, SQUARE, SQUARE], Workers(2))
     ready = [next(reports), next(reports)]
     kill_all()
     ready += reports
@@ -67,15 +68,13 @@ def test_a_process_that_dies_is_its_programs_failure_and_the_others_go_on(endles
 
 def test_programs_that_wait_get_another_process(endless: str) -> None:
     when(lambda: len(multiprocessing.active_children()) == 2, kill_all)
-    reports = dict(
-        check_files(choose_activity("square"), [endless, endless, SQUARE], n_processes=2)
-    )
+    reports = dict(check_files(choose_activity("square"), [endless, endless, SQUARE], Workers(2)))
     assert [reports[i].passed for i in range(3)] == [False, False, True]
 
 
 def test_all_processes_end_when_nobody_waits_any_more(endless: str) -> None:
     files = [SQUARE, *[endless] * 6]
-    reports = check_files(choose_activity("square"), files, n_processes=2)
+    reports = check_files(choose_activity("square"), files, Workers(2))
     assert next(reports)[1].passed
     started = time.monotonic()
     reports.close()  # type: ignore[attr-defined] # a generator

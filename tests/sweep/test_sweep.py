@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.activities import choose_activity
+from pinel_desktop.processes.workers import Workers
 from pinel_desktop.robot import SimulationConfig
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
@@ -51,8 +52,8 @@ def in_order(rows: Iterator[Row]) -> list[Row]:
 
 def test_rows_are_the_same_in_one_process_and_in_two() -> None:
     jobs = jobs_of("square", "empty_room", 6, n_poses=20)
-    alone = in_order(run_jobs(jobs, 1))
-    assert in_order(run_jobs(jobs, 2)) == alone
+    alone = in_order(run_jobs(jobs, Workers(1)))
+    assert in_order(run_jobs(jobs, Workers(2))) == alone
     assert [row.seed for row in alone] == list(range(6))
     assert len({row.telemetry_sha256 for row in alone}) == 6
 
@@ -168,7 +169,7 @@ def test_a_job_that_kills_its_processes_has_a_row_that_says_so() -> None:
 
 
 def test_closing_ends_the_processes_that_are_busy() -> None:
-    rows = run_jobs([*jobs_of("square", "empty_room", 1), endless(1), endless(2)], 2)
+    rows = run_jobs([*jobs_of("square", "empty_room", 1), endless(1), endless(2)], Workers(2))
     next(rows)
     started = time.monotonic()
     rows.close()  # type: ignore[attr-defined] # a generator

@@ -1,4 +1,4 @@
-"""Parameters of the simulated robot on the command line: `NAME=VALUE` and `NAME=LOW:HIGH`."""
+"""Parameters of the simulated robot on the command line: `NAME=VALUE`."""
 
 from collections.abc import Iterable
 
@@ -13,19 +13,21 @@ def chosen_parameters(typed: Iterable[str]) -> RobotParameters:
     """
     values: dict[str, float] = {}
     for text in typed:
-        name, value = _name_and_value(text, values)
-        values[name] = _number(value, text)
+        name, value = name_and_value(text, values)
+        values[name] = number_of(value, text)
     return robot_parameters_from(values)
 
 
-def _name_and_value(text: str, earlier: Iterable[str]) -> tuple[str, str]:
+def name_and_value(text: str, earlier: Iterable[str]) -> tuple[str, str]:
+    """Splits `NAME=VALUE`. Raises PinelError `robot_parameter_unclear`, also for an earlier name."""
     name, equals, value = (part.strip() for part in text.partition("="))
     if not equals or not name or name in earlier:
         raise PinelError("robot_parameter_unclear", value=text)
     return name, value
 
 
-def _number(text: str, typed: str) -> float:
+def number_of(text: str, typed: str) -> float:
+    """Reads a number that was typed in `typed`. Raises PinelError `robot_parameter_unclear`."""
     try:
         return float(text)
     except ValueError:

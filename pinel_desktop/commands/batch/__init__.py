@@ -1,0 +1,1 @@
+"""Commands for many runs: what they share, and `pinel sweep`."""

@@ -1,0 +1,35 @@
+"""Options of commands that run much: on processes of this PC, or on a Dask cluster."""
+
+from collections.abc import Callable
+from typing import Any
+
+import click
+
+from pinel_desktop.processes.workers import Workers
+
+
+def worker_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Adds the options of `chosen_workers`."""
+    for add in (
+        click.option(
+            "--dask",
+            metavar="tcp://HOST:PORT",
+            help="Scheduler of a Dask cluster that does the work instead (docs/district.md).",
+        ),
+        click.option(
+            "--workers",
+            "--processes",  # its name in releases before 0.3
+            "workers",
+            type=click.IntRange(1, 256),
+            help="Number of parallel processes; one per core by default.",
+        ),
+    ):
+        command = add(command)
+    return command
+
+
+def chosen_workers(workers: int | None, dask: str | None) -> Workers:
+    """Returns the choice. Raises click.UsageError for both options."""
+    if workers is not None and dask is not None:
+        raise click.UsageError("--workers and --dask cannot be combined")
+    return Workers(workers, dask)
