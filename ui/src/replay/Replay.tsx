@@ -10,6 +10,7 @@ import { SaveRunImage } from "../run_image/SaveRunImage";
 import { lazy } from "../shell/lazy";
 import { PresentButton } from "../shell/projector/PresentButton";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
+import { MeasuredRun } from "../truth/TruthLines";
 import { PlaybackControls } from "./PlaybackControls";
 import { ReplayFloor } from "./ReplayFloor";
 import { ReplayBlocks } from "./ReplayParts";
@@ -77,6 +78,7 @@ function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
         )}
       </div>
       <VerdictLine of={run} />
+      <MeasuredRun run={run} />
       {!forTeacher && <RunNotes runId={run.id} />}
       <ReplayBlocks run={run} view={playback.view} />
       {forTeacher && run.group_id && (

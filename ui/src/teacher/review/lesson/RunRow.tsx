@@ -11,6 +11,7 @@ import { useLoaded } from "../../../kit/requests/useLoaded";
 import { PresentButton } from "../../../shell/projector/PresentButton";
 import { hashOf } from "../../../shell/route";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
+import { TruthLines } from "../../../truth/TruthLines";
 import { outcomeOf } from "../model";
 import { OutcomeIcon } from "../OutcomeIcon";
 import {
@@ -43,6 +44,7 @@ export function RunRow({ entry, book, onAccepted }: RunRowProps) {
         {entry.unconfirmed && <p>{detail.unconfirmed[entry.unconfirmed]}</p>}
         {entry.message && outcome !== "stopped" && <p>{entry.message}</p>}
         <Repair entry={entry} book={book} />
+        <TruthLines run={entry.run_id} link={entry.link} />
         <Notes run={entry.run_id} />
       </div>
       <div class="run-line__links row rigid gap-2">
