@@ -19,6 +19,7 @@ import "./editor/editor.css";
 import "./editor/reader/reader.css";
 import "./studio/debug/debug.css";
 import "./scene/scene.css";
+import "./prediction/prediction.css";
 import "./run/panels/run.css";
 import "./studio/text/text.css";
 import "./plots/plots.css";

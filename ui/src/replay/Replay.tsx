@@ -12,6 +12,7 @@ import { PresentButton } from "../shell/projector/PresentButton";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
 import { MeasuredRun } from "../truth/TruthLines";
 import { PlaybackControls } from "./PlaybackControls";
+import { type Predicted, usePredicted } from "./predicted";
 import { ReplayFloor } from "./ReplayFloor";
 import { ReplayBlocks } from "./ReplayParts";
 import { RunNotes } from "./RunNotes";
@@ -44,19 +45,20 @@ export function Replay(properties: ReplayProps) {
 /** Floor, blocks and playback controls of a recorded run. */
 function Replayed({ recordedRun, onOpen }: ReplayProps) {
   const { playback, stretches, captures } = recordedRun;
+  const predicted = usePredicted(recordedRun);
   useEffect(() => soundOf(playback), [playback]);
   return (
     <main class="screen replay">
       <h1 class="visually-hidden">{texts.value.replay.title}</h1>
-      <ReplayProgram recordedRun={recordedRun} onOpen={onOpen} />
-      <ReplayFloor recordedRun={recordedRun} />
+      <ReplayProgram recordedRun={recordedRun} predicted={predicted} onOpen={onOpen} />
+      <ReplayFloor recordedRun={recordedRun} predicted={predicted} />
       <PlaybackControls playback={playback} tracks={[stretches]} answers={captures} />
     </main>
   );
 }
 
 /** The blocks of the run and the teacher's notes about it. */
-function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
+function ReplayProgram({ recordedRun, predicted, onOpen }: ReplayProps & { predicted: Predicted }) {
   const { run, playback } = recordedRun;
   const { replay } = texts.value;
   const what = run.version ? replay.readOnly : replay.noVersion;
@@ -80,7 +82,7 @@ function ReplayProgram({ recordedRun, onOpen }: ReplayProps) {
       <VerdictLine of={run} />
       <MeasuredRun run={run} />
       {!forTeacher && <RunNotes runId={run.id} />}
-      <ReplayBlocks run={run} view={playback.view} />
+      <ReplayBlocks run={run} view={playback.view} predicted={predicted} />
       {forTeacher && run.group_id && (
         <TeacherNote key={run.id} run={run.id} otherComputer={run.other_computer} />
       )}

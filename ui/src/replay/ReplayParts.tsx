@@ -10,6 +10,7 @@ import { StatusLine } from "../run/panels/StatusLine";
 import { activeBlockId, isLive, type RunView } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { theme } from "../shell/theme";
+import type { Predicted } from "./predicted";
 
 /** A recorded run and its state at the current tick. */
 export interface ReplayedRun {
@@ -66,11 +67,15 @@ export function ReplaySentence({ run, view, beginning }: ReplaySentenceProps) {
   return <StatusLine sentence={sentence.value} />;
 }
 
+interface ReplayBlocksProps extends ReplayedRun {
+  predicted?: Predicted;
+}
+
 /**
  * The blocks of the recorded version, with the running block highlighted and the failed one
  * outlined.
  */
-export function ReplayBlocks({ run, view }: ReplayedRun) {
+export function ReplayBlocks({ run, view, predicted }: ReplayBlocksProps) {
   const container = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor | null>(null);
 
@@ -88,7 +93,9 @@ export function ReplayBlocks({ run, view }: ReplayedRun) {
     made.setReadOnly(true);
     const stop = effect(() => {
       made.highlight(activeBlockId(view.value));
-      made.showAdvice([...adviceAt(run, view.value), ...failureIn(view.value, language.value)]);
+      const lacking = adviceAt(run, view.value);
+      const differing = lacking.length > 0 ? [] : (predicted?.advice.value ?? []);
+      made.showAdvice([...lacking, ...differing, ...failureIn(view.value, language.value)]);
     });
     return () => {
       stop();

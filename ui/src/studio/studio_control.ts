@@ -9,6 +9,7 @@ import { canonicalSign } from "../camera/signs";
 import type { Fault as BlockFault, Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { problemOf, Refused } from "../kit/requests/problem";
+import { followPrediction } from "../prediction/live_prediction";
 import { besideBlock, failureOf } from "../run/failure";
 import type { StoredProgram } from "../run/idle_parts";
 import { inspectedTick, shown } from "../run/inspected_tick";
@@ -156,6 +157,7 @@ export class StudioControl {
     const stops = [
       syncRunSettings(this.open, report),
       subscribeToRings(report),
+      followPrediction(),
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.activeBlockId.value)),
       effect(() => {

@@ -4,6 +4,8 @@ import { useEffect } from "preact/hooks";
 import { texts } from "../../i18n";
 import { PanelToggle } from "../../kit/PanelToggle";
 import { UndoBanner } from "../../kit/UndoBanner";
+import { livePrediction } from "../../prediction/live_prediction";
+import { PredictionLine } from "../../prediction/PredictionLine";
 import { shown } from "../../run/inspected_tick";
 import * as robot from "../../run/live";
 import { Readout } from "../../run/panels/Readout";
@@ -47,6 +49,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
     <section class="floor column shrinks shrinks-down gap-2" aria-label={texts.value.studio.floor}>
       <Controls control={control} />
       <Status control={control} />
+      <Predicted control={control} />
       <BeforeRun control={control} />
       {control.mine.value && chosenRobot.value && <AfterRun />}
       <Forgotten control={control} />
@@ -80,6 +83,13 @@ export function FloorPane({ control }: { control: StudioControl }) {
 
 function Status({ control }: { control: StudioControl }) {
   return <StatusLine sentence={control.sentence.value} />;
+}
+
+/** After a run on a real robot: what it did otherwise than predicted. */
+function Predicted({ control }: { control: StudioControl }) {
+  const isOver = useComputed(() => control.mine.value && !isLive(robot.live.value));
+  const { value: prediction } = livePrediction;
+  return isOver.value && prediction ? <PredictionLine prediction={prediction} /> : null;
 }
 
 /** Time strip of the last run. Its space is always there, so that the floor keeps its height. */

@@ -4,6 +4,8 @@ import { worldTitle } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { liveSource } from "../../plots/live_source";
+import { liveGhost } from "../../prediction/live_prediction";
+import { PredictionSwitch } from "../../prediction/PredictionSwitch";
 import { isNow, shown, shownPose } from "../../run/inspected_tick";
 import * as robot from "../../run/live";
 import type { Question } from "../../run/output";
@@ -92,6 +94,10 @@ export function Stage({ control, drawer }: StageProps) {
 
 /** The floor of the live run, or of the moment that the group looks at. */
 function StudioFloor({ control }: { control: StudioControl }) {
+  const companion = useComputed(
+    () =>
+      control.ghost.companion.value ?? (control.mine.value ? liveGhost(control.world.value) : null),
+  );
   return (
     <Scene
       world={control.world.value}
@@ -100,7 +106,7 @@ function StudioFloor({ control }: { control: StudioControl }) {
       view={shown}
       poseAt={shownPose}
       whole={robot.live}
-      companion={control.ghost.companion}
+      companion={companion}
       hold={control.hold}
       playing={isNow}
       solved={useSolved(control)}
@@ -146,6 +152,7 @@ function RoomCorner({ control }: { control: StudioControl }) {
     <div class="floor__corner">
       <RobotChoice />
       <RoomStatus />
+      <PredictionSwitch />
       <MuteButton view={robot.live} expected={control.beeps.value} live />
     </div>
   );

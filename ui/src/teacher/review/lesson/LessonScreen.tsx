@@ -12,6 +12,7 @@ import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { EmptyList } from "../EmptyList";
 import { Refresh } from "../Refresh";
 import { TipBubble } from "../timeline_entries/TipBubble";
+import { useUnusualRuns } from "../unusual_runs";
 import { Explanations } from "./Explanations";
 import { GroupList } from "./GroupList";
 import { Legend } from "./Legend";
@@ -35,6 +36,7 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
   // reloads without a loading state, so that open rows do not move; after a failure, the next poll tries again
   const reload = () => loadLesson(lessonId).then(page.set, () => {});
   usePolling(reload, { isOn: isWaiting });
+  useUnusualRuns();
   useEffect(() => {
     document.documentElement.dataset.page = "lesson"; // for print.css
     return () => {

@@ -21,6 +21,7 @@ import {
   type TimelineIndex,
 } from "../timeline_entries/timeline_texts";
 import { differenceOf } from "../timeline_entries/version_differences";
+import { UnusualLine } from "../UnusualLine";
 
 interface RunRowProps {
   entry: TimelineEntry;
@@ -43,6 +44,7 @@ export function RunRow({ entry, book, onAccepted }: RunRowProps) {
         </p>
         {entry.unconfirmed && <p>{detail.unconfirmed[entry.unconfirmed]}</p>}
         {entry.message && outcome !== "stopped" && <p>{entry.message}</p>}
+        <UnusualLine run={entry.run_id} />
         <Repair entry={entry} book={book} />
         <TruthLines run={entry.run_id} link={entry.link} />
         <Notes run={entry.run_id} />

@@ -9,6 +9,7 @@ import { hashOf } from "../../../shell/route";
 import { worldLabel } from "../../../versions/setup_texts";
 import { outcomeOf, type RunOutcome } from "../model";
 import { OutcomeIcon } from "../OutcomeIcon";
+import { UnusualLine } from "../UnusualLine";
 
 /** Outcomes with a shorter text on cards. */
 const SHORT: Partial<
@@ -69,6 +70,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
             </span>
           )}
           <span class="work-card__line">{name}</span>
+          <UnusualLine run={run.id} />
           <span class="work-card__line run-card__place" title={place} data-testid="history-place">
             {place}
           </span>

@@ -8,6 +8,7 @@ import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { BackToLessons } from "../BackToLessons";
 import { EmptyList } from "../EmptyList";
 import { Refresh } from "../Refresh";
+import { useUnusualRuns } from "../unusual_runs";
 import { ChosenRuns } from "./ChosenRuns";
 import { HistoryCard } from "./HistoryCard";
 import { RunFilters } from "./RunFilters";
@@ -25,6 +26,7 @@ export function RunsScreen() {
 function Runs() {
   const { runs: labels } = texts.value.review;
   const { list, older } = useRunList();
+  useUnusualRuns();
   const choices = useTeacherLoaded(language.value, loadFilterChoices);
   const main = useScrollPosition(left, list.status === "ready");
   return (

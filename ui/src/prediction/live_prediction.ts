@@ -1,0 +1,57 @@
+import { computed, effect, signal } from "@preact/signals";
+import type { RunPrediction, World } from "../api/model";
+import { predictionsApi } from "../api/predictions";
+import { shown } from "../run/inspected_tick";
+import { live, liveRun } from "../run/live";
+import { record } from "../run/live_record";
+import { SIMULATOR } from "../run/real/real_robot";
+import { isLive } from "../run/reducer";
+import type { Companion } from "../scene/companion";
+import { robotOf } from "../shell/session";
+import { ghostOf } from "./ghost";
+import { isPredictionShown } from "./shown";
+
+/** The prediction of the live run or of the last one; null in the simulator, and until it is computed. */
+export const livePrediction = signal<RunPrediction | null>(null);
+
+/** The run on a real robot that the page shows; null for none. */
+const realRun = computed(() => {
+  const { value: run } = liveRun;
+  return run && run.link !== SIMULATOR && run.id === live.value.run ? run.id : null;
+});
+
+/** Changes with each input that a person gives, and at the end of the run. */
+const inputs = computed(() => {
+  const { captured, output } = live.value;
+  const answers = output.talk.filter(({ kind }) => kind === "answered").at(-1)?.number;
+  return `${captured?.tick} ${answers} ${isLive(live.value)}`;
+});
+
+/** Asks for the prediction of each run on a real robot, and again when it can go on; returns its end. */
+export function followPrediction(): () => void {
+  let followed: string | null = null;
+  return effect(() => {
+    const run = realRun.value;
+    inputs.value;
+    if (run === followed && livePrediction.peek()?.awaits_input === false && isLive(live.peek()))
+      return;
+    if (run !== followed) livePrediction.value = null;
+    followed = run;
+    if (run) void load(run, () => followed === run);
+  });
+}
+
+/** Without a prediction, such as one that the judge's process lost, the run goes on without its ghost. */
+async function load(run: string, isFollowed: () => boolean): Promise<void> {
+  const prediction = await predictionsApi.of(run).catch(() => null);
+  if (prediction && isFollowed()) livePrediction.value = prediction;
+}
+
+/** The ghost of the live run, or at the moment of it that the group looks at; `world` has its start. */
+export function liveGhost(world: World | null): Companion | null {
+  const { value: prediction } = livePrediction;
+  if (!prediction || !isPredictionShown.value || !realRun.value) return null;
+  const robot = robotOf(liveRun.value?.model);
+  const { stretches } = record;
+  return ghostOf({ prediction, world, robot, stretches, tick: shown.value.tick });
+}

@@ -1,0 +1,4 @@
+import { signal } from "@preact/signals";
+
+/** Whether predictions are drawn over real runs. */
+export const isPredictionShown = signal(true);
