@@ -14,6 +14,7 @@ _COMMANDS = {
     "python": "Print a program as Python text.",
     "check": "Check whether programs fulfil an activity.",
     "runs": "List, show and verify recorded runs.",
+    "calibrate": "Learn the errors of a real robot from its runs.",
     "export": "Write all work, or a part of it, into one file.",
     "merge": "Bring in the work of other PCs.",
     "salvage": "Bring in what is still readable of a damaged file.",

@@ -2,29 +2,13 @@
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from pinel_desktop.runs.truth import TruePose
+
 Floats = npt.NDArray[np.float64]
-
-
-class TruePose(NamedTuple):
-    """A measured true pose of the robot at a tick.
-
-    Attributes:
-        tick: the tick of the run; 0 is the start.
-        x_m, y_m, heading_rad: the pose in the start frame.
-        sd_m, sd_rad: standard deviations of each coordinate and of the heading.
-    """
-
-    tick: int
-    x_m: float
-    y_m: float
-    heading_rad: float
-    sd_m: float
-    sd_rad: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,13 +19,19 @@ class Drive:
         odometry: (n + 1, 3) x, y in m and heading in rad by wheel odometry at ticks 0 to n; the first row is the start.
         velocity: (n + 1, 2) measured v in m/s and omega in rad/s.
         command: (n + 1, 2) commanded v and omega from each tick on.
-        truth: true poses by tick, without the start.
+        truth: true poses in the order of their ticks, without the start.
     """
 
     odometry: Floats
     velocity: Floats
     command: Floats
     truth: tuple[TruePose, ...]
+
+    @property
+    def end(self) -> TruePose | None:
+        """The true pose after the run, or at its last tick; None for neither."""
+        last = self.truth[-1] if self.truth else None
+        return last if last and last.tick in (None, len(self.odometry) - 1) else None
 
     def wheel_distances(self, track_m: float) -> Floats:
         """Returns the distances in m that the left and the right wheel counted in each tick, (n, 2).

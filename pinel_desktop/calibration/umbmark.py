@@ -11,6 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from pinel_desktop.calibration.drive import Drive
+
+_TOLERANCE = 0.1  # of the shape of a square, relative to its side, and of one turn in rad times two
+
 
 class SquareErrors(NamedTuple):
     """Systematic errors of a robot.
@@ -50,3 +54,27 @@ def umbmark(
         track_ratio=(math.pi / 2.0) / (math.pi / 2.0 + alpha),
         worst_m=max(math.hypot(left_x, left_y), math.hypot(right_x, right_y)),
     )
+
+
+def umbmark_of(drives: Sequence[Drive], track_m: float) -> SquareErrors | None:
+    """Returns the errors by the runs that are squares; None without squares of one size in both directions."""
+    squares = [(_square_side(drive, track_m), drive.end) for drive in drives]
+    sides = [abs(side) for side, end in squares if side and end]
+    if not sides or max(sides) - min(sides) > _TOLERANCE * max(sides):
+        return None
+    left = [end.pose[:2] for side, end in squares if side > 0 and end]
+    right = [end.pose[:2] for side, end in squares if side < 0 and end]
+    return umbmark(left, right, float(np.mean(sides)), track_m) if left and right else None
+
+
+def _square_side(drive: Drive, track_m: float) -> float:
+    """Returns the side of a run that is a square by its odometry, negative to the right; 0 for another run."""
+    left, right = drive.wheel_distances(track_m).T
+    turned, side = float(np.sum(right - left)) / track_m, float(np.abs(left + right).sum()) / 8.0
+    away = np.hypot(drive.odometry[:, 0], drive.odometry[:, 1])
+    is_square = (
+        abs(abs(turned) - math.tau) < 2.0 * _TOLERANCE
+        and away[-1] < _TOLERANCE * side
+        and abs(away.max() - math.sqrt(2.0) * side) < _TOLERANCE * side
+    )
+    return math.copysign(side, turned) if is_square else 0.0

@@ -13,9 +13,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pinel_desktop.calibration.drive import Drive, Floats, TruePose
+from pinel_desktop.calibration.drive import Drive, Floats
 from pinel_desktop.calibration.estimate import Estimate, estimate, unknown
 from pinel_desktop.calibration.least_squares import jacobian, least_squares
+from pinel_desktop.runs.truth import TruePose
 
 # relative noise of a wheel's distance in a tick: the range that is searched, and the value if the poses cannot tell it
 _NOISE_RANGE = (1e-3, 0.2)
@@ -148,15 +149,27 @@ def _filtered(
         pose, covariance = _predicted(
             pose, covariance, distances[begun : measured.tick], parameters, noise
         )
-        begun = measured.tick
-        error = np.array([measured.x_m, measured.y_m, measured.heading_rad]) - pose
+        begun = len(distances) if measured.tick is None else measured.tick
+        error = np.array(measured.pose) - pose
         error[2] = (error[2] + math.pi) % (2.0 * math.pi) - math.pi
-        spread = covariance + np.diag([measured.sd_m**2, measured.sd_m**2, measured.sd_rad**2])
+        sigmas: Floats = np.array([measured.sigma_m, measured.sigma_m, measured.sigma_rad])
+        spread: Floats = covariance + np.diag(sigmas**2)
         lower = np.linalg.cholesky(spread)
         yield np.linalg.solve(lower, error), 2.0 * float(np.log(np.diag(lower)).sum())
         gain = covariance @ np.linalg.inv(spread)
         pose, covariance = pose + gain @ error, covariance - gain @ covariance
         covariance = (covariance + covariance.T) / 2.0
+
+
+def predicted_end(drive: Drive, wheels: WheelCalibration, track_m: float) -> tuple[Floats, Floats]:
+    """Returns the pose at the end of a run by its odometry and calibrated wheels, and its covariance by slip.
+
+    Args:
+        track_m: the track with which the robot computes its odometry.
+    """
+    parameters = np.array([wheels.scale.value, wheels.difference.value, wheels.track_m.value])
+    distances = drive.wheel_distances(track_m)
+    return _predicted(np.zeros(3), np.zeros((3, 3)), distances, parameters, wheels.wheel_noise)
 
 
 def _predicted(

@@ -61,7 +61,7 @@ def list_runs(ctx: click.Context, limit: int, as_json: bool) -> None:
 def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
     """Show one run. RUN is its id, or a unique prefix of it."""
     with opened_for_reading(chosen_database(ctx)) as store:
-        row = _find_run(store, run)
+        row = find_run(store, run)
         n_events = len(store.runs.events(row.id))
     if as_json:
         click.echo(json.dumps({**_as_object(row), "n_events": n_events}, ensure_ascii=False))
@@ -107,7 +107,7 @@ def _verify_one(ctx: click.Context, run: str, as_json: bool) -> NoReturn:
     from pinel_desktop.runs.verification import verify_run  # noqa: PLC0415 - imports the simulator
 
     with opened_for_reading(chosen_database(ctx)) as store:
-        row = _find_run(store, run)
+        row = find_run(store, run)
         verdict = verify_run(store, row)
     if as_json:
         click.echo(json.dumps({"run": row.id, **asdict(verdict)}))
@@ -138,7 +138,8 @@ def _as_text(verdict: "VerificationResult", row: RunRow) -> tuple[str, dict[str,
     }
 
 
-def _find_run(store: Store, run: str) -> RunRow:
+def find_run(store: Store, run: str) -> RunRow:
+    """Returns the run with this id or unique prefix. Raises StoreError `run_not_found`, PinelError `run_ambiguous`."""
     prefix = run.strip().lower()
     ids = store.runs.ids_beginning_with(prefix) if _ID.fullmatch(prefix) else []
     if not ids:

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pinel_desktop.calibration import Drive, TruePose
+from pinel_desktop.calibration import Drive
 from pinel_desktop.events.model import Event, Telemetry
 from pinel_desktop.program.sources import read_source
-from pinel_desktop.robot import RobotParameters, SimulationConfig
+from pinel_desktop.robot import Pose2D, RobotParameters, SimulationConfig
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
+from pinel_desktop.runs.truth import TruePose
 
 # a line, and squares in both directions: together they tell every parameter, even by a tape
 LINE = "robot.move_forward(1.8)\n"
@@ -82,10 +83,12 @@ def _measured(
         assert row.true_yaw_rad is not None
         found.append(
             TruePose(
-                tick,
-                row.true_x_m + bad * dice.gauss(0.0, sd_m),
-                row.true_y_m + bad * dice.gauss(0.0, sd_m),
-                row.true_yaw_rad + bad * dice.gauss(0.0, sd_rad),
+                None if by == "tape" else tick,
+                Pose2D(
+                    row.true_x_m + bad * dice.gauss(0.0, sd_m),
+                    row.true_y_m + bad * dice.gauss(0.0, sd_m),
+                    row.true_yaw_rad + bad * dice.gauss(0.0, sd_rad),
+                ),
                 sd_m,
                 sd_rad,
             )

@@ -42,6 +42,7 @@ def test_the_hidden_errors_are_found(by: str) -> None:
 
 
 @pytest.mark.nightly
+@pytest.mark.timeout(3600)
 @pytest.mark.parametrize("by", ["camera", "tape"])
 def test_intervals_cover_the_truth_in_at_least_90_of_100(by: str) -> None:
     covered = dict.fromkeys(_KNOWN_BY_TRUTH, 0)
