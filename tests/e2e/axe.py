@@ -8,22 +8,11 @@ from playwright.sync_api import Locator, Page
 from tests.e2e.studio import Studio
 
 AXE = Path(__file__).parents[2] / "ui" / "node_modules" / "axe-core" / "axe.min.js"
-# Blockly's toolbox and blocks have roles whose children axe does not recognise
-BLOCKLYS = {
-    "aria-required-children",
-    "aria-valid-attr-value",
-    "aria-required-parent",
-    "nested-interactive",
-    "scrollable-region-focusable",
-    "svg-img-alt",
-    "aria-allowed-attr",
-    "region",
-}
 THEMES = {"light", "dark", "contrast"}
 
 
 def violations(studio: Studio, shows: str | Locator, *, every_theme: bool = True) -> list[str]:
-    """Returns axe's violations except in Blockly's own elements; restores the theme.
+    """Returns axe's violations, those in Blockly's elements too; restores the theme.
 
     Args:
         shows: an element that only this screen shows, as for `wait_for_screen`.
@@ -57,7 +46,6 @@ def _found(page: Page, options: str) -> list[str]:
         f"{_theme(page)}, {one['id']}: {node['html'][:160]} {node['failureSummary'][-160:]}"
         for one in answer["violations"]
         for node in one["nodes"]
-        if not (one["id"] in BLOCKLYS and _is_blocklys(page, node["target"][0]))
     ]
 
 
@@ -70,11 +58,3 @@ def _next_theme(page: Page) -> str:
     """Switches the theme without the pointer, which would close open panels."""
     page.get_by_test_id("theme").evaluate("(button) => button.click()")
     return _theme(page)
-
-
-def _is_blocklys(page: Page, selector: str) -> bool:
-    inside: bool = page.evaluate(
-        "([found, areas]) => !!document.querySelector(found)?.closest(areas)",
-        [selector, ".injectionDiv, .blocklyWidgetDiv, .blocklyDropDownDiv, .blocklyComputeCanvas"],
-    )
-    return inside

@@ -1,4 +1,5 @@
 import * as Blockly from "blockly/core";
+import { showPaletteRole } from "./palette_roles";
 
 /**
  * Scale and width of a pinned flyout: every block of the first level fits, and half of the pane
@@ -11,6 +12,11 @@ const STAYING_WIDTH_PX = 284;
 class PinelFlyout extends Blockly.VerticalFlyout {
   override getFlyoutScale(): number {
     return this.autoClose ? super.getFlyoutScale() : STAYING_SCALE;
+  }
+
+  protected override updateAriaContext(): void {
+    super.updateAriaContext();
+    showPaletteRole(this.workspace_.getCanvas());
   }
 
   protected override reflowInternal_(): void {

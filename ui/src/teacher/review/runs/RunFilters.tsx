@@ -9,6 +9,7 @@ import { Select, type SelectOption } from "../../../kit/Select";
 import { withDistinctNames } from "../../../shell/namesakes";
 import { worlds } from "../../../shell/session";
 import { dateAndTime } from "../../time_format";
+import { DayField } from "./DayField";
 import { type FilterChoices, NO_FILTER } from "./run_list";
 
 const OUTCOMES = ["passed", "not_passed", "finished", "stopped", "failed"] as const;
@@ -47,7 +48,12 @@ export function RunFilters({ filter, choices }: RunFiltersProps) {
         options={choices.activities.map(({ name, title }) => [name, title])}
       />
       <SelectFilter {...props} name="world" all={labels.allGroups} options={worldOptions()} />
-      <DayFilter filter={filter} />
+      <DayField
+        value={filter.value.day}
+        onDay={(day) => {
+          filter.value = { ...filter.value, day };
+        }}
+      />
       <SelectFilter
         {...props}
         name="outcome"
@@ -122,26 +128,6 @@ function SelectFilter({ filter, name, all, options }: SelectFilterProps) {
           // the filters of group and lesson depend on the class
           const ofClass = name === "classroom" ? { group: "", lesson: "" } : {};
           filter.value = { ...filter.value, ...ofClass, [name]: chosen };
-        }}
-      />
-    </label>
-  );
-}
-
-function DayFilter({ filter }: Pick<RunFiltersProps, "filter">) {
-  const { day } = filter.value;
-  return (
-    <label class="filters__one">
-      <span>{texts.value.review.runs.day}</span>
-      <input
-        type="date"
-        class="filters__day"
-        value={day}
-        data-testid="history-filter"
-        data-name="day"
-        data-on={day !== ""}
-        onChange={(event) => {
-          filter.value = { ...filter.value, day: event.currentTarget.value };
         }}
       />
     </label>
