@@ -33,7 +33,7 @@ export function drawBundle(
   ctx.save();
   ctx.lineJoin = "round";
   ctx.lineWidth = LINE_PX * pixel;
-  ctx.globalAlpha = isFaint ? 0.15 : 0.5;
+  ctx.globalAlpha = isFaint ? 0.08 : 0.5;
   for (const { path, well } of ordered) {
     ctx.strokeStyle = well ? colours.path : colours.markX;
     ctx.setLineDash(well ? [] : [6 * pixel, 4 * pixel]);
@@ -42,7 +42,7 @@ export function drawBundle(
     ctx.stroke();
   }
   ctx.setLineDash([]);
-  ctx.globalAlpha = isFaint ? 0.35 : 1;
+  ctx.globalAlpha = isFaint ? 0.25 : 1;
   for (const one of ordered) drawEnd(ctx, one, pixel, colours);
   ctx.restore();
 }

@@ -26,9 +26,9 @@ import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { valueText } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
-import { shownRanges, subscribeToRings } from "../scene/tools/sensor_rings";
+import { subscribeToRings } from "../scene/tools/sensor_rings";
 import { level } from "../shell/level";
-import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
+import { judged, problem, report, robotOf } from "../shell/session";
 import { CloudControl } from "./cloud/cloud_control";
 import { breakpoints, runSettings, syncRunSettings } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
@@ -38,9 +38,15 @@ import type { OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
 import { setupOf } from "./program/setup";
 import { StoredUndo } from "./program/stored_undo";
-import { StartChoice } from "./start_choice";
+import { holdOf, StartChoice } from "./start_choice";
 import { stopRobot } from "./stop_robot";
-import { pastSentence, withReturnAdvice } from "./studio_sentence";
+import {
+  beforeRunSentence,
+  calm,
+  pastSentence,
+  serverSentence,
+  withReturnAdvice,
+} from "./studio_sentence";
 import { WorldControl } from "./world_control";
 
 const POINTING_MS = 2500;
@@ -115,6 +121,7 @@ export class StudioControl {
     this.missionSheet = new MissionSheet(open, this.mine);
     this.worlds = new WorldControl(open);
     this.start = new StartChoice(open, this.worlds);
+    this.hold = holdOf(this.start, this.robot);
   }
 
   /** The world of the current or next run. */
@@ -137,23 +144,7 @@ export class StudioControl {
   readonly cloud = new CloudControl(this);
 
   /** Handling of the robot on the floor: dragging, sensors. */
-  readonly hold: RobotHold = {
-    grip: computed(() => {
-      const { start } = this;
-      return {
-        world: start.world.value,
-        here: start.hereNow.value,
-        isAtStart: robot.live.value.phase === "idle" && start.hereNow.value !== null,
-        put: (newStart) => start.put(newStart),
-      };
-    }),
-    canReset: computed(() => this.start.canReset.value),
-    ranges: shownRanges(
-      () => this.world.value,
-      () => this.robot.value,
-    ),
-    again: () => this.start.again(),
-  };
+  readonly hold: RobotHold;
 
   /** Connects an editor to the program; returns the function that disconnects it. */
   attach(editor: Editor): () => void {
@@ -368,7 +359,6 @@ export class StudioControl {
         parameterIn(this.documentThatRuns(), pointer, name),
       program: this.programThatRuns(),
     };
-    const calm = (text: string): Sentence => ({ text, detail: "", tone: "calm" });
     if (inspectedTick.value && this.mine.value) return pastSentence(context) ?? calm(status.ready);
     if (isLive(view) && view.run && !this.mine.value) {
       return { text: run.other, detail: "", tone: "notice" };
@@ -382,21 +372,8 @@ export class StudioControl {
       const now = sentenceOf(view, context) ?? calm(status.ready);
       return this.edited.value ? { ...now, detail: status.nextRun } : now;
     }
-    if (this.open.autosave.state.value === "failed") {
-      return { text: status.unsaved, detail: "", tone: "notice" };
-    }
-    const { value: deleted } = this.open.deleted;
-    if (deleted) return { text: texts.value.trouble.deleted[deleted], detail: "", tone: "notice" };
-    const faults = this.open.faults.value.length;
-    if (faults > 0) return { text: status.faults({ count: faults }), detail: "", tone: "notice" };
-    if (this.worlds.isFaulty.value) {
-      return { text: texts.value.world.faulty, detail: "", tone: "notice" };
-    }
-    if (this.open.isEmpty) {
-      return this.asked.value
-        ? { text: status.emptyRun, detail: "", tone: "notice" }
-        : calm(status.empty);
-    }
+    const before = beforeRunSentence(this.open, this.worlds, this.asked.value);
+    if (before) return before;
     const ended = this.mine.value ? sentenceOf(view, context) : null;
     const isOutdated = this.edited.value && ended !== null && ended.tone !== "done";
     if (ended && !isOutdated)
@@ -406,10 +383,8 @@ export class StudioControl {
           this.failedBlock.value,
         ),
       );
-    if (connection.value === "gone") return calm(texts.value.trouble.goneTitle);
-    if (connection.value === "open" && engine.value !== "ready") {
-      return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
-    }
+    const missing = serverSentence();
+    if (missing) return missing;
     const over = view.ending && !this.mine.value ? run.otherEnded : status.ready;
     return lacking ?? withReturnAdvice(calm(over));
   }
