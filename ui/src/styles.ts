@@ -21,6 +21,7 @@ import "./studio/debug/debug.css";
 import "./scene/scene.css";
 import "./prediction/prediction.css";
 import "./run/panels/run.css";
+import "./studio/cloud/cloud.css";
 import "./studio/text/text.css";
 import "./plots/plots.css";
 import "./studio/studio.css";

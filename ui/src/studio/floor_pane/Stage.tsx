@@ -107,6 +107,8 @@ function StudioFloor({ control }: { control: StudioControl }) {
       poseAt={shownPose}
       whole={robot.live}
       companion={companion}
+      bundle={control.cloud.bundle}
+      onPath={control.seeRobot}
       hold={control.hold}
       playing={isNow}
       solved={useSolved(control)}
