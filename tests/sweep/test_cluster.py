@@ -17,6 +17,7 @@ from pinel_desktop.processes.cluster import Cluster
 from pinel_desktop.processes.versions import versions
 from pinel_desktop.processes.workers import Workers
 from pinel_desktop.sweep import Job, Row, run_jobs
+from tests.commands.typed import pinel
 from tests.sweep.dask_cluster import DaskCluster, dask_cluster
 from tests.sweep.test_sweep import PROGRAMS, in_order, jobs_of
 
@@ -78,6 +79,28 @@ def test_programs_are_checked_on_a_cluster(three: DaskCluster) -> None:
     assert here == reports
 
 
+def test_sweep_and_verification_give_the_same_on_a_cluster(
+    three: DaskCluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PINEL_HOME", str(tmp_path))
+    square, here, there = (
+        str(PROGRAMS / "square.json"),
+        tmp_path / "here.csv",
+        tmp_path / "there.csv",
+    )
+    sweep = ("sweep", square, "--seeds", "6", "--vary", "track_m=0.32:0.34")
+    assert pinel(*sweep, "--workers", "1", "--out", str(here)).exit_code == 0
+    assert pinel(*sweep, "--dask", three.address, "--out", str(there)).exit_code == 0
+    assert here.read_bytes() == there.read_bytes()
+    for seed in ("1", "2"):
+        pinel("run", square, "--preset", "realistic", "--seed", seed)
+    verify = ("runs", "verify", "--all", "--json")
+    alone, many = (pinel(*verify, *on) for on in (("--workers", "1"), ("--dask", three.address)))
+    assert (alone.exit_code, many.exit_code) == (0, 0)
+    assert alone.stdout == many.stdout
+    assert alone.stdout.count("identical") == 2
+
+
 def test_closing_leaves_the_cluster_free_for_others(three: DaskCluster) -> None:
     rows = run_jobs(jobs(200), Workers(cluster=three.address))
     next(rows)
@@ -122,8 +145,8 @@ def test_cluster_without_workers_is_named(tmp_path: Path) -> None:
 
 def test_worker_of_another_release_is_refused_before_work(tmp_path: Path) -> None:
     other = "import pinel_desktop; pinel_desktop.__version__ = '0.0.1'"
-    with dask_cluster(tmp_path, 1, before=other) as strange:
-        error = refusal(strange.address)
+    with dask_cluster(tmp_path, 1, before=other) as other_release:
+        error = refusal(other_release.address)
     assert error.code == "cluster_other_version"
     assert (error.params["part"], error.params["found"]) == ("pinel", "0.0.1")
     assert str(error.params["worker"]).startswith("tcp://127.0.0.1:")
@@ -131,8 +154,8 @@ def test_worker_of_another_release_is_refused_before_work(tmp_path: Path) -> Non
 
 def test_worker_without_pinel_is_refused_before_work(tmp_path: Path) -> None:
     without = "import sys; sys.modules['pinel_desktop'] = None"
-    with dask_cluster(tmp_path, 1, before=without) as strange:
-        error = refusal(strange.address)
+    with dask_cluster(tmp_path, 1, before=without) as other_release:
+        error = refusal(other_release.address)
     assert (error.code, error.params["found"]) == ("cluster_other_version", "?")
 
 
@@ -153,7 +176,7 @@ def test_worker_of_another_release_that_joins_later_is_refused(
 def test_cluster_that_loses_all_its_workers_is_named(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(cluster, "_SILENT_S", 2)
+    monkeypatch.setattr(cluster, "_RESULT_TIMEOUT_S", 2)
     with dask_cluster(tmp_path, 1) as brief:
         rows = run_jobs(jobs(400), Workers(cluster=brief.address))
         next(rows)

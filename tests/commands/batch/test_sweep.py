@@ -74,9 +74,9 @@ def test_summary_says_how_many_went_well_and_where_the_others_did_not(tmp_path: 
     assert (summary["n_runs"], summary["success"], summary["n_collided"]) == (4, 0.5, 2)
     assert [one["success"] for one in summary["groups"]] == [1.0, 0.0]
     assert summary["reasons"][0]["cause"] == "collision"
-    told = sweep(tmp_path / "again.csv", SQUARE, HIT, "--seeds", "2").stdout
-    assert "went well       50.0% (2)" in told
-    assert "not well        2 times: collision" in told
+    printed = sweep(tmp_path / "again.csv", SQUARE, HIT, "--seeds", "2").stdout
+    assert "went well       50.0% (2)" in printed
+    assert "not well        2 times: collision" in printed
 
 
 def test_activity_judges_each_run_in_its_world(tmp_path: Path) -> None:
@@ -141,20 +141,40 @@ def test_killed_sweep_goes_on_without_a_run_twice(
     assert 2 <= n_done < 100
     with (tmp_path / "runs.csv.rows").open("ab") as journal:
         journal.write(b'{"index": 99, "program": "torn by the ki')
-    begun: list[int] = []
-    count_jobs(monkeypatch, begun)
+    started: list[int] = []
+    count_jobs(monkeypatch, started)
     assert sweep(out, *arguments).exit_code == 0
-    assert len(begun) == 100 - n_done
+    assert len(started) == 100 - n_done
     assert sweep(whole, *arguments).exit_code == 0
     assert out.read_bytes() == whole.read_bytes()
 
 
-def count_jobs(monkeypatch: pytest.MonkeyPatch, begun: list[int]) -> None:
+def count_jobs(monkeypatch: pytest.MonkeyPatch, started: list[int]) -> None:
     def counted(job: Job) -> Row:
-        begun.append(job.index)
+        started.append(job.index)
         return run_job(job)
 
     monkeypatch.setattr("pinel_desktop.sweep.executors.run_job", counted)
+
+
+def test_ctrl_c_says_how_to_go_on(tmp_path: Path) -> None:
+    out = tmp_path / "runs.csv"
+    # a shell makes its background commands ignore Ctrl-C
+    program = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler);"
+        "from pinel_desktop.__main__ import main; main()"
+    )
+    options = [SQUARE, "--seeds", "300", "--workers", "2", "--out", str(out)]
+    process = subprocess.Popen(
+        [sys.executable, "-c", program, "sweep", *options], stderr=subprocess.PIPE, text=True
+    )
+    while process.poll() is None and not out.with_name("runs.csv.rows").exists():
+        time.sleep(0.01)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "of 300 runs are done" in said
+    assert "The same command goes on from there." in said
 
 
 def test_line_that_a_disk_damaged_is_done_again(tmp_path: Path) -> None:
