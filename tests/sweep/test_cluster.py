@@ -1,6 +1,7 @@
 """A Dask cluster gives the rows that one process gives, and names what is wrong with it."""
 
 import os
+import signal
 import socket
 import time
 from collections.abc import Iterator
@@ -14,6 +15,7 @@ from pinel_desktop.activities import check_files, choose_activity
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import cluster
 from pinel_desktop.processes.cluster import Cluster
+from pinel_desktop.processes.pool import ProcessDied
 from pinel_desktop.processes.versions import versions
 from pinel_desktop.processes.workers import Workers
 from pinel_desktop.sweep import Job, Row, run_jobs
@@ -104,7 +106,7 @@ def test_sweep_and_verification_give_the_same_on_a_cluster(
 def test_closing_leaves_the_cluster_free_for_others(three: DaskCluster) -> None:
     rows = run_jobs(jobs(200), Workers(cluster=three.address))
     next(rows)
-    rows.close()  # type: ignore[attr-defined] # a generator
+    rows.close()
     assert len(list(run_jobs(jobs(2), Workers(cluster=three.address)))) == 2
 
 
@@ -171,6 +173,42 @@ def test_worker_of_another_release_that_joins_later_is_refused(
     finally:
         connected.end()
     assert (caught.value.code, caught.value.params["own"]) == ("cluster_other_version", "1.0")
+
+
+def test_task_that_kills_its_workers_has_died_and_the_others_are_done(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES", "0")  # 3 by default
+    with dask_cluster(tmp_path, 2) as brief:
+        with_all_workers(brief)
+        connected = Cluster(kill_this_worker, brief.address)
+        try:
+            assert list(connected.results(["kill"])) == [("kill", ProcessDied(None))]
+            assert list(connected.results(["other"])) == [("other", "other")]
+        finally:
+            connected.end()
+
+
+def kill_this_worker(task: str) -> str:
+    """A task of tests."""
+    if task == "kill":
+        os.kill(os.getpid(), signal.SIGKILL)
+    return task
+
+
+def test_defect_of_a_task_is_named(three: DaskCluster) -> None:
+    connected = Cluster(fail, three.address)
+    try:
+        with pytest.raises(PinelError) as caught:
+            list(connected.results([1, 2]))
+    finally:
+        connected.end()
+    assert (caught.value.code, caught.value.params["detail"]) == ("cluster_failed", "ValueError: 1")
+
+
+def fail(task: int) -> None:
+    """A task of tests."""
+    raise ValueError(1)
 
 
 def test_cluster_that_loses_all_its_workers_is_named(
