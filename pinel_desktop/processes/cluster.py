@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 R = TypeVar("R")
 _CONNECT_S = 5  # until a cluster without scheduler or workers is named
-_SILENT_S = 20  # without a result, until the cluster is asked whether it has workers
+_RESULT_TIMEOUT_S = 20  # without a result, until the cluster is asked whether it has workers
 # Submitted tasks: at least so many, and so many for each thread of the workers. None is idle while a result travels,
 # and a million tasks need no memory.
 _MIN_SUBMITTED, _SUBMITTED_PER_THREAD = 64, 8
@@ -94,10 +94,10 @@ class Cluster(Generic[T, R]):
         from distributed import wait  # noqa: PLC0415 - the extra `cluster`
 
         try:
-            ready = wait(futures, timeout=_SILENT_S, return_when="FIRST_COMPLETED").done
+            ready = wait(futures, timeout=_RESULT_TIMEOUT_S, return_when="FIRST_COMPLETED").done
             good = [future for future in ready if future.status == "finished"]
             gather = partial(self._client.gather, good, asynchronous=True)
-            results = self._client.sync(gather, callback_timeout=_SILENT_S)
+            results = self._client.sync(gather, callback_timeout=_RESULT_TIMEOUT_S)
         except TimeoutError:
             if not self._client.nthreads():
                 raise PinelError("cluster_lost", address=self._address) from None
@@ -128,7 +128,10 @@ def _connected(address: str) -> "Client":
 
 def _call(function: Callable[[T], R], expected: Mapping[str, str], task: T) -> R:
     """Runs on a worker, which may have joined after the versions were compared."""
-    _require_same("", expected, versions())
+    if versions() != expected:
+        from distributed import get_worker  # noqa: PLC0415 - the extra `cluster`
+
+        _require_same(get_worker().address, expected, versions())
     return function(task)
 
 

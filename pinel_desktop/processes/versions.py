@@ -2,6 +2,7 @@
 
 import platform
 import sys
+from functools import cache
 from importlib import metadata
 
 from pinel_desktop import __version__
@@ -10,6 +11,7 @@ from pinel_desktop.execution.semantics import CURRENT
 _LIBRARIES = ("numpy", "pymunk")
 
 
+@cache
 def versions() -> dict[str, str]:
     """Returns the versions of this process by name."""
     return {

@@ -1,6 +1,6 @@
 """What runs jobs: processes of this machine, or a cluster."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import replace
 
 from pinel_desktop.processes.pool import ProcessDied, ProcessPool
@@ -17,7 +17,7 @@ def new_pool(n_workers: int) -> ProcessPool[Job, Row]:
     return ProcessPool(run_job, n_workers, ATTEMPTS)
 
 
-def run_jobs(jobs: Iterable[Job], workers: Workers = _ONE_PER_CORE) -> Iterator[Row]:
+def run_jobs(jobs: Iterable[Job], workers: Workers = _ONE_PER_CORE) -> Generator[Row, None, None]:
     """Runs jobs; yields rows in order of completion.
 
     Closing the generator ends the processes of this machine.
@@ -36,7 +36,7 @@ def rows_of(pool: ProcessPool[Job, Row], jobs: Iterable[Job]) -> Iterator[Row]:
     return _rows(pool.results(jobs))
 
 
-def _rows(results: Iterator[tuple[Job, Row | ProcessDied]]) -> Iterator[Row]:
+def _rows(results: Iterator[tuple[Job, Row | ProcessDied]]) -> Generator[Row, None, None]:
     for job, result in results:
         yield lost_row(job, result.exit_code) if isinstance(result, ProcessDied) else result
 

@@ -58,7 +58,11 @@ def test_dask_adds_little_to_each_run(tmp_path: Path, cluster: DaskCluster) -> N
     sweep_s(tmp_path / "warm.csv", "--dask", cluster.address)  # its workers import the simulator
     dask = sweep_s(tmp_path / "dask.csv", "--dask", cluster.address)
     local = sweep_s(tmp_path / "local.csv", "--workers", str(N_PROCESSES))
-    print(f"\n{N_RUNS} squares on {N_PROCESSES} processes: {local:.1f} s here, {dask:.1f} s by Dask")
-    print(f"  {dask / local:.2f} times as long, {1000 * (dask - local) / N_RUNS:+.2f} ms for each run")
+    print(
+        f"\n{N_RUNS} squares on {N_PROCESSES} processes: {local:.1f} s here, {dask:.1f} s by Dask"
+    )
+    print(
+        f"  {dask / local:.2f} times as long, {1000 * (dask - local) / N_RUNS:+.2f} ms for each run"
+    )
     assert (tmp_path / "dask.csv").read_bytes() == (tmp_path / "local.csv").read_bytes()
     assert dask <= MAX_DASK_RATIO * local

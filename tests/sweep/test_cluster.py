@@ -1,6 +1,7 @@
 """A Dask cluster gives the rows that one process gives, and names what is wrong with it."""
 
 import os
+import signal
 import socket
 import time
 from collections.abc import Iterator
@@ -14,9 +15,11 @@ from pinel_desktop.activities import check_files, choose_activity
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import cluster
 from pinel_desktop.processes.cluster import Cluster
+from pinel_desktop.processes.pool import ProcessDied
 from pinel_desktop.processes.versions import versions
 from pinel_desktop.processes.workers import Workers
 from pinel_desktop.sweep import Job, Row, run_jobs
+from tests.commands.typed import pinel
 from tests.sweep.dask_cluster import DaskCluster, dask_cluster
 from tests.sweep.test_sweep import PROGRAMS, in_order, jobs_of
 
@@ -78,10 +81,32 @@ def test_programs_are_checked_on_a_cluster(three: DaskCluster) -> None:
     assert here == reports
 
 
+def test_sweep_and_verification_give_the_same_on_a_cluster(
+    three: DaskCluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PINEL_HOME", str(tmp_path))
+    square, here, there = (
+        str(PROGRAMS / "square.json"),
+        tmp_path / "here.csv",
+        tmp_path / "there.csv",
+    )
+    sweep = ("sweep", square, "--seeds", "6", "--vary", "track_m=0.32:0.34")
+    assert pinel(*sweep, "--workers", "1", "--out", str(here)).exit_code == 0
+    assert pinel(*sweep, "--dask", three.address, "--out", str(there)).exit_code == 0
+    assert here.read_bytes() == there.read_bytes()
+    for seed in ("1", "2"):
+        pinel("run", square, "--preset", "realistic", "--seed", seed)
+    verify = ("runs", "verify", "--all", "--json")
+    alone, many = (pinel(*verify, *on) for on in (("--workers", "1"), ("--dask", three.address)))
+    assert (alone.exit_code, many.exit_code) == (0, 0)
+    assert alone.stdout == many.stdout
+    assert alone.stdout.count("identical") == 2
+
+
 def test_closing_leaves_the_cluster_free_for_others(three: DaskCluster) -> None:
     rows = run_jobs(jobs(200), Workers(cluster=three.address))
     next(rows)
-    rows.close()  # type: ignore[attr-defined] # a generator
+    rows.close()
     assert len(list(run_jobs(jobs(2), Workers(cluster=three.address)))) == 2
 
 
@@ -122,8 +147,8 @@ def test_cluster_without_workers_is_named(tmp_path: Path) -> None:
 
 def test_worker_of_another_release_is_refused_before_work(tmp_path: Path) -> None:
     other = "import pinel_desktop; pinel_desktop.__version__ = '0.0.1'"
-    with dask_cluster(tmp_path, 1, before=other) as strange:
-        error = refusal(strange.address)
+    with dask_cluster(tmp_path, 1, before=other) as other_release:
+        error = refusal(other_release.address)
     assert error.code == "cluster_other_version"
     assert (error.params["part"], error.params["found"]) == ("pinel", "0.0.1")
     assert str(error.params["worker"]).startswith("tcp://127.0.0.1:")
@@ -131,8 +156,8 @@ def test_worker_of_another_release_is_refused_before_work(tmp_path: Path) -> Non
 
 def test_worker_without_pinel_is_refused_before_work(tmp_path: Path) -> None:
     without = "import sys; sys.modules['pinel_desktop'] = None"
-    with dask_cluster(tmp_path, 1, before=without) as strange:
-        error = refusal(strange.address)
+    with dask_cluster(tmp_path, 1, before=without) as other_release:
+        error = refusal(other_release.address)
     assert (error.code, error.params["found"]) == ("cluster_other_version", "?")
 
 
@@ -150,10 +175,46 @@ def test_worker_of_another_release_that_joins_later_is_refused(
     assert (caught.value.code, caught.value.params["own"]) == ("cluster_other_version", "1.0")
 
 
+def test_task_that_kills_its_workers_has_died_and_the_others_are_done(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES", "0")  # 3 by default
+    with dask_cluster(tmp_path, 2) as brief:
+        with_all_workers(brief)
+        connected = Cluster(kill_this_worker, brief.address)
+        try:
+            assert list(connected.results(["kill"])) == [("kill", ProcessDied(None))]
+            assert list(connected.results(["other"])) == [("other", "other")]
+        finally:
+            connected.end()
+
+
+def kill_this_worker(task: str) -> str:
+    """A task of tests."""
+    if task == "kill":
+        os.kill(os.getpid(), signal.SIGKILL)
+    return task
+
+
+def test_defect_of_a_task_is_named(three: DaskCluster) -> None:
+    connected = Cluster(fail, three.address)
+    try:
+        with pytest.raises(PinelError) as caught:
+            list(connected.results([1, 2]))
+    finally:
+        connected.end()
+    assert (caught.value.code, caught.value.params["detail"]) == ("cluster_failed", "ValueError: 1")
+
+
+def fail(task: int) -> None:
+    """A task of tests."""
+    raise ValueError(1)
+
+
 def test_cluster_that_loses_all_its_workers_is_named(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(cluster, "_SILENT_S", 2)
+    monkeypatch.setattr(cluster, "_RESULT_TIMEOUT_S", 2)
     with dask_cluster(tmp_path, 1) as brief:
         rows = run_jobs(jobs(400), Workers(cluster=brief.address))
         next(rows)

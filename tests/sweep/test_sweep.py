@@ -172,7 +172,7 @@ def test_closing_ends_the_processes_that_are_busy() -> None:
     rows = run_jobs([*jobs_of("square", "empty_room", 1), endless(1), endless(2)], Workers(2))
     next(rows)
     started = time.monotonic()
-    rows.close()  # type: ignore[attr-defined] # a generator
+    rows.close()
     assert in_time(time.monotonic() - started, 2.0)
     assert multiprocessing.active_children() == []
 

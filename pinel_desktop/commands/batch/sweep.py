@@ -3,6 +3,7 @@
 import json
 import sys
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -140,9 +141,12 @@ def _run(plan: SweepPlan, journal: Journal, workers: Workers) -> None:
     """Runs what the journal lacks. Prints the progress to stderr."""
     if len(journal.rows) == plan.n_runs:
         return
-    with click.progressbar(length=plan.n_runs, file=sys.stderr) as progress:
+    jobs = (job for job in plan.jobs() if job.index not in journal.rows)
+    with (
+        click.progressbar(length=plan.n_runs, file=sys.stderr) as progress,
+        closing(run_jobs(jobs, workers)) as rows,
+    ):
         progress.update(len(journal.rows))
-        rows = run_jobs((job for job in plan.jobs() if job.index not in journal.rows), workers)
         for row in rows:
             journal.add(row)
             progress.update(1)

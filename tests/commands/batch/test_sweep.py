@@ -74,9 +74,9 @@ def test_summary_says_how_many_went_well_and_where_the_others_did_not(tmp_path: 
     assert (summary["n_runs"], summary["success"], summary["n_collided"]) == (4, 0.5, 2)
     assert [one["success"] for one in summary["groups"]] == [1.0, 0.0]
     assert summary["reasons"][0]["cause"] == "collision"
-    told = sweep(tmp_path / "again.csv", SQUARE, HIT, "--seeds", "2").stdout
-    assert "went well       50.0% (2)" in told
-    assert "not well        2 times: collision" in told
+    printed = sweep(tmp_path / "again.csv", SQUARE, HIT, "--seeds", "2").stdout
+    assert "went well       50.0% (2)" in printed
+    assert "not well        2 times: collision" in printed
 
 
 def test_activity_judges_each_run_in_its_world(tmp_path: Path) -> None:
@@ -115,21 +115,26 @@ def test_seed_has_the_same_robot_everywhere_and_each_parameter_its_own_draw() ->
     assert track.value(1) == 0.33873534376592057
 
 
+def n_rows(out: Path) -> int:
+    """Returns how many runs the journal of a sweep has."""
+    journal = out.with_name(f"{out.name}.rows")
+    return max(0, journal.read_bytes().count(b"\n") - 1) if journal.exists() else 0
+
+
 def killed_sweep(out: Path, *arguments: str) -> int:
     """Kills a sweep while it runs; returns how many runs its journal has."""
-    journal = out.with_name(f"{out.name}.rows")
     options = [*arguments, "--workers", "1", "--out", str(out)]
     process = subprocess.Popen(
         [sys.executable, "-m", "pinel_desktop", "sweep", *options], stderr=subprocess.DEVNULL
     )
     deadline = time.monotonic() + 60
     while time.monotonic() < deadline and process.poll() is None:
-        if journal.exists() and journal.read_bytes().count(b"\n") > 2:
+        if n_rows(out) > 1:
             break
         time.sleep(0.01)
     process.send_signal(signal.SIGKILL)
     process.wait()
-    return journal.read_bytes().count(b"\n") - 1
+    return n_rows(out)
 
 
 def test_killed_sweep_goes_on_without_a_run_twice(
@@ -141,20 +146,40 @@ def test_killed_sweep_goes_on_without_a_run_twice(
     assert 2 <= n_done < 100
     with (tmp_path / "runs.csv.rows").open("ab") as journal:
         journal.write(b'{"index": 99, "program": "torn by the ki')
-    begun: list[int] = []
-    count_jobs(monkeypatch, begun)
+    started: list[int] = []
+    count_jobs(monkeypatch, started)
     assert sweep(out, *arguments).exit_code == 0
-    assert len(begun) == 100 - n_done
+    assert len(started) == 100 - n_done
     assert sweep(whole, *arguments).exit_code == 0
     assert out.read_bytes() == whole.read_bytes()
 
 
-def count_jobs(monkeypatch: pytest.MonkeyPatch, begun: list[int]) -> None:
+def count_jobs(monkeypatch: pytest.MonkeyPatch, started: list[int]) -> None:
     def counted(job: Job) -> Row:
-        begun.append(job.index)
+        started.append(job.index)
         return run_job(job)
 
     monkeypatch.setattr("pinel_desktop.sweep.executors.run_job", counted)
+
+
+def test_ctrl_c_says_how_to_go_on(tmp_path: Path) -> None:
+    out = tmp_path / "runs.csv"
+    # a shell makes its background commands ignore Ctrl-C
+    program = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler);"
+        "from pinel_desktop.__main__ import main; main()"
+    )
+    options = [SQUARE, "--seeds", "300", "--workers", "2", "--out", str(out)]
+    process = subprocess.Popen(
+        [sys.executable, "-c", program, "sweep", *options], stderr=subprocess.PIPE, text=True
+    )
+    while process.poll() is None and n_rows(out) < 3:  # while processes start, it is ignored
+        time.sleep(0.01)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "of 300 runs are done" in said
+    assert "The same command goes on from there." in said
 
 
 def test_line_that_a_disk_damaged_is_done_again(tmp_path: Path) -> None:
@@ -221,8 +246,7 @@ def test_worker_that_dies_costs_no_run(tmp_path: Path) -> None:
         stderr=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
     )
-    journal = tmp_path / "runs.csv.rows"
-    while process.poll() is None and not (journal.exists() and journal.stat().st_size > 500):
+    while process.poll() is None and n_rows(out) < 2:
         time.sleep(0.01)
     killed = [int(pid) for pid in children_of(process.pid)]
     for pid in killed[:1]:
