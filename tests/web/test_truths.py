@@ -8,6 +8,7 @@ import pytest
 from pinel_desktop.app import App
 from pinel_desktop.robot.robot_profile import Room
 from storage import RunStart
+from tests.storage.bundle_makers import a_run
 from tests.storage.sample_documents import SQUARE
 from tests.web.browser import Browser
 
@@ -36,11 +37,11 @@ def test_what_was_measured_is_kept_with_the_run_and_can_be_taken_back(
     browser: Browser, run: str
 ) -> None:
     address = f"/api/runs/{run}/truths"
-    assert browser.get(address).data == {"truths": []}
+    assert browser.get(address).data == {"truths": [], "believed": None}
     (tape,) = browser.put(f"{address}/tape", poses(END)).data["truths"]
     assert (tape["source"], tape["poses"]) == ("tape", [END])
     assert browser.get(address).data["truths"] == [tape]
-    assert browser.put(f"{address}/tape", poses()).data == {"truths": []}
+    assert browser.put(f"{address}/tape", poses()).data["truths"] == []
 
 
 @pytest.mark.parametrize(
@@ -60,7 +61,7 @@ def test_what_cannot_be_is_refused_in_words(
     assert answer.status == 422
     assert answer.data["error"]["message"]
     assert code in (None, answer.data["error"]["code"])
-    assert browser.get(f"/api/runs/{run}/truths").data == {"truths": []}
+    assert browser.get(f"/api/runs/{run}/truths").data["truths"] == []
 
 
 def test_an_unknown_source_and_a_run_in_the_simulator_are_refused(
@@ -71,3 +72,9 @@ def test_an_unknown_source_and_a_run_in_the_simulator_are_refused(
     simulated = app._store.runs.begin(start).id
     answer = browser.put(f"/api/runs/{simulated}/truths/tape", poses(END))
     assert answer.data["error"]["code"] == "truth_of_simulator"
+
+
+def test_where_the_robot_believed_to_be_is_told_beside_it(app: App, browser: Browser) -> None:
+    run = a_run(app._store, None)
+    believed = browser.get(f"/api/runs/{run}/truths").data["believed"]
+    assert believed["x_m"] == pytest.approx(app._store.runs.telemetry(run).column("x_m")[-1])

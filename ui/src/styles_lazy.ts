@@ -21,6 +21,7 @@ import "./work/work.css";
 import "./work/programs.css";
 import "./run/panels/time_strip.css";
 import "./studio/floor_pane/last_run_timeline.css";
+import "./truth/truth.css";
 import "./replay/replay.css";
 import "./run_image/run_image.css";
 import "./versions/versions.css";

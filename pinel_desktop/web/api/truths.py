@@ -10,10 +10,17 @@ from pinel_desktop.runs.truth import check_in_room, read_truth
 from pinel_desktop.web.api import WRITES, Resource, responses
 from pinel_desktop.web.api.runs import world_of
 from pinel_desktop.web.models import IdPath
-from pinel_desktop.web.models.truths import TruePose, Truth, TruthList, TruthPath, TruthPoses
+from pinel_desktop.web.models.truths import (
+    BelievedPose,
+    TruePose,
+    Truth,
+    TruthList,
+    TruthPath,
+    TruthPoses,
+)
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
-from storage import SIMULATOR, RunRow, TruePoseRow
+from storage import SIMULATOR, RunRow, TruePoseRow, TruthRow
 
 api = Resource("truths", "Where real robots truly were in their runs.", __name__)
 
@@ -62,12 +69,19 @@ def _row(pose: TruePose) -> TruePoseRow:
 
 def _truths(run_id: str) -> Response:
     rows = services().store.truths.of_run(run_id)
-    names = TruePose.model_fields
     return json_response(
-        TruthList(
-            truths=[
-                Truth.of(row, poses=[dict(zip(names, pose, strict=True)) for pose in row.poses])
-                for row in rows
-            ]
-        )
+        TruthList(truths=[_truth(row) for row in rows], believed=_believed(run_id))
     )
+
+
+def _truth(row: TruthRow) -> Truth:
+    names = TruePose.model_fields
+    return Truth.of(row, poses=[dict(zip(names, pose, strict=True)) for pose in row.poses])
+
+
+def _believed(run_id: str) -> BelievedPose | None:
+    telemetry = services().store.runs.telemetry(run_id)
+    if not len(telemetry.rows):
+        return None
+    x, y, heading = (float(telemetry.column(name)[-1]) for name in ("x_m", "y_m", "yaw_rad"))
+    return BelievedPose(x_m=x, y_m=y, heading_rad=heading)

@@ -30,10 +30,22 @@ class Truth(ResponseModel):
     poses: Annotated[list[TruePose], Field(description="in the order of their ticks")]
 
 
+class BelievedPose(ResponseModel):
+    """The pose that the robot itself estimated by its wheels, in the frame of the start."""
+
+    x_m: float
+    y_m: float
+    heading_rad: float
+
+
 class TruthList(ResponseModel):
     """The truths of a run, one for each source that has measured it."""
 
     truths: list[Truth]
+    believed: Annotated[
+        BelievedPose | None,
+        Field(description="where the robot believed to be at the end; null without samples"),
+    ]
 
 
 class TruthPoses(RequestModel):

@@ -10,6 +10,7 @@ import { SaveRunImage } from "../run_image/SaveRunImage";
 import { lazy } from "../shell/lazy";
 import { PresentButton } from "../shell/projector/PresentButton";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
+import { MeasuredRun } from "../truth/TruthLines";
 import { PlaybackControls } from "./PlaybackControls";
 import { type Predicted, usePredicted } from "./predicted";
 import { ReplayFloor } from "./ReplayFloor";
@@ -79,6 +80,7 @@ function ReplayProgram({ recordedRun, predicted, onOpen }: ReplayProps & { predi
         )}
       </div>
       <VerdictLine of={run} />
+      <MeasuredRun run={run} />
       {!forTeacher && <RunNotes runId={run.id} />}
       <ReplayBlocks run={run} view={playback.view} predicted={predicted} />
       {forTeacher && run.group_id && (

@@ -10,6 +10,7 @@ import { shown } from "../../run/inspected_tick";
 import * as robot from "../../run/live";
 import { Readout } from "../../run/panels/Readout";
 import { StatusLine } from "../../run/panels/StatusLine";
+import { chosenRobot } from "../../run/real/real_robot";
 import { isLive } from "../../run/reducer";
 import { helpIsOpen } from "../../shell/help";
 import { lazy } from "../../shell/lazy";
@@ -21,6 +22,7 @@ import { prepareCapture } from "./CapturePanel";
 import { Stage } from "./Stage";
 
 const LastRunTimeline = lazy(async () => (await import("./LastRunTimeline")).LastRunTimeline);
+const AfterRun = lazy(async () => (await import("../../truth/AfterRun")).AfterRun);
 const HelpPanel = lazy(async () => (await import("../help/HelpPanel")).HelpPanel);
 
 export function FloorPane({ control }: { control: StudioControl }) {
@@ -49,6 +51,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <Status control={control} />
       <Predicted control={control} />
       <BeforeRun control={control} />
+      {control.mine.value && chosenRobot.value && <AfterRun />}
       <Forgotten control={control} />
       {helpIsOpen.value && <HelpPanel control={control} />}
       <Stage control={control} drawer={drawer} />

@@ -11,6 +11,7 @@ import { useLoaded } from "../../../kit/requests/useLoaded";
 import { PresentButton } from "../../../shell/projector/PresentButton";
 import { hashOf } from "../../../shell/route";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
+import { TruthLines } from "../../../truth/TruthLines";
 import { outcomeOf } from "../model";
 import { OutcomeIcon } from "../OutcomeIcon";
 import {
@@ -45,6 +46,7 @@ export function RunRow({ entry, book, onAccepted }: RunRowProps) {
         {entry.message && outcome !== "stopped" && <p>{entry.message}</p>}
         <UnusualLine run={entry.run_id} />
         <Repair entry={entry} book={book} />
+        <TruthLines run={entry.run_id} link={entry.link} />
         <Notes run={entry.run_id} />
       </div>
       <div class="run-line__links row rigid gap-2">
