@@ -1,7 +1,6 @@
 """A real robot's run over its prediction: a ghost while it drives, two paths and the difference by block afterwards."""
 
 import contextlib
-import math
 from collections.abc import Iterator
 
 import pytest
@@ -63,11 +62,16 @@ def test_group_sees_its_robot_beside_the_prediction_and_how_much_less_it_turns(
 
 
 def measure(studio: Studio, x_m: float, y_m: float) -> None:
-    """Records where the robot stood, by tape measure."""
-    run = newest_run(studio)
-    pose = {"tick": None, "x_m": x_m, "y_m": y_m, "heading_rad": math.radians(-4 * LESS_DEG)}
-    body = {"poses": [{**pose, "sigma_m": 0.01, "sigma_rad": 0.035}]}
-    studio.send("PUT", f"/runs/{run}/truths/tape", body)
+    """Types where the robot stands, by tape measure; the sentence follows."""
+    studio["tape-open"].click()
+    for name, metres in {"forward": x_m, "sideways": y_m}.items():
+        studio[f"tape-{name}"].fill(f"{abs(100 * metres):.0f}")
+        side = f"[data-testid=tape-{name}-side][data-value={str(metres < 0).lower()}]"
+        studio.page.locator(side).click()
+    studio["heading"].fill(f"{-4 * LESS_DEG:.1f}".replace(".", ","))
+    studio["tape-save"].click()
+    expect(studio["prediction-line"]).to_contain_text("a menos em cada “girar 90°”, em média")
+    studio["tape-skip"].click()
 
 
 def newest_run(studio: Studio) -> str:
@@ -78,20 +82,20 @@ def newest_run(studio: Studio) -> str:
 def replayed(studio: Studio) -> None:
     """The teacher reads in words what the tape measure shows, with the block marked."""
     studio.page.goto(f"{studio.origin}/#/run/{newest_run(studio)}")
-    expect(studio["prediction-line"]).to_contain_text("pela trena")
+    expect(studio["prediction-line"]).to_contain_text("pela fita")
     studio["prediction-toggle"].click()
     panel = studio["prediction"]
-    expect(panel).to_contain_text("em cada “girar 90°”, em média, pela trena")
+    expect(panel).to_contain_text("em cada “girar 90°”, em média, pela fita")
     words = panel.inner_text()
     said = words.partition("girou ")[2].partition("°")[0]
     assert float(said.replace(",", ".")) == pytest.approx(LESS_DEG, abs=0.3)
     assert "a menos" in words
-    expect(studio["prediction-end"]).to_contain_text("pela trena")
+    expect(studio["prediction-end"]).to_contain_text("pela fita")
     expect(studio["prediction-ate"]).to_contain_text("pela odometria")
     marked = panel.locator("[data-testid=prediction-row][data-marked=true]")
     expect(marked).to_contain_text("girar 90°")
     expect(marked).to_contain_text("4×")
-    expect(marked).to_contain_text("pela trena")
+    expect(marked).to_contain_text("pela fita")
     assert violations(studio, "prediction") == []
     assert cut(studio, "prediction") == []
     studio["replay-slider"].press("End")

@@ -45,7 +45,7 @@ test("a difference is said in words, with its source", () => {
     predictionText(prediction([{ ...FINDING, ...change }]), VOICE);
   expect(text({})).toBe("O robô girou 3,1° a menos em cada “girar 90°” (4 vezes), pela câmera.");
   expect(text({ how: "average", source: "tape" })).toBe(
-    "O robô girou 3,1° a menos em cada “girar 90°”, em média, pela trena.",
+    "O robô girou 3,1° a menos em cada “girar 90°”, em média, pela fita.",
   );
   expect(text({ how: "average", block: null })).toContain("em cada giro, em média");
   const move = { kind: "move", action: "move_forward", amount: 1.5, difference: 0.042 } as const;
