@@ -159,7 +159,8 @@ def difference(
     at_end = _at_end(prediction, measured, path, matched, is_same=is_same)
     findings = _findings(found, measured.source, tolerance)
     if is_same and at_end and at_end.source != measured.source == "odometry":
-        findings = [*_on_average(found, at_end, tolerance), *findings]
+        sigma_deg = math.degrees(measured.end_sigma_rad)
+        findings = [*_on_average(found, at_end, sigma_deg, tolerance), *findings]
     return Difference(
         measured.source, found, at_end, _ate(prediction.path, measured, matched), parted, findings
     )
@@ -305,7 +306,10 @@ def _of_group(
 
 
 def _on_average(
-    steps: Sequence[StepDifference], end: EndDifference, tolerance: tuple[float, float]
+    steps: Sequence[StepDifference],
+    end: EndDifference,
+    sigma_deg: float,
+    tolerance: tuple[float, float],
 ) -> list[Finding]:
     """Shares the difference of the heading at the end among the turns, if all turned in one direction."""
     turns = [step for step in steps if step.more("turn") is not None]
@@ -313,8 +317,8 @@ def _on_average(
     if not turns or len({value > 0 for value in predicted}) > 1:
         return []
     more = math.copysign(1.0, predicted[0]) * end.heading_deg / len(turns)
-    if abs(more) < _limit("turn", tolerance):
-        return []
+    if abs(more) < max(_limit("turn", tolerance), 2.0 * sigma_deg / len(turns)):
+        return []  # no more than the source may be wrong by
     first = turns[0]
     is_one_command = len({step.command for step in turns}) == 1
     return [

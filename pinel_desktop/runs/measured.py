@@ -26,6 +26,7 @@ class Measured:
         path: as `Prediction.path`, from the pose at the start; NaN where the source saw nothing.
         odometry: the robot's own poses.
         end: the pose after the run as `end_source` knows it, the heading without jumps; None: the end of `path`.
+        end_sigma_rad: standard uncertainty of the heading of `end`.
     """
 
     source: Source
@@ -33,6 +34,7 @@ class Measured:
     odometry: Path
     end: Path | None = None
     end_source: Source = "odometry"
+    end_sigma_rad: float = 0.0
 
 
 def measured_poses(rows: Path, truths: Sequence[Truth]) -> Measured:
@@ -47,7 +49,8 @@ def measured_poses(rows: Path, truths: Sequence[Truth]) -> Measured:
     end = None if last is None else _beside(np.array(last.end.pose), odometry[-1])
     end_source: Source = "odometry" if last is None else last.source
     if along is None:
-        return Measured("odometry", odometry, odometry, end, end_source)
+        sigma_rad = 0.0 if last is None else last.end.sigma_rad
+        return Measured("odometry", odometry, odometry, end, end_source, sigma_rad)
     path = np.full_like(odometry, np.nan)
     for tick, own in enumerate(odometry):
         if (pose := along.at(tick)) is not None:

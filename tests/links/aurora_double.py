@@ -1,10 +1,11 @@
 """A robot simulator that knows of PINEL what the original tells its clients, and no more: a unicycle.
 
-    python aurora_double.py URL [--key KEY] [--fixed-step] [--rate HZ] [--jitter S] [--lost PART]
+    python aurora_double.py URL [--key KEY] [--fixed-step] [--rate HZ] [--jitter S] [--lost PART] [--turns PART]
 
 It asks `/bridge/cmd_vel`, integrates, posts `/bridge/pose`, asks `/bridge/status`, and stops when the status is not
-active and it has moved. While nobody listens it goes on asking. Standard output has a line for each velocity,
-`TIME V OMEGA X Y` (monotonic time, and where the robot truly is). Lines on standard input say what goes wrong:
+active and it has moved. While nobody listens it goes on asking. With `--turns` it truly turns
+that part of what it reports. Standard output has a line for each velocity, `TIME V OMEGA X Y` (monotonic time, and
+where the robot truly is). Lines on standard input say what goes wrong:
 
     mute         it posts no pose any more, and says so: a line `mute`
     pause S      it does nothing for so long
@@ -59,19 +60,23 @@ class Robot:
         true_x, true_y: where it is, counted from where it was switched on.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, turns: float) -> None:
+        self._turns = turns
         self.x = self.y = self.yaw = 0.0
         self.true_x = self.true_y = self._true_yaw = 0.0
         self.has_moved = False
 
     def integrate(self, v: float, omega: float, dt_s: float) -> None:
-        middle, true_middle = self.yaw + omega * dt_s / 2, self._true_yaw + omega * dt_s / 2
+        middle, true_middle = (
+            self.yaw + omega * dt_s / 2,
+            self._true_yaw + self._turns * omega * dt_s / 2,
+        )
         self.x += v * dt_s * math.cos(middle)
         self.y += v * dt_s * math.sin(middle)
         self.true_x += v * dt_s * math.cos(true_middle)
         self.true_y += v * dt_s * math.sin(true_middle)
         self.yaw = math.remainder(self.yaw + omega * dt_s, math.tau)
-        self._true_yaw = math.remainder(self._true_yaw + omega * dt_s, math.tau)
+        self._true_yaw = math.remainder(self._true_yaw + self._turns * omega * dt_s, math.tau)
         self.has_moved = self.has_moved or v != 0.0 or omega != 0.0
 
     def restart(self) -> None:
@@ -91,7 +96,7 @@ class Loop:
     def __init__(self, client: Client, chosen: argparse.Namespace) -> None:
         self._client, self._chosen = client, chosen
         self._period_s = 1 / chosen.rate
-        self._robot, self._draw = Robot(), random.Random(chosen.seed)
+        self._robot, self._draw = Robot(chosen.turns), random.Random(chosen.seed)
         self._is_mute = self._is_nonsense = self.is_ending = False
         self.orders: queue.SimpleQueue[tuple[str, float]] = queue.SimpleQueue()
 
@@ -163,6 +168,7 @@ def main() -> None:
     parser.add_argument("--rate", type=float, default=30.0)
     parser.add_argument("--jitter", type=float, default=0.0)
     parser.add_argument("--lost", type=float, default=0.0)
+    parser.add_argument("--turns", type=float, default=1.0)
     parser.add_argument("--seed", type=int, default=0)
     chosen = parser.parse_args()
     loop = Loop(Client(chosen.url, chosen.key), chosen)

@@ -58,16 +58,21 @@ class Driven:
         sigma = np.array([noise_m, noise_m, math.radians(noise_deg)])
         poses = self.true + draw.normal(size=self.true.shape) * sigma
         frames = range(0, len(poses), 2)  # the camera's rate
-        poses_of_camera = [TruePose(tick, Pose2D(*map(float, poses[tick])), *sigma[1:]) for tick in frames]
-        return self.beside(measured_poses(self.odometry[1:], [Truth("camera", tuple(poses_of_camera))]))
+        poses_of_camera = [
+            TruePose(tick, Pose2D(*map(float, poses[tick])), *sigma[1:]) for tick in frames
+        ]
+        return self.beside(
+            measured_poses(self.odometry[1:], [Truth("camera", tuple(poses_of_camera))])
+        )
 
     @property
     def tape(self) -> TruePose:
         """What a person measures after the run."""
         return TruePose(None, Pose2D(*map(float, self.true[-1])), TAPE_SIGMA_M, TAPE_SIGMA_RAD)
 
-    def by_tape(self) -> Difference:
-        return self.beside(measured_poses(self.odometry[1:], [Truth("tape", (self.tape,))]))
+    def by_tape(self, sigma_rad: float = TAPE_SIGMA_RAD) -> Difference:
+        end = self.tape._replace(sigma_rad=sigma_rad)
+        return self.beside(measured_poses(self.odometry[1:], [Truth("tape", (end,))]))
 
 
 def drive(

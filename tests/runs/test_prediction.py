@@ -39,6 +39,12 @@ def test_a_tape_measure_shares_the_heading_at_the_end_among_all_turns() -> None:
     assert first.difference == pytest.approx(-3.1, abs=0.3)
 
 
+def test_a_heading_that_is_only_roughly_known_is_no_finding() -> None:
+    run = drive(turns=1 - 1.5 / 90)
+    assert run.by_tape().findings[0].how == "average"
+    assert run.by_tape(sigma_rad=math.radians(4.3)).findings == []
+
+
 def test_turns_to_both_sides_are_not_averaged_from_the_heading_at_the_end() -> None:
     zigzag = {"pinel_ir": 1, "commands": [*SIDE, AHEAD, {**TURN, "angle": -90}]}
     found = drive(zigzag, turns=0.9).by_tape()

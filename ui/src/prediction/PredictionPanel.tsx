@@ -1,4 +1,4 @@
-import type { RunPrediction } from "../api/model";
+import type { Finding, RunPrediction } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { type DifferenceRow, rowsOf } from "./rows";
@@ -20,6 +20,7 @@ export function PredictionPanel({ prediction, onTick }: PredictionPanelProps) {
       <p class="prediction__sentence">{predictionText(prediction, voice)}</p>
       <Whole prediction={prediction} />
       <table class="prediction__table">
+        <caption>{words.by({ source: words.sources[prediction.difference.source] })}</caption>
         <thead>
           <tr>
             <th scope="col">{words.block}</th>
@@ -33,7 +34,7 @@ export function PredictionPanel({ prediction, onTick }: PredictionPanelProps) {
             <Row
               key={`${row.block} ${row.tick}`}
               row={row}
-              isMarked={row.action === marked?.action && row.amount === marked.amount}
+              marked={row.action === marked?.action && row.amount === marked.amount ? marked : null}
               onTick={onTick}
             />
           ))}
@@ -77,27 +78,41 @@ function Whole({ prediction: { difference } }: Pick<PredictionPanelProps, "predi
 
 interface RowProps {
   row: DifferenceRow;
-  isMarked: boolean;
+  /** The difference that the sentence is about, if it is that of this row. */
+  marked: Finding | null;
   onTick(tick: number): void;
 }
 
-function Row({ row, isMarked, onTick }: RowProps) {
+function Row({ row, marked, onTick }: RowProps) {
   const { prediction: words } = texts.value;
   const show = row.kind === "turn" ? angle : length;
   const value = (amount: number | null) => (amount === null ? "–" : show(amount, language.value));
+  const signed = (by: number) => `${by > 0 ? "+" : ""}${show(by, language.value)}`;
   const off = row.measured === null || row.kind === null ? null : row.measured - row.predicted;
   const name = commandText(row, { texts: texts.value, language: language.value });
   return (
-    <tr data-marked={isMarked} data-testid="prediction-row">
+    <tr data-marked={marked !== null} data-testid="prediction-row">
       <th scope="row">
-        <Button kind="plain" tip={words.showTip} onPress={() => onTick(row.tick)}>
+        <Button
+          kind="plain"
+          class="prediction__command"
+          tip={words.showTip}
+          onPress={() => onTick(row.tick)}
+        >
           {name}
         </Button>
         {row.n > 1 && <span class="aside"> {words.times({ n: row.n })}</span>}
       </th>
       <td>{value(row.kind && row.predicted)}</td>
       <td>{value(row.kind && row.measured)}</td>
-      <td>{off === null ? "–" : `${off > 0 ? "+" : ""}${show(off, language.value)}`}</td>
+      <td>
+        {off === null ? "–" : signed(off)}
+        {marked?.how === "average" && (
+          <span class="prediction__truth">
+            {signed(Math.sign(row.predicted) * marked.difference)} {words.sources[marked.source]}
+          </span>
+        )}
+      </td>
     </tr>
   );
 }

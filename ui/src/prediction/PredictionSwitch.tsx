@@ -3,12 +3,13 @@ import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { isPredictionShown } from "./shown";
 
-/** Shows or hides the predicted robot. */
-export function PredictionSwitch() {
+/** Shows or hides the predicted robot; `isSmall` in a corner with much else. */
+export function PredictionSwitch({ isSmall = false }: { isSmall?: boolean }) {
   const { prediction } = texts.value;
   return (
     <Button
       icon={Ghost}
+      label={isSmall ? prediction.name : undefined}
       tip={prediction.hint}
       pressed={isPredictionShown.value}
       testId="prediction-switch"
@@ -16,7 +17,7 @@ export function PredictionSwitch() {
         isPredictionShown.value = !isPredictionShown.value;
       }}
     >
-      {prediction.name}
+      {!isSmall && prediction.name}
     </Button>
   );
 }

@@ -8,6 +8,7 @@ import { SIMULATOR } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import type { Companion } from "../scene/companion";
 import { robotOf } from "../shell/session";
+import { truthChanges } from "../truth/changes";
 import { ghostOf } from "./ghost";
 import { isPredictionShown } from "./shown";
 
@@ -20,11 +21,11 @@ const realRun = computed(() => {
   return run && run.link !== SIMULATOR && run.id === live.value.run ? run.id : null;
 });
 
-/** Changes with each input that a person gives, and at the end of the run. */
+/** Changes with each input that a person gives, at the end of the run, and with what is measured then. */
 const inputs = computed(() => {
   const { captured, output } = live.value;
   const answers = output.talk.filter(({ kind }) => kind === "answered").at(-1)?.number;
-  return `${captured?.tick} ${answers} ${isLive(live.value)}`;
+  return `${captured?.tick} ${answers} ${isLive(live.value)} ${truthChanges.value}`;
 });
 
 /** Asks for the prediction of each run on a real robot, and again when it can go on; returns its end. */

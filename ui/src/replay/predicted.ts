@@ -13,6 +13,7 @@ import { SIMULATOR } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import type { Companion } from "../scene/companion";
 import { robotOf } from "../shell/session";
+import { truthChanges } from "../truth/changes";
 import type { RecordedRun } from "./recorded_run";
 
 /** The prediction of a recorded run, while it is shown. */
@@ -61,7 +62,7 @@ export function usePredicted(recordedRun: RecordedRun): Predicted {
   const predicted = useInstance(() => new PredictedRun(recordedRun));
   useEffect(() => {
     if (isOfRealRobot(recordedRun.run)) void predicted.load();
-  }, [predicted]);
+  }, [predicted, truthChanges.value]);
   return predicted;
 }
 

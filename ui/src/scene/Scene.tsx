@@ -88,7 +88,7 @@ export function Scene(props: SceneProps) {
   const isHidden = isSolid.value && solid.value !== null;
   return (
     <div class="scene">
-      <Canvas {...{ canvas, world, view, tools, hold, isHidden }} />
+      <Canvas {...{ canvas, world, view, tools, hold, isHidden }} ghost={props.companion} />
       {isSolid.value && (
         <SolidFloor
           {...props}
@@ -197,10 +197,11 @@ interface CanvasProps {
   view: ReadonlySignal<RunView>;
   tools: SceneTools;
   hold: RobotHold | undefined;
+  ghost: SceneProps["companion"];
   isHidden: boolean;
 }
 
-function Canvas({ canvas, world, view, tools, hold, isHidden }: CanvasProps) {
+function Canvas({ canvas, world, view, tools, hold, ghost, isHidden }: CanvasProps) {
   const { truth, phase, output } = view.value;
   const { scene } = texts.value;
   const label = scene.label({
@@ -223,6 +224,7 @@ function Canvas({ canvas, world, view, tools, hold, isHidden }: CanvasProps) {
         tabIndex={0}
         data-testid="scene"
         data-phase={phase}
+        data-ghost={ghost?.value ? "true" : "false"}
         data-tool={tools.tool.value ?? ""}
       />
       {/* a screen reader announces the newest mark when the robot draws it */}

@@ -9,6 +9,7 @@ import { Form } from "../kit/Form";
 import { RadioGroup } from "../kit/RadioGroup";
 import { useAction } from "../kit/requests/action";
 import { FaultLine } from "../kit/requests/FaultLine";
+import { truthChanges } from "./changes";
 import { HeadingChoice } from "./HeadingChoice";
 import { TruthPicture } from "./TruthPicture";
 import { type Distance, entryOf, isWrong, MOST_CM, poseOf, type TapeEntry } from "./tape";
@@ -31,7 +32,10 @@ export function TapeForm({ run, model, truths, onSaved, onClose }: TapeFormProps
   const { busy, fault, act } = useAction();
   const pose = poseOf(entry.value);
   const put = (poses: NonNullable<typeof pose>[]) =>
-    act(async () => onSaved(await truthsApi.put(run, "tape", poses)));
+    act(async () => {
+      onSaved(await truthsApi.put(run, "tape", poses));
+      truthChanges.value++;
+    });
   return (
     <Form
       class="tape card column gap-3"

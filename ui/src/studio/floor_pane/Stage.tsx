@@ -154,7 +154,7 @@ function RoomCorner({ control }: { control: StudioControl }) {
     <div class="floor__corner">
       <RobotChoice />
       <RoomStatus />
-      <PredictionSwitch />
+      <PredictionSwitch isSmall />
       <MuteButton view={robot.live} expected={control.beeps.value} live />
     </div>
   );
