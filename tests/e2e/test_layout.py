@@ -179,3 +179,22 @@ def _cut_names(studio: Studio) -> list[str]:
         for name in names
         if name.evaluate("element => element.scrollWidth > element.clientWidth")
     ]
+
+
+# Elements that are wider than their place or stand in that of the next one.
+_OVERFULL = """(places) => [...document.querySelectorAll(places)]
+  .filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent || one.className)"""
+
+
+def test_at_a_zoom_of_200_percent_readings_and_drawings_have_their_room(studio: Studio) -> None:
+    studio.enter_new_group()
+    studio.page.set_viewport_size({"width": 683, "height": 768})
+    studio.wait_for_screen("run")
+    assert studio.page.evaluate(_OVERFULL, ".readout dt, .readout dd") == []
+    studio.page.goto(f"{studio.origin}/#/practice")
+    studio.wait_for_screen("practice-sign")
+    drawing = studio.page.locator(".imitation .sign-drawing").bounding_box()
+    assert drawing is not None and min(drawing["width"], drawing["height"]) > 150
+    studio.page.goto(f"{studio.origin}/#/")
+    studio.wait_for_screen("group-name")
+    assert studio.page.evaluate(_OVERFULL, ".start, .start__head") == []

@@ -17,6 +17,9 @@ from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
+# window, and least room of the floor of one of two runs
+SCREENS_AND_FLOORS = (((1366, 768), (370, 340)), ((1024, 768), (270, 340)), ((683, 768), (290, 190)))
+
 
 @pytest.fixture
 def app(school: tuple[AppProcess, Past]) -> AppProcess:
@@ -120,6 +123,11 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     expect(teacher.page.locator("[data-phase=finished][data-testid=compare-side]")).to_have_count(1)
     teacher.page.locator("[data-testid=compare-view][data-value=apart]").click()
     expect(teacher["scene"]).to_have_count(2)
+    for (width, height), least in SCREENS_AND_FLOORS:
+        teacher.page.set_viewport_size({"width": width, "height": height})
+        teacher.studio.wait_for_screen("compare-page")
+        floor = box_of(teacher["scene"].first)
+        assert (floor["width"] > least[0], floor["height"] > least[1]) == (True, True), floor
 
 
 def test_blocks_that_differ_are_marked_on_both_sides_and_read_in_words(teacher: Teacher) -> None:

@@ -5,7 +5,8 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
-import { robotOf } from "../../shell/session";
+import { liveryOf } from "../../scene/livery/livery";
+import { group, robotOf } from "../../shell/session";
 import { theme } from "../../shell/theme";
 import type { EditorStore } from "../editor_store";
 import { pressed } from "../keys";
@@ -28,8 +29,9 @@ export function Board({ store, children }: { store: EditorStore; children: Compo
   const world = store.world.value;
 
   useLayoutEffect(() => {
-    if (canvas.current && view.value) paintBoard(canvas.current, world, robotOf(null), view.value);
-  }, [world, view.value, theme.value]);
+    if (!canvas.current || !view.value) return;
+    paintBoard(canvas.current, world, robotOf(null), liveryOf(group.value), view.value);
+  }, [world, view.value, theme.value, group.value]);
 
   return (
     <div class="world-editor__floor column shrinks shrinks-down gap-2">

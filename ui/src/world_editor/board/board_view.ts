@@ -1,9 +1,9 @@
 import type { Robot, World } from "../../api/model";
-import { type Colours, readColours } from "../../scene/colours";
+import { readColours } from "../../scene/colours";
+import { wholeRoom } from "../../scene/framing/content_bounds";
 import { drawFloor, drawRulers } from "../../scene/floor";
 import type { XY } from "../../scene/frames";
-import { wholeRoom } from "../../scene/framing/content_bounds";
-import { clampScale, type Size, type Viewport, viewportFor } from "../../scene/framing/viewport";
+import type { Livery } from "../../scene/livery/livery";
 import { drawRobot, drawStart } from "../../scene/robot";
 
 /** Viewport and size of the board. */
@@ -47,6 +47,7 @@ export function paintBoard(
   canvas: HTMLCanvasElement,
   world: World,
   robot: Robot | null,
+  livery: Livery | null,
   view: View,
 ): void {
   const ctx = canvas.getContext("2d");
@@ -63,22 +64,18 @@ export function paintBoard(
   ctx.scale(viewport.scale, -viewport.scale);
   ctx.translate(-viewport.x, -viewport.y);
   drawFloor(ctx, world, colours, viewport.scale);
-  if (robot) drawRobotAtStart(ctx, world, robot, colours, viewport.scale * ratio);
+  if (robot) {
+    toStart(ctx, world);
+    drawStart(ctx, robot, colours, viewport.scale * ratio);
+    drawRobot(ctx, robot, { x: 0, y: 0, yaw: 0 }, colours, viewport.scale * ratio, livery);
+  }
   ctx.restore();
   drawRulers(ctx, world, viewport, size, colours);
 }
 
-function drawRobotAtStart(
-  ctx: CanvasRenderingContext2D,
-  { start }: World,
-  robot: Robot,
-  colours: Colours,
-  pixels: number,
-): void {
+function toStart(ctx: CanvasRenderingContext2D, { start }: World): void {
   ctx.translate(start.x_m, start.y_m);
   ctx.rotate((start.heading_deg * Math.PI) / 180);
-  drawStart(ctx, robot, colours, pixels);
-  drawRobot(ctx, robot, { x: 0, y: 0, yaw: 0 }, colours, pixels);
 }
 
 function fitTo(canvas: HTMLCanvasElement, { width, height }: Size): void {
