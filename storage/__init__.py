@@ -8,7 +8,9 @@ from storage.errors import StoreError
 from storage.file.notices import Notice
 from storage.recording import RunRecorder, warm_up
 from storage.row_types import (
+    CALIBRATED_ROBOT,
     SIMULATOR,
+    CalibratedRobotRow,
     ClassroomRow,
     FaultRow,
     GroupRow,
@@ -36,7 +38,9 @@ from storage.work.lesson_history import (
 )
 
 __all__ = [
+    "CALIBRATED_ROBOT",
     "SIMULATOR",
+    "CalibratedRobotRow",
     "ClassroomRow",
     "EditSummary",
     "FaultRow",

@@ -44,6 +44,7 @@ class StoreError(Exception):
     `name_too_long`, `note_empty`, `note_too_long`, `color_unknown`, `picture_unknown`, `pattern_unknown`,
     `lesson_not_joinable`,
     `sign_name_wrong`, `sign_taught_enough`, `signs_too_many`, `own_activity_not_found`, `own_activities_too_many`,
+    `calibrated_robot_not_found`, `calibrated_robots_too_many`,
     `version_damaged`, `run_damaged`, `bundle_not_lesson`, `lesson_without_class`, `work_unreadable`.
     """
 

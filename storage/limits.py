@@ -24,6 +24,8 @@ MAX_TAUGHT_SIGNS = 60  # of a class; it records no more, and more from merges do
 # features of a hand, computed by gestures/features.py; a movement (gestures/moving/movements.py) has as many
 N_FEATURES = 1748
 MAX_OWN_ACTIVITIES = 200  # of a school, without deleted ones
+MAX_CALIBRATED_ROBOTS = 50  # of a school, without deleted ones
+MAX_ROBOT_PARAMETERS = 100  # of one robot
 SAMPLES_PER_HOUR = 108_000
 # of all runs in a file opened without PIN: unpacking them takes a second, and no program is run for so long
 MAX_SAMPLES_WITHOUT_PIN = 36 * SAMPLES_PER_HOUR

@@ -12,6 +12,7 @@ _SAMPLE_BYTES = 2 * N_FEATURES
 Json = dict[str, Any]
 TruePoseRow = tuple[int | None, float, float, float, float, float]
 SIMULATOR = "sim"  # the link of simulated runs
+CALIBRATED_ROBOT = "calibrated_robot"  # name of a run's calibrated robot, in its parameters
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +95,24 @@ class OwnActivityRow:
     title: str
     document: Json
     goal: Json
+    created_at: str
+    deleted_at: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class CalibratedRobotRow:
+    """A robot of the simulator with the errors of a real one.
+
+    Attributes:
+        model: name of the model that it differs from.
+        parameters, report: as pinel_desktop/calibration/report.py writes them.
+    """
+
+    id: str
+    title: str
+    model: str
+    parameters: Json
+    report: Json
     created_at: str
     deleted_at: str | None
 
@@ -264,9 +283,19 @@ class RunRow:
         return _model(self.parameters)
 
     @property
+    def calibrated_robot(self) -> str | None:
+        """Name of the calibrated robot that drove; None of others."""
+        return _calibrated_robot(self.parameters)
+
+    @property
     def counted(self) -> bool | None:
         """`passed`, but None while the pass does not count."""
         return None if self.unconfirmed else self.passed
+
+
+def _calibrated_robot(parameters: Json) -> str | None:
+    value = parameters.get(CALIBRATED_ROBOT)
+    return value if isinstance(value, str) else None
 
 
 def _model(parameters: Json) -> str | None:
@@ -335,6 +364,11 @@ class RunSummary(NamedTuple):
     def model(self) -> str | None:
         """As in `RunRow`."""
         return _model(readable_object(self.parameters_json) or {})
+
+    @property
+    def calibrated_robot(self) -> str | None:
+        """As in `RunRow`."""
+        return _calibrated_robot(readable_object(self.parameters_json) or {})
 
     @property
     def params(self) -> Json:

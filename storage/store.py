@@ -23,6 +23,7 @@ from storage.sql import Stop, exists
 from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
 from storage.text import new_id, utc_now
+from storage.work.calibrated_robots import CalibratedRobots
 from storage.work.class_presets import ClassPresets
 from storage.work.classrooms import Classrooms
 from storage.work.computers import Computers
@@ -59,6 +60,7 @@ class Store:
         self.classrooms = Classrooms(database)
         self.class_presets = ClassPresets(database)
         self.own_activities = OwnActivities(database)
+        self.calibrated_robots = CalibratedRobots(database)
         self.groups = Groups(database)
         self.lessons = Lessons(database)
         self.taught_signs = TaughtSigns(database)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pinel_desktop.commands.database import opened_for_reading
+from pinel_desktop.commands.database import opened_for_reading, opened_store
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.runs import find_run
 
@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 @click.command()
 @database_option
 @click.argument("runs", metavar="RUN...", nargs=-1, required=True)
+@click.option("--name", help="Store the robot under this name, for the simulator.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
-def command(ctx: click.Context, runs: tuple[str, ...], as_json: bool) -> None:
+def command(ctx: click.Context, runs: tuple[str, ...], name: str | None, as_json: bool) -> None:
     """Learn the errors of a real robot from its runs.
 
     RUN is the id of a run, or a unique prefix of it. Wheels, track and slip need runs whose true pose was measured:
@@ -28,8 +29,11 @@ def command(ctx: click.Context, runs: tuple[str, ...], as_json: bool) -> None:
     """
     from pinel_desktop.calibration.recorded import calibrate_runs  # noqa: PLC0415 - imports numpy
 
-    with opened_for_reading(chosen_database(ctx)) as store:
+    path = chosen_database(ctx)
+    with opened_store(path, may_be_new=False) if name else opened_for_reading(path) as store:
         report = calibrate_runs(store, [find_run(store, run) for run in dict.fromkeys(runs)])
+        if name is not None:
+            store.calibrated_robots.create(name, report.model, report.values, report.as_record())
     click.echo(json.dumps(report.as_record()) if as_json else "\n".join(_lines(report)))
 
 

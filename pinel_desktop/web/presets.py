@@ -51,4 +51,4 @@ def prepare_program(program: ProgramRow, group: GroupRow, parts: Services) -> No
         return
     setup = Setup(world=preset.world if world is None else _OWN)
     empty = {"pinel_ir": 1, "name": program.name, "functions": [], "commands": []}
-    parts.store.versions.save(program.id, {}, empty, world=world, setup=setup.model_dump())
+    parts.store.versions.save(program.id, {}, empty, world=world, setup=setup.as_stored())

@@ -23,7 +23,7 @@ from pinel_desktop.web.api import (
     versions,
     worlds,
 )
-from pinel_desktop.web.api.preparing import lesson_files, own_activities, robots
+from pinel_desktop.web.api.preparing import calibration, lesson_files, own_activities, robots
 from pinel_desktop.web.api.window import drives, instance, kiosk, projector
 
 RESOURCES = (
@@ -48,6 +48,7 @@ RESOURCES = (
     python,
     worlds,
     robots,
+    calibration,
     camera,
     signs,
     stream,

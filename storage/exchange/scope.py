@@ -9,6 +9,7 @@ from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import COMPUTERS, DELETIONS, FORMER_CLASSES, REPLICATED, TOMBSTONES
 from storage.tables.runs import RUNS
 from storage.tables.work import (
+    CALIBRATED_ROBOTS,
     CLASS_PRESETS,
     CLASSROOMS,
     GROUPS,
@@ -23,7 +24,9 @@ _REFERRED = (LESSONS, CLASSROOMS, COMPUTERS)
 _JOINED = "id IN (SELECT part_of FROM store.lessons WHERE id IN (SELECT id FROM main.lessons))"
 
 
-_ACTIVITIES_OF = """id IN (SELECT json_extract(versions.setup, '$.activity') FROM store.versions
+# tables whose rows the setups of versions name, by the setup's entry
+_NAMED_IN_SETUPS = {OWN_ACTIVITIES.name: "activity", CALIBRATED_ROBOTS.name: "calibrated_robot"}
+_OF_SETUPS = """id IN (SELECT json_extract(versions.setup, '$.{entry}') FROM store.versions
     JOIN store.programs ON programs.id = versions.program_id WHERE {condition})"""
 
 _RETAINED_OF_GROUP = """turn % 2 AND id IN (SELECT :group UNION SELECT id FROM store.programs WHERE group_id = :group
@@ -90,19 +93,18 @@ class Scope:
         }
         if self.program_id:
             of_program = "id IN (SELECT group_id FROM store.programs WHERE id = :program)"
-            activities = _ACTIVITIES_OF.format(condition="programs.id = :program")
             chosen = {GROUPS.name: of_program, PROGRAMS.name: "id = :program"}
-            return rows | chosen | {OWN_ACTIVITIES.name: activities}
+            return rows | chosen | _of_setups("programs.id = :program")
         if self.group_id:
-            activities = _ACTIVITIES_OF.format(condition="programs.group_id = :group")
             chosen = {GROUPS.name: "id = :group", DELETIONS.name: _RETAINED_OF_GROUP}
             chosen[FORMER_CLASSES.name] = "group_id = :group"
-            return rows | chosen | {OWN_ACTIVITIES.name: activities}
+            return rows | chosen | _of_setups("programs.group_id = :group")
         return rows | self._of_class()
 
     def _of_class(self) -> dict[str, str]:
         rows = {
             OWN_ACTIVITIES.name: "1",
+            CALIBRATED_ROBOTS.name: "1",
             CLASS_PRESETS.name: "id = :classroom",
             GROUPS.name: "classroom_id = :classroom",
             TAUGHT_SIGNS.name: "classroom_id = :classroom",
@@ -115,6 +117,14 @@ class Scope:
 
 
 ALL = Scope()
+
+
+def _of_setups(condition: str) -> dict[str, str]:
+    """Returns the conditions of the rows that the setups of the given programs name."""
+    return {
+        table: _OF_SETUPS.format(entry=entry, condition=condition)
+        for table, entry in _NAMED_IN_SETUPS.items()
+    }
 
 
 def _belonging(table: ReplicatedTable) -> str:

@@ -21,6 +21,7 @@ _WITH_ID = (
     "groups",
     "lessons",
     "own_activities",
+    "calibrated_robots",
     "class_presets",
     "programs",
     "notes",

@@ -11,7 +11,7 @@ from storage.errors import StoreError
 from storage.file.connection import Timestamp
 from storage.file.repository import Repository
 from storage.file.row_checksums import OF_RUNS
-from storage.row_types import Json, RunRow, RunStart, RunSummary
+from storage.row_types import SIMULATOR, Json, RunRow, RunStart, RunSummary
 from storage.run_validity import confirmation_status, counted, masking_damage
 from storage.sql import insert, not_found, require, rows_of, selected
 from storage.sqlite import sqlite3
@@ -116,6 +116,12 @@ class Runs(Repository):
     def newest(self, limit: int) -> list[RunRow]:
         """Returns the newest runs of all groups and of none, newest first, without their damaged values."""
         rows = self._rows(f"{_SELECT} ORDER BY id DESC LIMIT ?", limit)
+        return [_run_row(row, lenient=True) for row in rows]
+
+    def newest_real(self, limit: int) -> list[RunRow]:
+        """Returns the newest ended runs on real robots, newest first, without their damaged values."""
+        real = f"link IS NOT '{SIMULATOR}' AND state IS NOT 'running'"
+        rows = self._rows(f"{_SELECT} WHERE {real} ORDER BY id DESC LIMIT ?", limit)
         return [_run_row(row, lenient=True) for row in rows]
 
     def ids_beginning_with(self, prefix: str) -> list[str]:

@@ -248,4 +248,16 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
         ) STRICT""",
         "CREATE INDEX truths_run ON truths (run_id)",
     ),
+    "calibrated_robots": (
+        f"""CREATE TABLE calibrated_robots (
+            id TEXT PRIMARY KEY,
+            title TEXT NOT NULL,
+            model TEXT NOT NULL,
+            parameters TEXT NOT NULL,
+            report TEXT NOT NULL,
+            created_at TEXT NOT NULL,
+            deleted_at TEXT,
+            {_STATE}
+        ) STRICT""",
+    ),
 }

@@ -21,6 +21,7 @@ from storage.tables.columns import (
 from storage.tables.local import LOCAL
 from storage.tables.runs import EVENTS, RUNS, TELEMETRY, TRUTHS
 from storage.tables.work import (
+    CALIBRATED_ROBOTS,
     CLASS_PRESETS,
     CLASSROOMS,
     GROUPS,
@@ -112,6 +113,7 @@ REPLICATED = (
     LESSONS,
     TAUGHT_SIGNS,
     OWN_ACTIVITIES,
+    CALIBRATED_ROBOTS,
     CLASS_PRESETS,
     PROGRAMS,
     VERSIONS,

@@ -19,6 +19,7 @@ from storage.limits import (
     LAST_YEAR,
     MAX_COUNT,
     MAX_NAME,
+    MAX_ROBOT_PARAMETERS,
     MAX_SIGN,
     MAX_TAUGHT_SAMPLES,
     MAX_TRUE_POSES,
@@ -205,6 +206,11 @@ def _is_activity(value: dict[str, Any]) -> bool:
     )
 
 
+def _are_robot_parameters(value: dict[str, Any]) -> bool:
+    """Checks what can be checked without the app, which knows the names and bounds: few finite numbers."""
+    return len(value) <= MAX_ROBOT_PARAMETERS and all(map(real, value.values()))
+
+
 def _is_goal(value: dict[str, Any]) -> bool:
     return all(isinstance(value.get(part), kind) for part, kind in _GOAL_PARTS.items())
 
@@ -239,4 +245,5 @@ poses = json_of(list, _are_poses)
 world = json_of(dict, _is_world)
 activity = json_of(dict, _is_activity)
 goal = json_of(dict, _is_goal)
+robot_parameters = json_of(dict, _are_robot_parameters)
 version_vector = json_of(dict, _is_version_vector)

@@ -146,6 +146,30 @@ OWN_ACTIVITIES = ReplicatedTable(
     parquet=False,
     counts_empty=False,
 )
+CALIBRATED_ROBOTS = ReplicatedTable(
+    "calibrated_robots",
+    "Robots of the simulator with the errors of a real one (calibration.md). Versions name one by its key, so that one"
+    " deleted is only marked; runs hold its parameters.",
+    (
+        Column("id", KEY, "key of a calibrated robot"),
+        Column("title", TEXT, "its name", rules.name, "plain(title)"),
+        Column("model", TEXT, "name of the model that it differs from", rules.short, UNCHANGED),
+        Column("parameters", JSON, "in what it differs, in SI units", rules.robot_parameters),
+        Column(
+            "report",
+            JSON,
+            "what the calibration found: runs, parameters with intervals and sources, predictions of runs held out",
+            rules.json_object,
+        ),
+        Column("created_at", TIME, "when it was calibrated"),
+        Column("deleted_at", TIME, "deleted since", optional=True),
+        *REVISED,
+    ),
+    deletable=False,
+    anonymous=False,
+    parquet=False,
+    counts_empty=False,
+)
 CLASS_PRESETS = ReplicatedTable(
     "class_presets",
     "With what the groups of a class begin: level, world, activity, minutes between swaps, album of stickers.",

@@ -85,6 +85,7 @@ def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
         activity = {"pinel_activity": 2, "name": "a", "title": {}, "checks": [], "cases": []}
         goal: dict[str, object] = {"lines": [], "zones": [], "boxes": {}}
         there.own_activities.save(there.own_activities.new_key(), "Até a porta", activity, goal)
+        there.calibrated_robots.create("Pioneer", "pioneer_3dx", {"track_m": 0.34}, {})
         there.class_presets.set(classroom.id, {"level": 2})
         work(there, there.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
         a_run(there, None)

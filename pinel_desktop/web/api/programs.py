@@ -113,7 +113,7 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
         document,
         faults,
         world,
-        setup=body.setup.model_dump() if body.setup else None,
+        setup=body.setup.as_stored() if body.setup else None,
         parent_id=body.parent_id,
     )
     program = parts.store.programs.get(path.id)

@@ -15,6 +15,7 @@ from pinel_desktop.robot import RobotModel, SimulationConfig
 from pinel_desktop.robot.robot_profile import ROOM
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.school.calibrated_robots import calibrated_setting
 from pinel_desktop.school.grading import NOT_JUDGED, start_info_of
 from pinel_desktop.school.own_activities import known_activity
 from pinel_desktop.web.api import OCTETS, WRITES, Resource, responses
@@ -34,7 +35,7 @@ from pinel_desktop.web.models.runs import (
 from pinel_desktop.web.models.worlds import Start, World
 from pinel_desktop.web.responses import describe_faults, json_response
 from pinel_desktop.web.services import Services, services
-from storage import SIMULATOR, RunRow, RunSummary, StoreError, VersionRow
+from storage import CALIBRATED_ROBOT, SIMULATOR, RunRow, RunSummary, StoreError, VersionRow
 
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity
@@ -71,6 +72,8 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
         "world_missing",
         "unknown_link",
         "robot_not_set_up",
+        "calibrated_robot_not_found",
+        "calibrated_robot_deleted",
         *WRITES,
     ),
 )
@@ -93,7 +96,7 @@ def begin_run(body: NewRun) -> Response:
         app_version=parts.app_version,
         version_id=version.id,
         activity=activity.name if activity else None,
-        more={NOT_JUDGED: "cloud"} if body.cloud else None,
+        more=_for_people(spec, body, parts),
     )
     row = parts.store.runs.begin(record)
     _use_signs_of(row.group_id, parts)
@@ -143,9 +146,9 @@ def spec_for(
         if body.cloud:
             setting = SimulationConfig(setting.model, body.preset, body.feedback)
     else:
-        world, setting = _world(version, body.world, parts), _setting(body)
+        world, setting = _world(version, body.world, parts), _setting(body, parts)
         if body.start:
-            world = _moved(world, body.start, body.model, parts)
+            world = _moved(world, body.start, setting.model, parts)
     _refuse(_missing_on(setting.robot, document), parts)
     return RunSpec(document, world, setting=setting, seed=body.seed or 0, pace="live")
 
@@ -202,10 +205,21 @@ def _first_commands(body: NewRun) -> list[Command]:
     return [*commands, Step(mode="into")] if body.paused else commands
 
 
-def _setting(body: NewRun) -> SimulationConfig:
+def _setting(body: NewRun, parts: Services) -> SimulationConfig:
+    if body.calibrated_robot:
+        return calibrated_setting(parts.store, body.calibrated_robot)
     setting = SimulationConfig(body.model, body.preset, body.feedback)
     _ = setting.robot  # raises unknown_robot before anything is stored
     return setting
+
+
+def _for_people(spec: RunSpec, body: NewRun, parts: Services) -> dict[str, object]:
+    """Returns what the record of a run says besides its spec: why it is not judged, the name of its calibrated robot."""
+    more: dict[str, object] = {NOT_JUDGED: "cloud"} if body.cloud else {}
+    if body.calibrated_robot and spec.setting.parameters.changes:
+        robot = parts.store.calibrated_robots.get(body.calibrated_robot)
+        more[CALIBRATED_ROBOT] = robot.title
+    return more
 
 
 def _moved(

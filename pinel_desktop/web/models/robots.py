@@ -5,7 +5,8 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from pinel_desktop.robot import ROBOTS
-from pinel_desktop.web.models import DEFERRED, Json, RequestModel, ResponseModel
+from pinel_desktop.runs.truth import Source
+from pinel_desktop.web.models import DEFERRED, Id, Json, RequestModel, ResponseModel, Time
 from pinel_desktop.web.models.worlds import World
 
 RobotName = Annotated[str, Field(json_schema_extra={"enum": list(ROBOTS)})]
@@ -155,3 +156,90 @@ class LinkPath(RequestModel):
     model_config = DEFERRED
 
     link: str
+
+
+class CalibratedRobot(ResponseModel):
+    """A robot of the simulator with the errors of a real one."""
+
+    id: Id
+    title: str
+    model: str
+    created_at: Time
+
+
+class CalibratedRobotList(ResponseModel):
+    """The calibrated robots, oldest first."""
+
+    robots: list[CalibratedRobot]
+
+
+class RealRun(ResponseModel):
+    """A run on a real robot, from which one may calibrate it; `sources` measured where it truly was."""
+
+    id: Id
+    program_name: str | None
+    link: str
+    started_at: Time
+    duration_s: float | None
+    sources: list[Source]
+
+
+class RealRunList(ResponseModel):
+    """Runs on real robots, newest first."""
+
+    runs: list[RealRun]
+
+
+class RunsOfRobot(RequestModel):
+    """Runs of one real robot."""
+
+    runs: Annotated[list[Id], Field(max_length=20)]
+
+
+class NewCalibratedRobot(RunsOfRobot):
+    """Runs of one real robot, and a name for the robot that they tell."""
+
+    title: Annotated[str, Field(max_length=1000)]
+
+
+class CalibratedParameter(ResponseModel):
+    """A parameter of a robot with its 95 % interval; `nominal` is what a robot has that nobody measured.
+
+    If the runs cannot tell it, `is_known` is false, and value, low and high are the nominal value.
+    """
+
+    name: str
+    value: float
+    low: float
+    high: float
+    nominal: float
+    is_known: bool
+    sources: Annotated[list[str], Field(description="a source of truth, or `odometry`")]
+
+
+class Prediction(ResponseModel):
+    """How well the other runs predict where one ended; `expected_m` is the noise floor."""
+
+    place: Annotated[int, Field(description="of the run among all")]
+    error_m: float
+    expected_m: float
+    nominal_m: Annotated[float, Field(description="error without calibration")]
+
+
+class Squares(ResponseModel):
+    """Figures of UMBmark (Borenstein and Feng, 1996), by squares in both directions."""
+
+    difference: float
+    track_ratio: float
+    worst_m: float
+
+
+class Calibration(ResponseModel):
+    """What runs tell about a real robot; `values` are the parameters of the simulated one."""
+
+    model: str
+    runs: list[Id]
+    values: dict[str, float]
+    parameters: list[CalibratedParameter]
+    held_out: list[Prediction]
+    squares: Squares | None

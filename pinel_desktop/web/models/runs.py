@@ -33,6 +33,9 @@ class Run(ResponseModel):
         str | None,
         Field(description="which robot drove; null of the first releases: the default"),
     ]
+    calibrated_robot: Annotated[
+        str | None, Field(description="name of the robot with a real one's errors; null of others")
+    ]
     world: str
     seed: int
     state: Literal["running", "finished", "stopped", "failed"]
@@ -114,6 +117,10 @@ class NewRun(RequestModel):
     model: RobotName = PIONEER_3DX.name
     preset: Preset = "ideal"
     feedback: Feedback = "pose"
+    calibrated_robot: Annotated[
+        Id | None,
+        Field(description="a robot with a real one's errors, instead of model and preset"),
+    ] = None
     breakpoints: BlockIds = Field(default_factory=list)
     speed: SpeedFactor = 1.0
     robot: Annotated[

@@ -105,11 +105,19 @@ class Setup(ResponseModel):
     model: RobotName = PIONEER_3DX.name
     preset: Preset = "ideal"
     feedback: Feedback = "pose"
+    calibrated_robot: Annotated[
+        Id | None,
+        Field(description="a robot with a real one's errors, instead of model and preset"),
+    ] = None
     speed: SpeedFactor = 1.0
     activity: Annotated[
         str | None, Field(max_length=100, description="the activity that it is to solve")
     ] = None
     n_hints: Annotated[int, Field(ge=0, le=100, description="hints of it that were opened")] = 0
+
+    def as_stored(self) -> Json:
+        """Returns the setup as a version stores it, without a calibrated robot where none is chosen, as before 0.4."""
+        return self.model_dump(exclude=None if self.calibrated_robot else {"calibrated_robot"})
 
 
 class Version(ResponseModel):

@@ -28,10 +28,11 @@ class RandomLife:
             *(self._make_group, self._make_class, self._work, self._save, self._open),
             *(self._rename_group, self._rename_class, self._throw_away, self._note),
             *(self._teach, self._make_activity, self._preset, self._measure),
+            self._calibrate,
         )
         self._rare: tuple[Deed, ...] = (
             *(self._delete_class, self._delete_group, self._delete_program, self._delete_run),
-            *(self._forget_sign, self._delete_activity),
+            *(self._forget_sign, self._delete_activity, self._delete_calibrated),
             *(self._merge,) * 4,
         )
 
@@ -111,6 +112,14 @@ class RandomLife:
     def _delete_activity(self) -> None:
         if one := self._one_of(self._store.own_activities.all()):
             self._store.own_activities.delete(one.id)
+
+    def _calibrate(self) -> None:
+        values = {"track_m": 0.3 + self._chance.random() / 10}
+        self._store.calibrated_robots.create(self._name(), "pioneer_3dx", values, {"runs": []})
+
+    def _delete_calibrated(self) -> None:
+        if one := self._one_of(self._store.calibrated_robots.all()):
+            self._store.calibrated_robots.delete(one.id)
 
     def _preset(self) -> None:
         if classroom := self._classroom():

@@ -25,6 +25,7 @@ CORRECTIONS: dict[str, Correct] = {
     "own_activities": lambda store, key: store.own_activities.save(
         key, "Até o fim", ACTIVITY, GOAL
     ),
+    "calibrated_robots": lambda store, key: store.calibrated_robots.delete(key),
     "class_presets": lambda store, key: store.class_presets.set(key, {"level": 3}),
     "programs": lambda store, key: store.programs.rename(key, "Círculo"),
     "version_labels": lambda store, key: store.versions.label(key, "anda bem"),
@@ -49,6 +50,7 @@ def there(pc: Opened, tmp_path: Path) -> tuple[Store, Path]:
     classroom = store.classrooms.create("5º B")
     store.lessons.open(classroom.id, "Quadrados")
     store.own_activities.save(store.own_activities.new_key(), "Até a porta", ACTIVITY, GOAL)
+    store.calibrated_robots.create("Pioneer", "pioneer_3dx", {"track_m": 0.34}, {})
     store.class_presets.set(classroom.id, {"level": 2})
     _, run = work(store, store.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
     store.truths.record(run, "tape", [(None, 1.0, 0.0, 0.0, 0.01, 0.03)])

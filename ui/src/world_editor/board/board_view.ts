@@ -1,8 +1,9 @@
 import type { Robot, World } from "../../api/model";
 import { readColours } from "../../scene/colours";
-import { wholeRoom } from "../../scene/framing/content_bounds";
 import { drawFloor, drawRulers } from "../../scene/floor";
 import type { XY } from "../../scene/frames";
+import { wholeRoom } from "../../scene/framing/content_bounds";
+import { clampScale, type Size, type Viewport, viewportFor } from "../../scene/framing/viewport";
 import type { Livery } from "../../scene/livery/livery";
 import { drawRobot, drawStart } from "../../scene/robot";
 
