@@ -23,7 +23,12 @@ _COMMANDS = {
     "setup": "Set up this PC by a file.",
     "doctor": "Say what this PC has and lacks.",
 }
-_SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup", "sweep": "batch.sweep"}
+_SUBMODULES = {
+    "calibrate": "robots.calibrate",
+    "salvage": "recovery.salvage",
+    "setup": "pc.setup",
+    "sweep": "batch.sweep",
+}
 _OWNED = ("camera", "cloud", "engine", "judge", "kiosk", "window")
 _HIDDEN = {name: f"owned.{name}" for name in _OWNED} | {"app": "app"}
 

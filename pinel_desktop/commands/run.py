@@ -17,7 +17,7 @@ from pinel_desktop.commands.database import require_location
 from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
 from pinel_desktop.commands.printing import metric_lines, print_problem
 from pinel_desktop.commands.program_file import location_of, read_file
-from pinel_desktop.commands.real_robot import (
+from pinel_desktop.commands.robots.real_robot import (
     ROBOT_OPTIONS,
     announce_waiting,
     chosen_robot,

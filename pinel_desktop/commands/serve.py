@@ -13,7 +13,7 @@ from pinel_desktop.camera.address import check_address, check_recognizer
 from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
 from pinel_desktop.commands.pc.first_start import locked
 from pinel_desktop.commands.printing import Failure, print_problem
-from pinel_desktop.commands.real_robot import chosen_robot
+from pinel_desktop.commands.robots.real_robot import chosen_robot
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError
 from pinel_desktop.links import LINK_NAMES

@@ -4,12 +4,9 @@ from pinel_desktop.web.api import (
     activities,
     camera,
     classrooms,
-    clouds,
     exchange,
     groups,
-    history,
     notes,
-    predictions,
     programs,
     python,
     removal,
@@ -19,11 +16,11 @@ from pinel_desktop.web.api import (
     status,
     stream,
     teacher,
-    truths,
     versions,
     worlds,
 )
 from pinel_desktop.web.api.preparing import calibration, lesson_files, own_activities, robots
+from pinel_desktop.web.api.results import clouds, history, predictions, truths
 from pinel_desktop.web.api.window import drives, instance, kiosk, projector
 
 RESOURCES = (

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.commands.real_robot import chosen_robot
+from pinel_desktop.commands.robots.real_robot import chosen_robot
 from pinel_desktop.errors import PinelError
 from pinel_desktop.robot.robot_profile import BridgeProfile
 from tests.commands.typed import SQUARE, pinel, run_json

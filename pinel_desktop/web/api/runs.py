@@ -214,7 +214,7 @@ def _setting(body: NewRun, parts: Services) -> SimulationConfig:
 
 
 def _for_people(spec: RunSpec, body: NewRun, parts: Services) -> dict[str, object]:
-    """Returns what the record of a run says besides its spec: why it is not judged, the name of its calibrated robot."""
+    """Returns what a record says besides the spec: why nobody judges the run, the name of its calibrated robot."""
     more: dict[str, object] = {NOT_JUDGED: "cloud"} if body.cloud else {}
     if body.calibrated_robot and spec.setting.parameters.changes:
         robot = parts.store.calibrated_robots.get(body.calibrated_robot)

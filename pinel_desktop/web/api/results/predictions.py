@@ -4,7 +4,7 @@ from flask import Response
 
 from pinel_desktop.web.api import TEACHER, Resource, responses
 from pinel_desktop.web.models import IdPath
-from pinel_desktop.web.models.predictions import RunPrediction, UnusualRun, UnusualRuns
+from pinel_desktop.web.models.results.predictions import RunPrediction, UnusualRun, UnusualRuns
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher

@@ -1,0 +1,1 @@
+"""Real robots: the options of their links, and their calibration."""
