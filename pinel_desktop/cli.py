@@ -22,8 +22,8 @@ _COMMANDS = {
     "doctor": "Say what this PC has and lacks.",
 }
 _SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup"}
-_OWNED = ("camera", "cloud", "engine", "judge", "kiosk", "window")
-_HIDDEN = {name: f"owned.{name}" for name in _OWNED} | {"app": "app"}
+_SUPERVISED = ("camera", "cloud", "engine", "judge", "kiosk", "window")
+_HIDDEN = {name: f"owned.{name}" for name in _SUPERVISED} | {"app": "app"}
 
 
 class _LazyGroup(click.Group):

@@ -1,6 +1,6 @@
-import type { Colours } from "./colours";
-import type { XY } from "./frames";
-import type { Viewport } from "./viewport";
+import type { Colours } from "../colours";
+import type { XY } from "../frames";
+import type { Viewport } from "../viewport";
 
 /** One path of many, world frame, metres. */
 export interface BundlePath {
