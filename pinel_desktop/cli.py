@@ -29,8 +29,8 @@ _SUBMODULES = {
     "setup": "pc.setup",
     "sweep": "batch.sweep",
 }
-_OWNED = ("camera", "cloud", "engine", "judge", "kiosk", "window")
-_HIDDEN = {name: f"owned.{name}" for name in _OWNED} | {"app": "app"}
+_SUPERVISED = ("camera", "cloud", "engine", "judge", "kiosk", "window")
+_HIDDEN = {name: f"owned.{name}" for name in _SUPERVISED} | {"app": "app"}
 
 
 class _LazyGroup(click.Group):

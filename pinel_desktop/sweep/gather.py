@@ -58,16 +58,16 @@ class Summary:
 def summary_of(rows: Iterable[Row]) -> Summary:
     """Returns the summary of rows; their order does not matter."""
     rows = sorted(rows, key=lambda row: row.index)
-    begun = [row for row in rows if row.end is not None]
-    well = [row for row in begun if row.is_well]
+    started = [row for row in rows if row.end is not None]
+    well = [row for row in started if row.is_well]
     return Summary(
         n_runs=len(rows),
         n_well=sum(row.is_well for row in rows),
         n_collided=sum(row.n_collisions > 0 for row in rows),
         n_together=int(np.count_nonzero(_distances(well) <= TOGETHER_M)),
-        closing_error_m=_percentiles([row.closing_error_m or 0.0 for row in begun]),
-        duration_s=_percentiles([row.duration_s for row in begun]),
-        end_spread_m=_end_spread_m(begun),
+        closing_error_m=_percentiles([row.closing_error_m or 0.0 for row in started]),
+        duration_s=_percentiles([row.duration_s for row in started]),
+        end_spread_m=_end_spread_m(started),
         reasons=_reasons(rows),
     )
 

@@ -208,8 +208,8 @@ def _with_cause(row: Row, activity: Activity | None, evidence: Evidence) -> Row:
     if report is None:
         return row
     failed = next((check for check in report.checks if not check.holds), None)
-    look = report.advice or failed
-    block, pointer = (look.block, look.pointer) if look else (None, None)
+    source = report.advice or failed
+    block, pointer = (source.block, source.pointer) if source else (None, None)
     kind = failed.kind if failed else None
     return replace(row, cause="check", check=kind, block=block, pointer=pointer)
 

@@ -140,5 +140,5 @@ def test_no_process_stays_when_the_app_ends() -> None:
     every = [process, *process.children(recursive=True)]
     assert len(every) > 1
     clouds.client.close()
-    _, alive = psutil.wait_procs(every, timeout=WAIT_S)
-    assert alive == []
+    _, running = psutil.wait_procs(every, timeout=WAIT_S)
+    assert running == []

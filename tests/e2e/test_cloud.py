@@ -61,8 +61,9 @@ def test_the_block_that_drives_into_the_wall_is_named_and_marked(studio: Studio)
     enter_made_group(studio, INTO_THE_WALL)
     assert drive_50(studio) == 0
     expect(studio["cloud-text"]).to_contain_text("50 batem em algo em “andar para frente 6 m”.")
-    expect(studio.blocks.faulty()).to_have_count(1)
-    expect(studio.blocks.faulty()).to_contain_text("6")
+    marked = studio.page.locator(".pinelAdvice")
+    expect(marked).to_have_count(1)
+    expect(marked).to_contain_text("6")
 
 
 def test_one_of_the_robots_drives_as_a_run_of_its_own_by_the_list_and_by_a_click_on_its_path(

@@ -141,9 +141,9 @@ def test_a_killed_process_is_replaced_and_its_job_tried_again() -> None:
     pool.start()
     try:
         rows = rows_of(pool, jobs)
-        begun = [next(rows)]
+        first = [next(rows)]
         kill_every_process()
-        found = in_order(iter([*begun, *rows]))
+        found = in_order(iter([*first, *rows]))
     finally:
         pool.end()
     assert found == [run_job(job) for job in jobs]

@@ -14,7 +14,7 @@ import { spokenText } from "../run/values";
 import { lazy } from "../shell/lazy";
 import { program } from "../shell/session";
 import { prefersStill, theme } from "../shell/theme";
-import type { Bundle } from "./bundle";
+import type { Bundle } from "./bundle/bundle";
 import type { Companion } from "./companion";
 import { startOf, toWorld, type XY } from "./frames";
 import type { Framing } from "./framing/framed_viewport";

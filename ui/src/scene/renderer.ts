@@ -2,7 +2,7 @@ import type { Robot, World } from "../api/model";
 import { IDLE, isLive, type Pose, type RunView } from "../run/reducer";
 import type { Point } from "../run/trail";
 import { BoxInterpolator } from "./box_interpolator";
-import { type Bundle, type BundlePath, drawBundle, pathAt } from "./bundle";
+import { type Bundle, type BundlePath, drawBundle, pathAt } from "./bundle/bundle";
 import { type Colours, readColours } from "./colours";
 import { type Companion, drawCompanion } from "./companion";
 import { drawMovableBoxes, drawRulers } from "./floor";

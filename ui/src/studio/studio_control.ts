@@ -256,7 +256,7 @@ export class StudioControl {
     await this.whileBusy(() => this.cloud.begin());
   }
 
-  readonly seeRobot = (seed: number): void => void this.cloud.see(seed);
+  readonly runRobot = (seed: number): void => void this.cloud.runOne(seed);
 
   /** Saves the program and runs it with further options. */
   async drive(options: Partial<robot.RunOptions>): Promise<void> {

@@ -8,8 +8,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.web.api import Resource, responses
 from pinel_desktop.web.api.runs import activity_of, spec_for
 from pinel_desktop.web.models import Empty, IdPath
-from pinel_desktop.web.models.results.clouds import Cloud, NewCloud
-from pinel_desktop.web.models.runs import NewRun
+from pinel_desktop.web.models.runs import Cloud, NewCloud, NewRun
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import Services, services
 from storage import SIMULATOR

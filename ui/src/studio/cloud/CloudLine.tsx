@@ -25,7 +25,7 @@ export function CloudLine({ of }: { of: CloudControl }) {
         {sentenceOf(of)}
       </p>
       {/* the sentence at the end only: a reader would otherwise read every robot */}
-      <output class="visually-hidden">{of.isUnderWay.value ? "" : sentenceOf(of)}</output>
+      <output class="visually-hidden">{of.isRunning.value ? "" : sentenceOf(of)}</output>
       {isOver && now.rows.length > 0 && <Robots of={of} rows={now.rows} />}
       <Button icon={X} tip={cloud.close} testId="cloud-close" onPress={() => of.close()} />
     </section>
@@ -59,7 +59,7 @@ function Robots({ of, rows }: { of: CloudControl; rows: readonly CloudRow[] }) {
       testId="cloud-see"
       value={0}
       options={[[0, cloud.see] as const, ...sorted.map((row) => [row.seed, nameOf(row)] as const)]}
-      onChange={(seed) => (seed ? of.see(seed) : undefined)}
+      onChange={(seed) => (seed ? of.runOne(seed) : undefined)}
     />
   );
 }

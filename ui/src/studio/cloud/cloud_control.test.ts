@@ -61,7 +61,7 @@ afterEach(() => {
 });
 
 /** Begins a cloud of a program without faults; returns its id. */
-async function begun({ control, savedVersion }: ReturnType<typeof studioOf>): Promise<string> {
+async function started({ control, savedVersion }: ReturnType<typeof studioOf>): Promise<string> {
   savedVersion.mockResolvedValueOnce({ id: "v", faults: [] });
   await control.begin();
   return control.now.peek()?.id ?? "";
@@ -75,40 +75,40 @@ function ended(id: string, n_good: number, block: string | null = null): void {
 test("robots are added as they arrive, those of another cloud are not", async () => {
   const studio = studioOf();
   stop = studio.control.listen();
-  const id = await begun(studio);
+  const id = await started(studio);
   newest.value = event(id, { rows: [row(1)] });
   newest.value = event("another", { rows: [row(9)] });
-  expect(studio.control.isUnderWay.value).toBe(true);
+  expect(studio.control.isRunning.value).toBe(true);
   ended(id, 1);
   expect(studio.control.now.value?.rows.map(({ seed }) => seed)).toEqual([1, 2]);
-  expect(studio.control.isUnderWay.value).toBe(false);
+  expect(studio.control.isRunning.value).toBe(false);
   expect(studio.control.bundle.value?.paths.map(({ well }) => well)).toEqual([true, false]);
 });
 
 test("a changed program makes them stale: faint, without advice, and none of them drives", async () => {
   const studio = studioOf();
   stop = studio.control.listen();
-  ended(await begun(studio), 31, "block");
+  ended(await started(studio), 31, "block");
   expect(studio.control.advice.value?.block).toBe("block");
   studio.content.value = { workspace: {}, document: { commands: [] } };
   expect(studio.control.bundle.value?.isFaint).toBe(true);
   expect(studio.control.advice.value).toBeNull();
-  await studio.control.see(2);
+  await studio.control.runOne(2);
   expect(studio.drive).not.toHaveBeenCalled();
 });
 
 test("the next ones know how many did it before", async () => {
   const studio = studioOf();
   stop = studio.control.listen();
-  ended(await begun(studio), 31);
-  await begun(studio);
+  ended(await started(studio), 31);
+  await started(studio);
   expect(studio.control.now.value?.before).toBe(31);
 });
 
 test("a program with faults keeps what is on the floor", async () => {
   const studio = studioOf();
   stop = studio.control.listen();
-  const id = await begun(studio);
+  const id = await started(studio);
   ended(id, 31);
   await studio.control.begin();
   expect(studio.control.now.value?.id).toBe(id);
@@ -117,8 +117,8 @@ test("a program with faults keeps what is on the floor", async () => {
 test("one of them drives by its seed, as the realistic robot", async () => {
   const studio = studioOf();
   stop = studio.control.listen();
-  ended(await begun(studio), 31);
-  await studio.control.see(2);
+  ended(await started(studio), 31);
+  await studio.control.runOne(2);
   const expected = { seed: 2, cloud: true, preset: "realistic", feedback: "odometry" };
   expect(studio.drive).toHaveBeenCalledWith(expect.objectContaining(expected));
 });
@@ -126,7 +126,7 @@ test("one of them drives by its seed, as the realistic robot", async () => {
 test("stop ends those under way, and nothing once all have arrived", async () => {
   const studio = studioOf();
   stop = studio.control.listen();
-  const id = await begun(studio);
+  const id = await started(studio);
   studio.control.stop();
   expect(cloudsApi.stop).toHaveBeenCalledWith(id);
   ended(id, 31);

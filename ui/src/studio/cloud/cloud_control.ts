@@ -4,7 +4,7 @@ import type { CloudProgressEvent, CloudRow, RunOptions, SavedState, Setup } from
 import type { Fault as BlockFault } from "../../editor";
 import * as robot from "../../run/live";
 import { chosenRobot } from "../../run/real/real_robot";
-import type { Bundle } from "../../scene/bundle";
+import type { Bundle } from "../../scene/bundle/bundle";
 import { level } from "../../shell/level";
 import { cloud as newest, report } from "../../shell/session";
 import { hasCommands, type OpenProgram } from "../program/open_program";
@@ -44,7 +44,7 @@ const WARM_UP_MS = 3000;
 /** The same program in many realistic robots: how firm is it? */
 export class CloudControl {
   readonly now = signal<Cloud | null>(null);
-  readonly isUnderWay = computed(() => this.now.value !== null && this.now.value.end === null);
+  readonly isRunning = computed(() => this.now.value !== null && this.now.value.end === null);
   /** Whether the program, its world or its robot has changed since. */
   readonly isStale = computed(
     () => this.now.value !== null && this.now.value.of !== this.subject(),
@@ -130,8 +130,8 @@ export class CloudControl {
   }
 
   /** Runs the program with the wheels of one of the robots. */
-  see(seed: number): Promise<void> {
-    if (this.isStale.peek() || this.isUnderWay.peek()) return Promise.resolve();
+  runOne(seed: number): Promise<void> {
+    if (this.isStale.peek() || this.isRunning.peek()) return Promise.resolve();
     return this.studio.drive({ ...REALISM_PRESETS.wheels, model: this.model(), seed, cloud: true });
   }
 

@@ -108,7 +108,7 @@ function StudioFloor({ control }: { control: StudioControl }) {
       whole={robot.live}
       companion={companion}
       bundle={control.cloud.bundle}
-      onPath={control.seeRobot}
+      onPath={control.runRobot}
       hold={control.hold}
       playing={isNow}
       solved={useSolved(control)}

@@ -1,8 +1,8 @@
 import { texts } from "../../i18n";
 import { level } from "../../shell/level";
-import { CloudButton } from "../cloud/CloudButton";
 import { ActionButton, type ActionsProps } from "./ActionButton";
 import { RUN_PAUSE_RESUME, STOP } from "./actions";
+import { CloudButton } from "./CloudButton";
 
 /** The button for Run, Pause and Resume, and Stop, which is always shown. */
 export function RunBar(props: ActionsProps) {

@@ -1,6 +1,6 @@
-import type { Colours } from "./colours";
-import type { XY } from "./frames";
-import type { Viewport } from "./framing/viewport";
+import type { Colours } from "../colours";
+import type { XY } from "../frames";
+import type { Viewport } from "../framing/viewport";
 
 /** One path of many, world frame, metres. */
 export interface BundlePath {
