@@ -1,9 +1,7 @@
 """The app's client of the process of the clouds: starts it before it is needed, sends requests, publishes rows."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from typing import Any
-from uuid import uuid4
 
 from pinel_desktop.cloud.messages import N_ROBOTS, STOP, CloudRequest
 from pinel_desktop.errors import PinelError
@@ -53,8 +51,8 @@ class CloudClient:
         """Starts the process, or restarts a lost one, so that it is warm at the next request; returns at once."""
         self._process.start()
 
-    def begin(self, request: CloudRequest) -> str:
-        """Starts a cloud and returns its id; its rows are published as they come.
+    def begin(self, request: CloudRequest) -> None:
+        """Starts a cloud; its rows are published as they come.
 
         Raises:
             PinelError: `cloud_lost` if the process does not start.
@@ -62,10 +60,9 @@ class CloudClient:
         self._process.start()
         if not self._process.wait_until_ready(_START_S):
             raise PinelError("cloud_lost")
-        self._cloud = cloud = str(uuid4())
-        if not self._process.send(replace(request, cloud=cloud).as_message()):
+        self._cloud = request.cloud
+        if not self._process.send(request.as_message()):
             raise PinelError("cloud_lost")
-        return cloud
 
     def stop(self, cloud: str) -> None:
         """Ends a cloud; nothing happens if it is over."""

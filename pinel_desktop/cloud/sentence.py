@@ -1,5 +1,6 @@
 """The sentence about a cloud: how many robots do what the group wants, and what stops the others."""
 
+from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
@@ -22,8 +23,14 @@ def sentence_of(
     """
     code, n_good = "cloud_passed" if is_judged else "cloud_together", n_good_of(summary, is_judged)
     parts = [describe(code, {"good": n_good, "all": summary.n_runs}, language).message]
-    for reason, n in summary.reasons[:_MAX_REASONS]:
-        parts.append(_reason_text(reason, n, document, language))
+    # several checks of one activity may fail at one block
+    counts: Counter[tuple[str, str | None]] = Counter()
+    for reason, n in summary.reasons:
+        counts[_kind(reason), reason.block] += n
+    for (kind, block), n in counts.most_common(_MAX_REASONS):
+        label = block_text(document, block, language) if block else None
+        code = f"cloud_{kind}_at" if label and kind != "robot_lost" else f"cloud_{kind}"
+        parts.append(describe(code, {"n": n, "block": label}, language).message)
     return " ".join(parts)
 
 
@@ -32,10 +39,5 @@ def n_good_of(summary: Summary, is_judged: bool) -> int:
     return summary.n_well if is_judged else summary.n_together
 
 
-def _reason_text(reason: Reason, n: int, document: Mapping[str, Any], language: str) -> str:
-    if reason.detail == LOST:
-        return describe("cloud_robot_lost", {"n": n}, language).message
-    kind = "too_long" if reason.detail == TOO_LONG else reason.cause
-    block = block_text(document, reason.block, language) if reason.block else None
-    code = f"cloud_{kind}_at" if block else f"cloud_{kind}"
-    return describe(code, {"n": n, "block": block}, language).message
+def _kind(reason: Reason) -> str:
+    return {LOST: "robot_lost", TOO_LONG: TOO_LONG}.get(reason.detail or "", reason.cause)

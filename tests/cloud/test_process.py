@@ -7,6 +7,7 @@ import signal
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import psutil
 import pytest
@@ -37,9 +38,10 @@ class Clouds:
         self.client = CloudClient(self.events.put, lambda: "pt-BR")
 
     def begin(self, document: Event, activity: str | None = None) -> str:
-        return self.client.begin(
+        cloud = str(uuid4())
+        self.client.begin(
             CloudRequest(
-                cloud="",
+                cloud=cloud,
                 document=document,
                 world=world_document("empty_room"),
                 model="pioneer_3dx",
@@ -49,6 +51,7 @@ class Clouds:
                 language="pt-BR",
             )
         )
+        return cloud
 
     def next(self) -> Event:
         return self.events.get(timeout=WAIT_S)

@@ -20,6 +20,7 @@ import "./editor/reader/reader.css";
 import "./studio/debug/debug.css";
 import "./scene/scene.css";
 import "./run/panels/run.css";
+import "./studio/cloud/cloud.css";
 import "./studio/text/text.css";
 import "./plots/plots.css";
 import "./studio/studio.css";

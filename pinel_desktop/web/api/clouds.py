@@ -62,7 +62,7 @@ def begin_cloud(body: NewCloud) -> Response:
     assert isinstance(spec.document, dict)
     assert isinstance(spec.world, dict)
     request = CloudRequest(
-        cloud="",
+        cloud=body.id,
         document=spec.document,
         world=spec.world,
         model=spec.setting.model,
@@ -71,7 +71,8 @@ def begin_cloud(body: NewCloud) -> Response:
         answers=inputs and inputs[1],
         language=parts.settings.language,
     )
-    return json_response(Cloud(id=parts.cloud.begin(request), n=N_ROBOTS))
+    parts.cloud.begin(request)
+    return json_response(Cloud(id=body.id, n=N_ROBOTS))
 
 
 @api.delete("/clouds/<id>", responses=responses(Empty))

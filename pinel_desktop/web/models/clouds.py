@@ -14,6 +14,10 @@ from storage import SIMULATOR
 class NewCloud(RequestModel):
     """A version for many robots, with its world, as for a run."""
 
+    id: Annotated[
+        str,
+        Field(min_length=1, max_length=64, description="chosen by the page: its events name it"),
+    ]
     version_id: Id
     world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
     start: Annotated[Start | None, Field(description="another start than the world's")] = None

@@ -123,7 +123,7 @@ class NewRun(RequestModel):
     cloud: Annotated[
         bool,
         Field(
-            description="one robot of a cloud, by its seed: an activity does not judge it and does not choose its preset"
+            description="one robot of a cloud, by its seed: an activity neither judges it nor chooses its preset"
         ),
     ] = False
     paused: Annotated[bool, Field(description="hold before the first block")] = False

@@ -23,8 +23,8 @@ export type Ring = Subscribe["sensors"][number];
 export type SavedState = Pick<SavedVersion, "id" | "faults">;
 /** How realistic the simulated robot is, and where its pose comes from: a camera or odometry. */
 export type RealismOptions = Required<Pick<NewRun, "preset" | "feedback">>;
-/** Options of a run that apply from its start: breakpoints, speed, steps, start pose and robot. */
-export type RunOptions = Omit<NewRun, "version_id" | "world" | "seed">;
+/** Options of a run that apply from its start: breakpoints, speed, steps, start pose, robot and seed. */
+export type RunOptions = Omit<NewRun, "version_id" | "world">;
 /** What the editor sends and the server stores; any object that JSON can hold. */
 export interface EditorContent extends Pick<NewVersion, "parent_id"> {
   workspace: object;

@@ -14,6 +14,7 @@ import { spokenText } from "../run/values";
 import { lazy } from "../shell/lazy";
 import { program } from "../shell/session";
 import { prefersStill, theme } from "../shell/theme";
+import type { Bundle } from "./bundle";
 import type { Companion } from "./companion";
 import { startOf, toWorld, type XY } from "./frames";
 import type { Livery } from "./livery/livery";
@@ -62,6 +63,10 @@ interface SceneProps {
   whole?: ReadonlySignal<RunView>;
   /** A second run drawn on the same floor. */
   companion?: ReadonlySignal<Companion | null>;
+  /** Paths of many robots on the same floor, in 2D. */
+  bundle?: ReadonlySignal<Bundle | null>;
+  /** Called with the id of the path of the bundle that is clicked. */
+  onPath?(id: number): void;
   /** Absent if a run is only displayed. */
   hold?: RobotHold;
   /** Whether a recorded run plays; absent if the run is live. */
@@ -121,6 +126,8 @@ function useFlatFloor(
     poseAt,
     whole,
     companion,
+    bundle,
+    onPath,
     hold,
     playing,
     solved,
@@ -151,6 +158,7 @@ function useFlatFloor(
       effect(() => scene.setMovable(hold?.grip.value.isAtStart ?? false)),
       effect(() => scene.setRanges(hold?.ranges.value ?? null)),
       effect(() => scene.setCompanion(companion?.value ?? null)),
+      effect(() => scene.setBundle(bundle?.value ?? null)),
       showSigns(scene, view, playing),
       celebrate(scene, element, solved),
       showMeasure(scene, tools),
@@ -159,6 +167,10 @@ function useFlatFloor(
         scene,
         tools,
         grip: () => hold?.grip.peek() ?? null,
+        onClick: (place) => {
+          const path = scene.pathAt(place);
+          if (path) onPath?.(path.id);
+        },
         snapPoints: () => placesOn(scene, view.peek()),
       }),
       putAwayOnEscape(tools),
@@ -168,7 +180,7 @@ function useFlatFloor(
       sizes.disconnect();
       scene.dispose();
     };
-  }, [view, poseAt, whole, companion, hold, playing, solved]);
+  }, [view, poseAt, whole, companion, bundle, hold, playing, solved]);
 
   const { colour, pattern, name } = livery ?? {};
   useEffect(() => renderer.current?.setWorld(world), [world]);

@@ -2,6 +2,7 @@ import type { Robot, World } from "../api/model";
 import { IDLE, isLive, type Pose, type RunView } from "../run/reducer";
 import type { Point } from "../run/trail";
 import { BoxInterpolator } from "./box_interpolator";
+import { type Bundle, type BundlePath, drawBundle, pathAt } from "./bundle";
 import { type Colours, readColours } from "./colours";
 import { type Companion, drawCompanion } from "./companion";
 import { contentBounds, wholeRoom } from "./content_bounds";
@@ -27,6 +28,9 @@ import {
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
+
+/** How far from a path of a bundle a click still means it. */
+const REACH_PX = 12;
 
 /** The estimated pose is drawn if it differs from the true pose by more than this. */
 export const OFF_M = 0.01;
@@ -74,6 +78,7 @@ export class SceneRenderer {
   private held = false;
   private overlay: Overlay | null = null;
   private companion: Companion | null = null;
+  private bundle: Bundle | null = null;
   private livery: Livery | null = null;
   private readonly signs = new RobotSigns();
 
@@ -140,6 +145,17 @@ export class SceneRenderer {
     this.companion = companion;
     this.moved = true;
     this.requestRedraw();
+  }
+
+  /** Sets the paths of many robots on this floor. */
+  setBundle(bundle: Bundle | null): void {
+    this.bundle = bundle;
+    this.requestRedraw();
+  }
+
+  /** The path of the bundle at a point of the world frame, within some pixels; null without one. */
+  pathAt(at: XY): BundlePath | null {
+    return this.bundle && pathAt(this.bundle, at, REACH_PX * this.pixel);
   }
 
   /** Fixes the viewport while the user drags something. */
@@ -331,6 +347,7 @@ export class SceneRenderer {
     const end: Point | null = this.view.run ? [pose.x, pose.y] : null;
     onFloor(ctx, input, viewport, () => {
       drawMovableBoxes(ctx, world, this.boxInterpolator.poses, colours);
+      if (this.bundle) drawBundle(ctx, this.bundle, viewport, colours);
       toStartFrame(ctx, world);
       cache.drawPaths(ctx, input, viewport, end);
     });

@@ -5,6 +5,7 @@ import type {
   CameraChangedEvent,
   CameraSightEvent,
   CheckStatusChangedEvent,
+  CloudProgressEvent,
   Group,
   JudgedEvent,
   Notice,
@@ -40,6 +41,8 @@ export const judged = signal<JudgedEvent | null>(null);
 export const checkStatus = signal<CheckStatusChangedEvent | null>(null);
 /** The last program saved, discarded or restored, in any window. */
 export const changed = signal<ProgramChangedEvent | null>(null);
+/** The last robots of a cloud that have arrived. */
+export const cloud = signal<CloudProgressEvent | null>(null);
 export const problem = signal<Problem | null>(null);
 export const worlds = signal<World[]>([]);
 /** The robot models that the server knows, the default first; empty until they are loaded. */
@@ -194,6 +197,9 @@ function onStream(
       break;
     case "checks_stand":
       checkStatus.value = event;
+      break;
+    case "cloud":
+      cloud.value = event;
       break;
     case "judged":
       judged.value = event;

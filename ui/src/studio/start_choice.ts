@@ -1,11 +1,13 @@
 import { batch, computed, type ReadonlySignal } from "@preact/signals";
-import type { Start, World } from "../api/model";
+import type { Robot, Start, World } from "../api/model";
 import { inspectedTick } from "../run/inspected_tick";
 import * as robot from "../run/live";
 import { chosenRobot } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import { startOf, toWorld } from "../scene/frames";
+import type { RobotHold } from "../scene/Scene";
 import { onTurn, turned } from "../scene/tools/measure";
+import { shownRanges } from "../scene/tools/sensor_rings";
 import type { OpenProgram } from "./program/open_program";
 
 interface WorldSource {
@@ -70,4 +72,22 @@ export class StartChoice {
   private setStart(start: Start | null): void {
     this.open.changeSetup({ start });
   }
+}
+
+/** Handling of the robot on the floor: dragging, sensors. */
+export function holdOf(start: StartChoice, model: ReadonlySignal<Robot | null>): RobotHold {
+  return {
+    grip: computed(() => ({
+      world: start.world.value,
+      here: start.hereNow.value,
+      isAtStart: robot.live.value.phase === "idle" && start.hereNow.value !== null,
+      put: (newStart) => start.put(newStart),
+    })),
+    canReset: start.canReset,
+    ranges: shownRanges(
+      () => start.world.value,
+      () => model.value,
+    ),
+    again: () => start.again(),
+  };
 }

@@ -1,7 +1,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
-import type { EditorContent, LiveCommand } from "../api/model";
+import type { EditorContent, LiveCommand, SavedState } from "../api/model";
 import { versionsApi } from "../api/versions";
 import { commandCount, MAX_SHOWN_COMMANDS, workspaceOf } from "../blocks/loader";
 import { expectedSigns, hasCapture } from "../camera/expected";
@@ -26,9 +26,10 @@ import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { valueText } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
-import { shownRanges, subscribeToRings } from "../scene/tools/sensor_rings";
+import { subscribeToRings } from "../scene/tools/sensor_rings";
 import { level } from "../shell/level";
-import { connection, engine, judged, problem, report, robotOf } from "../shell/session";
+import { judged, problem, report, robotOf } from "../shell/session";
+import { CloudControl } from "./cloud/cloud_control";
 import { breakpoints, runSettings, syncRunSettings } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
 import { Ghost } from "./ghost";
@@ -37,8 +38,15 @@ import type { OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
 import { setupOf } from "./program/setup";
 import { StoredUndo } from "./program/stored_undo";
-import { StartChoice } from "./start_choice";
-import { pastSentence, withReturnAdvice } from "./studio_sentence";
+import { holdOf, StartChoice } from "./start_choice";
+import { stopRobot } from "./stop_robot";
+import {
+  beforeRunSentence,
+  calm,
+  pastSentence,
+  serverSentence,
+  withReturnAdvice,
+} from "./studio_sentence";
 import { WorldControl } from "./world_control";
 
 const POINTING_MS = 2500;
@@ -113,6 +121,7 @@ export class StudioControl {
     this.missionSheet = new MissionSheet(open, this.mine);
     this.worlds = new WorldControl(open);
     this.start = new StartChoice(open, this.worlds);
+    this.hold = holdOf(this.start, this.robot);
   }
 
   /** The world of the current or next run. */
@@ -131,24 +140,11 @@ export class StudioControl {
   /** The robot in a further case of the mission, beside that of the group. */
   readonly ghost = new Ghost(this.robot);
 
+  /** The program in many robots at once. */
+  readonly cloud = new CloudControl(this);
+
   /** Handling of the robot on the floor: dragging, sensors. */
-  readonly hold: RobotHold = {
-    grip: computed(() => {
-      const { start } = this;
-      return {
-        world: start.world.value,
-        here: start.hereNow.value,
-        isAtStart: robot.live.value.phase === "idle" && start.hereNow.value !== null,
-        put: (newStart) => start.put(newStart),
-      };
-    }),
-    canReset: computed(() => this.start.canReset.value),
-    ranges: shownRanges(
-      () => this.world.value,
-      () => this.robot.value,
-    ),
-    again: () => this.start.again(),
-  };
+  readonly hold: RobotHold;
 
   /** Connects an editor to the program; returns the function that disconnects it. */
   attach(editor: Editor): () => void {
@@ -165,6 +161,7 @@ export class StudioControl {
       }),
       effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
       this.missionSheet.openAfterPasses(),
+      this.cloud.listen(),
     ];
     return () => {
       for (const stop of stops) stop();
@@ -177,7 +174,8 @@ export class StudioControl {
   private showAdvice(editor: Editor): void {
     const { value: failed } = this.failedBlock;
     const { value: advice } = this.advice;
-    editor.showAdvice(advice ? [advice, ...failed] : failed);
+    const others = [advice, this.cloud.advice.value].filter((one) => one !== null);
+    editor.showAdvice([...others, ...failed]);
     const block = failed[0]?.block ?? null;
     if (block !== null && block !== this.revealed) editor.reveal(block);
     this.revealed = block;
@@ -245,41 +243,73 @@ export class StudioControl {
   /** Saves the program and runs it; with `paused` it pauses before its first block. */
   async run(paused = false): Promise<void> {
     if (this.busy || isLive(robot.live.value)) return;
+    if (this.cannotStart()) return;
+    if (chosenRobot.peek() && !isChecked.peek()) this.asksBefore.value = { paused };
+    else await this.drive({ paused });
+  }
+
+  /** Drives the program in many robots at once, and tells about faults as `run` does. */
+  async startCloud(): Promise<void> {
+    if (this.busy || isLive(robot.live.value) || this.cannotStart()) return;
+    await this.whileBusy(() => this.cloud.begin());
+  }
+
+  readonly seeRobot = (seed: number): void => void this.cloud.see(seed);
+
+  /** Saves the program and runs it with further options. */
+  async drive(options: Partial<robot.RunOptions>): Promise<void> {
+    if (this.busy || isLive(robot.live.value)) return;
+    await this.whileBusy(() => this.saveAndStart(options));
+  }
+
+  /** Shows what prevents any run: a faulty world, or no blocks. */
+  private cannotStart(): boolean {
     this.missionSheet.close();
     if (this.worlds.isFaulty.peek()) this.worlds.edit();
     else if (this.open.isEmpty) this.asked.value = true;
-    else if (chosenRobot.peek() && !isChecked.peek()) this.asksBefore.value = { paused };
-    else {
-      this.busy = true;
-      await this.saveAndStart(paused);
+    else return false;
+    return true;
+  }
+
+  /** Saves the content on the screen; content already on disk creates no new version. Null if it has faults. */
+  async savedVersion(): Promise<SavedState | null> {
+    if (this.editor) this.open.edit(this.editor.content());
+    const version = await this.open.autosave.flush();
+    if (version && version.faults.length === 0) return version;
+    this.showFirst();
+    return null;
+  }
+
+  private async whileBusy(work: () => Promise<void>): Promise<void> {
+    this.busy = true;
+    problem.value = null;
+    try {
+      await work();
+    } catch (error) {
+      if (error instanceof ApiError && error.faults.length > 0)
+        this.open.faults.value = error.faults;
+      else this.reportError(error);
+    } finally {
       this.busy = false;
     }
   }
 
-  private async saveAndStart(paused: boolean): Promise<void> {
-    const { open } = this;
-    problem.value = null;
-    try {
-      // runs the content on the screen; content already on disk creates no new version
-      if (this.editor) open.edit(this.editor.content());
-      const version = await open.autosave.flush();
-      if (!version || version.faults.length > 0) return this.showFirst();
-      this.ran = open.content.value;
-      const start = this.start.start.value;
-      const options = {
-        ...runSettings(open, paused),
-        ...(start ? { start } : {}),
-        ...robotOfRun(),
-      };
-      const started = robot.start(version.id, this.worlds.name.value, options);
-      // only now, because `start` has cleared the previous run: its failure must not reappear
-      this.edited.value = false;
-      await started;
-      robotHasRun();
-    } catch (error) {
-      if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
-      else this.reportError(error);
-    }
+  private async saveAndStart(more: Partial<robot.RunOptions>): Promise<void> {
+    const version = await this.savedVersion();
+    if (!version) return;
+    this.ran = this.open.content.value;
+    const start = this.start.start.value;
+    const options = {
+      ...runSettings(this.open, more.paused ?? false),
+      ...(start ? { start } : {}),
+      ...robotOfRun(),
+      ...more,
+    };
+    const started = robot.start(version.id, this.worlds.name.value, options);
+    // only now, because `start` has cleared the previous run: its failure must not reappear
+    this.edited.value = false;
+    await started;
+    robotHasRun();
   }
 
   /** Reports an error; a failed save has its own line. */
@@ -315,11 +345,8 @@ export class StudioControl {
   }
 
   stop(): void {
-    robot.stop().catch((error) => {
-      report(error);
-      // `real_stop_unconfirmed` stays: somebody must look at the real robot
-      if (error instanceof ApiError && error.code === "stop_unconfirmed") forgetWhenOver();
-    });
+    this.cloud.stop();
+    stopRobot();
   }
 
   private computeSentence(): Sentence {
@@ -332,7 +359,6 @@ export class StudioControl {
         parameterIn(this.documentThatRuns(), pointer, name),
       program: this.programThatRuns(),
     };
-    const calm = (text: string): Sentence => ({ text, detail: "", tone: "calm" });
     if (inspectedTick.value && this.mine.value) return pastSentence(context) ?? calm(status.ready);
     if (isLive(view) && view.run && !this.mine.value) {
       return { text: run.other, detail: "", tone: "notice" };
@@ -346,21 +372,8 @@ export class StudioControl {
       const now = sentenceOf(view, context) ?? calm(status.ready);
       return this.edited.value ? { ...now, detail: status.nextRun } : now;
     }
-    if (this.open.autosave.state.value === "failed") {
-      return { text: status.unsaved, detail: "", tone: "notice" };
-    }
-    const { value: deleted } = this.open.deleted;
-    if (deleted) return { text: texts.value.trouble.deleted[deleted], detail: "", tone: "notice" };
-    const faults = this.open.faults.value.length;
-    if (faults > 0) return { text: status.faults({ count: faults }), detail: "", tone: "notice" };
-    if (this.worlds.isFaulty.value) {
-      return { text: texts.value.world.faulty, detail: "", tone: "notice" };
-    }
-    if (this.open.isEmpty) {
-      return this.asked.value
-        ? { text: status.emptyRun, detail: "", tone: "notice" }
-        : calm(status.empty);
-    }
+    const before = beforeRunSentence(this.open, this.worlds, this.asked.value);
+    if (before) return before;
     const ended = this.mine.value ? sentenceOf(view, context) : null;
     const isOutdated = this.edited.value && ended !== null && ended.tone !== "done";
     if (ended && !isOutdated)
@@ -370,10 +383,8 @@ export class StudioControl {
           this.failedBlock.value,
         ),
       );
-    if (connection.value === "gone") return calm(texts.value.trouble.goneTitle);
-    if (connection.value === "open" && engine.value !== "ready") {
-      return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
-    }
+    const missing = serverSentence();
+    if (missing) return missing;
     const over = view.ending && !this.mine.value ? run.otherEnded : status.ready;
     return lacking ?? withReturnAdvice(calm(over));
   }
@@ -387,14 +398,4 @@ export class StudioControl {
     const { value: run } = robot.liveRun;
     return run && "version" in run ? run.version : this.ran;
   }
-}
-
-/** Closes the shown problem once the run has ended for any reason. */
-function forgetWhenOver(): void {
-  const { value: shownProblem } = problem;
-  const stop = effect(() => {
-    if (isLive(robot.live.value)) return;
-    if (problem.peek() === shownProblem) problem.value = null;
-    queueMicrotask(() => stop());
-  });
 }

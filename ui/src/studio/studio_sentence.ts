@@ -4,6 +4,37 @@ import { inspectedTick, shown } from "../run/inspected_tick";
 import * as robot from "../run/live";
 import { SIMULATOR } from "../run/real/real_robot";
 import { type Sentence, type SentenceContext, sentenceOf } from "../run/sentence";
+import { connection, engine } from "../shell/session";
+import type { OpenProgram } from "./program/open_program";
+import type { WorldControl } from "./world_control";
+
+export const calm = (text: string): Sentence => ({ text, detail: "", tone: "calm" });
+const notice = (text: string): Sentence => ({ text, detail: "", tone: "notice" });
+
+/** What the program lacks before it can run; null if it lacks nothing. `asked`: Run was pressed all the same. */
+export function beforeRunSentence(
+  open: OpenProgram,
+  worlds: WorldControl,
+  asked: boolean,
+): Sentence | null {
+  const { status, trouble, world } = texts.value;
+  if (open.autosave.state.value === "failed") return notice(status.unsaved);
+  const { value: deleted } = open.deleted;
+  if (deleted) return notice(trouble.deleted[deleted]);
+  const faults = open.faults.value.length;
+  if (faults > 0) return notice(status.faults({ count: faults }));
+  if (worlds.isFaulty.value) return notice(world.faulty);
+  if (!open.isEmpty) return null;
+  return asked ? notice(status.emptyRun) : calm(status.empty);
+}
+
+/** What of PINEL is not there; null if all is. */
+export function serverSentence(): Sentence | null {
+  const { status, trouble } = texts.value;
+  if (connection.value === "gone") return calm(trouble.goneTitle);
+  if (connection.value !== "open" || engine.value === "ready") return null;
+  return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
+}
 
 /** Adds advice to return a real robot: it stays where its run ended, but the next run begins at the start. */
 export function withReturnAdvice(sentence: Sentence): Sentence {

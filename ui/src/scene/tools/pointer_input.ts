@@ -21,6 +21,8 @@ interface Floor {
   readonly scene: SceneRenderer;
   readonly tools: SceneTools;
   grip(): Grip | null;
+  /** Called with the place of a click that neither drags nor measures, world frame. */
+  onClick?(place: XY): void;
   /** Points that measurements snap to, world frame. */
   snapPoints(): XY[];
 }
@@ -89,6 +91,9 @@ export function listenToPointer(floor: Floor): () => void {
   const up = (event: PointerEvent) => {
     if (mode === "measure" && (!fresh || far >= CLICK_PX)) endMeasure(tools, snap(event));
     if (mode === "move" || mode === "turn") scene.hold(false);
+    if (mode === "pan" && far < CLICK_PX && event.type === "pointerup") {
+      floor.onClick?.(placeOf(event));
+    }
     mode = null;
   };
   const wheel = (event: WheelEvent) => {

@@ -11,6 +11,7 @@ import { StatusLine } from "../../run/panels/StatusLine";
 import { isLive } from "../../run/reducer";
 import { helpIsOpen } from "../../shell/help";
 import { lazy } from "../../shell/lazy";
+import { CloudLine } from "../cloud/CloudLine";
 import { BeforeRun } from "../real_robot/BeforeRun";
 import { Controls } from "../run_bar/Controls";
 import type { StudioControl } from "../studio_control";
@@ -45,6 +46,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
     <section class="floor column shrinks shrinks-down gap-2" aria-label={texts.value.studio.floor}>
       <Controls control={control} />
       <Status control={control} />
+      <CloudLine of={control.cloud} />
       <BeforeRun control={control} />
       <Forgotten control={control} />
       {helpIsOpen.value && <HelpPanel control={control} />}

@@ -101,6 +101,8 @@ function StudioFloor({ control }: { control: StudioControl }) {
       poseAt={shownPose}
       whole={robot.live}
       companion={control.ghost.companion}
+      bundle={control.cloud.bundle}
+      onPath={control.seeRobot}
       hold={control.hold}
       playing={isNow}
       solved={useSolved(control)}

@@ -1,4 +1,6 @@
 import { texts } from "../../i18n";
+import { level } from "../../shell/level";
+import { CloudButton } from "../cloud/CloudButton";
 import { ActionButton, type ActionsProps } from "./ActionButton";
 import { RUN_PAUSE_RESUME, STOP } from "./actions";
 
@@ -11,6 +13,7 @@ export function RunBar(props: ActionsProps) {
         <ActionButton {...props} action={action} kind="main" filled class="run-bar__run" />
       )}
       <ActionButton {...props} action={STOP} kind="stop" filled class="run-bar__stop" />
+      {level.value > 1 && <CloudButton {...props} />}
     </section>
   );
 }

@@ -1,0 +1,65 @@
+import { Waypoints, X } from "lucide-preact";
+import type { CloudRow } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Select } from "../../kit/Select";
+import type { CloudControl } from "./cloud_control";
+
+/** What the 50 robots did, in a sentence, and the choice of one of them; nothing while none were asked for. */
+export function CloudLine({ of }: { of: CloudControl }) {
+  const { value: now } = of.now;
+  const { cloud } = texts.value;
+  if (!now) return null;
+  const isOver = now.end !== null && !of.isStale.value;
+  return (
+    <section
+      class={`cloud-line row middle gap-2 ${of.isStale.value ? "cloud-line--stale" : ""}`}
+      aria-label={cloud.label}
+      data-testid="cloud-line"
+      data-state={of.isStale.value ? "stale" : isOver ? "over" : "under-way"}
+      data-good={now.end?.n_good ?? ""}
+      data-arrived={now.rows.length}
+    >
+      <Waypoints class="icon rigid" aria-hidden="true" />
+      <p class="grows shrinks" title={sentenceOf(of)} data-testid="cloud-text">
+        {sentenceOf(of)}
+      </p>
+      {/* the sentence at the end only: a reader would otherwise read every robot */}
+      <output class="visually-hidden">{of.isUnderWay.value ? "" : sentenceOf(of)}</output>
+      {isOver && now.rows.length > 0 && <Robots of={of} rows={now.rows} />}
+      <Button icon={X} tip={cloud.close} testId="cloud-close" onPress={() => of.close()} />
+    </section>
+  );
+}
+
+function sentenceOf({ now, isStale }: CloudControl): string {
+  const { cloud } = texts.value;
+  const { value: shown } = now;
+  if (!shown) return "";
+  const { end, n, rows, before } = shown;
+  if (!end) return cloud.arrived({ count: rows.length, all: n });
+  if (isStale.value) return cloud.changed({ good: end.n_good, all: rows.length });
+  const both = before === null ? "" : cloud.before({ good: before, now: end.n_good });
+  return [end.text, both].filter(Boolean).join(" ");
+}
+
+/** Chooses a robot, which then drives as a run of its own. */
+function Robots({ of, rows }: { of: CloudControl; rows: readonly CloudRow[] }) {
+  const { cloud } = texts.value;
+  const sorted = [...rows].sort(
+    (one, other) => Number(one.well) - Number(other.well) || one.seed - other.seed,
+  );
+  const nameOf = ({ seed, cause }: CloudRow) =>
+    cause ? `✕ ${cloud[cause]({ n: seed })}` : `● ${cloud.well({ n: seed })}`;
+  return (
+    <Select
+      class="cloud-line__see rigid"
+      label={cloud.see}
+      tip={cloud.seeHelp}
+      testId="cloud-see"
+      value={0}
+      options={[[0, cloud.see] as const, ...sorted.map((row) => [row.seed, nameOf(row)] as const)]}
+      onChange={(seed) => (seed ? of.see(seed) : undefined)}
+    />
+  );
+}

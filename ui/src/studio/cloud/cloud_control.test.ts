@@ -1,0 +1,135 @@
+import { signal } from "@preact/signals";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { cloudsApi } from "../../api/clouds";
+import type { CloudProgressEvent, CloudRow } from "../../api/model";
+import { cloud as newest } from "../../shell/session";
+import { CloudControl } from "./cloud_control";
+
+const row = (seed: number, well = true): CloudRow => ({
+  seed,
+  well,
+  cause: well ? null : "collision",
+  path: [
+    [0, 0],
+    [1, 0],
+  ],
+});
+
+const document = { commands: [{ action: "move_forward", distance: 1 }] };
+
+function studioOf() {
+  const content = signal<{ workspace: object; document: object }>({ workspace: {}, document });
+  const setup = signal({ model: "pioneer_3dx" });
+  const drive = vi.fn(() => Promise.resolve());
+  const savedVersion = vi.fn(() => Promise.resolve<{ id: string; faults: [] } | null>(null));
+  const studio = {
+    open: { content, setup, ownWorld: { now: signal(null) } },
+    worlds: { name: signal("empty_room") },
+    start: { start: signal(null) },
+    mine: signal(true),
+    savedVersion,
+    drive,
+  };
+  const control = new CloudControl(
+    studio as unknown as ConstructorParameters<typeof CloudControl>[0],
+  );
+  return { control, content, savedVersion, drive };
+}
+
+const event = (id: string, more: Partial<CloudProgressEvent>): CloudProgressEvent => ({
+  type: "cloud",
+  cloud: id,
+  n: 50,
+  rows: [],
+  is_over: false,
+  n_good: 0,
+  text: "",
+  block: null,
+  ...more,
+});
+
+let stop = () => {};
+
+beforeEach(() => {
+  newest.value = null;
+  vi.spyOn(cloudsApi, "begin").mockResolvedValue({ id: "", n: 50 });
+  vi.spyOn(cloudsApi, "stop").mockResolvedValue({});
+});
+afterEach(() => {
+  stop();
+  vi.restoreAllMocks();
+});
+
+/** Begins a cloud of a program without faults; returns its id. */
+async function begun({ control, savedVersion }: ReturnType<typeof studioOf>): Promise<string> {
+  savedVersion.mockResolvedValueOnce({ id: "v", faults: [] });
+  await control.begin();
+  return control.now.peek()?.id ?? "";
+}
+
+function ended(id: string, n_good: number, block: string | null = null): void {
+  newest.value = event(id, { rows: [row(2, false)] });
+  newest.value = event(id, { is_over: true, n_good, text: "1 bate.", block });
+}
+
+test("robots are added as they arrive, those of another cloud are not", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  const id = await begun(studio);
+  newest.value = event(id, { rows: [row(1)] });
+  newest.value = event("another", { rows: [row(9)] });
+  expect(studio.control.isUnderWay.value).toBe(true);
+  ended(id, 1);
+  expect(studio.control.now.value?.rows.map(({ seed }) => seed)).toEqual([1, 2]);
+  expect(studio.control.isUnderWay.value).toBe(false);
+  expect(studio.control.bundle.value?.paths.map(({ well }) => well)).toEqual([true, false]);
+});
+
+test("a changed program makes them stale: faint, without advice, and none of them drives", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  ended(await begun(studio), 31, "block");
+  expect(studio.control.advice.value?.block).toBe("block");
+  studio.content.value = { workspace: {}, document: { commands: [] } };
+  expect(studio.control.bundle.value?.isFaint).toBe(true);
+  expect(studio.control.advice.value).toBeNull();
+  await studio.control.see(2);
+  expect(studio.drive).not.toHaveBeenCalled();
+});
+
+test("the next ones know how many did it before", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  ended(await begun(studio), 31);
+  await begun(studio);
+  expect(studio.control.now.value?.before).toBe(31);
+});
+
+test("a program with faults keeps what is on the floor", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  const id = await begun(studio);
+  ended(id, 31);
+  await studio.control.begin();
+  expect(studio.control.now.value?.id).toBe(id);
+});
+
+test("one of them drives by its seed, as the realistic robot", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  ended(await begun(studio), 31);
+  await studio.control.see(2);
+  const expected = { seed: 2, cloud: true, preset: "realistic", feedback: "odometry" };
+  expect(studio.drive).toHaveBeenCalledWith(expect.objectContaining(expected));
+});
+
+test("stop ends those under way, and nothing once all have arrived", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  const id = await begun(studio);
+  studio.control.stop();
+  expect(cloudsApi.stop).toHaveBeenCalledWith(id);
+  ended(id, 31);
+  studio.control.stop();
+  expect(cloudsApi.stop).toHaveBeenCalledTimes(1);
+});
