@@ -30,7 +30,7 @@ _PASSED, _NOT_PASSED, _UNUSABLE, _INTERRUPTED = 0, 1, 2, 130
 @click.argument("activity")
 @click.argument("files", metavar="FILE...", nargs=-1, required=True)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object per program.")
-@worker_options
+@worker_options("--processes")
 @click.pass_context
 def command(
     ctx: click.Context,

@@ -76,7 +76,7 @@ def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
 @click.option(
     "--all", "is_all", is_flag=True, help="Verify all runs of the simulator, oldest first."
 )
-@worker_options
+@worker_options()
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object per run.")
 @click.pass_context
 def verify(

@@ -92,7 +92,7 @@ def _plan_options(command: Callable[..., Any]) -> Callable[..., Any]:
     required=True,
     help="New file for the table, .csv or .parquet.",
 )
-@worker_options
+@worker_options()
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def command(
@@ -123,18 +123,28 @@ def command(
         _run(plan, journal, chosen)
         write_table(out, journal.rows.values(), plan.ranges)
     except (PinelError, KeyboardInterrupt) as error:
-        journal.close()
         if isinstance(error, PinelError):
             _print(error, language)
-        rest = {"done": len(journal.rows), "of": plan.n_runs, "path": str(journal.path)}
-        print_problem(PinelError("sweep_unfinished", **rest), language)
-        ctx.exit(_UNFINISHED if isinstance(error, PinelError) else _INTERRUPTED)
+        ctx.exit(_end_unfinished(plan, journal, error, language))
     journal.delete()
     rows = list(journal.rows.values())
     if as_json:
         click.echo(json.dumps(summary_object(rows), ensure_ascii=False))
     else:
         click.echo("\n".join(summary_lines(rows)))
+
+
+def _end_unfinished(
+    plan: SweepPlan, journal: Journal, error: PinelError | KeyboardInterrupt, language: str
+) -> int:
+    """Says how to go on, and returns the exit status."""
+    if not journal.rows:
+        journal.delete()
+        return _UNUSABLE if isinstance(error, PinelError) else _INTERRUPTED
+    journal.close()
+    rest = {"done": len(journal.rows), "of": plan.n_runs, "path": str(journal.path)}
+    print_problem(PinelError("sweep_unfinished", **rest), language)
+    return _UNFINISHED if isinstance(error, PinelError) else _INTERRUPTED
 
 
 def _run(plan: SweepPlan, journal: Journal, workers: Workers) -> None:

@@ -1,7 +1,8 @@
 """The table of a sweep: one line for each run, as CSV or Parquet, in a fixed order."""
 
 import csv
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from storage.exchange.parquet import require_pyarrow, write_columns
 from storage.file.atomic_files import atomic_write
 
 ENDINGS = (".csv", ".parquet")
+_LINES = 10_000  # of a row group
 # name and type (docs/parquet.md) of the columns before and after those of varied parameters
 _BEFORE = (("program", "text"), ("world", "text"), ("seed", "count"))
 _AFTER = (
@@ -42,11 +44,11 @@ def write_table(path: Path, rows: Iterable[Row], ranges: Sequence[ParameterRange
     """Writes the table; it appears when it is complete. Raises PinelError `sweep_unwritable`."""
     columns = [*_BEFORE, *((one.name, "number") for one in ranges), *_AFTER]
     in_order = sorted(rows, key=lambda row: row.index)
-    lines = [_values(row, ranges) for row in in_order]
+    lines = (_values(row, ranges) for row in in_order)
     try:
         with atomic_write(path) as part:
             if path.suffix.lower() == ".parquet":
-                write_columns(part, columns, [lines])
+                write_columns(part, columns, _batches(lines))
             else:
                 _write_csv(part, [name for name, _ in columns], lines)
     except OSError as error:
@@ -59,6 +61,11 @@ def _values(row: Row, ranges: Sequence[ParameterRange]) -> list[Any]:
         *(one.value(row.seed) for one in ranges),
         *(getattr(row, name) for name, _ in _AFTER),
     ]
+
+
+def _batches(lines: Iterator[list[Any]]) -> Iterator[list[list[Any]]]:
+    while batch := list(islice(lines, _LINES)):
+        yield batch
 
 
 def _write_csv(path: Path, names: Sequence[str], lines: Iterable[Sequence[Any]]) -> None:

@@ -8,24 +8,25 @@ import click
 from pinel_desktop.processes.workers import Workers
 
 
-def worker_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Adds the options of `chosen_workers`."""
-    for add in (
-        click.option(
-            "--dask",
-            metavar="tcp://HOST:PORT",
-            help="Scheduler of a Dask cluster that does the work instead (docs/district.md).",
-        ),
-        click.option(
-            "--workers",
-            "--processes",  # its name in releases before 0.3
-            "workers",
-            type=click.IntRange(1, 256),
-            help="Number of parallel processes; one per core by default.",
-        ),
-    ):
-        command = add(command)
-    return command
+def worker_options(*old_names: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Adds the options of `chosen_workers`.
+
+    Args:
+        old_names: what `--workers` was called in earlier releases.
+    """
+    workers = click.option(
+        "--workers",
+        *old_names,
+        "workers",
+        type=click.IntRange(1, 256),
+        help="Number of parallel processes; one per core by default.",
+    )
+    dask = click.option(
+        "--dask",
+        metavar="tcp://HOST:PORT",
+        help="Scheduler of a Dask cluster that does the work instead (docs/district.md).",
+    )
+    return lambda command: workers(dask(command))
 
 
 def chosen_workers(workers: int | None, dask: str | None) -> Workers:
