@@ -28,6 +28,7 @@ from pinel_desktop.school.detectors import Detectors
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
 from pinel_desktop.school.opened_file import OpenedFile
+from pinel_desktop.school.overhead_truth import OverheadTruth
 from pinel_desktop.school.robot_profiles import RobotProfiles
 from pinel_desktop.school.robot_status_feed import RobotStatusFeed
 from pinel_desktop.school.sign_teaching import SignTeaching
@@ -215,13 +216,16 @@ class App:
             is_watched=self._is_watched,
         )
         undo.callback(self._engine.close)
+        self._overhead = OverheadTruth(self._store, self._settings)
         self._camera = CameraClient(
             self._camera_source or self._settings[CAMERA],
             self._hub.publish,
             self._publish_camera,
             self._answer_capture,
             on_recognizer=lambda state: self._signs.refresh(),
+            on_overhead=self._overhead.receive,
         )
+        self._overhead.use(self._camera)
         undo.callback(self._camera.close)
         self._signs = SignTeaching(
             self._store, self._camera, self._hub.publish, lambda: self._settings.language
@@ -271,6 +275,7 @@ class App:
             camera=self._camera,
             detectors=self._detectors,
             signs=self._signs,
+            overhead=self._overhead,
             hub=self._hub,
             guard=self._guard,
             settings=self._settings,
@@ -300,6 +305,7 @@ class App:
             self._legacy.observe(event)
         self._hub.publish(event)
         self._camera.observe(event)
+        self._overhead.observe(event)
         self._live_checks.observe(event)
         if event["type"] == "run_ended":
             self._grader.grade(event["run"])
