@@ -30,6 +30,7 @@ from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
 from pinel_desktop.school.opened_file import OpenedFile
 from pinel_desktop.school.predictions import Predictions
+from pinel_desktop.school.overhead_truth import OverheadTruth
 from pinel_desktop.school.robot_profiles import RobotProfiles
 from pinel_desktop.school.robot_status_feed import RobotStatusFeed
 from pinel_desktop.school.sign_teaching import SignTeaching
@@ -217,13 +218,16 @@ class App:
             is_watched=self._is_watched,
         )
         undo.callback(self._engine.close)
+        self._overhead = OverheadTruth(self._store, self._settings)
         self._camera = CameraClient(
             self._camera_source or self._settings[CAMERA],
             self._hub.publish,
             self._publish_camera,
             self._answer_capture,
             on_recognizer=lambda state: self._signs.refresh(),
+            on_overhead=self._overhead.receive,
         )
+        self._overhead.use(self._camera)
         undo.callback(self._camera.close)
         self._signs = SignTeaching(
             self._store, self._camera, self._hub.publish, lambda: self._settings.language
@@ -276,6 +280,7 @@ class App:
             detectors=self._detectors,
             signs=self._signs,
             cloud=self._cloud,
+            overhead=self._overhead,
             hub=self._hub,
             guard=self._guard,
             settings=self._settings,
@@ -306,6 +311,7 @@ class App:
             self._legacy.observe(event)
         self._hub.publish(event)
         self._camera.observe(event)
+        self._overhead.observe(event)
         self._live_checks.observe(event)
         if event["type"] == "run_ended":
             self._grader.grade(event["run"])

@@ -18,6 +18,7 @@ _COMMANDS = {
     "export": "Write all work, or a part of it, into one file.",
     "merge": "Bring in the work of other PCs.",
     "salvage": "Bring in what is still readable of a damaged file.",
+    "overhead": "Set up a camera above the floor, which sees where a real robot is.",
     "gestures": "Recognise letters of Libras in pictures.",
     "pin": "Choose another PIN for the teacher.",
     "setup": "Set up this PC by a file.",

@@ -19,6 +19,7 @@ from pinel_desktop.paths import read_regular
 
 LANGUAGE, CAMERA, THEME = "pinel_language", "pinel_camera", "pinel_theme"
 KIOSK, RECOGNIZER = "pinel_kiosk", "pinel_recognizer"
+OVERHEAD = "pinel_overhead"
 TEXT, MAX_TEXT = "^[A-Za-z0-9_-]*$", 4000
 
 
@@ -58,6 +59,9 @@ SETTINGS: Mapping[str, Setting] = {
     KIOSK: Setting('"1" opens the window in kiosk mode', ("1",), of_page=False),
     RECOGNIZER: Setting(
         "name of the detector that reads signs; landmarks without one", of_page=False
+    ),
+    OVERHEAD: Setting(
+        "camera above the floor, as `pinel overhead` writes it; none without one", of_page=False
     ),
     "pinel_class": Setting("the class last chosen"),
     "pinel_levels": Setting("level of the blocks that each group chose"),

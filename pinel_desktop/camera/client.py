@@ -83,6 +83,7 @@ class CameraClient:
         idle_end_s: idle timeout after the last `start` or use of the camera until the process ends, in s.
         timeouts: after these timeouts a hung process is replaced.
         on_recognizer: called when a recognizer was loaded or cannot be used.
+        on_overhead: receives each message `overhead` of `camera/floor_watch.py`.
     """
 
     def __init__(  # noqa: PLR0913 - callbacks and timeouts, most with a default
@@ -97,7 +98,9 @@ class CameraClient:
         on_recognizer: Callable[[RecognizerState], None] = lambda state: None,
         *,
         idle_end_s: float = IDLE_END_S,
+        on_overhead: Callable[[Message], None] = lambda message: None,
     ) -> None:
+        self._on_overhead = on_overhead
         self._source, self._idle_off_s = source, idle_off_s
         self._publish, self._on_change, self._answer = publish, on_change, answer
         self._on_recognizer = on_recognizer
@@ -191,6 +194,18 @@ class CameraClient:
             self._source = source
             if self._desired.source is not None:
                 self._update_desired(source=source)
+
+    def watch_floor(self, setup: dict[str, float] | None) -> None:
+        """Follows a robot with the camera above the floor; None ends that.
+
+        Args:
+            setup: fields of `overhead.markers.OverheadSetup`.
+        """
+        if setup:
+            self.switch_on()
+        with self._lock:
+            self._used_s = time.monotonic()
+            self._update_desired(overhead=setup)
 
     def set_taught_signs(self, taught: Taught) -> None:
         """Replaces the taught signs; the shipped letters remain.
@@ -336,6 +351,8 @@ class CameraClient:
             case "sight":
                 values = {field.name: message[field.name] for field in fields(CameraSight)}
                 self._publish(CameraSight(**values).to_wire())
+            case "overhead":
+                self._on_overhead(message)
             case "recognizer":
                 self._recognizer_loaded(message)
             case "recognised":
@@ -395,7 +412,11 @@ class CameraClient:
         """Switches an idle camera off, and stops a recording that has timed out. A camera that is on is in use."""
         while not self._closing.wait(_WATCHDOG_PERIOD_S):
             with self._lock:
-                is_used = self._run is not None or self._recording is not None
+                is_used = (
+                    self._run is not None
+                    or self._recording is not None
+                    or self._desired.overhead is not None
+                )
                 if not is_used and time.monotonic() - self._used_s > self._idle_off_s:
                     self._update_desired(source=None)
                 if self._desired.source is not None:

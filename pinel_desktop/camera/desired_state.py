@@ -22,6 +22,8 @@ class DesiredState:
         record: id of the sample recording in progress; None if there is none.
         record_moving: whether this recording waits for movements, not for hands at rest.
         recognizer: name of the recognizer of signs, as for `gestures.recognizers.open_recognizer`.
+        overhead: what was measured of a camera above the floor (`overhead.markers.OverheadSetup`), while the robot is
+            followed; None for no robot.
     """
 
     source: str | None = None
@@ -34,6 +36,7 @@ class DesiredState:
     record: str | None = None
     record_moving: bool = False
     recognizer: str = LANDMARKS
+    overhead: dict[str, float] | None = None
 
     def as_message(self) -> Message:
         return {"type": "desired_state", **asdict(self)}

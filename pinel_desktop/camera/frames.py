@@ -21,6 +21,7 @@ from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import MIN_SIDE, Picture, read_picture
 
 WIDTH, HEIGHT = 640, 480
+OVERHEAD_SIZE = 1280, 720  # of a camera above the floor, whose markers are small
 _PICTURE_S = 1.5  # time for which a folder shows each picture
 _FRAMES_HZ = 15.0
 _MAX_SIDE = 1280  # px; larger frames cost time and improve no landmark
@@ -54,19 +55,20 @@ class FrameReader(Protocol):
         """Releases the camera."""
 
 
-def open_reader(source: str) -> FrameReader:
+def open_reader(source: str, size: tuple[int, int] = (WIDTH, HEIGHT)) -> FrameReader:
     """Opens a frame source.
 
     Args:
         source: the number of a webcam ("0" is the first), or a path. The path is a video file, a folder of pictures, or
             a landmark sequence (.npz).
+        size: width and height asked of a webcam, in px.
 
     Raises PinelError: `camera_missing`, `camera_busy`, `camera_source_missing`, `camera_source_unreadable`,
     `camera_folder_empty`.
     """
     number = number_of(source)
     if number is not None:
-        return Webcam(number)
+        return Webcam(number, size)
     path = path_of(source)
     if path.is_dir():
         return PictureFolder(path)
@@ -78,13 +80,13 @@ class Webcam:
 
     is_live = True
 
-    def __init__(self, number: int) -> None:
+    def __init__(self, number: int, size: tuple[int, int] = (WIDTH, HEIGHT)) -> None:
         self._device = cv2.VideoCapture(number, _WEBCAM_API)
         if not self._device.isOpened():
             code = "camera_busy" if _is_connected(number) else "camera_missing"
             raise PinelError(code, number=number + 1)
-        self._device.set(cv2.CAP_PROP_FRAME_WIDTH, WIDTH)
-        self._device.set(cv2.CAP_PROP_FRAME_HEIGHT, HEIGHT)
+        self._device.set(cv2.CAP_PROP_FRAME_WIDTH, size[0])
+        self._device.set(cv2.CAP_PROP_FRAME_HEIGHT, size[1])
         self._device.set(cv2.CAP_PROP_BUFFERSIZE, 1)  # buffered frames would be out of date
 
     def read(self) -> RawFrame | None:

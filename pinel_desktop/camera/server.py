@@ -16,7 +16,9 @@ from numpy.typing import NDArray
 
 from pinel_desktop.camera.annotation import annotated
 from pinel_desktop.camera.desired_state import DesiredState
+from pinel_desktop.camera.floor_watch import FloorWatch
 from pinel_desktop.camera.frame_analyzer import DetectedSign, FrameAnalyzer
+from pinel_desktop.camera.frames import OVERHEAD_SIZE, open_reader
 from pinel_desktop.camera.latest_job import LatestJob
 from pinel_desktop.camera.number_spotter import (
     NO_NUMBER_SHOWN,
@@ -136,6 +138,7 @@ class _Session:
         self._loader = loader
         self._source: CameraSource | None = None
         self._desired = DesiredState()
+        self._floor: FloorWatch | None = None
         self._spotter, self._number_spotter = SignSpotter(), NumberSpotter()
         self._trainer = SignTrainer(analyzer.classifier)
         self._sample_collector, self._movement_collector = SampleCollector(), MovementCollector()
@@ -162,7 +165,10 @@ class _Session:
 
     def apply(self, desired: DesiredState) -> None:
         """Applies a new desired state."""
-        if desired.source != self._desired.source:
+        if desired.overhead != self._desired.overhead:
+            setup = desired.overhead
+            self._floor = FloorWatch(setup, self._send) if setup else None
+        if (desired.source, desired.overhead) != (self._desired.source, self._desired.overhead):
             self._change_source(desired.source)
         if desired.recognizer != self._desired.recognizer:
             self._loader.start(partial(load_recognizer, desired.recognizer))
@@ -203,10 +209,15 @@ class _Session:
     def _change_source(self, address: str | None) -> None:
         if self._source:
             self._source.close()
-        self._source = self._open_source(address) if address is not None else None
+        self._source = self._opened(address) if address is not None else None
         self._analyzer.reset()
         self._spotter.reset()
         self._send_state(_state("opening" if self._source else "off"))
+
+    def _opened(self, address: str) -> CameraSource:
+        if self._floor and self._open_source is CameraSource:
+            return CameraSource(address, partial(open_reader, size=OVERHEAD_SIZE))
+        return self._open_source(address)
 
     def _send_source_state(self, source: CameraSource) -> None:
         if problem := source.problem:
@@ -220,6 +231,10 @@ class _Session:
             self._moving = trained.moving
             if self._analyzer.has_landmarks:
                 self._spotter.set_moving_signs(trained.moving)
+        if self._floor:
+            self._floor.watch(frame)
+            if self._desired.capture is None:  # hands would cost time
+                return
         hands = self._analyzer.analyze(frame.raw, both=self._waits_for_number)
         self._record(frame, hands)
         decision = self._spotter.update(*_frame_prediction(frame, hands))

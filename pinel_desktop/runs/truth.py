@@ -6,7 +6,7 @@ counterclockwise, in metres and radians. Each has a standard uncertainty (one si
 
 import math
 from bisect import bisect_left
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal, NamedTuple
@@ -25,6 +25,7 @@ TAPE_SIGMA_RAD = math.radians(2)
 _OUTSIDE_M = 1.0
 # between poses that are farther apart nothing is known: half a second
 _GAP_TICKS = 15
+_N_FIRST = 10  # poses that tell where the start is
 _ALONG_THE_WAY: tuple[Source, ...] = ("camera", "localisation")
 _SIGMA = (1e-5, FARTHEST_M)
 _BOUNDS = {
@@ -110,6 +111,40 @@ def read_truth(source: Source, poses: Iterable[TruePoseRow]) -> Truth | None:
     return Truth(source, checked) if checked else None
 
 
+def in_start_frame(
+    seen: Sequence[TruePose], believed: Callable[[int], Pose2D | None]
+) -> list[TruePose]:
+    """Converts poses of another frame, such as a map's or a camera's, to the frame of the start.
+
+    The robot's own estimate of the first poses tells where the start is in that frame: a robot that has hardly moved
+    knows where it is. The uncertainty of that start turns all later poses, so it counts in theirs.
+
+    Args:
+        seen: poses with ticks, in their order.
+        believed: returns the robot's own estimate at a tick, in the frame of the start; None if unknown.
+    """
+    known = [(pose, own) for pose in seen if pose.tick is not None and (own := believed(pose.tick))]
+    starts = [
+        pose.pose.compose(Pose2D().relative_to(own)) for pose, own in known[:_N_FIRST]
+    ]  # fmt: skip
+    if not starts:
+        return []
+    start = _mean(starts)
+    sigma_rad = known[0][0].sigma_rad / math.sqrt(len(starts))
+    aligned = []
+    for pose in seen:
+        place = pose.pose.relative_to(start)
+        turned_m = sigma_rad * math.hypot(place.x_m, place.y_m)
+        aligned.append(
+            pose._replace(
+                pose=place,
+                sigma_m=math.hypot(pose.sigma_m, turned_m),
+                sigma_rad=min(math.pi, math.hypot(pose.sigma_rad, sigma_rad)),
+            )
+        )
+    return aligned
+
+
 def check_in_room(pose: Pose2D, start: Pose2D, width_m: float, depth_m: float) -> None:
     """Raises PinelError `truth_outside_room` if a measured pose is more than a metre outside of the robot's room.
 
@@ -131,6 +166,17 @@ def best_along_the_way(truths: Iterable[Truth]) -> Truth | None:
     """Returns the truth to compare a path with: the camera's before the robot's own localisation; None for neither."""
     found = {truth.source: truth for truth in truths if len(truth.along_the_way) > 1}
     return next((found[source] for source in _ALONG_THE_WAY if source in found), None)
+
+
+def _mean(poses: Sequence[Pose2D]) -> Pose2D:
+    n = len(poses)
+    sin = sum(math.sin(pose.yaw_rad) for pose in poses)
+    cos = sum(math.cos(pose.yaw_rad) for pose in poses)
+    return Pose2D(
+        sum(pose.x_m for pose in poses) / n,
+        sum(pose.y_m for pose in poses) / n,
+        math.atan2(sin, cos),
+    )
 
 
 def _checked(row: TruePoseRow) -> TruePose:

@@ -8,10 +8,12 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import Pose2D
 from pinel_desktop.runs.truth import (
     Source,
+    TruePose,
     Truth,
     best_along_the_way,
     best_at_end,
     check_in_room,
+    in_start_frame,
     read_truth,
     truths_of,
 )
@@ -99,3 +101,18 @@ def test_a_pose_far_outside_of_the_room_is_refused() -> None:
     check_in_room(Pose2D(2.5, 0.0, 0.0), start, 4.0, 4.0)
     with pytest.raises(PinelError, match="truth_outside_room"):
         check_in_room(Pose2D(3.1, 0.0, 0.0), start, 4.0, 4.0)
+
+
+def test_poses_of_a_map_are_told_from_the_start_by_what_the_robot_believed_at_first() -> None:
+    start = Pose2D(4.0, -2.0, 1.2)
+    way = [Pose2D(0.1 * n, 0.02 * n, 0.05 * n) for n in range(20)]
+    seen = [TruePose(5 + n, start.compose(pose), 0.004, 0.01) for n, pose in enumerate(way)]
+    aligned = in_start_frame(seen, lambda tick: way[tick - 5] if tick < 20 else None)
+    assert [one.tick for one in aligned] == list(range(5, 25))
+    for one, pose in zip(aligned, way, strict=True):
+        assert one.pose == pytest.approx(pose, abs=1e-9)
+    assert aligned[-1].sigma_m > aligned[0].sigma_m
+
+
+def test_nothing_is_known_of_the_start_without_the_estimate_of_the_robot() -> None:
+    assert in_start_frame([TruePose(1, Pose2D(), 0.01, 0.01)], lambda tick: None) == []

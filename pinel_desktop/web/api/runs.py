@@ -107,6 +107,8 @@ def begin_run(body: NewRun) -> Response:
     except PinelError:
         parts.store.runs.discard(row.id)
         raise
+    if spec.robot:
+        parts.overhead.begin(row.id)
     return json_response(run_model(row))
 
 

@@ -1,0 +1,49 @@
+"""What a camera above the floor sees, told when it changes: for the one who sets it up."""
+
+import math
+import time
+from collections.abc import Iterator
+
+from pinel_desktop.camera.frames import OVERHEAD_SIZE, open_reader
+from pinel_desktop.camera.overhead.markers import OverheadSetup
+from pinel_desktop.camera.overhead.tracking import OverheadTracker, Sighting
+
+_EVERY_S = 1.0  # at most so often a place is told
+Told = tuple[str, dict[str, object]]
+
+
+def sightings(source: str, setup: OverheadSetup, seconds: float) -> Iterator[Told]:
+    """Yields code and parameters of messages about what the camera sees, for so many seconds.
+
+    Raises PinelError if the camera cannot be opened (`frames.open_reader`).
+    """
+    reader, tracker = open_reader(source, OVERHEAD_SIZE), OverheadTracker(setup)
+    try:
+        begun_s, told, told_s = time.monotonic(), "", -math.inf
+        while (now_s := time.monotonic()) - begun_s < seconds:
+            raw = reader.read()
+            found = _message(tracker.update(now_s, raw.picture)) if raw else None
+            if found and (found[0] != told or now_s - told_s >= _EVERY_S):
+                told, told_s = found[0], now_s
+                yield found
+    finally:
+        reader.close()
+
+
+def _message(sighting: Sighting) -> Told | None:
+    if sighting.problem:
+        return sighting.problem, {"markers": ", ".join(map(str, sighting.missing))}
+    if sighting.seen is None:
+        return None
+    (x, y, yaw), sigma_m, sigma_rad = (
+        sighting.seen.pose,
+        sighting.seen.sigma_m,
+        sighting.seen.sigma_rad,
+    )
+    return "overhead_seen", {
+        "x": f"{x:.3f}",
+        "y": f"{y:.3f}",
+        "heading": f"{math.degrees(yaw):.1f}",
+        "sigma_mm": f"{1000 * sigma_m:.0f}",
+        "sigma_deg": f"{math.degrees(sigma_rad):.1f}",
+    }
