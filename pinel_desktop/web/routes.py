@@ -8,7 +8,6 @@ from pinel_desktop.web.api import (
     groups,
     history,
     notes,
-    predictions,
     programs,
     python,
     removal,
@@ -23,6 +22,7 @@ from pinel_desktop.web.api import (
     worlds,
 )
 from pinel_desktop.web.api.preparing import lesson_files, own_activities, robots
+from pinel_desktop.web.api.real import predictions
 from pinel_desktop.web.api.window import drives, instance, kiosk, projector
 
 RESOURCES = (

@@ -103,14 +103,14 @@ def test_a_robot_stands_soon_after(trouble: Callable[[Driving], None], tmp_path:
 
 @contextlib.contextmanager
 def predicting() -> Iterator[None]:
-    """Meanwhile the judge's process predicts a run ten times a second; the page asks once, and once for each answer."""
+    """Meanwhile the judge's process predicts a run each second; the page asks once, and once for each answer."""
     run, judge, ending = drive(), JudgeClient(), threading.Event()
     poses = dict(zip(("x_m", "y_m", "yaw_rad"), run.odometry[1:].T, strict=True))
     request = PredictionRequest(run.spec.as_message(), run.events, poses, [], is_whole=True)
     judge.predict(request)
 
     def ask() -> None:
-        while not ending.wait(0.1):
+        while not ending.wait(1.0):
             judge.predict(request)
 
     thread = threading.Thread(target=ask)
