@@ -23,7 +23,7 @@ MIN_TURN_DEG, MIN_MOVE_M = 1.0, 0.02
 # a step of which the prediction turns or moves less is no turn, or no move
 _A_TURN_DEG, _A_MOVE_M = 3.0, 0.03
 _TURN_M = 0.2  # way of a wheel per radian, about
-_NO_WAY_M = 0.01
+_STANDSTILL_M = 0.01
 _AVERAGED_TICKS = 2  # around a step's end, for measurements with noise
 
 
@@ -243,7 +243,7 @@ def _parts(path: Path) -> Path:
     """How much of its way a robot has come at each pose of a step, 0 to 1; of its time where it does not move."""
     x, y, yaw = np.abs(np.diff(path, axis=0)).T
     come = np.concatenate([[0.0], np.cumsum(np.hypot(x, y) + _TURN_M * yaw)])
-    if come[-1] < _NO_WAY_M:
+    if come[-1] < _STANDSTILL_M:
         come = np.arange(len(path), dtype=np.float64)
     parts: Path = come / max(come[-1], 1.0e-9)
     return parts

@@ -12,7 +12,7 @@ MIN_OTHER_RUNS = 5
 # modified z-score of an outlier: Iglewicz and Hoaglin, How to Detect and Handle Outliers, ASQC 1993
 _OUTLIER_Z = 3.5
 _MAD_TO_SIGMA = 1.4826
-_LEAST_SIGMA = {"turn": 1.0, "move": 0.02, "path": 0.02}
+_MIN_SIGMA = {"turn": 1.0, "move": 0.02, "path": 0.02}
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,4 +89,4 @@ def _unusual_path(own: Difference, others: Sequence[Difference]) -> _Scored:
 
 def _sigma(kind: Literal["turn", "move", "path"], residuals: Sequence[float]) -> float:
     mad = float(np.median(np.abs(residuals)))
-    return max(_MAD_TO_SIGMA * mad, _LEAST_SIGMA[kind])
+    return max(_MAD_TO_SIGMA * mad, _MIN_SIGMA[kind])

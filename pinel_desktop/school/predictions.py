@@ -72,8 +72,8 @@ class Predictions:
             compared = {run: one for run, one in found.items() if one is not None}
             for run, own in compared.items():
                 others = [other for name, other in compared.items() if name != run]
-                if (odd := unusual(own, others)) is not None:
-                    yield run, own.source, odd
+                if (outlier := unusual(own, others)) is not None:
+                    yield run, own.source, outlier
 
     def _spec(self, row: RunRow) -> RunSpec:
         if row.link == SIMULATOR:

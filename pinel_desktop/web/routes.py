@@ -4,8 +4,10 @@ from pinel_desktop.web.api import (
     activities,
     camera,
     classrooms,
+    clouds,
     exchange,
     groups,
+    history,
     notes,
     programs,
     python,
@@ -20,7 +22,7 @@ from pinel_desktop.web.api import (
     worlds,
 )
 from pinel_desktop.web.api.preparing import calibration, lesson_files, own_activities, robots
-from pinel_desktop.web.api.results import clouds, history, predictions, truths
+from pinel_desktop.web.api.real import predictions, truths
 from pinel_desktop.web.api.window import drives, instance, kiosk, projector
 
 RESOURCES = (

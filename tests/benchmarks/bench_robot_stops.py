@@ -17,9 +17,12 @@ import pytest
 
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.engine.commands import Stop
+from pinel_desktop.judge.client import JudgeClient
+from pinel_desktop.judge.messages import PredictionRequest
 from tests.engine.memory_robot import FAR, engine_command
 from tests.engine.test_real_robot import Driving, stopping_time_s, wait_until_driving
 from tests.engine.test_robots import Teacher
+from tests.runs.hidden_errors import drive
 
 REPEATS = 10
 STOP_WITHIN_S = 0.1
@@ -98,14 +101,35 @@ def test_a_robot_stands_soon_after(trouble: Callable[[Driving], None], tmp_path:
     report(trouble.__name__, durations_s, late, STANDSTILL_WITHIN_S)
 
 
+@contextlib.contextmanager
+def predicting() -> Iterator[None]:
+    """Meanwhile the judge's process predicts a run each second; the page asks once, and once for each answer."""
+    run, judge, ending = drive(), JudgeClient(), threading.Event()
+    poses = dict(zip(("x_m", "y_m", "yaw_rad"), run.odometry[1:].T, strict=True))
+    request = PredictionRequest(run.spec.as_message(), run.events, poses, [], is_whole=True)
+    judge.predict(request)
+
+    def ask() -> None:
+        while not ending.wait(1.0):
+            judge.predict(request)
+
+    thread = threading.Thread(target=ask)
+    thread.start()
+    yield
+    ending.set()
+    thread.join()
+    judge.close()
+
+
 @pytest.mark.timeout(300)
-def test_stop_reaches_the_robot(tmp_path: Path) -> None:
+@pytest.mark.parametrize("is_predicted", [False, True], ids=["alone", "with its ghost"])
+def test_stop_reaches_the_robot(is_predicted: bool, tmp_path: Path) -> None:
     log, events = tmp_path / "heard", queue.Queue[dict[str, Any]]()
     client = EngineClient(events.put, engine_command(log))
     client.start()
     assert client.wait_until_ready(30.0)
     durations_s = []
-    with lateness() as late:
+    with predicting() if is_predicted else contextlib.nullcontext(), lateness() as late:
         for n in range(REPEATS):
             log.unlink(missing_ok=True)
             client.run(f"r{n}", FAR)
@@ -116,7 +140,7 @@ def test_stop_reaches_the_robot(tmp_path: Path) -> None:
             while events.get(timeout=30)["type"] != "run_ended":
                 pass
     client.close()
-    report("stop", durations_s, late, STOP_WITHIN_S)
+    report("stop with its ghost" if is_predicted else "stop", durations_s, late, STOP_WITHIN_S)
 
 
 @pytest.mark.timeout(300)

@@ -102,5 +102,7 @@ def replayed(studio: Studio) -> None:
     turn = studio.page.locator(".blocklyWorkspace .pinelAdvice")
     expect(turn).to_have_count(1)
     expect(turn).to_contain_text("girar")
+    studio["prediction-toggle"].click()
+    expect(panel).to_have_count(0)
     studio["prediction-switch"].click()
     expect(studio["scene"]).not_to_have_attribute("data-ghost", "true")

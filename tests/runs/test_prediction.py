@@ -133,17 +133,19 @@ def test_a_malformed_record_is_named() -> None:
 def test_a_run_in_which_a_wheel_slipped_is_out_of_the_ordinary_for_its_robot() -> None:
     usual = [drive(turns=0.97, seed=seed).by_camera(seed=seed) for seed in range(MIN_OTHER_RUNS)]
     assert unusual(drive(turns=0.97, seed=9).by_camera(seed=9), usual) is None
-    odd = unusual(drive(turns=0.97, seed=9, pushed=(3, -20.0)).by_camera(seed=9), usual)
-    assert odd is not None
-    assert odd.n_runs == MIN_OTHER_RUNS
-    assert (odd.kind, odd.block) == ("turn", "turn")
-    assert odd.usual == pytest.approx(-2.7, abs=0.5)
-    assert odd.difference == pytest.approx(-22.7, abs=2.0)
+    outlier = unusual(drive(turns=0.97, seed=9, pushed=(3, -20.0)).by_camera(seed=9), usual)
+    assert outlier is not None
+    assert outlier.n_runs == MIN_OTHER_RUNS
+    assert (outlier.kind, outlier.block) == ("turn", "turn")
+    assert outlier.usual == pytest.approx(-2.7, abs=0.5)
+    assert outlier.difference == pytest.approx(-22.7, abs=2.0)
 
 
 def test_too_few_runs_or_runs_by_another_source_say_nothing() -> None:
-    odd = drive(pushed=(3, -20.0)).by_camera()
+    outlier = drive(pushed=(3, -20.0)).by_camera()
     usual = [drive(seed=seed).by_camera(seed=seed) for seed in range(MIN_OTHER_RUNS)]
-    assert unusual(odd, usual) is not None
-    assert unusual(odd, usual[1:]) is None
-    assert unusual(odd, [drive(seed=seed).by_odometry() for seed in range(MIN_OTHER_RUNS)]) is None
+    assert unusual(outlier, usual) is not None
+    assert unusual(outlier, usual[1:]) is None
+    assert (
+        unusual(outlier, [drive(seed=seed).by_odometry() for seed in range(MIN_OTHER_RUNS)]) is None
+    )

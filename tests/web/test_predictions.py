@@ -121,11 +121,11 @@ def test_the_teacher_is_told_the_run_that_is_out_of_the_ordinary_for_its_robot(
     for seed in range(5):
         filmed(browser, *driven(browser, engine, seed=seed, turns=0.97))
     assert teacher.get("/api/unusual-runs").data["runs"] == []
-    odd, double = driven(browser, engine, seed=7, turns=0.97, pushed=(5, -20.0))
-    filmed(browser, odd, double)
+    outlier, double = driven(browser, engine, seed=7, turns=0.97, pushed=(5, -20.0))
+    filmed(browser, outlier, double)
     assert browser.get("/api/unusual-runs").status == 403
     (found,) = teacher.get("/api/unusual-runs").data["runs"]
-    assert (found["run"], found["kind"], found["block"]) == (odd, "turn", "turn")
+    assert (found["run"], found["kind"], found["block"]) == (outlier, "turn", "turn")
     assert (found["source"], found["n_runs"]) == ("camera", 5)
     assert found["difference"] == pytest.approx(-22.7, abs=1.0)
     assert found["usual"] == pytest.approx(-2.7, abs=0.5)

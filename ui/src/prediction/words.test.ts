@@ -71,18 +71,20 @@ test("what limits a comparison is said", () => {
 });
 
 test("a run out of the ordinary is said beside what is usual for its robot", () => {
-  const odd: UnusualRun = {
+  const outlier: UnusualRun = {
     ...FINDING,
     run: "r",
     difference: -22.7,
     usual: -2.7,
     n_runs: 5,
   };
-  expect(unusualText(odd, VOICE)).toBe(
-    "Fora do comum para este robô: girou 22,7° a menos em um “girar 90°”, pela câmera. Nas outras 5 rodadas dele: girou 2,7° a menos. Uma roda patinou, ou alguém empurrou o robô?",
-  );
-  const path = { ...odd, kind: "path", action: null, difference: 0.31, usual: 0.04 } as const;
-  expect(unusualText(path, VOICE)).toContain("o caminho ficou a 31,0\u00a0cm do previsto");
+  expect(unusualText(outlier, VOICE)).toEqual({
+    text: "Fora do comum para este robô: girou 22,7° a menos em um “girar 90°”, pela câmera.",
+    usual:
+      "Nas outras 5 rodadas dele: girou 2,7° a menos. Uma roda patinou, ou alguém empurrou o robô?",
+  });
+  const path = { ...outlier, kind: "path", action: null, difference: 0.31, usual: 0.04 } as const;
+  expect(unusualText(path, VOICE).text).toContain("o caminho ficou a 31,0\u00a0cm do previsto");
 });
 
 test("rows have the mean of all executions of a block", () => {

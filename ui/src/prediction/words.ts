@@ -76,17 +76,19 @@ export function notesOf(prediction: RunPrediction, isOver: boolean, { texts }: V
   ].filter((note): note is string => Boolean(note));
 }
 
-/** What is out of the ordinary in a run. */
-export function unusualText(run: UnusualRun, voice: Voice): string {
+/** What is out of the ordinary in a run, and what is usual for its robot. */
+export function unusualText(run: UnusualRun, voice: Voice): { text: string; usual: string } {
   const { prediction: words } = voice.texts;
   const { kind, difference, action, amount, n_runs: n } = run;
   const source = words.sources[run.source];
   if (kind === "path" || action === null) {
     const by = size("path", difference, voice.language);
-    return words.unusualPath({ by, usual: size("path", run.usual, voice.language), n, source });
+    const usual = words.usual({ n, usual: size("path", run.usual, voice.language) });
+    return { text: words.unusualPath({ by, source }), usual };
   }
   const command = commandText({ action, amount }, voice);
   const what = deviation(kind, difference, voice);
   const usual = deviation(kind, run.usual, voice);
-  return words.unusual({ what, where: words.once({ command }), usual, n, source });
+  const text = words.unusual({ what, where: words.once({ command }), source });
+  return { text, usual: words.usual({ n, usual }) };
 }

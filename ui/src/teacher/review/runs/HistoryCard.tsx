@@ -70,7 +70,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
             </span>
           )}
           <span class="work-card__line">{name}</span>
-          <UnusualLine run={run.id} />
+          <UnusualLine run={run.id} isShort />
           <span class="work-card__line run-card__place" title={place} data-testid="history-place">
             {place}
           </span>

@@ -4,7 +4,7 @@ from flask import Response
 
 from pinel_desktop.web.api import TEACHER, Resource, responses
 from pinel_desktop.web.models import IdPath
-from pinel_desktop.web.models.results.predictions import RunPrediction, UnusualRun, UnusualRuns
+from pinel_desktop.web.models.real.predictions import RunPrediction, UnusualRun, UnusualRuns
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
@@ -48,5 +48,7 @@ def list_unusual_runs() -> Response:
         return json_response(UnusualRuns(runs=[]))
     found = parts.predictions.unusual_runs()
     return json_response(
-        UnusualRuns(runs=[UnusualRun.of(odd, run=run, source=source) for run, source, odd in found])
+        UnusualRuns(
+            runs=[UnusualRun.of(outlier, run=run, source=source) for run, source, outlier in found]
+        )
     )

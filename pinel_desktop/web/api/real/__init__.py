@@ -1,0 +1,1 @@
+"""Resources of the API about runs on real robots."""

@@ -1,1 +1,0 @@
-"""Models of requests and responses about results of runs."""
