@@ -1,7 +1,7 @@
 """50 robots at once: how firm a program is, seen on the floor and said in a sentence."""
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Position, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.made_program import enter_made_group
@@ -84,9 +84,9 @@ def test_one_of_the_robots_drives_as_a_run_of_its_own_by_the_list_and_by_a_click
     assert chosen["closing_error_m"] != clicked["closing_error_m"] or clicked["seed"] == 7
 
 
-def middle_of_the_path(studio: Studio) -> dict[str, float]:
+def middle_of_the_path(studio: Studio) -> Position:
     """A point of the canvas between start and end, where neither robot nor start is."""
-    found: dict[str, float] = studio.page.evaluate(
+    found: Position = studio.page.evaluate(
         """() => {
             const canvas = document.querySelector('[data-testid=scene]');
             const { width, height } = canvas.getBoundingClientRect();
