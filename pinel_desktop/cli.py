@@ -22,7 +22,11 @@ _COMMANDS = {
     "setup": "Set up this PC by a file.",
     "doctor": "Say what this PC has and lacks.",
 }
-_SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup"}
+_SUBMODULES = {
+    "calibrate": "robots.calibrate",
+    "salvage": "recovery.salvage",
+    "setup": "pc.setup",
+}
 _HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "kiosk", "window")} | {
     "app": "app"
 }
