@@ -1,8 +1,8 @@
 import { OWN_WORLD, type Setup, type VersionSummary, worldTitle } from "../api/model";
 import type { Language, Texts } from "../i18n";
 import { decimal } from "../i18n/format";
-import { ROOM_WORLD } from "../run/real/real_robot";
 import { calibratedTitle } from "../run/real/calibrated_robots";
+import { ROOM_WORLD } from "../run/real/real_robot";
 import { robotOf, worlds } from "../shell/session";
 import { realismOf } from "../studio/program/setup";
 
