@@ -41,7 +41,7 @@ def test_three_measured_runs_become_a_robot_that_a_group_chooses(studio: Studio)
     result = studio["calibration-result"]
     expect(result).to_contain_text("A roda esquerda é")
     expect(result).to_contain_text("a menos")
-    expect(result).to_contain_text("Cada rodada foi prevista pelas outras")
+    expect(result).to_contain_text("Rodadas previstas pelas outras")
     assert not violations(studio, "calibration-result")
     studio["calibration-name"].fill(NAME)
     studio["calibration-save"].click()
