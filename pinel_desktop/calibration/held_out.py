@@ -30,7 +30,9 @@ class HeldOut(NamedTuple):
 
 
 def held_out(drives: Sequence[Drive], track_m: float) -> list[HeldOut]:
-    """Returns a prediction for each run with a true pose at its end; none for fewer than `MIN_RUNS` runs.
+    """Returns a prediction for each run with a true pose at its end whose wheels the other runs tell.
+
+    Fewer than `MIN_RUNS` runs give none.
 
     Args:
         track_m: the track with which the robot computes its odometry.
@@ -45,7 +47,10 @@ def _predictions(drives: Sequence[Drive], track_m: float) -> Iterator[HeldOut]:
         if end is None:
             continue
         others = [*drives[:place], *drives[place + 1 :]]
-        predicted, covariance = predicted_end(drive, calibrate_wheels(others, track_m), track_m)
+        wheels = calibrate_wheels(others, track_m)
+        if not (wheels.scale.is_known and wheels.difference.is_known and wheels.track_m.is_known):
+            continue
+        predicted, covariance = predicted_end(drive, wheels, track_m)
         believed, _ = predicted_end(drive, nominal, track_m)
         spread = float(np.trace(covariance[:2, :2])) + 2.0 * end.sigma_m**2
         yield HeldOut(

@@ -126,6 +126,7 @@ def test_what_hypothesis_makes_up_is_answered_as_described(
         "lessons": store.lessons.open(classroom, "Aula 1").id,
         "notes": store.notes.write(run["id"], "Oi").id,
         "own-activities": an_activity(store),
+        "calibrated-robots": store.calibrated_robots.create("Pioneer", "pioneer_3dx", {}, {}).id,
     }
 
     def check(case: Any) -> None:

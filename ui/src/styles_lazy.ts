@@ -31,6 +31,7 @@ import "./teacher/lessons/lessons.css";
 import "./teacher/making/making.css";
 import "./teacher/camera/camera.css";
 import "./teacher/robot/robot.css";
+import "./teacher/robot/calibration/calibration.css";
 import "./teacher/plan/plan.css";
 import "./teacher/cards/cards.css";
 import "./teacher/exchange/exchange.css";

@@ -46,7 +46,7 @@ def _lines(report: "CalibrationReport") -> "Iterator[str]":
             f" (noise floor {one.expected_m * 100:.1f} cm, not calibrated {one.nominal_m * 100:.1f} cm)"
         )
     if not report.held_out:
-        yield "no run was held out: it takes three or more, with a true pose at the end"
+        yield "no run was held out: it takes one more than what tells the wheels, with a true pose at the end"
     if squares := report.squares:
         yield (
             f"UMBmark: wheels differ by {squares.difference * 100:.2f} %, track is {squares.track_ratio:.4f} of the"

@@ -163,7 +163,7 @@ class CalibratedRobot(ResponseModel):
 
     id: Id
     title: str
-    model: str
+    model: RobotName
     created_at: Time
 
 

@@ -70,7 +70,7 @@ function ReplayProgram({ recordedRun, predicted, onOpen }: ReplayProps & { predi
         <p title={what} data-shortened>
           {what}
         </p>
-        <RobotName link={run.link} />
+        <RobotName link={run.link} calibrated={run.calibrated_robot} />
         {forTeacher && <PresentButton first={run.id} />}
         <SaveRunImage runId={run.id} opens="below" />
         {run.program_id && (

@@ -1,6 +1,7 @@
 import { OWN_WORLD, type Setup, type VersionSummary, worldTitle } from "../api/model";
 import type { Language, Texts } from "../i18n";
 import { decimal } from "../i18n/format";
+import { calibratedTitle } from "../run/real/calibrated_robots";
 import { ROOM_WORLD } from "../run/real/real_robot";
 import { robotOf, worlds } from "../shell/session";
 import { realismOf } from "../studio/program/setup";
@@ -56,10 +57,15 @@ function partsOf(setup: Setup, texts: Texts, language: Language): [string, strin
   return [
     [run.world, worldLabel(setup.world, texts, language)],
     [archive.start, startText(setup, texts, language)],
-    [debug.model, robotOf(setup.model)?.title ?? setup.model],
+    [debug.model, modelText(setup, texts)],
     [archive.robot, debug[realismOf(setup)]],
     [debug.speed, debug.times({ factor: decimal(setup.speed, setup.speed < 1 ? 2 : 0, language) })],
   ];
+}
+
+function modelText({ model, calibrated_robot: calibrated }: Setup, { calibration }: Texts): string {
+  if (calibrated) return calibratedTitle(calibrated) ?? calibration.missing;
+  return robotOf(model)?.title ?? model;
 }
 
 /** The name of a world: of one that ships, or of the group's own. */

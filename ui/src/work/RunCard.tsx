@@ -43,7 +43,7 @@ export function RunCard({ run }: { run: Run }) {
         <span class="work-card__line work-card__line--strong">
           {run.program_name ?? work.noName}
         </span>
-        <RobotName link={run.link} />
+        <RobotName link={run.link} calibrated={run.calibrated_robot} />
         <span class="work-card__line work-card__line--facts">
           {facts.filter(Boolean).join(" · ")}
         </span>

@@ -106,7 +106,7 @@ function RunHead({ side, group, number, swatch }: RunHeadProps) {
       <span class="compare__program" data-shortened title={run.program_name ?? undefined}>
         {run.program_name}
       </span>
-      <RobotName link={run.link} />
+      <RobotName link={run.link} calibrated={run.calibrated_robot} />
       <span class="compare__outcome">
         <OutcomeIcon outcome={outcome} />
         {outcomes[outcome]}

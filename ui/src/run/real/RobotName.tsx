@@ -5,15 +5,17 @@ import { SIMULATOR } from "./real_robot";
 
 interface RobotNameProps {
   link: string;
+  /** Name of the calibrated robot of a simulated run. */
+  calibrated: string | null;
 }
 
-/** Shows the name of a run's real robot; renders nothing for the simulator. */
-export function RobotName({ link }: RobotNameProps) {
-  if (link === SIMULATOR) return null;
+/** Shows the name of a run's real or calibrated robot; renders nothing for the others of the simulator. */
+export function RobotName({ link, calibrated }: RobotNameProps) {
+  if (link === SIMULATOR && !calibrated) return null;
   return (
     <span class="robot-name" data-testid="robot-name" data-link={link}>
       <Bot class="icon" aria-hidden="true" />
-      {robotLabel(link)}
+      {calibrated ?? robotLabel(link)}
     </span>
   );
 }

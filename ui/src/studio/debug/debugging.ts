@@ -9,9 +9,10 @@ export const breakpoints = signal<readonly string[]>([]);
 
 /** The options with which a new run of a program starts. */
 export function runSettings({ setup }: OpenProgram, paused: boolean): robot.RunOptions {
-  const { model, preset, feedback, speed } = setup.peek();
+  const { model, preset, feedback, calibrated_robot, speed } = setup.peek();
   // on the first level the choice is hidden, so an earlier choice must not apply
-  const chosen = level.peek() > 1 ? { model, preset, feedback } : REALISM_PRESETS.ideal;
+  const chosen =
+    level.peek() > 1 ? { model, preset, feedback, calibrated_robot } : REALISM_PRESETS.ideal;
   return { breakpoints: [...breakpoints.peek()], speed, paused, ...chosen };
 }
 

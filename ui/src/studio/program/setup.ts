@@ -20,6 +20,7 @@ export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup
     version?.setup ?? {
       model: DEFAULT_ROBOT,
       ...REALISM_PRESETS.ideal,
+      calibrated_robot: null,
       world,
       start: null,
       speed: 1,

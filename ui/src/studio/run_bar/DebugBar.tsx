@@ -1,16 +1,14 @@
-import { Bot, Dices, Gauge } from "lucide-preact";
+import { Dices, Gauge } from "lucide-preact";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
-import { labelled } from "../../i18n/phrases";
 import { Select } from "../../kit/Select";
-import { clear } from "../../run/live";
 import { activeRealLink } from "../../run/real/real_robot";
 import { isLivePhase } from "../../run/reducer";
-import { robotModels, robotOf } from "../../shell/session";
 import type { OpenProgram } from "../program/open_program";
 import { REALISM_PRESETS, type RealismName, realismOf, SPEEDS } from "../program/setup";
 import { ActionButton, type ActionsProps } from "./ActionButton";
 import { STEPS } from "./actions";
+import { ModelChoice } from "./ModelChoice";
 
 /** Single steps, and the speed of the simulated robot. */
 export function DebugBar(props: ActionsProps) {
@@ -26,7 +24,7 @@ export function DebugBar(props: ActionsProps) {
           {!isLivePhase(props.state.phase) && !open.mission.value && (
             <>
               <ModelChoice open={open} />
-              <LifelikeChoice open={open} />
+              {!open.setup.value.calibrated_robot && <LifelikeChoice open={open} />}
             </>
           )}
           <SpeedChoice open={open} />
@@ -54,27 +52,6 @@ function SpeedChoice({ open }: { open: OpenProgram }) {
 }
 
 const timesOf = (factor: number) => decimal(factor, factor < 1 ? 2 : 0, language.value);
-
-/** Selects the model of the simulated robot. */
-function ModelChoice({ open }: { open: OpenProgram }) {
-  const { debug } = texts.value;
-  const { model } = open.setup.value;
-  return (
-    <Select
-      class="debug-bar__model"
-      icon={Bot}
-      label={debug.model}
-      tip={labelled(debug.model, robotOf(model)?.title ?? model)}
-      testId="robot-model"
-      value={model}
-      options={robotModels.value.map(({ name, title }) => [name, title])}
-      onChange={(chosen) => {
-        open.changeSetup({ model: chosen });
-        clear();
-      }}
-    />
-  );
-}
 
 /** Selects preset and feedback of the next simulated run. */
 function LifelikeChoice({ open }: { open: OpenProgram }) {

@@ -7,6 +7,7 @@ import { Loaded } from "../../kit/requests/Loaded";
 import { robotLabel } from "../../run/real/RobotName";
 import { realRobots } from "../../run/real/real_robot";
 import { useTeacherLoaded } from "../useTeacherLoaded";
+import { CalibrationPart } from "./calibration/CalibrationPart";
 import { RobotForm } from "./RobotForm";
 
 /** The real robots of this PC, with forms for address, limits and room. */
@@ -30,6 +31,7 @@ export function RobotPart() {
           />
         )}
       </Loaded>
+      <CalibrationPart />
     </>
   );
 }

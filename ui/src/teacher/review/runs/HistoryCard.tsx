@@ -59,7 +59,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
             <GroupPicture name={run.group?.picture ?? ""} class="run-card__picture" />
             <span>{run.group?.name ?? runs.commandLine}</span>
           </span>
-          <RobotName link={run.link} />
+          <RobotName link={run.link} calibrated={run.calibrated_robot} />
           <span class="work-card__line work-card__line--strong run-card__outcome">
             <OutcomeIcon outcome={outcome} />
             {SHORT[outcome] ? runs.outcomes[SHORT[outcome]] : outcomes[outcome]}
