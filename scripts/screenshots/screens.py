@@ -258,6 +258,7 @@ SIGNED_IN: dict[str, Reach] = {
     "review-runs": _at("runs", "compare-choose"),
     "review-compare": _COMPARE,
     "cards": _at("cards", "card"),
+    "presentation-program": _presented("present/same/program/{past.program}"),
     "presentation": _presented("present/same/{past.runs[1]}"),
     "presentation-pair": _presented("present/same/{past.runs[0]}/{past.runs[1]}"),
 }

@@ -25,15 +25,28 @@ CUT = """() => {
   if (document.documentElement.scrollWidth > innerWidth) cut.push('the page scrolls sideways');
   return cut;
 }"""
-# Controls whose centre another element covers. The open mission may cover the floor, until the group begins.
-COVERED = """() => [...document.querySelectorAll('button, a, select, input')]
-  .filter((e) => !e.closest('.visually-hidden, .injectionDiv, [data-scrolls]') && !e.disabled)
-  .map((e) => [e, e.getBoundingClientRect()])
-  .filter(([e, box]) => box.width && box.height && e.checkVisibility({ visibilityProperty: true }))
-  .map(([e, box]) => [e, document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2)])
-  .filter(([e, hit]) => !hit?.closest('[data-testid=mission-sheet]'))
-  .filter(([e, hit]) => !hit || !(e.contains(hit) || hit.closest('label')?.contains(e)))
-  .map(([e, hit]) => `${e.dataset.testid ?? e.ariaLabel ?? e.className} under ${hit?.className}`)"""
+# Controls whose centre another element covers. The open mission may cover the floor, until the group begins; what an
+# element that scrolls hides is not covered.
+COVERED = """() => {
+  const isHidden = ([element, x, y]) => {
+    for (let at = element.parentElement; at; at = at.parentElement) {
+      if (getComputedStyle(at).overflow === 'visible') continue;
+      const box = at.getBoundingClientRect();
+      if (x < box.left || x > box.right || y < box.top || y > box.bottom) return true;
+    }
+    return x < 0 || y < 0 || x > innerWidth || y > innerHeight;
+  };
+  return [...document.querySelectorAll('button, a, select, input')]
+    .filter((e) => !e.closest('.visually-hidden, .injectionDiv, [data-scrolls]') && !e.disabled)
+    .map((e) => [e, e.getBoundingClientRect()])
+    .filter(([e, box]) => box.width && box.height && e.checkVisibility({ visibilityProperty: true }))
+    .map(([e, box]) => [e, box.x + box.width / 2, box.y + box.height / 2])
+    .filter((one) => !isHidden(one))
+    .map(([e, x, y]) => [e, document.elementFromPoint(x, y)])
+    .filter(([e, hit]) => !hit?.closest('[data-testid=mission-sheet]'))
+    .filter(([e, hit]) => !hit || !(e.contains(hit) || hit.closest('label')?.contains(e)))
+    .map(([e, hit]) => `${e.dataset.testid ?? e.ariaLabel ?? e.className} under ${hit?.className}`);
+}"""
 # Pairs of controls whose visible parts overlap: what an element that scrolls hides does not count.
 _OVERLAPPING = """() => {
   const visible = (element) => {
@@ -64,8 +77,4 @@ _OVERLAPPING = """() => {
 
 def layout_faults(page: Page) -> list[str]:
     """Returns texts that are cut, controls that leave the window, and controls that cover each other."""
-    found: list[str] = [
-        one for check in (CUT, COVERED, _OVERLAPPING) for one in page.evaluate(check)
-    ]
-    # one that is outside the window, or outside the visible part of an element, is scrolled to
-    return [one for one in found if not one.endswith(" under undefined")]
+    return [one for check in (CUT, COVERED, _OVERLAPPING) for one in page.evaluate(check)]
