@@ -89,7 +89,7 @@ def replay(camera: Photographer, run: str) -> None:
 
 
 def readme(camera: Photographer, seeded: Seed) -> None:
-    """Takes the pictures of README and manual: start, studio, replay, floor in 3D, album."""
+    """Takes the pictures of README and manual: start, studio, replay, a saved picture, floor in 3D, album."""
     run = drive_all(camera, seeded)
     camera.go("#/")
     camera.of("group-card").first.wait_for()
@@ -102,6 +102,10 @@ def readme(camera: Photographer, seeded: Seed) -> None:
     camera.wait_for_phase("finished")
     replay(camera, run)
     camera.save("replay")
+    camera.press("run-image")
+    with camera.page.expect_download() as download:
+        camera.press("save-run-picture")
+    download.value.save_as(camera.folder / "run-image.png")
     camera.page.locator('[data-testid="floor-view"][data-value="true"]').click()
     camera.of("scene-3d").wait_for()
     camera.page.wait_for_timeout(3_000)

@@ -44,7 +44,7 @@ COVERED = """() => {
     .filter((one) => !isHidden(one))
     .map(([e, x, y]) => [e, document.elementFromPoint(x, y)])
     .filter(([e, hit]) => !hit?.closest('[data-testid=mission-sheet]'))
-    .filter(([e, hit]) => !hit || !(e.contains(hit) || hit.closest('label')?.contains(e)))
+    .filter(([e, hit]) => hit && !(e.contains(hit) || hit.closest('label')?.contains(e)))
     .map(([e, hit]) => `${e.dataset.testid ?? e.ariaLabel ?? e.className} under ${hit?.className}`);
 }"""
 # Pairs of controls whose visible parts overlap: what an element that scrolls hides does not count.

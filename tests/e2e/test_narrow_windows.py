@@ -31,7 +31,7 @@ def test_no_screen_outside_the_studio_has_faults_of_layout(teacher: Teacher) -> 
         f"versions/{program}": "version-shown",
         "runs": "compare-choose",
         "teacher/lessons": "lesson-row",
-        "teacher/files": "save-bundle",
+        "teacher/files": "shared-folder",
         f"present/same/program/{program}": "presentation",
     }.items():
         teacher.go(place)
