@@ -179,8 +179,9 @@ def test_two_runs_are_stepped_together(teacher: Teacher) -> None:
 
 def test_a_program_without_a_run_is_shown_and_stepped_block_by_block(teacher: Teacher) -> None:
     bees = next(one for one in teacher.studio.api("/groups")["groups"] if one["name"] == "Abelhas")
+    teacher.go("teacher/lessons")
+    teacher.studio.wait_for_screen("lesson-row")
     teacher.go(f"work/{bees['id']}")
-    teacher.page.reload()  # the teacher signed in by a request
     teacher.studio.wait_for_screen("program-card")
     teacher["present"].click()
     expect(teacher["presentation"]).to_be_visible()
