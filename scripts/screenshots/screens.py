@@ -248,6 +248,7 @@ SIGNED_IN: dict[str, Reach] = {
     "teacher-making": _then(_ACTIVITIES, "making-new"),
     "teacher-classes": _at("teacher/classes", "class-group"),
     "teacher-camera": _camera,
+    "teacher-group": _WORK,
     "teacher-robot": _at("teacher/robot", "robots-find"),
     "teacher-files": _at("teacher/files", "merge-files"),
     "teacher-files-merged": _merged,

@@ -27,6 +27,7 @@ def test_no_screen_outside_the_studio_has_faults_of_layout(teacher: Teacher) -> 
     program = teacher.studio.api(f"/groups/{teacher.past.group}/programs")["programs"][0]["id"]
     found: dict[str, list[str]] = {}
     for place, shows in {
+        "teacher/lessons": "lesson-row",
         "": "group-card",
         "practice": "practice-mode",
         f"work/{teacher.past.group}": "program-card",
@@ -35,7 +36,6 @@ def test_no_screen_outside_the_studio_has_faults_of_layout(teacher: Teacher) -> 
         f"compare/{crashed}/{passed}": "compare-side",
         f"versions/{program}": "version-shown",
         "runs": "compare-choose",
-        "teacher/lessons": "lesson-row",
         "teacher/files": "shared-folder",
         f"present/same/program/{program}": "presentation",
     }.items():
