@@ -55,9 +55,6 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
           {archive.history}
         </LinkButton>
         <ExportProgram program={program} />
-        {teacherSession.value?.is_open && (
-          <PresentButton program={program.id}>{projector.short}</PresentButton>
-        )}
         <Button
           kind="plain"
           icon={Trash2}
@@ -67,6 +64,9 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
         >
           {archive.throwAway}
         </Button>
+        {teacherSession.value?.is_open && (
+          <PresentButton program={program.id}>{projector.short}</PresentButton>
+        )}
       </div>
     </div>
   );
