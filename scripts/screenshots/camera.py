@@ -6,7 +6,7 @@ import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 import cv2
 from playwright.sync_api import Browser, Page
 
-from pinel_desktop.messages import LANGUAGES
 from tests.gestures.drawn import OPEN, drawn_hand, on_wall
 
 CHROMIUM = shutil.which("chromium-headless-shell") or "/usr/bin/chromium"
@@ -29,39 +28,31 @@ ARGUMENTS = [
 SIZES = {
     "1366x768": (1366, 768),
     "1024x768": (1024, 768),
-    "1024x600": (1024, 600),
+    "800x1280": (800, 1280),
+    "683x768": (683, 768),  # a zoom of 200 %
     "1920x1080": (1920, 1080),
 }
 THEMES = ("light", "dark", "contrast")
+_MAIN_SIZE = "1366x768"
 PIN = "314159"
 
 
-class ScreenSettings(NamedTuple):
-    """Size, theme and language of one round of pictures."""
+class Variants(NamedTuple):
+    """The sizes, themes and languages in which each screen is taken."""
 
-    size: str
-    theme: str
-    language: str
-
-    @property
-    def name(self) -> str:
-        return f"{self.size}-{self.theme}-{self.language}"
+    sizes: Sequence[str]
+    themes: Sequence[str]
+    languages: Sequence[str]
 
 
-QUICK = [ScreenSettings("1366x768", "light", "pt-BR")]
-ALL = [
-    *(ScreenSettings(size, "light", "pt-BR") for size in SIZES),
-    *(ScreenSettings("1366x768", theme, "pt-BR") for theme in THEMES[1:]),
-    *(ScreenSettings("1366x768", "light", language) for language in LANGUAGES[1:]),
-    ScreenSettings("1024x768", "contrast", "es"),
-    ScreenSettings("1920x1080", "dark", "en"),
-]
+QUICK = Variants(("1366x768",), ("light",), ("pt-BR",))
+ALL = Variants(tuple(SIZES), THEMES, ("pt-BR", "en"))
 
 
 @contextmanager
 def application(home: Path) -> Iterator[str]:
     """Runs the app on a data folder, with a drawn hand as its webcam; yields the one-time address of the page."""
-    (home / "webcam").mkdir()
+    (home / "webcam").mkdir(exist_ok=True)
     frame = cv2.cvtColor(on_wall(drawn_hand(OPEN, 560), 1280, 720, 360, 80), cv2.COLOR_RGB2BGR)
     cv2.imwrite(str(home / "webcam" / "hand.png"), frame)
     command = [sys.executable, "-m", "pinel_desktop", "serve", "--camera", str(home / "webcam")]
@@ -83,25 +74,52 @@ def address_in(process: "subprocess.Popen[str]") -> str:
 
 
 class Photographer:
-    """Navigates one page through the app and takes screenshots."""
+    """Navigates one page through the app and takes screenshots.
 
-    def __init__(self, browser: Browser, address: str, folder: Path) -> None:
+    Args:
+        find: returns the faults of the page as it is, for each picture of a round; `is_main` in the main size.
+    """
+
+    def __init__(
+        self,
+        browser: Browser,
+        address: str,
+        folder: Path,
+        variants: Variants = QUICK,
+        find: Callable[[Page, bool], list[str]] = lambda _page, _is_main: [],
+    ) -> None:
         self.context = browser.new_context(viewport={"width": 1366, "height": 768}, locale="pt-BR")
+        self.context.set_default_timeout(20_000)
         self.page: Page = self.context.new_page()
-        self.page.on("pageerror", lambda error: print(f"page error: {error}", file=sys.stderr))
+        self.page.on("pageerror", lambda error: self.note(f"page error: {error}"))
         self.page.goto(address)
         self.origin = re.sub(r"(http://[^/]+).*", r"\1", address)
         self.folder = folder
-        self.settings = QUICK[0]
+        self.variants, self.find = variants, find
+        self.language = "pt-BR"
 
-    def wear(self, settings: ScreenSettings) -> None:
-        self.settings = settings
-        width, height = SIZES[settings.size]
+    def note(self, fault: str) -> None:
+        """Writes a fault to the standard output and the list of faults."""
+        print(fault, flush=True)
+        with (self.folder / "faults.txt").open("a", encoding="utf-8") as faults:
+            faults.write(f"{fault}\n")
+
+    def speak(self, language: str) -> None:
+        """Chooses a language."""
+        self.language = language
+        self.of("language").select_option(language)
+        self.page.locator(f"html[lang={language}]").wait_for()
+
+    def theme(self, theme: str) -> None:
+        """Chooses a theme, without the pointer, which would close open panels."""
+        for _ in THEMES:
+            if self.page.evaluate("document.documentElement.dataset.theme") == theme:
+                return
+            self.of("theme").evaluate("(button) => button.click()")
+
+    def resize(self, size: str) -> None:
+        width, height = SIZES[size]
         self.page.set_viewport_size({"width": width, "height": height})
-        self.call("PUT", "/api/settings/page", {"name": "pinel_theme", "value": settings.theme})
-        self.page.reload()
-        self.of("language").select_option(settings.language)
-        self.page.wait_for_timeout(300)
 
     def of(self, test_id: str) -> Any:
         return self.page.get_by_test_id(test_id)
@@ -112,7 +130,17 @@ class Photographer:
         self.page.screenshot(path=self.folder / f"{name}.png")
 
     def round(self, name: str) -> None:
-        self.save(f"{self.settings.name}-{name}")
+        """Takes the page as it is in each size and theme, and looks for faults in each."""
+        sizes, themes, _ = self.variants
+        for theme in themes:
+            self.theme(theme)
+            for size in sizes:
+                self.resize(size)
+                picture = f"{name}-{size}-{theme}-{self.language}"
+                self.save(picture)
+                for fault in self.find(self.page, size == _MAIN_SIZE):
+                    self.note(f"{picture}: {fault}")
+        self.resize(_MAIN_SIZE)
 
     def call(self, method: str, path: str, body: object = None) -> Any:
         return self.page.evaluate(
@@ -127,6 +155,9 @@ class Photographer:
     def go(self, hash_: str) -> None:
         self.page.goto(f"{self.origin}/{hash_}")
 
+    def press(self, test_id: str, number: int = 0) -> None:
+        self.of(test_id).nth(number).click()
+
     def open_program(self, program: str) -> None:
         self.go(f"#/program/{program}")
         self.page.locator(".blocklyBlockCanvas .blocklyDraggable").first.wait_for()
@@ -134,6 +165,13 @@ class Photographer:
 
     def press_run(self) -> None:
         self.page.locator("[data-testid=run][data-does=run]:enabled").click()
+
+    def stop(self) -> None:
+        """Stops a run: the next screen may run another program."""
+        stop = self.of("stop")
+        if stop.is_visible() and stop.is_enabled():
+            stop.click()
+            self.page.wait_for_timeout(500)
 
     def wait_for_phase(self, *phases: str) -> None:
         selector = ", ".join(f"[data-testid=scene][data-phase={phase}]" for phase in phases)

@@ -1,4 +1,4 @@
-"""Screenshots of the teacher's part: the review of a finished lesson, export and import of work."""
+"""A finished lesson, and the teacher's pictures of README and manual."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -14,6 +14,7 @@ class Past(NamedTuple):
     """The generated lesson."""
 
     lesson: str
+    group: str
     program: str
     versions: tuple[str, str]
     runs: tuple[str, str]
@@ -29,7 +30,8 @@ def play(home: Path) -> Past:
         lesson.group("Dourados").edit(*SQUARE[:2])
         versions, runs = first
         program = lesson.store.versions.get(versions[0]).program_id
-        return Past(lesson.lesson, program, (versions[0], versions[-1]), (runs[0], runs[-1]))
+        group = lesson.store.programs.get(program).group_id
+        return Past(lesson.lesson, group, program, (versions[0], versions[-1]), (runs[0], runs[-1]))
 
 
 def _group(
@@ -47,51 +49,9 @@ def _group(
     return versions, runs
 
 
-def photograph(camera: Photographer, past: Past, stick: Path) -> None:
-    """Takes every screen of the review in the current settings."""
-    _enter(camera)
-    camera.go(f"#/lesson/{past.lesson}")
-    camera.of("review-group").first.wait_for()
-    camera.round("lesson")
-    camera.of("review-open").first.click()
-    camera.of("review-run").first.wait_for()
-    camera.round("lesson-group")
-    camera.go("#/runs")
-    camera.of("compare-choose").first.wait_for()
-    camera.round("runs")
-    camera.go(f"#/compare/{'/'.join(past.runs)}")
-    camera.of("compare-side").nth(1).wait_for()
-    camera.round("two-runs")
-    camera.go(f"#/run/{past.runs[0]}")
-    camera.of("note-open").click()
-    camera.round("note")
-    camera.go(f"#/versions/{past.program}")
-    camera.of("version-shown").wait_for()
-    camera.round("history")
-    camera.go(f"#/differences/{past.program}/{'/'.join(past.versions)}")
-    camera.of("difference").first.wait_for()
-    camera.round("differences")
-    files(camera, stick)
-
-
-def files(camera: Photographer, stick: Path) -> None:
-    """Exports the work of this PC to a folder and imports it again."""
-    camera.call("PUT", "/api/folders/shared", {"path": str(stick)})
-    if not any(stick.iterdir()):
-        camera.call("POST", "/api/bundles", {"folder": str(stick)})
-        (stick / "estragado.pinel").write_bytes(b"SQLite format 3")
-    camera.go("#/teacher/files")
-    camera.of("merge-files").wait_for()
-    camera.round("files")
-    camera.of("merge-files").click()
-    camera.of("merge-results").wait_for()
-    camera.of("merge-results").scroll_into_view_if_needed()
-    camera.round("files-merged")
-
-
 def readme(camera: Photographer, past: Past) -> None:
     """Takes the pictures of README and manual: the lesson, and a run of it on the projector."""
-    _enter(camera)
+    enter(camera)
     camera.go(f"#/lesson/{past.lesson}")
     camera.of("review-group").first.wait_for()
     camera.save("lesson")
@@ -102,10 +62,19 @@ def readme(camera: Photographer, past: Past) -> None:
     camera.save("projector")
 
 
-def _enter(camera: Photographer) -> None:
+def enter(camera: Photographer) -> None:
     """Sets the PIN, or enters it."""
     if camera.call("GET", "/api/teacher")["has_pin"]:
         camera.call("POST", "/api/teacher/enter", {"pin": PIN})
     else:
         camera.call("PUT", "/api/teacher/pin", {"pin": PIN})
     camera.page.reload()
+
+
+def share(camera: Photographer, stick: Path) -> None:
+    """Writes the work of this PC to a folder, beside a file that cannot be read."""
+    enter(camera)
+    camera.call("PUT", "/api/folders/shared", {"path": str(stick)})
+    camera.call("POST", "/api/bundles", {"folder": str(stick)})
+    (stick / "estragado.pinel").write_bytes(b"SQLite format 3")
+    camera.call("POST", "/api/teacher/leave")

@@ -99,12 +99,32 @@ def test_the_window_is_asked_to_present_runs_at_an_address_of_their_own(behind: 
     assert fetch(link) == 200
 
 
-@pytest.mark.parametrize("runs", [[], ["r1", "r2", "r3"], ["../teacher"], ["r1?x"]])
-def test_only_runs_are_presented(behind: Behind, runs: list[str]) -> None:
+def test_the_window_presents_a_program_too(behind: Behind) -> None:
     behind.app.start()
     behind.app.language()
     page = Browser.signed_in(behind.app.address())
-    assert page.put("/api/projector", {"runs": runs}).status == 422
+    assert page.put("/api/projector", {"program": "p1"}).data == {"has_window": True}
+    (address,) = behind.presented
+    assert address is not None
+    assert address.endswith("#/present/second/program/p1")
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        {"runs": []},
+        {"runs": ["r1", "r2", "r3"]},
+        {"runs": ["../teacher"]},
+        {"runs": ["r1?x"]},
+        {"program": "../teacher"},
+        {"runs": ["r1"], "program": "p1"},
+    ],
+)
+def test_only_runs_or_a_program_are_presented(behind: Behind, asked: dict[str, object]) -> None:
+    behind.app.start()
+    behind.app.language()
+    page = Browser.signed_in(behind.app.address())
+    assert page.put("/api/projector", asked).status == 422
     assert behind.presented == []
 
 

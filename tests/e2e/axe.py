@@ -9,6 +9,7 @@ from tests.e2e.studio import Studio
 
 AXE = Path(__file__).parents[2] / "ui" / "node_modules" / "axe-core" / "axe.min.js"
 THEMES = {"light", "dark", "contrast"}
+_CONTRAST = "runOnly: ['color-contrast']"
 
 
 def violations(studio: Studio, shows: str | Locator, *, every_theme: bool = True) -> list[str]:
@@ -21,10 +22,8 @@ def violations(studio: Studio, shows: str | Locator, *, every_theme: bool = True
     """
     page = studio.page
     studio.wait_for_screen(shows)
-    if not page.evaluate("typeof axe === 'object'"):
-        page.evaluate(AXE.read_text("utf-8"))
     first = _theme(page)
-    found = _found(page, "{}")
+    found = violations_now(page)
     if not every_theme:
         return found
     visited = {first}
@@ -33,14 +32,17 @@ def violations(studio: Studio, shows: str | Locator, *, every_theme: bool = True
         # fading elements have another contrast until their animation ends
         studio.wait_for_screen(shows)
         # the only rule that depends on the theme
-        found += _found(page, "{ runOnly: ['color-contrast'] }")
+        found += violations_now(page, _CONTRAST)
     assert visited == THEMES
     return found
 
 
-def _found(page: Page, options: str) -> list[str]:
+def violations_now(page: Page, options: str = "") -> list[str]:
+    """Returns axe's violations of a page as it is; `options` are further options of `axe.run`."""
+    if not page.evaluate("typeof axe === 'object'"):
+        page.evaluate(AXE.read_text("utf-8"))
     answer: dict[str, Any] = page.evaluate(
-        f"() => axe.run(document, {{ resultTypes: ['violations'], ...{options} }})"
+        f"() => axe.run(document, {{ resultTypes: ['violations'], {options} }})"
     )
     return [
         f"{_theme(page)}, {one['id']}: {node['html'][:160]} {node['failureSummary'][-160:]}"

@@ -35,6 +35,17 @@ class Finger:
             self._touch("touchMove", start.x + across, start.y + down)
         self._screen.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
 
+    def spread(self, middle: Place, start_px: float, end_px: float) -> None:
+        """Moves two fingers apart, or together; the distances are those of each to the middle."""
+        for step in range(_STEPS + 1):
+            off = start_px + (end_px - start_px) * step / _STEPS
+            places = [Place(middle.x - off, middle.y), Place(middle.x + off, middle.y)]
+            self._touch_at("touchMove" if step else "touchStart", places)
+        self._touch_at("touchEnd", [])
+
     def _touch(self, kind: str, x: float, y: float) -> None:
-        points = [{"x": x, "y": y}]
+        self._touch_at(kind, [Place(x, y)])
+
+    def _touch_at(self, kind: str, places: list[Place]) -> None:
+        points = [{"x": one.x, "y": one.y, "id": index} for index, one in enumerate(places)]
         self._screen.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})

@@ -245,6 +245,7 @@ def test_an_opened_lesson_leads_to_its_review_and_folds_its_form(studio: Studio)
     expect(studio["lesson-title"]).to_be_hidden()
     review = studio["lesson-now-review"]
     expect(review).to_be_focused()
+    expect(studio.page.get_by_text("Ver a aula", exact=True)).to_have_count(1)
     expect(studio.page.locator(".button--run:visible")).to_have_count(1)
     assert violations(studio, "lesson-now") == []
     studio["open-another"].click()

@@ -10,7 +10,9 @@ from playwright.sync_api import Browser, expect
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
+from tests.e2e.blocks import Place, box_of
 from tests.e2e.conftest import OpenStudio
+from tests.e2e.finger import Finger
 from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
@@ -107,6 +109,21 @@ def test_keys_turn_the_view_and_choose_the_camera(studio: Studio) -> None:
         expect(floor).to_have_attribute("data-camera", camera)
     studio.page.keyboard.press("1")
     assert violations(studio, "scene-3d") == []
+
+
+def test_a_finger_turns_the_view_and_two_come_nearer(open_studio: OpenStudio) -> None:
+    studio = open_studio(has_touch=True)
+    enter_made_group(studio, [("move_forward", 0.2)])
+    floor = open_3d(studio)
+    finger, box = Finger(studio.page), box_of(floor)
+    middle = Place(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    at_first = frame_of(floor)
+    finger.stroke(middle, Place(middle.x + 80, middle.y))
+    expect_another_frame(studio, floor, at_first)
+    turned = frame_of(floor)
+    finger.spread(middle, 20, 80)
+    expect_another_frame(studio, floor, turned)
+    assert studio.page.evaluate("[scrollX, scrollY, visualViewport.scale]") == [0, 0, 1]
 
 
 def test_the_picture_is_said_in_words(studio: Studio) -> None:

@@ -8,48 +8,17 @@ from playwright.sync_api import Locator, expect
 
 from pinel_desktop.messages import LANGUAGES
 from tests.e2e.app_process import AppProcess
+from tests.e2e.layout_faults import COVERED, CUT
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
-# Elements whose text is wider than the element, or that leave the window. Names of groups and
-# classes may be shortened, with the whole name as a tooltip.
-_CUT = """() => {
-  const cut = [];
-  for (const element of document.querySelectorAll('body *')) {
-    if (element.closest('svg, .injectionDiv, .blocklyWidgetDiv, .visually-hidden, option')) continue;
-    const words = [...element.childNodes].filter((n) => n.nodeType === 3 && n.textContent.trim());
-    const control = element.matches('button, a, select, input');
-    if (!words.length && !control) continue;
-    const box = element.getBoundingClientRect();
-    const style = getComputedStyle(element);
-    if (!box.width || style.visibility === 'hidden' || style.clipPath !== 'none') continue;
-    if (element.matches('.header__group-name, .group-card__name, [data-shortened]')) continue;
-    const scrolls = element.closest('[data-scrolls], pre');
-    const name = element.dataset.testid ?? element.className;
-    const what = `${element.tagName} ${name}: ${element.textContent.trim().slice(0, 40)}`;
-    const wide = element.scrollWidth > element.clientWidth + 1;
-    if (style.display !== 'inline' && wide) cut.push(`cut ${what}`);
-    if (!scrolls && (box.right > innerWidth + 1 || box.left < -1)) cut.push(`outside ${what}`);
-  }
-  if (document.documentElement.scrollWidth > innerWidth) cut.push('the page scrolls sideways');
-  return cut;
-}"""
 _SMALL = """() => [...document.querySelectorAll('button, .select, a.button')]
   .filter((e) => !e.closest('.blocklyToast') && e.getBoundingClientRect().width)
   .map((e) => [e.dataset.testid ?? e.className, e.getBoundingClientRect()])
   .filter(([, box]) => box.width < 43.5 || box.height < 43.5)
   .map(([name, box]) => `${name}: ${box.width} x ${box.height}`)"""
-# Controls whose centre another element covers. The open mission may cover the floor, until the group begins.
-_COVERED = """() => [...document.querySelectorAll('button, a, select, input')]
-  .filter((e) => !e.closest('.visually-hidden, .injectionDiv, [data-scrolls]') && !e.disabled)
-  .map((e) => [e, e.getBoundingClientRect()])
-  .filter(([e, box]) => box.width && box.height && e.checkVisibility({ visibilityProperty: true }))
-  .map(([e, box]) => [e, document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2)])
-  .filter(([e, hit]) => !hit?.closest('[data-testid=mission-sheet]'))
-  .filter(([e, hit]) => !hit || !(e.contains(hit) || hit.closest('label')?.contains(e)))
-  .map(([e, hit]) => `${e.dataset.testid ?? e.ariaLabel ?? e.className} under ${hit?.className}`)"""
 
 SCREENS = [(1366, 768), (1024, 768), (1024, 600), (1920, 1080)]
 
@@ -63,7 +32,7 @@ def cut(studio: Studio, shows: str | Locator) -> list[Any]:
     """Returns the elements that are cut off on a screen; `shows` as for `wait_for_screen`."""
     studio.wait_for_screen(shows)
     studio.page.evaluate("document.fonts.ready")
-    return list(studio.page.evaluate(_CUT))
+    return list(studio.page.evaluate(CUT))
 
 
 Layout = tuple[str, tuple[int, int]]
@@ -149,7 +118,7 @@ def test_in_low_windows_a_click_reaches_the_control_that_it_is_meant_for(studio:
         expect(studio["measure-tool"]).to_have_count(2 if more else 0)
         for layout in layouts(studio, LANGUAGES, [(width, 600) for width in range(800, 1400, 50)]):
             studio.wait_for_screen("measure-tool" if more else "editor")
-            if found := studio.page.evaluate(_COVERED):
+            if found := studio.page.evaluate(COVERED):
                 covered[layout, more] = found
         studio["scene-tools"].click()
     assert covered == {}

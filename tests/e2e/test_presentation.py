@@ -1,4 +1,4 @@
-"""Runs on the projector: readable from the last row, stepped by keys or a remote, with or without names of groups."""
+"""Runs and programs on the projector: readable from the last row, stepped by keys, with or without names of groups."""
 
 import re
 
@@ -177,6 +177,32 @@ def test_two_runs_are_stepped_together(teacher: Teacher) -> None:
     expect(sides.nth(1)).to_have_attribute("data-phase", "finished")
 
 
+def test_a_program_without_a_run_is_shown_and_stepped_block_by_block(teacher: Teacher) -> None:
+    bees = next(one for one in teacher.studio.api("/groups")["groups"] if one["name"] == "Abelhas")
+    teacher.go("teacher/lessons")
+    teacher.studio.wait_for_screen("lesson-row")
+    teacher.go(f"work/{bees['id']}")
+    teacher.studio.wait_for_screen("program-card")
+    teacher["present"].click()
+    expect(teacher["presentation"]).to_be_visible()
+    expect(teacher["presentation-group"]).to_have_text("Abelhas")
+    teacher.studio.wait_for_screen("presentation")
+    expect(teacher["presentation-keys"]).not_to_contain_text("3D")
+    assert _min_text(teacher)[0] >= 768 / TEXTS_PER_HEIGHT, _min_text(teacher)
+    assert violations(teacher.studio, "presentation") == []
+    pointed = teacher["presentation"].locator(".pinelRunning")
+    _press(teacher, "PageDown", "PageDown")
+    expect(pointed).to_have_attribute("data-id", "turn0")
+    _press(teacher, "PageUp")
+    expect(pointed).to_have_count(0)
+    _press(teacher, "n", "b")
+    expect(teacher["presentation-black"]).to_be_visible()
+    _press(teacher, "b")
+    expect(teacher["presentation-group"]).to_have_text("Grupo A")
+    _press(teacher, "n", "Escape")
+    expect(teacher["program-card"]).to_be_visible()
+
+
 def test_it_is_accessible_in_every_theme(teacher: Teacher) -> None:
     crashed, _stopped, passed = teacher.past.runs
     _present(teacher, passed)
@@ -190,6 +216,7 @@ def test_it_opens_from_review_replay_and_comparison_and_leads_back(teacher: Teac
     crashed, _stopped, passed = teacher.past.runs
     teacher.open_lesson()
     teacher.row(LONG_NAME).get_by_test_id("review-open").click()
+    expect(teacher.page.locator("[data-testid=present][data-program]")).to_be_visible()
     _there_and_back(teacher, f"{passed}$", "lesson-page")
     teacher.go(f"run/{passed}")
     _there_and_back(teacher, f"{passed}$", "replay-slider")

@@ -227,6 +227,17 @@ def test_a_replay_outlines_the_block_that_failed_and_speaks_of_no_button_that_is
     expect(stop).not_to_contain_text("Rodar")
 
 
+def test_a_replay_has_no_palette_after_a_change_of_the_theme(teacher: Teacher) -> None:
+    teacher.go(f"run/{teacher.past.runs[2]}")
+    teacher.studio.wait_for_screen("replay-slider")
+    for theme in ("dark", "contrast", "light"):
+        expect(teacher.page.locator(".blocklyToolbox")).to_be_hidden()
+        teacher["theme"].click()
+        expect(teacher.page.locator("html")).to_have_attribute("data-theme", theme)
+        teacher.studio.wait_for_screen("replay-slider")
+    expect(teacher.page.locator(".blocklyToolbox")).to_be_hidden()
+
+
 def test_from_a_run_of_the_list_the_teacher_goes_back_to_it_but_no_pupil_does(
     teacher: Teacher,
 ) -> None:

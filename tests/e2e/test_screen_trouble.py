@@ -128,6 +128,7 @@ def test_a_screen_whose_first_question_is_answered_with_an_error_says_so_and_can
     studio.page.reload()
     expect(studio["not-loaded"]).to_be_visible()
     expect(studio["problem"]).to_be_visible()
+    expect(studio.page.get_by_role("heading", level=1)).to_have_count(1)
     expect(studio.page.get_by_role("main")).not_to_have_attribute("aria-busy", "true")
 
     # other parts of the page may send the same request; the button is busy while the screen's own

@@ -1,8 +1,11 @@
 import { del, put } from "./client";
 
-/** Requests to the second window, which shows runs on a projector. */
+/** What a projector shows: one or two runs, or a program. */
+export type Presented = { readonly runs: string[] } | { readonly program: string };
+
+/** Requests to the second window, on a projector. */
 export const projectorApi = {
-  /** Whether a window on a second screen shows the runs: there may be none. */
-  present: async (runs: string[]) => (await put("/api/projector", { body: { runs } })).has_window,
+  /** Whether a window on a second screen shows it: there may be none. */
+  present: async (body: Presented) => (await put("/api/projector", { body })).has_window,
   end: () => del("/api/projector", {}),
 };

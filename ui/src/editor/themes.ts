@@ -68,7 +68,10 @@ const nameOf = (name: ThemeName) => `pinel-${name}`;
 
 /** Sets the theme of a workspace; redraws it only if the theme differs. */
 export function showTheme(workspace: Blockly.WorkspaceSvg, name: ThemeName): void {
-  if (workspace.getTheme().name !== nameOf(name)) workspace.setTheme(blocklyTheme(name));
+  if (workspace.getTheme().name === nameOf(name)) return;
+  workspace.setTheme(blocklyTheme(name));
+  // Blockly shows the toolbox again
+  workspace.getToolbox()?.setVisible(!workspace.isReadOnly());
 }
 
 /** Name of the page's font: Blockly measures text outside the page, without its CSS variables. */

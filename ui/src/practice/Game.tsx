@@ -58,7 +58,7 @@ function Target({ game, target }: { game: SpellingGame; target: string }) {
       <p class="game__next" role="status">
         {next && <Next letter={next} other={game.other.value} />}
       </p>
-      <div class="row gap-2">
+      <div class="row wrap gap-2">
         <Button icon={Hand} testId="game-hint" onPress={() => game.hint()}>
           {labels.hint}
         </Button>

@@ -13,14 +13,13 @@ const KEYS = {
 } as const satisfies Record<Action, string>;
 
 /** The keys, until one of them is pressed. */
-export function KeyHelp() {
+export function KeyHelp({ actions }: { actions: readonly Action[] }) {
   const { projector } = texts.value;
-  const lines = Object.entries(KEYS) as [Action, string][];
   return (
     <ul class="presentation__keys" aria-label={projector.keys} data-testid="presentation-keys">
-      {lines.map(([action, key]) => (
+      {actions.map((action) => (
         <li key={action}>
-          <kbd>{key}</kbd> {projector.does[action]}
+          <kbd>{KEYS[action]}</kbd> {projector.does[action]}
         </li>
       ))}
     </ul>

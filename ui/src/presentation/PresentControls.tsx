@@ -20,14 +20,15 @@ import type { Action } from "./keys";
 import { isNameless } from "./names";
 
 interface PresentControlsProps {
-  playback: Playback;
+  /** The clock of the runs; null for a program. */
+  playback: Playback | null;
   onAction(action: Action): void;
 }
 
 /** What the keys do, for a mouse. */
 export function PresentControls({ playback, onAction }: PresentControlsProps) {
   const { projector, replay, header, solid } = texts.value;
-  const isPlaying = playback.playing.value;
+  const isPlaying = playback?.playing.value;
   const control = (action: Action, icon: LucideIcon, label: string, pressed?: boolean) => (
     <Button
       icon={icon}
@@ -42,10 +43,11 @@ export function PresentControls({ playback, onAction }: PresentControlsProps) {
   return (
     <div class="presentation__controls row rigid" role="toolbar" aria-label={projector.controls}>
       {control("previous", StepBack, replay.back)}
-      {control("play", isPlaying ? Pause : Play, isPlaying ? replay.pause : replay.play)}
+      {playback &&
+        control("play", isPlaying ? Pause : Play, isPlaying ? replay.pause : replay.play)}
       {control("next", StepForward, replay.forward)}
       {control("names", UserRound, projector.names, !isNameless.value)}
-      {control("solid", Box, solid.solidTip, isSolid.value)}
+      {playback && control("solid", Box, solid.solidTip, isSolid.value)}
       {control("black", Moon, projector.black)}
       <Button
         icon={Contrast}

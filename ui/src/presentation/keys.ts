@@ -2,6 +2,20 @@ import { listen } from "../kit/listen";
 
 export type Action = "next" | "previous" | "play" | "names" | "solid" | "black" | "help" | "leave";
 
+/** What a presentation of runs does, in the order of the help. */
+export const RUN_ACTIONS: readonly Action[] = [
+  "next",
+  "previous",
+  "play",
+  "names",
+  "solid",
+  "black",
+  "help",
+  "leave",
+];
+/** What the presentation of a program does: it has no floor. */
+export const PROGRAM_ACTIONS = RUN_ACTIONS.filter((one) => one !== "play" && one !== "solid");
+
 /** Keys of keyboards and of presenters' remotes, which send Page Up, Page Down, F5, B or a full stop, and Escape. */
 const ACTIONS: Readonly<Record<string, Action>> = {
   PageDown: "next",

@@ -1,5 +1,5 @@
 import { computed } from "@preact/signals";
-import type { Group, RunWithVersion } from "../api/model";
+import type { Group } from "../api/model";
 import type { Texts } from "../i18n";
 import { type Livery, liveryOf } from "../scene/livery/livery";
 import { choose, setting } from "../shell/settings";
@@ -14,7 +14,7 @@ export function toggleNames(): void {
   void choose(NAME, isNameless.peek() ? "shown" : "hidden");
 }
 
-/** What is shown of the group of a run. */
+/** What is shown of a group. */
 export interface ShownGroup {
   readonly name: string;
   readonly picture: string | null;
@@ -24,14 +24,14 @@ export interface ShownGroup {
 
 const LETTERS = ["A", "B"] as const;
 
-/** The group of the run at a place; without its name, picture and robot's name if they are hidden. */
+/** The group at a place; without its name, picture and robot's name if they are hidden. */
 export function shownGroup(
-  { group_id }: Pick<RunWithVersion, "group_id">,
+  groupId: string | null,
   place: number,
   groups: readonly Group[],
   { projector, review }: Texts,
 ): ShownGroup {
-  const group = groups.find(({ id }) => id === group_id);
+  const group = groups.find(({ id }) => id === groupId);
   const livery = liveryOf(group);
   if (isNameless.value) {
     const name = projector.group({ letter: LETTERS[place] ?? "" });

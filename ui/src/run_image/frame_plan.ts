@@ -1,7 +1,7 @@
 /** Robot time of a tick, in seconds. */
 const TICK_S = 1 / 30;
 
-/** Pictures a second of an animation. */
+/** Pictures a second of an animation, if its file does not become too large. */
 export const FRAMES_PER_S = 10;
 /** Longest time in which an animation shows its run; a longer run is played faster. */
 export const MAX_PLAYED_S = 18;
@@ -16,11 +16,11 @@ export interface FramePlan {
   readonly speed: number;
 }
 
-export function planFrames(lastTick: number): FramePlan {
+export function planFrames(lastTick: number, framesPerS = FRAMES_PER_S): FramePlan {
   const run_s = lastTick * TICK_S;
   let speed = 1;
   while (run_s / speed > MAX_PLAYED_S) speed *= 2;
-  const intervals = Math.ceil((run_s / speed) * FRAMES_PER_S);
+  const intervals = Math.ceil((run_s / speed) * framesPerS);
   const ticks = Array.from({ length: intervals }, (_, index) => (index * lastTick) / intervals);
   return { ticks: [...ticks, lastTick], speed };
 }

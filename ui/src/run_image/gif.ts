@@ -33,6 +33,11 @@ export class GifAnimation {
     });
   }
 
+  /** Size of the frames so far, in bytes. */
+  get size(): number {
+    return this.encoder.bytesView().length;
+  }
+
   finish(): Blob {
     this.encoder.finish();
     return new Blob([this.encoder.bytes()], { type: "image/gif" });

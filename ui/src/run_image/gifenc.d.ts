@@ -17,6 +17,8 @@ declare module "gifenc" {
     writeFrame(pixels: Uint8Array, width: number, height: number, options: FrameOptions): void;
     finish(): void;
     bytes(): Uint8Array<ArrayBuffer>;
+    /** The same without a copy. */
+    bytesView(): Uint8Array<ArrayBuffer>;
   }
 
   export function GIFEncoder(): Encoder;

@@ -10,8 +10,8 @@ import { paperColours } from "../scene/colours";
 import { liveryOf } from "../scene/livery/livery";
 import { fileName, saveFile } from "../shell/files/save_file";
 import { group, robotOf } from "../shell/session";
+import type { Progress } from "./animation";
 import { floorSize, type PicturedRun, RecordedFloor } from "./floor";
-import { END_S, FRAMES_PER_S, planFrames } from "./frame_plan";
 import { FRAME_FORMAT, Page, type PageFormat, type PageTexts, PRINT_FORMAT } from "./page";
 
 /** Saves a picture of the end of a run, with its whole path. */
@@ -23,44 +23,24 @@ export async function savePicture(runId: string): Promise<void> {
   if (image) saveFile(nameOf(pictured.run, "png"), image);
 }
 
-interface Progress {
-  /** Called with the finished part, 0 to 1. */
-  onProgress(part: number): void;
-  /** Ends the work; nothing is saved. */
-  readonly signal: AbortSignal;
-}
-
 /** Saves an animation of a run. Draws one frame at a time, so that the page stays usable meanwhile. */
-export async function saveAnimation(
-  runId: string,
-  { onProgress, signal }: Progress,
-): Promise<void> {
-  const [{ pictured, page, floor }, { GifAnimation }] = await Promise.all([
+export async function saveAnimation(runId: string, progress: Progress): Promise<void> {
+  const [{ pictured, page, floor }, { encodeAnimation }] = await Promise.all([
     prepare(runId, FRAME_FORMAT),
-    import("./gif"),
+    import("./animation"),
   ]);
   const { history, run } = pictured;
-  const { ticks, speed } = planFrames(history.lastTick);
-  const frameAt = (tick: number) => {
+  const draw = (tick: number, speed: number) => {
     page.draw(floor.at(tick), activeBlockId(history.at(Math.floor(tick))), speed);
     return page.pixels;
   };
   try {
-    const gif = new GifAnimation([frameAt(0), frameAt(history.lastTick)]);
-    for (const [index, tick] of ticks.entries()) {
-      await nextTask();
-      if (signal.aborted) return;
-      const isLast = index === ticks.length - 1;
-      gif.add(frameAt(tick), 1000 * (isLast ? END_S : 1 / FRAMES_PER_S));
-      onProgress((index + 1) / ticks.length);
-    }
-    saveFile(nameOf(run, "gif"), gif.finish());
+    const file = await encodeAnimation(history.lastTick, draw, progress);
+    if (file) saveFile(nameOf(run, "gif"), file);
   } finally {
     floor.dispose();
   }
 }
-
-const nextTask = () => new Promise((done) => setTimeout(done));
 
 /** Loads a run, and makes the page and the floor of its pictures. */
 async function prepare(runId: string, format: PageFormat) {

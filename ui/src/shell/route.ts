@@ -45,6 +45,11 @@ const ROWS = {
   cards: { pattern: "cards" },
   notices: { pattern: "notices" },
   compare: { pattern: "compare/:first/:second" },
+  presentedprogram: {
+    pattern: "present/:window/program/:program",
+    choices: { window: ["same", "second"] },
+    isFull: true,
+  },
   presentation: {
     pattern: "present/:window/:first/:second?",
     choices: { window: ["same", "second"] },

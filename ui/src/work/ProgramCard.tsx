@@ -6,7 +6,9 @@ import { changedText, labelled } from "../i18n/phrases";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { PathPicture } from "../scene/small/PathPicture";
+import { PresentButton } from "../shell/projector/PresentButton";
 import { hashOf } from "../shell/route";
+import { teacherSession } from "../shell/teacher/teacher_session";
 import { ExportProgram } from "./ProgramFile";
 
 interface ProgramCardProps {
@@ -17,7 +19,7 @@ interface ProgramCardProps {
 }
 
 export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
-  const { work, archive } = texts.value;
+  const { work, archive, projector } = texts.value;
   const changed = relativeTime(program.updated_at, new Date(), language.value, texts.value);
   const about = (label: string) => labelled(label, program.name);
   return (
@@ -62,6 +64,9 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
         >
           {archive.throwAway}
         </Button>
+        {teacherSession.value?.is_open && (
+          <PresentButton program={program.id}>{projector.short}</PresentButton>
+        )}
       </div>
     </div>
   );

@@ -22,9 +22,12 @@ export function NotLoaded({
 }: NotLoadedProps) {
   const { trouble } = texts.value;
   const Place = as === "screen" ? "main" : "div";
+  const Title = as === "screen" ? "h1" : "p";
   return (
     <Place class={as === "screen" ? "screen waiting" : "waiting"}>
-      <p data-testid="not-loaded">{trouble.notLoaded}</p>
+      <Title class="waiting__title" data-testid="not-loaded">
+        {trouble.notLoaded}
+      </Title>
       <div class="waiting__ways">
         <Button icon={RotateCw} busy={busy} testId="try-again" onPress={again}>
           {trouble.tryAgain}

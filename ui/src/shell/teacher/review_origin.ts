@@ -5,7 +5,14 @@ import { teacherSession } from "./teacher_session";
 export type ReviewOrigin = Extract<Route, { screen: "lesson" | "runs" }>;
 
 /** Screens that a page of the review opens, directly or through another of these screens. */
-const OPENED_FROM_REVIEW = ["replay", "versions", "differences", "compare", "presentation"];
+const OPENED_FROM_REVIEW = [
+  "replay",
+  "versions",
+  "differences",
+  "compare",
+  "presentation",
+  "presentedprogram",
+];
 
 /** The review page from which `now` was opened; null after any other screen. */
 export function nextOrigin(now: Route, last: ReviewOrigin | null): ReviewOrigin | null {

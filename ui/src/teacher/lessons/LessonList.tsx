@@ -15,11 +15,13 @@ const SHOWN_AT_FIRST = 4;
 
 interface LessonListProps {
   lessons: readonly Lesson[];
+  /** Id of the lesson that is open. */
+  open: string | null;
   onChanged(): Promise<void>;
 }
 
 /** The lessons of a class, newest first, with selection to join several. */
-export function LessonList({ lessons, onChanged }: LessonListProps) {
+export function LessonList({ lessons, open, onChanged }: LessonListProps) {
   const { lessons: labels } = texts.value.teacher;
   const [isWhole, setWhole] = useState(false);
   const [picked, setPicked] = useState<readonly string[]>([]);
@@ -43,7 +45,7 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
       <ul class="column gap-2">
         {(isWhole ? groups : groups.slice(0, SHOWN_AT_FIRST)).map(({ lesson, parts }) => (
           <li key={lesson.id} class="card">
-            <LessonRow lesson={lesson} onChanged={onChanged}>
+            <LessonRow lesson={lesson} onChanged={onChanged} isOpen={lesson.id === open}>
               {groups.length > 1 && (
                 <input
                   type="checkbox"

@@ -16,12 +16,15 @@ interface LessonRowProps {
   onChanged(): Promise<void>;
   /** Whether the lesson is joined to the lesson above. */
   isPart?: boolean;
+  /** Whether its review has a button above: the link then has no words. */
+  isOpen?: boolean;
   /** Content before the title. */
   children?: ComponentChildren;
 }
 
 /** A lesson: title, time, PC, and the link to its review. */
-export function LessonRow({ lesson, onChanged, isPart = false, children }: LessonRowProps) {
+export function LessonRow(props: LessonRowProps) {
+  const { lesson, onChanged, isPart = false, isOpen = false, children } = props;
   const { lessons: labels } = texts.value.teacher;
   const title = titleOf(lesson);
   const change = async (changes: LessonChanges) => {
@@ -69,7 +72,7 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
           label={labels.reviewOf({ title })}
           testId="lesson-link"
         >
-          {labels.review}
+          {isOpen ? undefined : labels.review}
         </LinkButton>
       )}
     </div>

@@ -69,7 +69,7 @@ function ClassLessons({ id, opened }: ClassLessonsProps) {
                 onChanged={found.reload}
               />
             )}
-            <LessonList lessons={lessons} onChanged={found.reload} />
+            <LessonList lessons={lessons} open={current?.id ?? null} onChanged={found.reload} />
             {now && (
               <ClassPreset
                 classroom={id}

@@ -19,12 +19,19 @@ interface RobotFieldsProps {
 export function RobotFields({ appearance, groupName, usedColors, onChange }: RobotFieldsProps) {
   const livery = liveryOf({ ...appearance, name: groupName });
   if (!livery) return null;
+  const name = livery.name.trim() || texts.value.livery.title;
   return (
     <div class="robot-fields" data-testid="robot-fields">
       <figure class="robot-fields__preview column middle">
         <RobotPicture livery={livery} />
-        <figcaption class="one-line" dir="auto" data-testid="robot-name-shown">
-          {livery.name.trim() || texts.value.livery.title}
+        <figcaption
+          class="one-line"
+          dir="auto"
+          title={name}
+          data-testid="robot-name-shown"
+          data-shortened
+        >
+          {name}
         </figcaption>
       </figure>
       <div class="robot-fields__choices column gap-3">

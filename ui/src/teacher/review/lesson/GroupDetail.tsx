@@ -1,5 +1,6 @@
 import type { GroupReview } from "../../../api/model";
 import { texts } from "../../../i18n";
+import { PresentButton } from "../../../shell/projector/PresentButton";
 import type { TimelineIndex } from "../timeline_entries/timeline_texts";
 import { BlockChips } from "./BlockChips";
 import { HintsRead } from "./HintsRead";
@@ -14,6 +15,7 @@ interface GroupDetailProps {
 /** The runs of a group as text, and the blocks that it used. */
 export function GroupDetail({ review, book, onAccepted }: GroupDetailProps) {
   const { detail } = texts.value.review;
+  const program = review.entries.findLast(({ program_id }) => program_id)?.program_id;
   const runs = review.entries.filter(({ kind }) => kind === "run");
   return (
     <div class="detail" data-testid="review-detail">
@@ -28,7 +30,10 @@ export function GroupDetail({ review, book, onAccepted }: GroupDetailProps) {
       </div>
       <div>
         <HintsRead hints={review.hints} />
-        <h2 class="detail__title">{detail.blocks}</h2>
+        <div class="row middle apart">
+          <h2 class="detail__title">{detail.blocks}</h2>
+          {program && <PresentButton program={program} />}
+        </div>
         <BlockChips blocks={review.blocks} />
       </div>
     </div>

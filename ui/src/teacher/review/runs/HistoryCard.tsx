@@ -71,7 +71,12 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
           )}
           <span class="work-card__line">{name}</span>
           <UnusualLine run={run.id} isShort />
-          <span class="work-card__line run-card__place" title={place} data-testid="history-place">
+          <span
+            class="work-card__line run-card__place"
+            title={place}
+            data-testid="history-place"
+            data-shortened
+          >
             {place}
           </span>
           <span class="work-card__line work-card__line--facts">{facts.join(" · ")}</span>

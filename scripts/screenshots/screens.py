@@ -1,0 +1,265 @@
+"""All screens of the program, and how each is reached."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from playwright.sync_api import Error
+
+from scripts.screenshots import pupils
+from scripts.screenshots.camera import Photographer
+from scripts.screenshots.lesson import TRIED, Past
+from scripts.screenshots.programs import SQUARE
+from scripts.screenshots.pupils import Seed
+from tests.e2e.past_lesson import workspace_of
+
+MISSION = {"world": "empty_room", "speed": 10, "activity": "square"}
+
+
+class School(NamedTuple):
+    """The data of all screens, and the page that shows them."""
+
+    camera: Photographer
+    seeded: Seed
+    past: Past
+
+
+Reach = Callable[[School], object]
+
+
+def photograph(school: School, screens: dict[str, Reach], wanted: str) -> None:
+    """Takes each screen whose name begins with `wanted`; one that is not reached is noted as a fault."""
+    camera = school.camera
+    for name, reach in screens.items():
+        if not name.startswith(wanted):
+            continue
+        try:
+            camera.page.reload()
+            reach(school)
+            camera.round(name)
+        except Error as error:
+            camera.note(f"{name}: not reached: {error.message.splitlines()[0]}")
+        camera.page.unroute_all()
+        camera.stop()
+
+
+def _at(address: str, shows: str) -> Reach:
+    """A screen with an address, complete when it shows an element."""
+
+    def reach(school: School) -> None:
+        camera, past = school.camera, school.past
+        camera.go(f"#/{address.format(seeded=school.seeded, past=past)}")
+        camera.of(shows).first.wait_for()
+        camera.page.wait_for_timeout(400)
+
+    return reach
+
+
+def _then(reach: Reach, *presses: str) -> Reach:
+    """A screen, after elements were pressed: test ids, or selectors."""
+
+    def further(school: School) -> None:
+        reach(school)
+        for press in presses:
+            css = press if "[" in press else f"[data-testid={press}]"
+            school.camera.page.locator(css).first.click()
+
+    return further
+
+
+def _program(name: str) -> Reach:
+    return lambda school: school.camera.open_program(school.seeded.programs[name])
+
+
+def _running(name: str) -> Reach:
+    def reach(school: School) -> None:
+        _program(name)(school)
+        school.camera.press_run()
+        school.camera.wait_for_phase("running")
+        school.camera.page.wait_for_timeout(3_000)
+
+    return reach
+
+
+def _debug(school: School) -> None:
+    """A run that waits before its second block, with the controls of the highest level."""
+    _program("Estrela")(school)
+    camera = school.camera
+    camera.of("level").select_option("3")
+    for _ in range(2):
+        camera.press("step")
+        camera.wait_for_phase("paused")
+
+
+def _mission(blocks: dict[str, Any]) -> Reach:
+    """A run of the mission of the square that has ended."""
+
+    def reach(school: School) -> None:
+        camera, seeded = school.camera, school.seeded
+        program = pupils.save(camera, seeded.group, "Missão", blocks, MISSION)
+        camera.open_program(program)
+        camera.press_run()
+        camera.wait_for_phase("finished", "failed")
+        camera.page.locator(
+            "[data-testid=mission-done], [data-testid=advice-block]"
+        ).first.wait_for()
+        camera.page.wait_for_timeout(2_500)  # the celebration
+
+    return reach
+
+
+def _sign(school: School) -> None:
+    _program("Letra B")(school)
+    school.camera.press_run()
+    _hand(school)
+
+
+def _hand(school: School) -> None:
+    """Waits until the webcam shows a hand."""
+    page = school.camera.page
+    page.locator("[data-testid=camera-picture][data-state=on]").wait_for()
+    page.locator(".skeleton__hand").first.wait_for()
+
+
+def _camera(school: School) -> None:
+    school.camera.go("#/teacher/camera")
+    _hand(school)
+
+
+def _practice(school: School) -> None:
+    school.camera.go("#/practice")
+    _hand(school)
+
+
+def _world(school: School) -> None:
+    _program("Estrela")(school)
+    school.camera.of("world").select_option("empty_room")
+    school.camera.press("world-change")
+
+
+def _furnished(school: School) -> None:
+    _world(school)
+    camera = school.camera
+    camera.of("world-begin").select_option("furnished_room")
+    camera.page.locator("[data-testid=world-thing][data-kind=box]").nth(2).focus()
+
+
+def _world_fault(school: School) -> None:
+    _furnished(school)
+    for axis in ("x", "y"):  # counted from the start
+        school.camera.of(f"world-{axis}").fill("0")
+    school.camera.of("world-fault-note").wait_for()
+
+
+def _solid(reach: Reach) -> Reach:
+    def further(school: School) -> None:
+        reach(school)
+        school.camera.page.locator('[data-testid=floor-view][data-value="true"]').first.click()
+        school.camera.of("scene-3d").first.wait_for()
+        school.camera.page.wait_for_timeout(2_000)
+
+    return further
+
+
+def _flat(school: School) -> None:
+    """Leaves the floor in 3D, which every later screen would show."""
+    _program("Quadrado")(school)
+    school.camera.page.locator('[data-testid=floor-view][data-value="false"]').first.click()
+
+
+def _presented(address: str) -> Reach:
+    def reach(school: School) -> None:
+        _at(address, "presentation")(school)
+        for _ in range(3):
+            school.camera.page.keyboard.press("PageDown")
+
+    return reach
+
+
+def _lost(school: School) -> None:
+    """The server no longer answers."""
+    _at("work/{seeded.group}", "program-card")(school)
+    school.camera.page.route("**/api/**", lambda route: route.abort())
+    school.camera.press("open-activities")
+
+
+def _merged(school: School) -> None:
+    _at("teacher/files", "merge-files")(school)
+    school.camera.press("merge-files")
+    school.camera.of("merge-results").wait_for()
+    school.camera.of("merge-results").scroll_into_view_if_needed()
+
+
+_START = _at("", "group-card")
+_WORK = _at("work/{seeded.group}", "program-card")
+_REPLAY = _at("run/{past.runs[1]}", "replay-slider")
+_COMPARE = _at("compare/{past.runs[0]}/{past.runs[1]}", "compare-side")
+_ACTIVITIES = _at("teacher/activities", "making-new")
+
+PUPILS: dict[str, Reach] = {
+    "start": _START,
+    "start-new": _then(_START, "create-group"),
+    "group": _WORK,
+    "group-edit": _then(_WORK, "group-edit"),
+    "group-runs": _at("work/{past.group}", "run-card"),
+    "album": _at("album/{past.group}", "album-place"),
+    "album-empty": _at("album/{seeded.group}", "album-place"),
+    "activities": _at("activities/{seeded.group}", "activity-card"),
+    "studio-empty": lambda school: school.camera.open_program(school.seeded.empty),
+    "studio-program": _program("Quadrado"),
+    "studio-running": _running("Estrela"),
+    "studio-debug": _debug,
+    "studio-text": _then(_program("Quadrado"), "ir-toggle"),
+    "studio-plots": _then(_running("Quadrado"), "plots-toggle"),
+    "studio-tools": _then(_program("Quadrado"), "scene-tools"),
+    "studio-fault": _then(_program("Com um erro"), "[data-does=run]"),
+    "studio-help": _then(_program("Quadrado"), "help"),
+    "mission-sheet": _then(_at("activities/{seeded.group}", "activity-card"), "activity-card"),
+    "mission-failed": _mission(workspace_of(TRIED)),
+    "mission-passed": _mission(SQUARE),
+    "mission-short": _mission(workspace_of([("move_forward", 1)])),
+    "sign": _sign,
+    "practice": _practice,
+    "practice-game": _then(_practice, "[data-testid=practice-mode] >> nth=1"),
+    "world": _world,
+    "world-full": _furnished,
+    "world-fault": _world_fault,
+    "replay": _REPLAY,
+    "replay-failed": _at("run/{past.runs[0]}", "replay-slider"),
+    "versions": _at("versions/{past.program}", "version-shown"),
+    "differences": _at(
+        "differences/{past.program}/{past.versions[0]}/{past.versions[1]}", "difference"
+    ),
+    "3d-replay": _solid(_REPLAY),
+    "3d-studio": _solid(_program("Quadrado")),
+    "flat": _flat,
+    "manuals": _at("manuals", "manuals"),
+    "manual": _at("manuals/teacher", "manual-section"),
+    "notices": _at("notices", "notices-back"),
+    "error-program": _at("program/none", "not-loaded"),
+    "error-lost": _lost,
+}
+TEACHERS: dict[str, Reach] = {
+    "teacher-pin": _at("teacher", "pin"),
+}
+SIGNED_IN: dict[str, Reach] = {
+    "teacher-lessons": _at("teacher/lessons", "lesson-row"),
+    "teacher-plan": _at("teacher/plan", "plan"),
+    "teacher-activities": _ACTIVITIES,
+    "teacher-making": _then(_ACTIVITIES, "making-new"),
+    "teacher-classes": _at("teacher/classes", "class-group"),
+    "teacher-camera": _camera,
+    "teacher-group": _WORK,
+    "teacher-robot": _at("teacher/robot", "robots-find"),
+    "teacher-files": _at("teacher/files", "merge-files"),
+    "teacher-files-merged": _merged,
+    "teacher-computer": _at("teacher/computer", "computer-name"),
+    "review": _at("lesson/{past.lesson}", "review-group"),
+    "review-group": _then(_at("lesson/{past.lesson}", "review-group"), "review-open"),
+    "review-note": _then(_at("run/{past.runs[0]}", "note-open"), "note-open"),
+    "review-runs": _at("runs", "compare-choose"),
+    "review-compare": _COMPARE,
+    "cards": _at("cards", "card"),
+    "presentation-program": _presented("present/same/program/{past.program}"),
+    "presentation": _presented("present/same/{past.runs[1]}"),
+    "presentation-pair": _presented("present/same/{past.runs[0]}/{past.runs[1]}"),
+}
