@@ -274,7 +274,7 @@ export class SceneRenderer {
     this.moved = false;
     if (this.held) return;
     const { framing, world, whole, companion, size } = this;
-    const edge = marginsOf(size, this.magnification, this.hasControls);
+    const edge = marginsOf(size, this.magnification, this.hasControls, whole.capture !== null);
     if (framing === "subject")
       this.target = viewportFor(contentBounds(world, whole, companion), size, edge);
     if (framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);
