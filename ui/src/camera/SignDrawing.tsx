@@ -70,7 +70,7 @@ function Name({ name }: { name: string }) {
   ));
 }
 
-function Part({ piece: { name, path, width, seam } }: { piece: Piece }) {
+function Part({ piece: { name, path, width, seam, cover } }: { piece: Piece }) {
   const kind = name === "palm" ? "sign-drawing__palm" : "sign-drawing__finger";
   const close = name === "palm" ? "Z" : "";
   return (
@@ -82,6 +82,7 @@ function Part({ piece: { name, path, width, seam } }: { piece: Piece }) {
       />
       <path class={kind} d={path + close} stroke-width={width} />
       {seam && <path class={kind} d={seam} stroke-width={width} />}
+      {cover && <path class={kind} d={cover} stroke-width={width + 2 * OUTLINE} />}
     </>
   );
 }

@@ -25,6 +25,8 @@ export interface Piece {
   readonly width: number;
   /** A path without outline that hides the seam to the adjoining part. */
   readonly seam: string | null;
+  /** A path as wide as the outline, which hides the outline's end inside the palm. */
+  readonly cover: string | null;
 }
 
 type Flat = readonly [x: number, y: number];
@@ -34,6 +36,8 @@ const FINGER_WIDTH = 0.25;
 const THUMB_WIDTH = 0.28;
 const PALM_WIDTH = 0.3;
 const SEAM = 0.4;
+/** Where the cover begins, of the way from a knuckle to the middle of the palm. */
+const COVER = 0.28;
 /** Cosine of the bend angle of a joint; below it the joint shows its crease. */
 const CREASE_COS = 0.3;
 const MARGIN = 4;
@@ -43,15 +47,22 @@ export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece
   const unit = distance(at(landmarks, 0), at(landmarks, 9));
   const { place, scale } = intoSquare(landmarks, side, unit);
   const flat = landmarks.map(place);
-  const part = (name: string, joints: readonly number[], width: number, from: Flat | null) => ({
-    depth: mean(joints.map((joint) => at(landmarks, joint)[2] ?? 0)),
-    piece: {
-      name,
-      path: line(joints.map((joint) => at(flat, joint))),
-      width: width * unit * scale,
-      seam: from && line([at(flat, joints[0] ?? 0), from]),
-    },
-  });
+  const part = (name: string, joints: readonly number[], width: number, from: Flat | null) => {
+    const places = joints.map((joint) => at(flat, joint));
+    const [first, second] = places as [Flat, Flat];
+    const isBase = name === "thumb" || name.startsWith("finger");
+    const leaves = from !== null && isBase && cosine(minus(first, from), minus(second, first)) > 0;
+    return {
+      depth: mean(joints.map((joint) => at(landmarks, joint)[2] ?? 0)),
+      piece: {
+        name,
+        path: line(places),
+        width: width * unit * scale,
+        seam: from && line([first, from]),
+        cover: leaves ? line([towards(first, from, COVER / SEAM), from]) : null,
+      },
+    };
+  };
   const palm = part("palm", PALM, PALM_WIDTH, null);
   const middle = middleOf(PALM.map((joint) => at(flat, joint)));
   const parts = FINGERS.flatMap((knuckle) => {
@@ -95,9 +106,7 @@ function intoSquare(landmarks: readonly Landmark[], side: HandSide, unit: number
 /** The end point of the seam at a joint, in the part before it; null if the joint is bent. */
 function seamAt(flat: readonly Flat[], joint: number, before: number, after: number): Flat | null {
   const [here, back, on] = [at(flat, joint), at(flat, before), at(flat, after)];
-  const [a, b] = [minus(here, back), minus(on, here)];
-  const cosine = (a[0] * b[0] + a[1] * b[1]) / (Math.hypot(...a) * Math.hypot(...b) || 1);
-  return cosine > CREASE_COS ? towards(here, back, SEAM) : null;
+  return cosine(minus(here, back), minus(on, here)) > CREASE_COS ? towards(here, back, SEAM) : null;
 }
 
 const at = <T>(list: readonly T[], index: number): T => list[index] as T;
@@ -106,6 +115,8 @@ const max = (values: readonly number[]) => Math.max(...values);
 const mean = (values: readonly number[]) =>
   values.reduce((sum, one) => sum + one, 0) / values.length;
 const minus = (one: Flat, other: Flat): Flat => [one[0] - other[0], one[1] - other[1]];
+const cosine = (one: Flat, other: Flat) =>
+  (one[0] * other[0] + one[1] * other[1]) / (Math.hypot(...one) * Math.hypot(...other) || 1);
 const distance = (one: Landmark, other: Landmark) =>
   Math.hypot(...one.map((value, axis) => value - (other[axis] ?? 0)));
 const towards = (from: Flat, to: Flat, part: number): Flat => [
