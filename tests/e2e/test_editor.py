@@ -165,7 +165,9 @@ def test_the_trash_gives_back(one_move: Studio) -> None:
     expect(given_back).to_contain_text("4")
 
 
-def test_the_trash_closes_by_its_button_by_escape_and_by_a_press_elsewhere(one_move: Studio) -> None:
+def test_the_trash_closes_by_its_button_by_escape_and_by_a_press_elsewhere(
+    one_move: Studio,
+) -> None:
     blocks, page = one_move.blocks, one_move.page
     blocks.select(blocks.by_text("andar para frente"))
     page.keyboard.press("Delete")

@@ -18,7 +18,11 @@ from tests.e2e.watch import Watch
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 # window, and least room of the floor of one of two runs
-SCREENS_AND_FLOORS = (((1366, 768), (370, 340)), ((1024, 768), (270, 340)), ((683, 768), (290, 170)))
+SCREENS_AND_FLOORS = (
+    ((1366, 768), (370, 340)),
+    ((1024, 768), (270, 340)),
+    ((683, 768), (290, 170)),
+)
 
 
 @pytest.fixture
