@@ -1,7 +1,7 @@
 """Writes the landmarks for the page's drawings of signs: `python -m scripts.sign_drawings DATA RECORDINGS.npz`.
 
 For each letter it selects the most typical hand: the photograph of a person at a webcam whose features are nearest to
-the letter's mean. It writes only the 21 landmarks, as a right hand appears in a mirror.
+the letter's mean. It writes only the 21 landmarks, as a right hand appears in a mirror. Letters set by hand stay.
 """
 
 import json
@@ -18,6 +18,8 @@ from pinel_desktop.gestures.training.folds import PEOPLE
 from pinel_desktop.gestures.training.photo_features import load_photo_features
 from pinel_desktop.gestures.training.photos import Photo, read_photos
 
+# a photograph hides what these letters are about: the fingers that touch
+_BY_HAND = ("B", "M", "N")
 _OUT = Path(__file__).parents[1] / "ui" / "src" / "camera" / "signs.json"
 
 
@@ -32,6 +34,8 @@ def main(data: Path, cache: Path) -> None:
         of_letter = np.flatnonzero((recordings.letters == letter) & at_webcam)
         distances = np.linalg.norm(points[of_letter] - points[of_letter].mean(0), axis=1)
         drawn[letter] = _landmarks(_hand(finder, photos[of_letter[distances.argmin()]]))
+    known = json.loads(_OUT.read_text("utf-8"))
+    drawn |= {letter: known[letter] for letter in _BY_HAND}
     lines = [f"  {json.dumps(name)}: {json.dumps(marks)}" for name, marks in drawn.items()]
     _OUT.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
 

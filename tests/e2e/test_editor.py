@@ -1,5 +1,6 @@
 """The workspace in the page: fields, loose blocks, undo, copies, trash, languages, themes."""
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -173,7 +174,7 @@ def test_the_trash_closes_by_its_button_by_escape_and_by_a_press_elsewhere(
     page.keyboard.press("Delete")
     expect(blocks.all()).to_have_count(1)
     contents = page.locator(".blocklyTrashcanFlyout")
-    closings = (
+    closings: tuple[Callable[[], Any], ...] = (
         one_move["trash-close"].click,
         lambda: page.keyboard.press("Escape"),
         one_move["scene"].click,

@@ -163,7 +163,8 @@ def test_at_a_zoom_of_200_percent_readings_and_drawings_have_their_room(studio: 
     studio.page.goto(f"{studio.origin}/#/practice")
     studio.wait_for_screen("practice-sign")
     drawing = studio.page.locator(".imitation .sign-drawing").bounding_box()
-    assert drawing is not None and min(drawing["width"], drawing["height"]) > 150
+    assert drawing is not None
+    assert min(drawing["width"], drawing["height"]) > 150
     studio.page.goto(f"{studio.origin}/#/")
     studio.wait_for_screen("group-name")
     assert studio.page.evaluate(_OVERFULL, ".start, .start__head") == []

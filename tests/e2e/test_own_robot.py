@@ -15,6 +15,7 @@ from tests.e2e.test_exchange import PIN, at_the_files, save_bundle
 from tests.e2e.test_missions import put_move
 from tests.e2e.test_show import newest_run
 from tests.e2e.watch import Watch
+from tests.e2e.world_board import WorldBoard
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -25,8 +26,8 @@ CONFETTI_RGB = (244, 200, 29)
 HULL_PIXELS = 60  # of the robot at its smallest, beside pattern, deck and wheels
 
 # Number of pixels of the floor with nearly this colour. Reads a copy, as Chromium warns of reading the floor often.
-_PIXELS = """(wanted) => {
-  const floor = document.querySelector('[data-testid=scene]');
+_PIXELS = """([wanted, canvas]) => {
+  const floor = document.querySelector(canvas);
   if (!floor) return 0;
   const copy = new OffscreenCanvas(floor.width, floor.height).getContext('2d', { willReadFrequently: true });
   copy.drawImage(floor, 0, 0);
@@ -50,8 +51,10 @@ _RECORD_TEXTS = """() => {
 _DRAWN = "(text) => window.drawn.some((one) => one.includes(text))"
 
 
-def pixels(studio: Studio, colour: tuple[int, int, int]) -> int:
-    return int(studio.page.evaluate(_PIXELS, list(colour)))
+def pixels(
+    studio: Studio, colour: tuple[int, int, int], canvas: str = "[data-testid=scene]"
+) -> int:
+    return int(studio.page.evaluate(_PIXELS, [list(colour), canvas]))
 
 
 def value_of(studio: Studio, test_id: str, value: str) -> Any:
@@ -183,3 +186,13 @@ def test_a_solved_mission_is_celebrated_on_the_floor_for_two_seconds(
     expect(studio["mission-done"]).to_be_visible()
     expect(celebrating).to_have_count(0)
     studio.eventually(lambda: pixels(studio, CONFETTI_RGB), 0)
+
+
+def test_the_world_editor_shows_the_robot_of_the_group(studio: Studio) -> None:
+    choose_robot(studio, "Faísca")
+    studio.enter_group("Tatus")
+    board = WorldBoard(studio)
+    board.open()
+    canvas = ".world-editor .scene__canvas"
+    studio.eventually(lambda: pixels(studio, PLUM_RGB, canvas) > HULL_PIXELS, True)
+    assert pixels(studio, RED_RGB, canvas) == 0

@@ -71,12 +71,12 @@ function Hand({ hand: { letter, x, y, size }, won }: { hand: HandMark; won: bool
   const [skin, outline] = won ? [HAND, HAND_LINE] : ["var(--ground)", "currentColor"];
   return (
     <g transform={`translate(${x} ${y}) scale(${size / 100})`}>
-      {handShape(LETTERS[letter] ?? [], SIDE).map(({ name, path, width, seam }) => {
+      {handShape(LETTERS[letter] ?? [], SIDE).map(({ name, path, width, seam, edge }) => {
         const isPalm = name === "palm";
         const d = isPalm ? `${path}Z` : path;
         return (
           <g key={name} fill={isPalm ? skin : "none"} stroke={skin} stroke-width={width}>
-            <path d={d} stroke={outline} stroke-width={width + 2 * HAND_OUTLINE} />
+            <path d={edge ?? d} stroke={outline} stroke-width={width + 2 * HAND_OUTLINE} />
             <path d={d} />
             {seam && <path d={seam} />}
           </g>

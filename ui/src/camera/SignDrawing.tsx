@@ -70,14 +70,14 @@ function Name({ name }: { name: string }) {
   ));
 }
 
-function Part({ piece: { name, path, width, seam } }: { piece: Piece }) {
+function Part({ piece: { name, path, width, seam, edge } }: { piece: Piece }) {
   const kind = name === "palm" ? "sign-drawing__palm" : "sign-drawing__finger";
   const close = name === "palm" ? "Z" : "";
   return (
     <>
       <path
         class={`${kind} sign-drawing__outline`}
-        d={path + close}
+        d={edge ?? path + close}
         stroke-width={width + 2 * OUTLINE}
       />
       <path class={kind} d={path + close} stroke-width={width} />

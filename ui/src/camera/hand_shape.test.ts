@@ -24,7 +24,7 @@ describe("the drawing of a hand", () => {
   });
 
   test("begins with what is farthest: the fingers of a fist lie over the palm, the thumb of B over it too", () => {
-    expect(names(A)[0]).toBe("palm");
+    expect(names(A).slice(0, 2)).toEqual(["thumb root", "palm"]);
     expect(names(B).slice(-2)).toEqual(["thumb", "thumb tip"]);
     const behind = A.map(([x, y, z = 0]) => [x, y, -z] as number[]);
     expect(names(behind).at(-1)).toBe("palm");
@@ -39,10 +39,17 @@ describe("the drawing of a hand", () => {
     });
   });
 
-  test("hides the seam of a straight finger and shows the crease of a bent one", () => {
-    const tip = (sign: number[][]) =>
-      handShape(sign, "right").find(({ name }) => name === "tip 9")?.seam;
-    expect(tip(B)).not.toBeNull();
-    expect(tip(A)).toBeNull();
+  test("has a straight finger in one part, and the crease of a bent one between two", () => {
+    expect(names(B)).not.toContain("tip 9");
+    const tip = handShape(A, "right").find(({ name }) => name === "tip 9");
+    expect(tip?.seam).toBeNull();
+  });
+
+  test("has one contour of palm and straight fingers: a finger's lines begin at the palm's rim", () => {
+    expect(names(B).indexOf("finger 9 root")).toBeLessThan(names(B).indexOf("palm"));
+    const finger = handShape(B, "right").find(({ name }) => name === "finger 9");
+    const [, knuckle = 0] = numbers(finger?.path ?? "");
+    const [, edge = 0] = numbers(finger?.edge ?? "");
+    expect(edge).toBeLessThan(knuckle - 5);
   });
 });

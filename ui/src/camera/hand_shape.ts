@@ -25,6 +25,8 @@ export interface Piece {
   readonly width: number;
   /** A path without outline that hides the seam to the adjoining part. */
   readonly seam: string | null;
+  /** The path of the outline, where it is not that of the whole part. */
+  readonly edge: string | null;
 }
 
 type Flat = readonly [x: number, y: number];
@@ -34,29 +36,56 @@ const FINGER_WIDTH = 0.25;
 const THUMB_WIDTH = 0.28;
 const PALM_WIDTH = 0.3;
 const SEAM = 0.4;
+/** Where the outline of a thumb begins in the palm, of the way from its base to its first joint. */
+const THUMB_EDGE = 0.55;
 /** Cosine of the bend angle of a joint; below it the joint shows its crease. */
 const CREASE_COS = 0.3;
 const MARGIN = 4;
+/** The least difference of depth, which only puts parts in order. */
+const BEHIND = 1e-6;
+
+interface Part {
+  readonly depth: number;
+  readonly piece: Piece;
+}
 
 /** The parts of a hand, the farthest first. `landmarks` are of a right hand in a mirror. */
 export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece[] {
   const unit = distance(at(landmarks, 0), at(landmarks, 9));
   const { place, scale } = intoSquare(landmarks, side, unit);
   const flat = landmarks.map(place);
-  const part = (name: string, joints: readonly number[], width: number, from: Flat | null) => ({
+  const part = (
+    name: string,
+    joints: readonly number[],
+    width: number,
+    from: Flat | null,
+  ): Part => ({
     depth: mean(joints.map((joint) => at(landmarks, joint)[2] ?? 0)),
     piece: {
       name,
       path: line(joints.map((joint) => at(flat, joint))),
       width: width * unit * scale,
       seam: from && line([at(flat, joints[0] ?? 0), from]),
+      edge: null,
     },
   });
   const palm = part("palm", PALM, PALM_WIDTH, null);
   const middle = middleOf(PALM.map((joint) => at(flat, joint)));
-  const parts = FINGERS.flatMap((knuckle) => {
-    const [first, second, third, tip] = [0, 1, 2, 3].map((n) => knuckle + n) as Four;
+  const fingers = FINGERS.flatMap((knuckle) => {
+    const joints = [0, 1, 2, 3].map((n) => knuckle + n) as Four;
+    const [first, second, third, tip] = joints;
     const into = towards(at(flat, first), middle, SEAM);
+    if (isStraight(flat, joints, middle)) {
+      const whole = part(`finger ${knuckle}`, joints, FINGER_WIDTH, into);
+      const rim = (PALM_WIDTH * unit * scale) / 2;
+      return outOf(
+        palm,
+        whole,
+        flat,
+        joints,
+        rim / length(minus(at(flat, second), at(flat, first))),
+      );
+    }
     return [
       part(`finger ${knuckle}`, [first, second], FINGER_WIDTH, into),
       part(
@@ -67,13 +96,48 @@ export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece
       ),
     ];
   });
+  const base = part("thumb", [1, 2, 3], THUMB_WIDTH, towards(at(flat, 1), middle, SEAM));
   const thumb = [
-    part("thumb", [1, 2, 3], THUMB_WIDTH, towards(at(flat, 1), middle, SEAM)),
+    ...outOf(palm, base, flat, [1, 2, 3], THUMB_EDGE),
     part("thumb tip", [3, 4], THUMB_WIDTH, seamAt(flat, 3, 2, 4)),
   ];
-  return [palm, ...parts, ...thumb]
+  return [palm, ...fingers, ...thumb]
     .sort((one, other) => other.depth - one.depth)
     .map(({ piece }) => piece);
+}
+
+/**
+ * A part that grows out of the palm: its whole outline below the palm, so that both have one
+ * contour, and above it only the outline from `begin` of its first bone on.
+ */
+function outOf(
+  palm: Part,
+  part: Part,
+  flat: readonly Flat[],
+  joints: readonly number[],
+  begin: number,
+): Part[] {
+  if (part.depth >= palm.depth) return [part];
+  const [first, second, ...others] = joints.map((joint) => at(flat, joint)) as [Flat, Flat];
+  const edge = line([towards(first, second, Math.min(begin, 0.9)), second, ...others]);
+  const { piece } = part;
+  return [
+    { depth: palm.depth + BEHIND, piece: { ...piece, name: `${piece.name} root`, seam: null } },
+    { ...part, piece: { ...piece, edge } },
+  ];
+}
+
+/** Whether a finger points away from the palm and no joint shows a crease. */
+function isStraight(
+  flat: readonly Flat[],
+  [first, second, third, tip]: Four,
+  middle: Flat,
+): boolean {
+  return (
+    cosine(minus(at(flat, first), middle), minus(at(flat, second), at(flat, first))) > 0 &&
+    seamAt(flat, second, first, third) !== null &&
+    seamAt(flat, third, second, tip) !== null
+  );
 }
 
 type Four = [number, number, number, number];
@@ -95,9 +159,7 @@ function intoSquare(landmarks: readonly Landmark[], side: HandSide, unit: number
 /** The end point of the seam at a joint, in the part before it; null if the joint is bent. */
 function seamAt(flat: readonly Flat[], joint: number, before: number, after: number): Flat | null {
   const [here, back, on] = [at(flat, joint), at(flat, before), at(flat, after)];
-  const [a, b] = [minus(here, back), minus(on, here)];
-  const cosine = (a[0] * b[0] + a[1] * b[1]) / (Math.hypot(...a) * Math.hypot(...b) || 1);
-  return cosine > CREASE_COS ? towards(here, back, SEAM) : null;
+  return cosine(minus(here, back), minus(on, here)) > CREASE_COS ? towards(here, back, SEAM) : null;
 }
 
 const at = <T>(list: readonly T[], index: number): T => list[index] as T;
@@ -106,6 +168,9 @@ const max = (values: readonly number[]) => Math.max(...values);
 const mean = (values: readonly number[]) =>
   values.reduce((sum, one) => sum + one, 0) / values.length;
 const minus = (one: Flat, other: Flat): Flat => [one[0] - other[0], one[1] - other[1]];
+const cosine = (one: Flat, other: Flat) =>
+  (one[0] * other[0] + one[1] * other[1]) / (Math.hypot(...one) * Math.hypot(...other) || 1);
+const length = (one: Flat) => Math.hypot(...one);
 const distance = (one: Landmark, other: Landmark) =>
   Math.hypot(...one.map((value, axis) => value - (other[axis] ?? 0)));
 const towards = (from: Flat, to: Flat, part: number): Flat => [

@@ -8,7 +8,7 @@ import { RENDERER, registerRenderer } from "./renderer";
 import { blocklyTheme } from "./themes";
 import { patchFlyoutClicks } from "./toolbox/append";
 import { TOOLBOX_PLUGINS } from "./toolbox/flyout";
-import { patchPaletteRoles } from "./toolbox/palette_roles";
+import { patchFlyoutRoles } from "./toolbox/flyout_roles";
 import { registerSearchItem } from "./toolbox/search_item";
 import { registerToolboxCategory } from "./toolbox/toolbox_category";
 import { patchAriaUpdates } from "./without_events";
@@ -29,7 +29,7 @@ export function injectWorkspace(
   adaptMenus();
   patchAriaUpdates();
   patchFlyoutClicks();
-  patchPaletteRoles();
+  patchFlyoutRoles();
   patchOrphans();
   const workspace = Blockly.inject(options.container, {
     toolbox: toolbox(options.level, offered()),

@@ -1,5 +1,5 @@
 import * as Blockly from "blockly/core";
-import { showPaletteRole } from "./palette_roles";
+import { showFlyoutRole } from "./flyout_roles";
 
 /**
  * Scale and width of a pinned flyout: every block of the first level fits, and half of the pane
@@ -16,7 +16,7 @@ class PinelFlyout extends Blockly.VerticalFlyout {
 
   protected override updateAriaContext(): void {
     super.updateAriaContext();
-    showPaletteRole(this.workspace_.getCanvas());
+    showFlyoutRole(this.workspace_.getCanvas());
   }
 
   protected override reflowInternal_(): void {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { World } from "../../api/model";
-import { IDLE } from "../../run/reducer";
+import { IDLE, type RunView } from "../../run/reducer";
 import { EMPTY_TRAIL, extend } from "../../run/trail";
 import { startOf, toStart, toWorld } from "../frames";
 import { contentBounds } from "./content_bounds";
@@ -33,6 +33,21 @@ describe("what is shown of a room", () => {
     const paint = { ...place, color: "red", radius: 0.4, size: null };
     expect(contentBounds(world({ zones: [zone] }), IDLE).right).toBeGreaterThan(3.4);
     expect(contentBounds(world({ floor: [paint] }), IDLE).right).toBeGreaterThan(3.3);
+  });
+
+  test("is the places while a sign is asked, large enough to choose one of them", () => {
+    const asked = { ...IDLE, capture: {} } as RunView;
+    const zone = (x: number) => ({
+      center: [x, 1] as [number, number],
+      heading_deg: 0,
+      name: "A",
+      size: [1, 1] as [number, number],
+      radius: null,
+    });
+    const box = contentBounds(world({ zones: [zone(1), zone(3)] }), asked);
+    expect(box.left).toBeGreaterThan(0);
+    expect(box.right - box.left).toBeLessThan(3.5);
+    expect(contentBounds(world(), asked)).toEqual(contentBounds(world(), IDLE));
   });
 
   test("is that of a world of the editor, too, which leaves empty lists out", () => {

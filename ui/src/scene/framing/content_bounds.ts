@@ -10,7 +10,8 @@ const WALL = 0.12;
 
 /**
  * Bounding box of the start, the path so far and all objects in the room. The viewport shows this
- * box and not the whole room: in a large empty room the robot would be too small.
+ * box and not the whole room: in a large empty room the robot would be too small. While the program
+ * waits for a sign, which often names a place, the box holds the places only.
  */
 export function contentBounds(
   world: World | null,
@@ -19,6 +20,8 @@ export function contentBounds(
 ): Box {
   const room = roomOf(world);
   const start = startOf(world);
+  const choice = view.capture && placesOf(world);
+  if (choice) return inside(choice, room);
   const box: Box = { left: start.x, right: start.x, bottom: start.y, top: start.y };
   include(box, start.x, start.y, AROUND_START);
   if (world) includeObjects(box, world);
@@ -34,15 +37,28 @@ export function includeObjects(box: Box, world: World): void {
     include(box, x ?? 0, y ?? 0, Math.hypot(...worldBox.size) / 2);
   }
   // a world of the world editor omits empty lists
-  for (const area of [...(world.zones ?? []), ...(world.floor ?? [])]) {
-    const [x, y] = area.center;
-    const reach = area.radius ?? Math.hypot(...(area.size ?? [])) / 2;
-    include(box, x ?? 0, y ?? 0, reach);
-  }
+  for (const area of [...(world.zones ?? []), ...(world.floor ?? [])]) includeArea(box, area);
   for (const wall of world.walls) {
     if (isOuter(wall, roomOf(world))) continue;
     for (const [x, y] of [wall.from, wall.to]) include(box, x ?? 0, y ?? 0);
   }
+}
+
+type Area = Pick<World["zones"][number], "center" | "radius" | "size">;
+
+function includeArea(box: Box, { center, radius, size }: Area): void {
+  const [x = 0, y = 0] = center;
+  include(box, x, y, radius ?? Math.hypot(...(size ?? [])) / 2);
+}
+
+/** The box of a world's places; null without any. */
+function placesOf(world: World | null): Box | null {
+  const [first, ...others] = world?.zones ?? [];
+  if (!first) return null;
+  const [x = 0, y = 0] = first.center;
+  const box: Box = { left: x, right: x, bottom: y, top: y };
+  for (const zone of [first, ...others]) includeArea(box, zone);
+  return box;
 }
 
 function includePath(box: Box, start: StartPose, path: Trail): void {

@@ -121,7 +121,7 @@ export class FramedViewport {
     this.isStale = false;
     if (this.held) return;
     const { world, whole, companion, size, magnification, hasControls } = this.framed();
-    const edge = marginsOf(size, magnification, hasControls);
+    const edge = marginsOf(size, magnification, hasControls, whole.capture !== null);
     if (this.framing === "subject")
       this.target = viewportFor(contentBounds(world, whole, companion), size, edge);
     if (this.framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);

@@ -35,8 +35,14 @@ const LOW_PX = 230;
 export const hasRulers = (magnification: number, { height }: Size): boolean =>
   magnification === 1 || height >= LOW_MAGNIFIED_PX;
 
-/** The margins of a floor; one that is magnified has no tools. */
-export function marginsOf(size: Size, magnification: number, hasControls: boolean): Edge {
+/** The margins of a floor; one that is magnified, or beside which a sign is asked, has no tools. */
+export function marginsOf(
+  size: Size,
+  magnification: number,
+  hasControls: boolean,
+  isAsked = false,
+): Edge {
+  if (magnification === 1 && isAsked) return EDGE;
   if (magnification !== 1) return hasRulers(magnification, size) ? EDGE : BARE_EDGE;
   return hasControls && size.height > LOW_PX ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
 }

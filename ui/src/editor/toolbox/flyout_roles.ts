@@ -6,7 +6,7 @@ let patched = false;
  * Hides the connections of palette blocks from assistive technology: nobody can reach them there,
  * and a listbox may hold options only.
  */
-export function patchPaletteRoles(): void {
+export function patchFlyoutRoles(): void {
   if (patched) return;
   patched = true;
   const { prototype } = Blockly.RenderedConnection;
@@ -22,7 +22,7 @@ export function patchPaletteRoles(): void {
  * Says what a palette is: a listbox of blocks, or a group if it holds only a note. Blockly lets
  * each option own its connections, of which some are not in the page.
  */
-export function showPaletteRole(canvas: Element): void {
+export function showFlyoutRole(canvas: Element): void {
   const options = canvas.querySelectorAll('[role="option"]');
   for (const option of options) option.removeAttribute("aria-owns");
   canvas.setAttribute("role", options.length > 0 ? "listbox" : "group");
