@@ -22,7 +22,7 @@ _COMMANDS = {
     "setup": "Set up this PC by a file.",
     "doctor": "Say what this PC has and lacks.",
 }
-_SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup"}
+_SUBMODULES = {"salvage": "recovery.salvage", "setup": "pc.setup", "overhead": "pc.overhead"}
 _HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "kiosk", "window")} | {
     "app": "app"
 }

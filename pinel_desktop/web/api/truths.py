@@ -10,7 +10,7 @@ from pinel_desktop.runs.truth import check_in_room, read_truth
 from pinel_desktop.web.api import WRITES, Resource, responses
 from pinel_desktop.web.api.runs import world_of
 from pinel_desktop.web.models import IdPath
-from pinel_desktop.web.models.truths import (
+from pinel_desktop.web.models.real.truths import (
     BelievedPose,
     TruePose,
     Truth,

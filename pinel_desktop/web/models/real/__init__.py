@@ -1,0 +1,1 @@
+"""Models about runs on real robots."""
