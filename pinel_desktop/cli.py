@@ -26,6 +26,7 @@ _COMMANDS = {
 }
 _SUBMODULES = {
     "calibrate": "robots.calibrate",
+    "overhead": "pc.overhead",
     "salvage": "recovery.salvage",
     "setup": "pc.setup",
     "sweep": "batch.sweep",

@@ -9,28 +9,28 @@ from pinel_desktop.camera.overhead.markers import OverheadSetup
 from pinel_desktop.camera.overhead.tracking import OverheadTracker, Sighting
 
 _EVERY_S = 1.0  # at most so often a place is told
-Told = tuple[str, dict[str, object]]
+CodeAndParams = tuple[str, dict[str, object]]
 
 
-def sightings(source: str, setup: OverheadSetup, seconds: float) -> Iterator[Told]:
+def sightings(source: str, setup: OverheadSetup, seconds: float) -> Iterator[CodeAndParams]:
     """Yields code and parameters of messages about what the camera sees, for so many seconds.
 
     Raises PinelError if the camera cannot be opened (`frames.open_reader`).
     """
     reader, tracker = open_reader(source, OVERHEAD_SIZE), OverheadTracker(setup)
     try:
-        begun_s, told, told_s = time.monotonic(), "", -math.inf
-        while (now_s := time.monotonic()) - begun_s < seconds:
+        start_s, printed, printed_s = time.monotonic(), "", -math.inf
+        while (now_s := time.monotonic()) - start_s < seconds:
             raw = reader.read()
             found = _message(tracker.update(now_s, raw.picture)) if raw else None
-            if found and (found[0] != told or now_s - told_s >= _EVERY_S):
-                told, told_s = found[0], now_s
+            if found and (found[0] != printed or now_s - printed_s >= _EVERY_S):
+                printed, printed_s = found[0], now_s
                 yield found
     finally:
         reader.close()
 
 
-def _message(sighting: Sighting) -> Told | None:
+def _message(sighting: Sighting) -> CodeAndParams | None:
     if sighting.problem:
         return sighting.problem, {"markers": ", ".join(map(str, sighting.missing))}
     if sighting.seen is None:

@@ -172,7 +172,8 @@ def _first_guess(
     found, rotation, translation = cv2.solvePnP(
         places, centres, matrix, np.zeros(4), flags=cv2.SOLVEPNP_IPPE
     )
-    flat = Lens(matrix, np.zeros(4), rotation.ravel(), translation.ravel(), 0.0)
+    turn, move = (np.asarray(one, np.float64).ravel() for one in (rotation, translation))
+    flat = Lens(matrix, np.zeros(4), turn, move, 0.0)
     if not found or flat.eye[2] <= 0:  # the markers lie in another order
         return None
     angles = [heading_of(flat.on_plane(floor[number], 0.0)) for number in FLOOR_MARKERS]

@@ -41,7 +41,7 @@ Problem = Literal[
 
 
 @dataclass(frozen=True, slots=True)
-class SeenPose:
+class MarkerPose:
     """Where the robot is, in the frame of the floor, with one sigma of each coordinate and of the heading."""
 
     pose: Pose2D
@@ -60,7 +60,7 @@ class Sighting:
             `overhead_marker_moved`.
     """
 
-    seen: SeenPose | None
+    seen: MarkerPose | None
     problem: Problem | None = None
     missing: tuple[int, ...] = ()
 
@@ -156,7 +156,7 @@ class OverheadTracker:
             return Sighting(None)
         return Sighting(None, "overhead_left" if self._left_picture else "overhead_covered")
 
-    def _seen(self, lens: Lens, robot: Corners) -> SeenPose:
+    def _seen(self, lens: Lens, robot: Corners) -> MarkerPose:
         level = self._setup.robot_m
         corners = lens.on_plane(robot, level)
         x, y = (float(value) for value in corners.mean(axis=0))
@@ -167,7 +167,7 @@ class OverheadTracker:
         )
         corner_m = _CORNER_PX * metres_per_px
         radius_m = float(np.linalg.norm(SQUARE[0]))
-        return SeenPose(
+        return MarkerPose(
             pose,
             math.hypot(corner_m / 2, _PLACING_M, lens.error_m),
             math.hypot(corner_m / 2 / radius_m, _PLACING_RAD),

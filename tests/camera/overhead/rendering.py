@@ -139,6 +139,6 @@ class Scene:
         if self.blur_px:
             small = cv2.GaussianBlur(small, (0, 0), self.blur_px)
         left, right = self.light
-        lit = small * np.linspace(left, right, SIZE_PX[0], dtype=np.float32) * 200.0 + 20.0
-        grey = lit + self._chance.normal(0.0, self.noise, lit.shape)
+        exposed = small * np.linspace(left, right, SIZE_PX[0], dtype=np.float32) * 200.0 + 20.0
+        grey = exposed + self._chance.normal(0.0, self.noise, exposed.shape)
         return np.repeat(np.clip(grey, 0, 255).astype(np.uint8)[..., None], 3, axis=-1)

@@ -12,16 +12,16 @@ from storage.tables.rules import poses
 from tests.storage.bundle_makers import a_run, exported, hash_of, merged, removed, work
 
 END: TruePoseRow = (None, 1.0234567, -0.03, 3.1415926, 0.01, 0.035)
-WAY: list[TruePoseRow] = [(3, 0.1, 0.0, 0.0, 0.004, 0.01), (5, 0.2, 0.0, 0.1, 0.004, 0.01)]
+PATH: list[TruePoseRow] = [(3, 0.1, 0.0, 0.0, 0.004, 0.01), (5, 0.2, 0.0, 0.1, 0.004, 0.01)]
 
 
 def test_each_source_says_its_own_and_a_later_measurement_replaces_it(store: Store) -> None:
     run = a_run(store, None)
-    store.truths.record(run, "camera", WAY)
-    store.truths.record(run, "tape", WAY)
+    store.truths.record(run, "camera", PATH)
+    store.truths.record(run, "tape", PATH)
     store.truths.record(run, "tape", [END])
     camera, tape = store.truths.of_run(run)
-    assert (camera.source, camera.poses) == ("camera", tuple(WAY))
+    assert (camera.source, camera.poses) == ("camera", tuple(PATH))
     assert (tape.source, tape.poses) == (
         "tape",
         ((None, 1.0235, -0.03, 3.14159, 0.01, 0.035),),
@@ -70,10 +70,10 @@ def test_the_later_measurement_of_two_pcs_counts_on_both(
 ) -> None:
     here, there = pc("a"), pc("b")
     _, run = work(here, here.groups.create("Onças"), "Quadrado")
-    here.truths.record(run, "tape", WAY[:1])
+    here.truths.record(run, "tape", PATH[:1])
     merged(there, exported(here, tmp_path / "1.pinel").path)
     there.truths.record(run, "tape", [END])
-    here.truths.record(run, "camera", WAY)
+    here.truths.record(run, "camera", PATH)
     merged(there, exported(here, tmp_path / "2.pinel").path)
     merged(here, exported(there, tmp_path / "3.pinel").path)
     assert [truth.source for truth in here.truths.of_run(run)] == ["camera", "tape"]

@@ -12,7 +12,7 @@ import { FaultLine } from "../kit/requests/FaultLine";
 import { truthChanges } from "./changes";
 import { HeadingChoice } from "./HeadingChoice";
 import { TruthPicture } from "./TruthPicture";
-import { type Distance, entryOf, isWrong, MOST_CM, poseOf, type TapeEntry } from "./tape";
+import { type Distance, entryOf, isWrong, MAX_CM, poseOf, type TapeEntry } from "./tape";
 
 interface TapeFormProps {
   run: string;
@@ -187,7 +187,7 @@ function Measure({ name, label, sides, value, onValue }: MeasureProps) {
       </div>
       {fault && (
         <p class="number__fault" id={`${id}-fault`} role="alert">
-          {words.number({ most: MOST_CM })}
+          {words.number({ most: MAX_CM })}
         </p>
       )}
     </div>

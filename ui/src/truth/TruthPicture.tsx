@@ -10,7 +10,7 @@ import { robotOf } from "../shell/session";
 const DENSE = 12;
 
 /** Least length of a robot in pixels, so that its heading is readable in a large room. */
-const LEAST_PX = 22;
+const MIN_ROBOT_PX = 22;
 
 interface TruthPictureProps {
   believed: BelievedPose | null;
@@ -35,8 +35,8 @@ export function TruthPicture({ believed, measured, model }: TruthPictureProps) {
       {measured && <TapeLine viewport={viewport} to={measured} />}
       <StartMark at={start} />
       <path class="truth-picture__ahead" d={`M${start.x} ${start.y - 7}v-9m-4 4 4-4 4 4`} />
-      {believed && <Standing kind="believed" at={believed} viewport={viewport} model={model} />}
-      {measured && <Standing kind="measured" at={measured} viewport={viewport} model={model} />}
+      {believed && <RobotMark kind="believed" at={believed} viewport={viewport} model={model} />}
+      {measured && <RobotMark kind="measured" at={measured} viewport={viewport} model={model} />}
     </svg>
   );
 }
@@ -51,19 +51,19 @@ function TapeLine({ viewport, to }: { viewport: GoalViewport; to: BelievedPose }
   return <path class="truth-picture__tape" d={`M${start.x} ${start.y}V${end.y}H${end.x}`} />;
 }
 
-interface StandingProps {
+interface RobotMarkProps {
   kind: "believed" | "measured";
   at: BelievedPose;
   viewport: GoalViewport;
   model: string | null;
 }
 
-function Standing({ kind, at, viewport, model }: StandingProps) {
+function RobotMark({ kind, at, viewport, model }: RobotMarkProps) {
   const robot = robotOf(model);
   if (!robot) return null;
   const { x, y } = viewport.toPixels(seen(at));
   const { length, width, back } = extentOf(robot);
-  const scale = Math.max(viewport.scale, LEAST_PX / length);
+  const scale = Math.max(viewport.scale, MIN_ROBOT_PX / length);
   const turn = -90 - (at.heading_rad * 180) / Math.PI;
   return (
     <g

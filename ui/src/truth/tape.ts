@@ -3,7 +3,7 @@ import { headingDegrees } from "../i18n/format";
 import { numberIn } from "../kit/NumberField";
 
 /** Longest distance that the form accepts, cm; the server also compares with the room. */
-export const MOST_CM = 5000;
+export const MAX_CM = 5000;
 
 /** Degrees by which the buttons turn the drawing of the robot. */
 export const TURN_DEG = 15;
@@ -34,7 +34,7 @@ export interface TapeEntry {
 /** The typed distance in cm, never negative; null if it is none. */
 export function centimetres({ text }: Distance): number | null {
   const cm = numberIn(text);
-  return cm !== null && cm >= 0 && cm <= MOST_CM ? cm : null;
+  return cm !== null && cm >= 0 && cm <= MAX_CM ? cm : null;
 }
 
 /** Whether something was typed that is no distance. */

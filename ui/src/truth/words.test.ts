@@ -24,8 +24,8 @@ it("names the source and what the robot believed", () => {
     truths: [{ source: "tape", measured_at: "", poses: [pose] }],
     believed: { x_m: 1.05, y_m: 0, heading_rad: 0 },
   };
-  const [told] = truthSentences(list, texts, "pt-BR");
-  expect(told?.text.replaceAll("\u00a0", " ")).toBe(
+  const [first] = truthSentences(list, texts, "pt-BR");
+  expect(first?.text.replaceAll("\u00a0", " ")).toBe(
     "Medido com a fita: 1,02 m à frente, 3 cm à esquerda, virado para a frente. " +
       "O robô acreditava estar 1,05 m à frente, virado para a frente: 4 cm de diferença.",
   );

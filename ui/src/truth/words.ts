@@ -26,10 +26,10 @@ function difference(
 ): string {
   const end = poses.at(-1);
   if (!believed || !end) return "";
-  const apart = Math.hypot(end.x_m - believed.x_m, end.y_m - believed.y_m);
+  const distance = Math.hypot(end.x_m - believed.x_m, end.y_m - believed.y_m);
   return words.believed({
     place: placeText(believed, words, language),
-    distance: lengthText(apart, language),
+    distance: lengthText(distance, language),
   });
 }
 
