@@ -38,9 +38,9 @@ def get_prediction(path: IdPath) -> Response:
 
 @api.get("/unusual-runs", responses=responses(UnusualRuns, *TEACHER))
 def list_unusual_runs() -> Response:
-    """Runs among the newest ones of real robots whose difference is out of the ordinary for their robot.
+    """Runs among the newest ones that are out of the ordinary for their real robot. For the teacher.
 
-    Empty while a run is live: the PC then works for the robot. For the teacher.
+    Empty while a run is live: the PC then works for the robot.
     """
     require_teacher()
     parts = services()
