@@ -29,8 +29,8 @@ from pinel_desktop.school.detectors import Detectors
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
 from pinel_desktop.school.opened_file import OpenedFile
-from pinel_desktop.school.predictions import Predictions
 from pinel_desktop.school.overhead_truth import OverheadTruth
+from pinel_desktop.school.predictions import Predictions
 from pinel_desktop.school.robot_profiles import RobotProfiles
 from pinel_desktop.school.robot_status_feed import RobotStatusFeed
 from pinel_desktop.school.sign_teaching import SignTeaching

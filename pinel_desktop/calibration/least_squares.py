@@ -13,7 +13,9 @@ _ENOUGH = 1e-10  # relative decrease of the sum of squares below which the searc
 Residuals = Callable[[Floats], Floats]
 
 
-def least_squares(residuals: Residuals, start: Floats, steps: Floats) -> tuple[Floats, Floats]:
+def levenberg_marquardt(
+    residuals: Residuals, start: Floats, steps: Floats
+) -> tuple[Floats, Floats]:
     """Returns the parameters with the smallest sum of squares, and the Jacobian there.
 
     Levenberg-Marquardt with central differences. scipy would be the library for it, but is as large as a third of the

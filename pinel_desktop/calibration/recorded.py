@@ -9,7 +9,7 @@ from pinel_desktop.calibration.report import CalibrationReport, report_of
 from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import RobotModel, simulation_config_from
 from pinel_desktop.robot.robot_profile import profile_from
-from pinel_desktop.runs.truth import TruePose, Truth, best_along_the_way, best_at_end, truths_of
+from pinel_desktop.runs.truth import TruePose, Truth, best_at_end, best_during_run, truths_of
 from storage import SIMULATOR, RunRow, Store
 
 # A camera sees 30 poses in a second, whose errors are not independent.
@@ -65,7 +65,7 @@ def _by_tick(columns: dict[str, Floats], names: Sequence[str], n_ticks: int) -> 
 
 def _used(truths: Sequence[Truth]) -> list[Truth]:
     """Returns the truths that calibration uses: one along the way, and the one that knows the end best."""
-    along, end = best_along_the_way(truths), best_at_end(_at_end(truths))
+    along, end = best_during_run(truths), best_at_end(_at_end(truths))
     return [one for one in (along, end) if one is not None]
 
 
@@ -76,9 +76,9 @@ def _at_end(truths: Sequence[Truth]) -> list[Truth]:
 def _true_poses(truths: Sequence[Truth], n_ticks: int) -> list[TruePose]:
     """Returns the poses along the way, not more often than needed, then the pose at the end."""
     found: list[TruePose] = []
-    along, end = best_along_the_way(truths), best_at_end(_at_end(truths))
+    along, end = best_during_run(truths), best_at_end(_at_end(truths))
     next_tick = _TRUTH_EACH_TICKS
-    for one in along.along_the_way if along else ():
+    for one in along.during_run if along else ():
         if one.tick is not None and next_tick <= one.tick <= n_ticks:
             found.append(one)
             next_tick = one.tick + _TRUTH_EACH_TICKS

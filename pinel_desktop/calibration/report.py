@@ -89,8 +89,10 @@ def _parameters(
     found: Calibration, model: RobotModel, sources: Sequence[str]
 ) -> list[ReportedParameter]:
     truth, wheels = tuple(sources), found.wheels
-    noise = Estimate(wheels.wheel_noise, wheels.wheel_noise, wheels.wheel_noise, wheels.knows_noise)
-    estimates = {**found.estimates, **({"wheel_noise": noise} if wheels.knows_noise else {})}
+    noise = Estimate(
+        wheels.wheel_noise, wheels.wheel_noise, wheels.wheel_noise, wheels.noise_is_known
+    )
+    estimates = {**found.estimates, **({"wheel_noise": noise} if wheels.noise_is_known else {})}
     nominal = {
         "track_m": (model.track_m, truth),
         "wheel_bias_left": (0.0, truth),

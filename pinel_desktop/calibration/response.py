@@ -8,7 +8,7 @@ import numpy as np
 
 from pinel_desktop.calibration.drive import Drive, Floats
 from pinel_desktop.calibration.estimate import Estimate, estimate
-from pinel_desktop.calibration.least_squares import least_squares
+from pinel_desktop.calibration.least_squares import levenberg_marquardt
 
 _TICK_S = 1.0 / 30.0
 _MAX_S = 0.5
@@ -52,7 +52,7 @@ def calibrate_response(drives: Sequence[Drive]) -> Response | None:
         )
 
     steps = np.array([_STEP_S, _STEP_S])
-    found = [least_squares(residuals, np.array(start), steps) for start in _STARTS_S]
+    found = [levenberg_marquardt(residuals, np.array(start), steps) for start in _STARTS_S]
     best, slopes = min(found, key=lambda one: float(np.square(residuals(one[0])).sum()))
     sds, n_free = _standard_deviations(residuals(best), slopes)
     latency_s, lag_s = _inside(*best)

@@ -51,7 +51,7 @@ class Calibration:
         values = {name: one.value for name, one in self.estimates.items()}
         if "wheel_bias_left" in values:
             values["wheel_bias_sd"] = 0.0
-        if self.wheels.knows_noise:
+        if self.wheels.noise_is_known:
             values["wheel_noise"] = min(self.wheels.wheel_noise, BOUNDS["wheel_noise"][1])
         return robot_parameters_from(values)
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from pinel_desktop.calibration.drive import Drive, Floats
 from pinel_desktop.calibration.estimate import Estimate, estimate, unknown
-from pinel_desktop.calibration.least_squares import jacobian, least_squares
+from pinel_desktop.calibration.least_squares import jacobian, levenberg_marquardt
 from pinel_desktop.runs.truth import TruePose
 
 # relative noise of a wheel's distance in a tick: the range that is searched, and the value if the poses cannot tell it
@@ -42,7 +42,7 @@ class WheelCalibration:
         difference: relative difference of the two wheels, right minus left; positive turns the robot to the left.
         track_m: distance between the wheels' points of contact.
         wheel_noise: relative error of a wheel's distance in a tick, one standard deviation.
-        knows_noise: whether the true poses were enough to tell the noise.
+        noise_is_known: whether the true poses were enough to tell the noise.
         n_poses: number of true poses.
     """
 
@@ -50,7 +50,7 @@ class WheelCalibration:
     difference: Estimate
     track_m: Estimate
     wheel_noise: float
-    knows_noise: bool
+    noise_is_known: bool
     n_poses: int
 
 
@@ -67,15 +67,15 @@ def calibrate_wheels(drives: Sequence[Drive], track_m: float) -> WheelCalibratio
     if n_poses == 0:
         scale, difference, track = (unknown(float(value)) for value in nominal)
         return WheelCalibration(scale, difference, track, _TYPICAL_NOISE, False, 0)
-    knows_noise = 3 * n_poses - _N_PARAMETERS >= _MIN_DEGREES_OF_FREEDOM
+    noise_is_known = 3 * n_poses - _N_PARAMETERS >= _MIN_DEGREES_OF_FREEDOM
     noise = _TYPICAL_NOISE
     best, slopes = _fit(counted, nominal, nominal, noise)
-    for _ in range(3 if knows_noise else 0):
+    for _ in range(3 if noise_is_known else 0):
         noise = _likeliest_noise(counted, best)
         best, slopes = _fit(counted, nominal, best, noise)
     n_free = 3 * n_poses - _N_PARAMETERS
     scale, difference, track = _estimates(best, slopes, nominal, n_free)
-    return WheelCalibration(scale, difference, track, noise, knows_noise, n_poses)
+    return WheelCalibration(scale, difference, track, noise, noise_is_known, n_poses)
 
 
 _Counted = tuple[Floats, tuple[TruePose, ...]]
@@ -88,7 +88,7 @@ def _fit(
         off = (parameters - nominal) / (_PRIOR_SD * _units(nominal))
         return np.concatenate((_innovations(counted, parameters, noise)[0], off))
 
-    return least_squares(residuals, start, _STEPS)
+    return levenberg_marquardt(residuals, start, _STEPS)
 
 
 def _likeliest_noise(counted: Sequence[_Counted], parameters: Floats) -> float:
@@ -144,12 +144,12 @@ def _filtered(
     distances: Floats, truth: Sequence[TruePose], parameters: Floats, noise: float
 ) -> Iterator[tuple[Floats, float]]:
     """Filters one run; yields for each true pose its whitened innovation and the log determinant of its covariance."""
-    pose, covariance, begun = np.zeros(3), np.zeros((3, 3)), 0
+    pose, covariance, last_tick = np.zeros(3), np.zeros((3, 3)), 0
     for measured in truth:
         pose, covariance = _predicted(
-            pose, covariance, distances[begun : measured.tick], parameters, noise
+            pose, covariance, distances[last_tick : measured.tick], parameters, noise
         )
-        begun = len(distances) if measured.tick is None else measured.tick
+        last_tick = len(distances) if measured.tick is None else measured.tick
         error = np.array(measured.pose) - pose
         error[2] = (error[2] + math.pi) % (2.0 * math.pi) - math.pi
         sigmas: Floats = np.array([measured.sigma_m, measured.sigma_m, measured.sigma_rad])

@@ -9,7 +9,7 @@ import numpy as np
 
 from pinel_desktop.robot import wrap_angle
 from pinel_desktop.runs.prediction import Path, unwrapped
-from pinel_desktop.runs.truth import Truth, best_along_the_way, best_at_end
+from pinel_desktop.runs.truth import Truth, best_at_end, best_during_run
 
 Source = Literal["odometry", "tape", "camera", "localisation"]
 
@@ -45,7 +45,7 @@ def measured_poses(rows: Path, truths: Sequence[Truth]) -> Measured:
         truths: what sources of truth say.
     """
     odometry = unwrapped(np.vstack([np.zeros(3), rows]))
-    along, last = best_along_the_way(truths), best_at_end(truths)
+    along, last = best_during_run(truths), best_at_end(truths)
     end = None if last is None else _beside(np.array(last.end.pose), odometry[-1])
     end_source: Source = "odometry" if last is None else last.source
     if along is None:

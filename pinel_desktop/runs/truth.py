@@ -26,7 +26,7 @@ _OUTSIDE_M = 1.0
 # between poses that are farther apart nothing is known: half a second
 _GAP_TICKS = 15
 _N_FIRST = 10  # poses that tell where the start is
-_ALONG_THE_WAY: tuple[Source, ...] = ("camera", "localisation")
+_DURING_RUN: tuple[Source, ...] = ("camera", "localisation")
 _SIGMA = (1e-5, FARTHEST_M)
 _BOUNDS = {
     "x_m": (-FARTHEST_M, FARTHEST_M),
@@ -64,13 +64,13 @@ class Truth:
         return self.poses[-1]
 
     @property
-    def along_the_way(self) -> tuple[TruePose, ...]:
+    def during_run(self) -> tuple[TruePose, ...]:
         """The poses during the run."""
         return self.poses[:-1] if self.poses[-1].tick is None else self.poses
 
     def at(self, tick: float) -> TruePose | None:
         """Returns the pose at a tick, interpolated; None where the source saw nothing for half a second around it."""
-        poses = self.along_the_way
+        poses = self.during_run
         after = bisect_left(poses, tick, key=_tick)
         if after < len(poses) and _tick(poses[after]) == tick:
             return poses[after]
@@ -162,10 +162,10 @@ def best_at_end(truths: Iterable[Truth]) -> Truth | None:
     return min(truths, key=lambda truth: truth.end.sigma_m, default=None)
 
 
-def best_along_the_way(truths: Iterable[Truth]) -> Truth | None:
+def best_during_run(truths: Iterable[Truth]) -> Truth | None:
     """Returns the truth to compare a path with: the camera's before the robot's own localisation; None for neither."""
-    found = {truth.source: truth for truth in truths if len(truth.along_the_way) > 1}
-    return next((found[source] for source in _ALONG_THE_WAY if source in found), None)
+    found = {truth.source: truth for truth in truths if len(truth.during_run) > 1}
+    return next((found[source] for source in _DURING_RUN if source in found), None)
 
 
 def _mean(poses: Sequence[Pose2D]) -> Pose2D:

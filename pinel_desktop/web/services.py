@@ -22,8 +22,8 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.program.reading import ParseResult
     from pinel_desktop.school.detectors import Detectors
     from pinel_desktop.school.opened_file import OpenedFile
-    from pinel_desktop.school.predictions import Predictions
     from pinel_desktop.school.overhead_truth import OverheadTruth
+    from pinel_desktop.school.predictions import Predictions
     from pinel_desktop.school.robot_profiles import RobotProfiles
     from pinel_desktop.school.robot_status_feed import RobotStatusFeed
     from pinel_desktop.school.sign_teaching import SignTeaching

@@ -73,7 +73,7 @@ def test_one_run_is_enough_but_nothing_is_held_out(store: Store) -> None:
     assert report.held_out == ()
 
 
-def test_a_camera_along_the_way_is_used_with_the_tape_at_the_end(store: Store) -> None:
+def test_a_camera_during_run_is_used_with_the_tape_at_the_end(store: Store) -> None:
     run, rows = real_run(store, LINE)
     way = [
         (i + 1, one.true_x_m or 0.0, one.true_y_m or 0.0, one.true_yaw_rad or 0.0, 0.01, 0.02)

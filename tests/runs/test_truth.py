@@ -10,8 +10,8 @@ from pinel_desktop.runs.truth import (
     Source,
     TruePose,
     Truth,
-    best_along_the_way,
     best_at_end,
+    best_during_run,
     check_in_room,
     in_start_frame,
     read_truth,
@@ -90,8 +90,8 @@ def test_a_path_is_compared_with_the_camera_and_an_end_with_who_knows_it_best() 
     tape = truth("tape", row(None, sigma=0.01))
     own = truth("localisation", row(1, sigma=0.05), row(9, sigma=0.05))
     camera = truth("camera", row(1, sigma=0.02), row(9, sigma=0.02))
-    assert best_along_the_way([tape, own, camera]) == camera
-    assert best_along_the_way([tape]) is None
+    assert best_during_run([tape, own, camera]) == camera
+    assert best_during_run([tape]) is None
     assert best_at_end([own, camera, tape]) == tape
     assert best_at_end([]) is None
 

@@ -26,7 +26,7 @@ def robot(app: App) -> str:
     return app._store.calibrated_robots.create(NAME, "pioneer_3dx", {"track_m": 0.345}, {}).id
 
 
-def begun(browser: Browser, version: Any, robot: str) -> Any:
+def started(browser: Browser, version: Any, robot: str) -> Any:
     request = {"version_id": version["id"], "world": "empty_room", "calibrated_robot": robot}
     return browser.post("/api/runs", request)
 
@@ -54,7 +54,7 @@ def test_three_real_runs_become_a_robot_of_the_simulator(app: App, teacher: Brow
 def test_a_run_holds_the_robot_in_full_and_never_changes(
     app: App, browser: Browser, teacher: Browser, version: Any, robot: str
 ) -> None:
-    run = begun(browser, version, robot).data
+    run = started(browser, version, robot).data
     assert (run["calibrated_robot"], run["model"]) == (NAME, "pioneer_3dx")
     teacher.delete(f"/api/calibrated-robots/{robot}")
     row = app._store.runs.get(run["id"])
@@ -68,10 +68,10 @@ def test_a_robot_that_is_not_there_is_named_and_no_run_starts(
     app: App, browser: Browser, teacher: Browser, version: Any, robot: str
 ) -> None:
     teacher.delete(f"/api/calibrated-robots/{robot}")
-    deleted = begun(browser, version, robot)
+    deleted = started(browser, version, robot)
     assert deleted.error["code"] == "calibrated_robot_deleted"
     assert NAME in deleted.error["message"]
-    unknown = begun(browser, version, "0199e4a0-0000-7fff-bfff-ffffffffffff")
+    unknown = started(browser, version, "0199e4a0-0000-7fff-bfff-ffffffffffff")
     assert unknown.error["code"] == "calibrated_robot_not_found"
     assert app._store.runs.newest(5) == []
     teacher.post(f"/api/calibrated-robots/{robot}/take-back")

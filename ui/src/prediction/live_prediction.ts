@@ -1,6 +1,6 @@
 import { computed, effect, signal } from "@preact/signals";
 import type { RunPrediction, World } from "../api/model";
-import { predictionsApi } from "../api/predictions";
+import { predictionsApi } from "../api/real_runs";
 import { shown } from "../run/inspected_tick";
 import { live, liveRun } from "../run/live";
 import { record } from "../run/live_record";

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { RunPrediction, RunWithVersion } from "../api/model";
-import { predictionsApi } from "../api/predictions";
+import { predictionsApi } from "../api/real_runs";
 import type { Fault } from "../editor";
 import { language, texts } from "../i18n";
 import { useInstance } from "../kit/instance";

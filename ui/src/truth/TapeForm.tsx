@@ -2,7 +2,7 @@ import { useSignal } from "@preact/signals";
 import { Check, Trash } from "lucide-preact";
 import { useEffect, useId, useRef } from "preact/hooks";
 import type { TruthList } from "../api/model";
-import { truthsApi } from "../api/truths";
+import { truthsApi } from "../api/real_runs";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";

@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { Ruler } from "lucide-preact";
 import type { TruthList } from "../api/model";
-import { truthsApi } from "../api/truths";
+import { truthsApi } from "../api/real_runs";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { useLoaded } from "../kit/requests/useLoaded";

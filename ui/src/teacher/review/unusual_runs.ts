@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { UnusualRun } from "../../api/model";
-import { predictionsApi } from "../../api/predictions";
+import { predictionsApi } from "../../api/real_runs";
 
 /** Runs on real robots that are out of the ordinary for their robot, by id, as in the last answer. */
 export const unusualRuns = signal<ReadonlyMap<string, UnusualRun>>(new Map());
