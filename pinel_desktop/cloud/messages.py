@@ -2,9 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from types import MappingProxyType
 from typing import Any
 
-from pinel_desktop.robot import SimulationConfig
+from pinel_desktop.robot import SimulationConfig, robot_parameters_from
 
 N_ROBOTS = 50
 STOP = "cloud_stop"
@@ -19,6 +20,7 @@ class CloudRequest:
         document: the program's document.
         world: the world's document with the start of the robot.
         model: name of the robot's model.
+        robot_parameters: the errors of a calibrated robot; empty for the preset's.
         activity: the activity as JSON, which judges each run; None without one.
         gestures, answers: what the program reads; None for those of the activity's first case.
         language: language of the sentence for the group.
@@ -28,6 +30,7 @@ class CloudRequest:
     document: Mapping[str, Any]
     world: Mapping[str, Any]
     model: str
+    robot_parameters: Mapping[str, float]
     activity: str | None
     gestures: tuple[str, ...] | None
     answers: tuple[str, ...] | None
@@ -45,9 +48,12 @@ class CloudRequest:
     @property
     def setting(self) -> SimulationConfig:
         """The setting of all robots of clouds."""
-        return cloud_setting(self.model)
+        return cloud_setting(self.model, self.robot_parameters)
 
 
-def cloud_setting(model: str) -> SimulationConfig:
+def cloud_setting(
+    model: str, robot_parameters: Mapping[str, float] = MappingProxyType({})
+) -> SimulationConfig:
     """Returns the realistic robot, which knows its pose by its wheels only, as a real one without a camera above it."""
-    return SimulationConfig(model, "realistic", "odometry")
+    parameters = robot_parameters_from(robot_parameters)
+    return SimulationConfig(model, "realistic", "odometry", parameters)

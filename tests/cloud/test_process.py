@@ -37,7 +37,9 @@ class Clouds:
         self.events: queue.Queue[Event] = queue.Queue()
         self.client = CloudClient(self.events.put, lambda: "pt-BR")
 
-    def begin(self, document: Event, activity: str | None = None) -> str:
+    def begin(
+        self, document: Event, activity: str | None = None, errors: dict[str, float] | None = None
+    ) -> str:
         cloud = str(uuid4())
         self.client.begin(
             CloudRequest(
@@ -45,6 +47,7 @@ class Clouds:
                 document=document,
                 world=world_document("empty_room"),
                 model="pioneer_3dx",
+                robot_parameters=errors or {},
                 activity=choose_activity(activity).model_dump_json() if activity else None,
                 gestures=() if activity is None else None,
                 answers=() if activity is None else None,
@@ -79,6 +82,12 @@ def test_all_robots_arrive_and_a_sentence_says_how_firm_the_program_is(lasting: 
     assert len({tuple(map(tuple, row["path"])) for row in rows}) == N_ROBOTS
     assert (end["cloud"], end["n"]) == (cloud, N_ROBOTS)
     assert end["text"].startswith(f"{end['n_good']} de 50 robôs param a menos de 10 cm")
+
+
+def test_the_robots_have_the_errors_of_a_calibrated_one(lasting: Clouds) -> None:
+    lasting.begin(SQUARE, errors={"wheel_bias_sd": 0.0, "wheel_noise": 0.0})
+    rows, _ = lasting.to_the_end()
+    assert len({tuple(map(tuple, row["path"])) for row in rows}) == 1
 
 
 def test_a_mission_judges_each_robot(lasting: Clouds) -> None:

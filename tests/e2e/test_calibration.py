@@ -35,7 +35,7 @@ def test_three_measured_runs_become_a_robot_that_a_group_chooses(studio: Studio)
     expect(studio["real-run"]).to_have_count(3)
     expect(studio["calibrate"]).to_be_disabled()
     for run in studio["real-run"].all():
-        expect(run).to_contain_text("medida: trena")
+        expect(run).to_contain_text("medida: fita")
         run.get_by_role("checkbox").check()
     studio["calibrate"].click()
     result = studio["calibration-result"]

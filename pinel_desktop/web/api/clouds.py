@@ -37,6 +37,8 @@ def prepare_cloud() -> Response:
         "invalid_program",
         "unknown_world",
         "world_missing",
+        "calibrated_robot_not_found",
+        "calibrated_robot_deleted",
         "cloud_real_robot",
         "cloud_needs_inputs",
         "cloud_lost",
@@ -55,7 +57,7 @@ def begin_cloud(body: NewCloud) -> Response:
         raise PinelError("cloud_real_robot")
     version = parts.store.versions.get(body.version_id)
     activity = activity_of(version)
-    chosen = body.model_dump(include={"version_id", "world", "start", "model"})
+    chosen = body.model_dump(include={"version_id", "world", "start", "model", "calibrated_robot"})
     spec = spec_for(version, activity, NewRun.model_validate(chosen), parts)
     inputs = None if activity else _inputs(spec.document, body.run_id, parts)
     assert isinstance(spec.document, dict)
@@ -65,6 +67,7 @@ def begin_cloud(body: NewCloud) -> Response:
         document=spec.document,
         world=spec.world,
         model=spec.setting.model,
+        robot_parameters=spec.setting.parameters.changes,
         activity=activity.model_dump_json(exclude_none=True) if activity else None,
         gestures=inputs and inputs[0],
         answers=inputs and inputs[1],

@@ -160,6 +160,9 @@ class NewCloud(RequestModel):
     world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
     start: Annotated[Start | None, Field(description="another start than the world's")] = None
     model: RobotName = PIONEER_3DX.name
+    calibrated_robot: Annotated[
+        Id | None, Field(description="a robot with a real one's errors, instead of the model")
+    ] = None
     robot: Annotated[str, Field(max_length=20, description="`sim`; others are refused")] = SIMULATOR
     run_id: Annotated[
         Id | None, Field(description="the run whose signs and answers the robots read")

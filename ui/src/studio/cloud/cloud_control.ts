@@ -108,7 +108,7 @@ export class CloudControl {
         id,
         version_id: version.id,
         world: studio.worlds.name.peek(),
-        model: this.model(),
+        ...this.robot(),
         ...(start ? { start } : {}),
         ...(last && studio.mine.peek() ? { run_id: last } : {}),
       });
@@ -132,7 +132,7 @@ export class CloudControl {
   /** Runs the program with the wheels of one of the robots. */
   runOne(seed: number): Promise<void> {
     if (this.isStale.peek() || this.isRunning.peek()) return Promise.resolve();
-    return this.studio.drive({ ...REALISM_PRESETS.wheels, model: this.model(), seed, cloud: true });
+    return this.studio.drive({ ...REALISM_PRESETS.wheels, ...this.robot(), seed, cloud: true });
   }
 
   private receive(event: CloudProgressEvent): void {
@@ -142,9 +142,10 @@ export class CloudControl {
     this.now.value = { ...now, n: event.n, rows, end: event.is_over ? event : null };
   }
 
-  /** The model of the robots, as for a run: on the first level and in a mission the choice is hidden. */
-  private model(): Setup["model"] {
-    return this.studio.open.setup.value.model;
+  /** The robots, as for a run: on the first level and in a mission the choice is hidden. */
+  private robot(): Pick<Setup, "model" | "calibrated_robot"> {
+    const { model, calibrated_robot } = this.studio.open.setup.value;
+    return { model, calibrated_robot };
   }
 
   private subject(): string {
@@ -156,7 +157,7 @@ export class CloudControl {
       world,
       own,
       start.start.value,
-      this.model(),
+      this.robot(),
     ]);
   }
 }

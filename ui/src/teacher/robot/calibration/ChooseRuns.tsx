@@ -1,10 +1,11 @@
 import { useSignal } from "@preact/signals";
-import { Gauge } from "lucide-preact";
+import { Gauge, Play } from "lucide-preact";
 import { calibrationApi } from "../../../api/calibration";
 import type { Calibration, RealRun } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { duration } from "../../../i18n/format";
 import { Button } from "../../../kit/Button";
+import { LinkButton } from "../../../kit/LinkButton";
 import { useAction } from "../../../kit/requests/action";
 import { FaultLine } from "../../../kit/requests/FaultLine";
 import { robotLabel } from "../../../run/real/RobotName";
@@ -92,7 +93,9 @@ function RunChoice({ run, isChosen, onChoose }: RunChoiceProps) {
       <span class={sources ? "calibration__measured" : "aside"}>
         {sources ? labels.measured({ sources }) : labels.unmeasured}
       </span>
-      <a href={hashOf({ screen: "replay", run: run.id })}>{labels.openRun}</a>
+      <LinkButton icon={Play} href={hashOf({ screen: "replay", run: run.id })}>
+        {labels.openRun}
+      </LinkButton>
     </div>
   );
 }
