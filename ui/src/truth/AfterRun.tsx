@@ -37,7 +37,7 @@ function Question({ run, model }: QuestionProps) {
   };
   if (truths.status !== "ready") return null;
   return (
-    <div class="after-run">
+    <div class={`after-run ${isMeasuring.value ? "" : "after-run--asked"}`}>
       {isMeasuring.value ? (
         <TapeForm
           run={run}

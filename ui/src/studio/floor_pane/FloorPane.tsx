@@ -83,8 +83,11 @@ export function FloorPane({ control }: { control: StudioControl }) {
   );
 }
 
+/** What the robot does. Before a run, the sentence about the 50 robots stands alone, for the sake of the floor. */
 function Status({ control }: { control: StudioControl }) {
-  return <StatusLine sentence={control.sentence.value} />;
+  const isBefore = useComputed(() => !control.mine.value || robot.live.value.phase === "idle");
+  const isReplaced = control.cloud.now.value !== null && isBefore.value;
+  return isReplaced ? null : <StatusLine sentence={control.sentence.value} />;
 }
 
 /** After a run on a real robot: what it did otherwise than predicted. */
