@@ -54,6 +54,8 @@ def test_every_subcommand_named_exists(page: str) -> None:
 def test_every_option_named_beside_a_subcommand_exists(page: str) -> None:
     for name, *words in command_lines(page):
         command = main.get_command(click.Context(main), name)
+        if isinstance(command, click.Group) and words:
+            command = command.get_command(click.Context(command), words[0])
         if command is not None:
             known = {spelling for parameter in command.params for spelling in parameter.opts}
             assert {option for option in words if option.startswith("--")} <= known, name

@@ -43,6 +43,7 @@ def test_what_nobody_chose_has_its_default() -> None:
     assert settings.of_page().keys() == SETTINGS.keys() - {
         "pinel_camera",
         "pinel_kiosk",
+        "pinel_overhead",
         "pinel_recognizer",
     }
 

@@ -332,6 +332,7 @@ def test_a_setup_of_a_newer_release_does_not_close_the_program(app: App, browser
         "activity": None,
         "n_hints": 0,
         "model": "pioneer_3dx",
+        "calibrated_robot": None,
     }
     app._store.versions.save(program["id"], {"a": 2}, None, setup={"planet": "Mars"})
     assert browser.get(path).data["version"]["setup"] is None

@@ -73,8 +73,8 @@ export class SceneRenderer {
     if (!ctx) throw new Error("no 2D canvas");
     this.ctx = ctx;
     this.viewport = new FramedViewport(() => {
-      const { world, whole, companion, size, magnification } = this;
-      return { world, whole, companion, size, magnification, hasControls };
+      const { world, whole, companion, bundle, size, magnification } = this;
+      return { world, whole, companion, bundle, size, magnification, hasControls };
     }, onFraming);
   }
 
@@ -132,6 +132,7 @@ export class SceneRenderer {
   /** Sets the paths of many robots on this floor. */
   setBundle(bundle: Bundle | null): void {
     this.bundle = bundle;
+    this.viewport.invalidate();
     this.requestRedraw();
   }
 

@@ -55,6 +55,12 @@ describe("what is shown of a room", () => {
     expect(contentBounds(rest as World, IDLE)).toEqual(contentBounds(world(), IDLE));
   });
 
+  test("holds the paths of many robots", () => {
+    const paths = [{ id: 1, well: true, path: [[0, 0] as const, [3, 0] as const] }];
+    const bundle = { paths, isFaint: false };
+    expect(contentBounds(world(), IDLE, null, bundle).right).toBeGreaterThan(3.2);
+  });
+
   test("grows with the path", () => {
     const path = extend(extend(EMPTY_TRAIL, [0, 0]), [3, 0]);
     expect(contentBounds(world(), { ...IDLE, path }).right).toBeGreaterThan(3.2);

@@ -1,6 +1,7 @@
 import type { World } from "../../api/model";
 import type { RunView } from "../../run/reducer";
 import type { Point, Trail } from "../../run/trail";
+import type { Bundle } from "../bundle/bundle";
 import { type Box, include, roomOf, type StartPose, startOf, toWorld } from "../frames";
 
 /** Margins around the start and around the path, and the walls' thickness, in metres. */
@@ -9,7 +10,7 @@ const AROUND_PATH = 0.6;
 const WALL = 0.12;
 
 /**
- * Bounding box of the start, the path so far and all objects in the room. The viewport shows this
+ * Bounding box of the start, the path so far, the paths of a bundle and all objects in the room. The viewport shows this
  * box and not the whole room: in a large empty room the robot would be too small. While the program
  * waits for a sign, which often names a place, the box holds the places only.
  */
@@ -17,6 +18,7 @@ export function contentBounds(
   world: World | null,
   view: RunView,
   companion: { readonly world: World | null; readonly view: RunView } | null = null,
+  bundle: Bundle | null = null,
 ): Box {
   const room = roomOf(world);
   const start = startOf(world);
@@ -27,6 +29,8 @@ export function contentBounds(
   if (world) includeObjects(box, world);
   includePath(box, start, view.path);
   if (companion) includePath(box, startOf(companion.world), companion.view.path);
+  for (const { path } of bundle?.paths ?? [])
+    for (const [x, y] of path) include(box, x, y, AROUND_PATH);
   return inside(box, room);
 }
 

@@ -6,6 +6,7 @@ const FRAMED: Framed = {
   world: null,
   whole: IDLE,
   companion: null,
+  bundle: null,
   size: { width: 600, height: 400 },
   magnification: 1,
   hasControls: false,

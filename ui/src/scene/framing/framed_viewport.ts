@@ -1,5 +1,6 @@
 import type { World } from "../../api/model";
 import type { RunView } from "../../run/reducer";
+import type { Bundle } from "../bundle/bundle";
 import type { XY } from "../frames";
 import { contentBounds, wholeRoom } from "./content_bounds";
 import {
@@ -24,6 +25,7 @@ export interface Framed {
   /** The state whose whole path the viewport shows. */
   readonly whole: RunView;
   readonly companion: { readonly world: World | null; readonly view: RunView } | null;
+  readonly bundle: Bundle | null;
   readonly size: Size;
   readonly magnification: number;
   readonly hasControls: boolean;
@@ -120,10 +122,10 @@ export class FramedViewport {
   private aim(): void {
     this.isStale = false;
     if (this.held) return;
-    const { world, whole, companion, size, magnification, hasControls } = this.framed();
+    const { world, whole, companion, bundle, size, magnification, hasControls } = this.framed();
     const edge = marginsOf(size, magnification, hasControls, whole.capture !== null);
     if (this.framing === "subject")
-      this.target = viewportFor(contentBounds(world, whole, companion), size, edge);
+      this.target = viewportFor(contentBounds(world, whole, companion, bundle), size, edge);
     if (this.framing === "room") this.target = viewportFor(wholeRoom(world), size, edge);
   }
 }
