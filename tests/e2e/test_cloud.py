@@ -75,9 +75,12 @@ def test_one_of_the_robots_drives_as_a_run_of_its_own_by_the_list_and_by_a_click
     studio.wait_for_phase("finished")
     # all paths begin at the robot's start and end 1 m ahead of it
     studio["scene"].click(position=middle_of_the_path(studio))
-    studio.wait_for_phase("running")
-    studio.wait_for_phase("finished")
     group = studio.api(f"/programs/{studio.program_id}")["group_id"]
+
+    def states() -> list[str]:
+        return [run["state"] for run in studio.api(f"/groups/{group}/runs")["runs"]]
+
+    studio.eventually(states, ["finished", "finished"])
     clicked, chosen = studio.api(f"/groups/{group}/runs")["runs"]
     assert chosen["seed"] == 7
     assert 1 <= clicked["seed"] <= 50

@@ -1,13 +1,17 @@
 import type { World } from "../../api/model";
 import type { RunView } from "../../run/reducer";
 import type { Point, Trail } from "../../run/trail";
-import type { Bundle } from "../bundle/bundle";
 import { type Box, include, roomOf, type StartPose, startOf, toWorld } from "../frames";
 
 /** Margins around the start and around the path, and the walls' thickness, in metres. */
 const AROUND_START = 2.1;
 const AROUND_PATH = 0.6;
 const WALL = 0.12;
+
+/** Paths of many robots, world frame, metres. */
+export interface Paths {
+  readonly paths: readonly { readonly path: readonly (readonly [x: number, y: number])[] }[];
+}
 
 /**
  * Bounding box of the start, the path so far, the paths of a bundle and all objects in the room. The viewport shows this
@@ -18,7 +22,7 @@ export function contentBounds(
   world: World | null,
   view: RunView,
   companion: { readonly world: World | null; readonly view: RunView } | null = null,
-  bundle: Bundle | null = null,
+  bundle: Paths | null = null,
 ): Box {
   const room = roomOf(world);
   const start = startOf(world);

@@ -1,8 +1,7 @@
 import type { World } from "../../api/model";
 import type { RunView } from "../../run/reducer";
-import type { Bundle } from "../bundle/bundle";
 import type { XY } from "../frames";
-import { contentBounds, wholeRoom } from "./content_bounds";
+import { contentBounds, type Paths, wholeRoom } from "./content_bounds";
 import {
   approach,
   clampScale,
@@ -25,7 +24,7 @@ export interface Framed {
   /** The state whose whole path the viewport shows. */
   readonly whole: RunView;
   readonly companion: { readonly world: World | null; readonly view: RunView } | null;
-  readonly bundle: Bundle | null;
+  readonly bundle: Paths | null;
   readonly size: Size;
   readonly magnification: number;
   readonly hasControls: boolean;
