@@ -121,6 +121,7 @@ def test_stop_ends_the_robots_under_way(studio: Studio) -> None:
     expect(line).to_have_attribute("data-state", "under-way")
     studio["stop"].click()
     expect(line).to_have_attribute("data-state", "over", timeout=WAIT_MS)
+    expect(line).not_to_have_attribute("data-arrived", "50")
 
 
 def test_a_program_that_asks_needs_one_run_whose_answers_the_robots_use(

@@ -85,6 +85,24 @@ test("robots are added as they arrive, those of another cloud are not", async ()
   expect(studio.control.bundle.value?.paths.map(({ well }) => well)).toEqual([true, false]);
 });
 
+test("a stop does not overtake the request that starts the robots", async () => {
+  const studio = studioOf();
+  let answer = () => {};
+  vi.spyOn(cloudsApi, "begin").mockReturnValue(
+    new Promise((done) => {
+      answer = () => done({ id: "", n: 50 });
+    }),
+  );
+  const began = started(studio);
+  await vi.waitFor(() => expect(cloudsApi.begin).toHaveBeenCalled());
+  studio.control.stop();
+  await Promise.resolve();
+  expect(cloudsApi.stop).not.toHaveBeenCalled();
+  answer();
+  const id = await began;
+  expect(cloudsApi.stop).toHaveBeenCalledWith(id);
+});
+
 test("a changed program makes them stale: faint, without advice, and none of them drives", async () => {
   const studio = studioOf();
   stop = studio.control.listen();
@@ -128,7 +146,7 @@ test("stop ends those under way, and nothing once all have arrived", async () =>
   stop = studio.control.listen();
   const id = await started(studio);
   studio.control.stop();
-  expect(cloudsApi.stop).toHaveBeenCalledWith(id);
+  await vi.waitFor(() => expect(cloudsApi.stop).toHaveBeenCalledWith(id));
   ended(id, 31);
   studio.control.stop();
   expect(cloudsApi.stop).toHaveBeenCalledTimes(1);

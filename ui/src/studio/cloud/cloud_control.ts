@@ -62,6 +62,9 @@ export class CloudControl {
     return { block: end.block, message: end.text, remedy: "", isQuiet: true };
   });
 
+  /** The request that starts the cloud; a stop that overtook it would stop nothing. */
+  private started: Promise<unknown> = Promise.resolve();
+
   constructor(private readonly studio: Studio) {}
 
   /** Listens to the robots; starts their processes before they are needed. Returns the function that ends both. */
@@ -104,7 +107,7 @@ export class CloudControl {
       before: before?.n_good ?? null,
     };
     try {
-      await cloudsApi.begin({
+      this.started = cloudsApi.begin({
         id,
         version_id: version.id,
         world: studio.worlds.name.peek(),
@@ -112,6 +115,7 @@ export class CloudControl {
         ...(start ? { start } : {}),
         ...(last && studio.mine.peek() ? { run_id: last } : {}),
       });
+      await this.started;
     } catch (error) {
       if (this.now.peek()?.id === id) this.now.value = null;
       throw error;
@@ -121,7 +125,13 @@ export class CloudControl {
   /** Ends a cloud that is under way; the robots that have arrived stay on the floor. */
   stop(): void {
     const now = this.now.peek();
-    if (now && !now.end) cloudsApi.stop(now.id).catch(report);
+    if (now && !now.end)
+      this.started
+        .then(
+          () => cloudsApi.stop(now.id),
+          () => {},
+        )
+        .catch(report);
   }
 
   close(): void {
