@@ -166,7 +166,7 @@ def test_the_trash_gives_back(one_move: Studio) -> None:
     expect(given_back).to_contain_text("4")
 
 
-def test_the_trash_closes_by_its_button_by_escape_and_by_a_press_elsewhere(
+def test_the_trash_closes_by_its_button_by_escape_and_by_a_press_outside(
     one_move: Studio,
 ) -> None:
     blocks, page = one_move.blocks, one_move.page

@@ -121,13 +121,17 @@ def test_group_drives_the_robot_that_its_teacher_set_up_and_stops_it_by_the_emer
     review(studio)
 
 
-def review(studio: Studio) -> None:
-    """The teacher finds both runs with the robot's name, and the room in the replay."""
+def sign_in_from_home(studio: Studio) -> None:
     studio["home"].click()
     studio["teacher-link"].click()
     studio["pin"].fill(PIN)
     studio["sign-in"].click()
     expect(studio["sign-out"]).to_be_visible()
+
+
+def review(studio: Studio) -> None:
+    """The teacher finds both runs with the robot's name, and the room in the replay."""
+    sign_in_from_home(studio)
     studio.page.goto(f"{studio.origin}/#/runs")
     expect(studio["history-run"]).to_have_count(2)
     studio.expect_each(studio["history-run"], "data-outcome", ("stopped", "finished"))
@@ -166,11 +170,7 @@ def test_a_mission_driven_on_the_robot_is_judged_by_what_it_measured(studio: Stu
 
 def judged_in_review(studio: Studio) -> None:
     """Lesson and replay show the teacher that the robot's measurements were judged."""
-    studio["home"].click()
-    studio["teacher-link"].click()
-    studio["pin"].fill(PIN)
-    studio["sign-in"].click()
-    expect(studio["sign-out"]).to_be_visible()
+    sign_in_from_home(studio)
     (line,) = studio.api("/runs")["runs"]
     studio.page.goto(f"{studio.origin}/#/lesson/{line['lesson_id']}")
     expect(studio["review-group"]).to_have_attribute("data-need", "passed")

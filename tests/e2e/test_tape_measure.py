@@ -5,9 +5,9 @@ from playwright.sync_api import expect
 
 from tests.e2e.axe import violations
 from tests.e2e.studio import RUN_MS, Studio
-from tests.e2e.test_classes import PIN, prepare
+from tests.e2e.test_classes import prepare
 from tests.e2e.test_layout import cut
-from tests.e2e.test_real_robot import build_move, check_off, client, set_up
+from tests.e2e.test_real_robot import build_move, check_off, client, set_up, sign_in_from_home
 from tests.e2e.watch import Watch
 from tests.links.aurora import free_port
 
@@ -26,7 +26,7 @@ def drive(studio: Studio, port: int, *, first: bool) -> None:
         assert aurora.has_ended(RUN_MS / 1000)
 
 
-def test_group_measures_where_the_robot_stands_and_replay_tells_it(
+def test_a_group_measures_the_end_of_a_run_and_the_replay_shows_it(
     studio: Studio, watch: Watch
 ) -> None:
     watch.expect("422")
@@ -71,11 +71,7 @@ def measure(studio: Studio) -> None:
 
 def replayed(studio: Studio) -> None:
     """The teacher sees it in the replay of the run, and measures the other run there."""
-    studio["home"].click()
-    studio["teacher-link"].click()
-    studio["pin"].fill(PIN)
-    studio["sign-in"].click()
-    expect(studio["sign-out"]).to_be_visible()
+    sign_in_from_home(studio)
     measured, skipped = studio.api("/runs")["runs"]
     studio.page.goto(f"{studio.origin}/#/run/{measured['id']}")
     expect(studio["truth-line"]).to_contain_text(MEASURED)

@@ -103,7 +103,7 @@ def test_a_pose_far_outside_of_the_room_is_refused() -> None:
         check_in_room(Pose2D(3.1, 0.0, 0.0), start, 4.0, 4.0)
 
 
-def test_poses_of_a_map_are_told_from_the_start_by_what_the_robot_believed_at_first() -> None:
+def test_poses_of_a_map_are_aligned_to_the_start_by_the_first_estimate() -> None:
     start = Pose2D(4.0, -2.0, 1.2)
     way = [Pose2D(0.1 * n, 0.02 * n, 0.05 * n) for n in range(20)]
     seen = [TruePose(5 + n, start.compose(pose), 0.004, 0.01) for n, pose in enumerate(way)]

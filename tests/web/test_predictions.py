@@ -115,7 +115,7 @@ def test_runs_without_a_prediction_say_why(
     assert code_of(browser, "unknown") == (404, "run_not_found")
 
 
-def test_the_teacher_is_told_the_run_that_is_out_of_the_ordinary_for_its_robot(
+def test_the_unusual_run_of_a_robot_is_listed_for_the_teacher(
     browser: Browser, teacher: Browser, engine: FakeEngine
 ) -> None:
     for seed in range(5):

@@ -33,7 +33,7 @@ def poses(*found: dict[str, Any]) -> dict[str, Any]:
     return {"poses": list(found)}
 
 
-def test_what_was_measured_is_kept_with_the_run_and_can_be_taken_back(
+def test_a_measurement_is_stored_with_the_run_and_can_be_removed(
     browser: Browser, run: str
 ) -> None:
     address = f"/api/runs/{run}/truths"
@@ -74,7 +74,7 @@ def test_an_unknown_source_and_a_run_in_the_simulator_are_refused(
     assert answer.data["error"]["code"] == "truth_of_simulator"
 
 
-def test_where_the_robot_believed_to_be_is_told_beside_it(app: App, browser: Browser) -> None:
+def test_the_estimate_of_the_robot_is_in_the_answer_too(app: App, browser: Browser) -> None:
     run = a_run(app._store, None)
     believed = browser.get(f"/api/runs/{run}/truths").data["believed"]
     assert believed["x_m"] == pytest.approx(app._store.runs.telemetry(run).column("x_m")[-1])

@@ -1,6 +1,7 @@
 """`pinel overhead`: sets up a camera above the floor, which sees where a real robot truly is."""
 
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -32,35 +33,19 @@ def sheets(file: Path) -> None:
     _say("overhead_sheets_written", path=str(file))
 
 
+def _measure(name: str, low_m: float, high_m: float, default_m: float, what: str) -> Any:
+    """Returns the option of a measure."""
+    bounds = click.FloatRange(low_m, high_m)
+    return click.option(
+        name, type=bounds, default=default_m, show_default=True, help=f"{what}, in m."
+    )
+
+
 @command.command("set")
-@click.option(
-    "--width",
-    type=click.FloatRange(0.5, 10),
-    default=_DEFAULT.width_m,
-    show_default=True,
-    help="From marker 1 to 2, centre to centre, in m.",
-)
-@click.option(
-    "--depth",
-    type=click.FloatRange(0.5, 10),
-    default=_DEFAULT.depth_m,
-    show_default=True,
-    help="From marker 1 to 4, centre to centre, in m.",
-)
-@click.option(
-    "--camera-height",
-    type=click.FloatRange(1, 10),
-    default=_DEFAULT.camera_m,
-    show_default=True,
-    help="Of the lens above the floor, in m.",
-)
-@click.option(
-    "--robot-height",
-    type=click.FloatRange(0, 0.9),
-    default=_DEFAULT.robot_m,
-    show_default=True,
-    help="Of the robot's marker above the floor, in m.",
-)
+@_measure("--width", 0.5, 10, _DEFAULT.width_m, "From marker 1 to 2, centre to centre")
+@_measure("--depth", 0.5, 10, _DEFAULT.depth_m, "From marker 1 to 4, centre to centre")
+@_measure("--camera-height", 1, 10, _DEFAULT.camera_m, "Of the lens above the floor")
+@_measure("--robot-height", 0, 0.9, _DEFAULT.robot_m, "Of the robot's marker above the floor")
 @database_option
 @click.pass_context
 def set_up(

@@ -68,7 +68,7 @@ def test_the_process_sends_where_the_robot_is(pictures: Path) -> None:
     assert Pose2D(x, y).distance_to(PLACE) < 0.01
 
 
-def test_what_is_seen_is_recorded_from_the_start_at_the_tick_of_its_picture(store: Store) -> None:
+def test_poses_are_recorded_in_the_start_frame_at_the_tick_of_their_picture(store: Store) -> None:
     settings, camera = Settings(), Camera()
     settings.choose(OVERHEAD, setting_of(OverheadSetup()))
     truth = OverheadTruth(store, settings)
@@ -107,7 +107,7 @@ def test_the_setting_is_read_back_and_nonsense_is_none() -> None:
     assert [setup_of(text) for text in ("", "1-2", "a-b-c-d", "99000-1-1-1")] == [None] * 4
 
 
-def test_the_trial_tells_where_the_robot_is(pictures: Path) -> None:
+def test_the_trial_reports_the_pose_of_the_robot(pictures: Path) -> None:
     code, params = next(iter(sightings(str(pictures), OverheadSetup(), 20)))
     assert code == "overhead_seen"
     assert float(str(params["x"])) == pytest.approx(PLACE.x_m, abs=0.01)

@@ -83,7 +83,7 @@ def test_floor_markers_that_are_missing_are_named() -> None:
     assert sighting == Sighting(None, "overhead_floor_missing", (2, 3))
 
 
-def test_measures_that_cannot_be_are_told() -> None:
+def test_impossible_measurements_are_reported() -> None:
     scene = Scene()
     tracker = OverheadTracker(OverheadSetup(width_m=3, depth_m=1.5))
     for n in range(9):
@@ -100,7 +100,7 @@ def test_a_covered_robot_is_told_after_half_a_second() -> None:
     assert tracker.update(1.7, scene.picture(MIDDLE)).seen
 
 
-def test_a_robot_that_left_the_picture_is_told() -> None:
+def test_a_robot_outside_the_picture_is_reported() -> None:
     scene = Scene(eye=(1.5, 1.5, 2.2), setup=OverheadSetup(width_m=2.4, depth_m=2.4, camera_m=2.2))
     tracker = calibrated(replace(scene, eye=(1.2, 1.2, 2.2)))
     scene = replace(scene, eye=(1.2, 1.2, 2.2))
@@ -108,7 +108,7 @@ def test_a_robot_that_left_the_picture_is_told() -> None:
     assert tracker.update(2.0, scene.picture(None)).problem == "overhead_left"
 
 
-def test_a_moved_camera_is_told_and_its_poses_are_right_again_in_the_same_frame() -> None:
+def test_a_moved_camera_is_reported_and_its_poses_are_right_again_in_the_same_frame() -> None:
     scene = Scene()
     tracker = calibrated(scene)
     moved = replace(scene, eye=(1.55, 1.45, 2.7), tilt=(0.02, 0.0, 0.05))

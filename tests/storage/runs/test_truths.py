@@ -28,7 +28,7 @@ def test_each_source_says_its_own_and_a_later_measurement_replaces_it(store: Sto
     )
 
 
-def test_what_is_taken_back_is_gone(store: Store) -> None:
+def test_a_removed_measurement_is_not_listed(store: Store) -> None:
     run = a_run(store, None)
     store.truths.record(run, "tape", [END])
     store.truths.record(run, "tape", [])
