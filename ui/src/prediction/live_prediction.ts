@@ -12,14 +12,18 @@ import { truthChanges } from "../truth/changes";
 import { ghostOf } from "./ghost";
 import { isPredictionShown } from "./shown";
 
-/** The prediction of the live run or of the last one; null in the simulator, and until it is computed. */
-export const livePrediction = signal<RunPrediction | null>(null);
+const loaded = signal<{ readonly run: string; readonly prediction: RunPrediction } | null>(null);
 
 /** The run on a real robot that the page shows; null for none. */
 const realRun = computed(() => {
   const { value: run } = liveRun;
   return run && run.link !== SIMULATOR && run.id === live.value.run ? run.id : null;
 });
+
+/** The prediction of the live run or of the last one; null in the simulator, and until it is computed. */
+export const livePrediction = computed(() =>
+  loaded.value?.run === realRun.value ? (loaded.value?.prediction ?? null) : null,
+);
 
 /** Changes with each input that a person gives, at the end of the run, and with what is measured then. */
 const inputs = computed(() => {
@@ -36,7 +40,6 @@ export function followPrediction(): () => void {
     inputs.value;
     if (run === followed && livePrediction.peek()?.awaits_input === false && isLive(live.peek()))
       return;
-    if (run !== followed) livePrediction.value = null;
     followed = run;
     if (run) void load(run, () => followed === run);
   });
@@ -45,13 +48,13 @@ export function followPrediction(): () => void {
 /** Without a prediction, such as one that the judge's process lost, the run goes on without its ghost. */
 async function load(run: string, isFollowed: () => boolean): Promise<void> {
   const prediction = await predictionsApi.of(run).catch(() => null);
-  if (prediction && isFollowed()) livePrediction.value = prediction;
+  if (prediction && isFollowed()) loaded.value = { run, prediction };
 }
 
 /** The ghost of the live run, or at the moment of it that the group looks at; `world` has its start. */
 export function liveGhost(world: World | null): Companion | null {
   const { value: prediction } = livePrediction;
-  if (!prediction || !isPredictionShown.value || !realRun.value) return null;
+  if (!prediction || !isPredictionShown.value) return null;
   const robot = robotOf(liveRun.value?.model);
   const { stretches } = record;
   return ghostOf({ prediction, world, robot, stretches, tick: shown.value.tick });

@@ -66,7 +66,9 @@ function ReplayProgram({ recordedRun, predicted, onOpen }: ReplayProps & { predi
   return (
     <section class="blocks" aria-label={replay.ofVersion}>
       <div class="blocks__tools replay__tools row middle rigid gap-1">
-        <Eye class="icon" aria-hidden="true" />
+        <span class="icon" title={what}>
+          <Eye class="icon" aria-hidden="true" />
+        </span>
         <p title={what} data-shortened>
           {what}
         </p>
