@@ -1,7 +1,8 @@
 """`pinel overhead`: sets up a camera above the floor, which sees where a real robot truly is."""
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 import click
 
@@ -14,6 +15,7 @@ from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.settings import CAMERA, OVERHEAD, Settings
 
 _DEFAULT = OverheadSetup()
+F = TypeVar("F", bound=Callable[..., None])
 
 
 @click.group()
@@ -33,7 +35,9 @@ def sheets(file: Path) -> None:
     _say("overhead_sheets_written", path=str(file))
 
 
-def _measure(name: str, low_m: float, high_m: float, default_m: float, what: str) -> Any:
+def _measure(
+    name: str, low_m: float, high_m: float, default_m: float, what: str
+) -> Callable[[F], F]:
     """Returns the option of a measure."""
     bounds = click.FloatRange(low_m, high_m)
     return click.option(
