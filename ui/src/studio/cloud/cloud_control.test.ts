@@ -93,13 +93,13 @@ test("a stop does not overtake the request that starts the robots", async () => 
       answer = () => done({ id: "", n: 50 });
     }),
   );
-  const began = started(studio);
+  const starting = started(studio);
   await vi.waitFor(() => expect(cloudsApi.begin).toHaveBeenCalled());
   studio.control.stop();
   await Promise.resolve();
   expect(cloudsApi.stop).not.toHaveBeenCalled();
   answer();
-  const id = await began;
+  const id = await starting;
   expect(cloudsApi.stop).toHaveBeenCalledWith(id);
 });
 
