@@ -14,7 +14,7 @@ export function PredictionLine({ prediction }: PredictionLineProps) {
   return (
     <p
       class="prediction-line row middle gap-2"
-      title={notesOf(prediction, true, voice).join(" ")}
+      title={notesOf(prediction, voice).join(" ")}
       data-testid="prediction-line"
       data-source={prediction.difference.findings[0]?.source ?? prediction.difference.source}
     >

@@ -40,7 +40,7 @@ export function PredictionPanel({ prediction, onTick }: PredictionPanelProps) {
           ))}
         </tbody>
       </table>
-      {notesOf(prediction, true, voice).map((note) => (
+      {notesOf(prediction, voice).map((note) => (
         <p key={note} class="aside">
           {note}
         </p>

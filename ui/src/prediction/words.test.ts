@@ -62,12 +62,11 @@ test("without a difference the robot did what was predicted, by a named source",
 
 test("what limits a comparison is said", () => {
   const limited = prediction([], { awaits_input: true, reads_sensors: true, knows_room: false });
-  const notes = notesOf(limited, false, VOICE).join(" ");
+  const notes = notesOf(limited, VOICE).join(" ");
   expect(notes).toContain("A odometria é o que o robô conta pelas rodas");
-  expect(notes).toContain("espera a resposta");
+  expect(notes).toContain("ficou sem resposta");
   expect(notes).toContain("só as paredes da sala");
   expect(notes).toContain("sala vazia");
-  expect(notesOf(limited, true, VOICE).join(" ")).toContain("ficou sem resposta");
 });
 
 test("a run out of the ordinary is said beside what is usual for its robot", () => {

@@ -63,13 +63,13 @@ export function predictionText({ difference }: RunPrediction, voice: Voice): str
 }
 
 /** What limits the comparison. */
-export function notesOf(prediction: RunPrediction, isOver: boolean, { texts }: Voice): string[] {
+export function notesOf(prediction: RunPrediction, { texts }: Voice): string[] {
   const { prediction: words } = texts;
   const { difference } = prediction;
   return [
     words.sourceHints[difference.source],
     difference.parted !== null && words.parted,
-    prediction.awaits_input && (isOver ? words.noInput : words.awaits),
+    prediction.awaits_input && words.noInput,
     prediction.is_cut && words.cut,
     prediction.reads_sensors && words.sensors,
     !prediction.knows_room && words.noRoom,
