@@ -75,6 +75,12 @@ describe("style sheets", () => {
     expect(wholes.flat().sort()).toEqual(all.sort());
   });
 
+  test("no `:has()` watches the whole page, for which every edit of blocks would style all of it anew", () => {
+    const around = /(^|[\s>+~,}])(?:\*|html|body|:root|\.screen|\.studio|\.page|\.blocks)?:has\(/m;
+    expect(around.test("a > :has(b) {")).toBe(true);
+    expect(wholes.flat().filter((path) => around.test(read(path)))).toEqual([]);
+  });
+
   test("no part brings its own along", () => {
     const modules = files.filter(
       (path) => /\.tsx?$/.test(path) && ![FIRST, LAZY, ...STANDALONE].includes(path),

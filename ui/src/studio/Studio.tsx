@@ -24,11 +24,6 @@ export function Studio({ open }: { open: OpenProgram }) {
   const store = worlds.store.value;
   return (
     <main class="screen studio" style={{ "--blocks-part": `${shownPart()}%` }}>
-      <h1 class="visually-hidden">{program.value?.name}</h1>
-      {tourFor.value === open.id && <TourBalloon control={control} />}
-      <BlocksPane control={control} />
-      <Splitter />
-      <FloorPane control={control} />
       {store && (
         <WorldEditor
           store={store}
@@ -39,6 +34,11 @@ export function Studio({ open }: { open: OpenProgram }) {
           onDone={() => worlds.done()}
         />
       )}
+      <h1 class="visually-hidden">{program.value?.name}</h1>
+      {tourFor.value === open.id && <TourBalloon control={control} />}
+      <BlocksPane control={control} />
+      <Splitter />
+      <FloorPane control={control} />
     </main>
   );
 }

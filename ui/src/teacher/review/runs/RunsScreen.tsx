@@ -30,7 +30,11 @@ function Runs() {
   const choices = useTeacherLoaded(language.value, loadFilterChoices);
   const main = useScrollPosition(left, list.status === "ready");
   return (
-    <main class="screen runs" ref={main} data-testid="history-page">
+    <main
+      class={`screen runs ${chosen.value.length > 0 ? "runs--choosing" : ""}`}
+      ref={main}
+      data-testid="history-page"
+    >
       <div class="review-head runs__head row middle gap-4">
         <BackToLessons />
         <h1>{labels.title}</h1>
