@@ -73,7 +73,9 @@ def test_a_press_shows_the_moment_on_the_floor_in_the_blocks_and_in_words(studio
     expect(studio.blocks.running()).to_have_count(0)
     expect(status).to_have_text(end_text, use_inner_text=True)
     studio.eventually(studio.floor_picture, end_floor)
-    assert [url for url in requests if "/api/" in url] == []
+    # some seconds after its opening a program has the processes of the 50 robots started
+    asked = [url for url in requests if "/api/" in url and not url.endswith("/clouds/ready")]
+    assert asked == []
 
 
 def test_arrow_keys_go_from_block_to_block_and_leaving_goes_back_to_the_end(studio: Studio) -> None:
