@@ -308,3 +308,10 @@ def test_what_was_done_of_a_motion_is_said_without_the_sign_of_its_side(language
     assert "-" not in message
     beside = describe("blocked_beside", {**turn, "away": 0.5}, language).message
     assert "180" not in beside
+
+
+def test_a_measured_length_has_two_decimals_and_a_number_of_the_program_stays_as_written() -> None:
+    motion = {"done": 3.768, "amount": 9.125, "unit": "m"}
+    message = describe("blocked", motion, "pt-BR").message
+    assert "3,77 m" in message
+    assert "9,125 m" in message
