@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import pinel_desktop
+from pinel_desktop.command_name import command_name
 from pinel_desktop.messages import (
     LANGUAGES,
     SOURCE_LANGUAGE,
@@ -315,3 +316,8 @@ def test_a_measured_length_has_two_decimals_and_a_number_of_the_program_stays_as
     message = describe("blocked", motion, "pt-BR").message
     assert "3,77 m" in message
     assert "9,125 m" in message
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_refused_pin_names_no_command_of_a_terminal(language: str) -> None:
+    assert command_name() not in describe("pin_wrong", {}, language).line

@@ -1,8 +1,6 @@
 """The teacher's screens, and how each is reached."""
 
-from typing import Any
 
-from scripts.screenshots.camera import Photographer
 from scripts.screenshots.screens import WORK, Reach, School, at, hand, then
 
 
@@ -73,6 +71,12 @@ def _made(school: School) -> None:
     camera.of("making-title").fill("Um quadrado para o pátio")
 
 
+def _checked(school: School) -> None:
+    """What has to happen was chosen too."""
+    _made(school)
+    school.camera.of("making-check").first.get_by_role("checkbox").check()
+
+
 def _tried(school: School) -> None:
     _made(school)
     camera = school.camera
@@ -82,7 +86,7 @@ def _tried(school: School) -> None:
 
 
 def _saved_activity(school: School) -> None:
-    _made(school)
+    _checked(school)
     camera = school.camera
     camera.of("making-story").fill("Façam o robô voltar à partida.")
     camera.press("making-save")
@@ -108,14 +112,10 @@ def _calibrated(school: School) -> None:
     camera = school.camera
     if camera.of("robot-forget").is_visible():
         camera.press("robot-forget")
-    for run in camera.page.locator("[data-testid=real-run]", has=_measured(camera)).all():
+    for run in camera.of("real-run").all()[:3]:
         run.get_by_role("checkbox").check()
     camera.press("calibrate")
     camera.of("calibration-result").wait_for(timeout=60_000)
-
-
-def _measured(camera: Photographer) -> Any:
-    return camera.page.locator(".calibration__measured")
 
 
 def _printed(reach: Reach) -> Reach:
@@ -130,8 +130,8 @@ def _printed(reach: Reach) -> Reach:
 
 _COMPARE = at("compare/{past.runs[0]}/{past.runs[1]}", "compare-side")
 _ACTIVITIES = at("teacher/activities", "making-new")
-_LESSONS = at("teacher/lessons", "lesson-row")
-_CLASSES = at("teacher/classes", "class-group")
+_LESSONS = _class("9º A", at("teacher/lessons", "class-chip"))
+_CLASSES = _class("9º A", at("teacher/classes", "class-chip"))
 _REVIEW = at("lesson/{past.lesson}", "review-group")
 _PLAN = at("teacher/plan", "plan")
 _CARDS = at("cards", "card")
@@ -150,7 +150,7 @@ SIGNED_IN: dict[str, Reach] = {
     "teacher-plan-printed": _printed(_PLAN),
     "teacher-activities": _ACTIVITIES,
     "teacher-making": then(_ACTIVITIES, "making-new"),
-    "teacher-making-full": _made,
+    "teacher-making-full": _checked,
     "teacher-making-tried": _tried,
     "teacher-activities-full": _saved_activity,
     "teacher-classes": _CLASSES,
