@@ -3,7 +3,6 @@
 `--pictures FOLDER` saves a picture of each step, for docs/teacher.pt-BR.md.
 """
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
