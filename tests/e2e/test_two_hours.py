@@ -141,6 +141,7 @@ def the_alphabet(pc: Studio, pictures: Pictures) -> None:
     expect(pc["practice-sign"].first).to_be_visible()
     expect(pc["camera-picture"]).to_have_attribute("data-state", "on", timeout=CAMERA_MS)
     assert violations(pc, "camera-picture") == []
+    expect(pc.page.locator(".skeleton__hand").first).to_be_visible(timeout=CAMERA_MS)
     pictures.photograph(pc, "alphabet", "practice-sign")
 
 
