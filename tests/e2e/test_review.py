@@ -144,6 +144,7 @@ def test_the_report_on_paper_has_no_buttons_and_says_what_it_counts(teacher: Tea
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     for hidden in ("lesson-print", "lesson-table", "lesson-time", "home"):
         expect(teacher[hidden].first).to_be_hidden()
+    expect(teacher["lesson-summary"].get_by_role("link")).to_have_count(0)
     expect(teacher["lesson-explained"]).to_contain_text("Impresso em")
     assert _not_whole(teacher.row(LONG_NAME)) == []
     assert box_of(teacher.row(LONG_NAME).locator(".line"))["width"] < A4_PX
