@@ -38,7 +38,7 @@ _MAIN_SIZE = "1366x768"
 _HIDDEN_BELOW = """() => Math.max(0, ...[...document.querySelectorAll('.teacher__part, main.screen')]
   .filter((one) => getComputedStyle(one).overflowY !== 'visible')
   .map((one) => one.scrollHeight - one.clientHeight))"""
-_LONGEST = 2_400
+_MAX_HEIGHT = 2_400
 PIN = "314159"
 
 
@@ -130,7 +130,9 @@ class Photographer:
         """Makes the window as high as the page, whose lower part a picture would lack."""
         width, height = SIZES[size]
         if below := self.page.evaluate(_HIDDEN_BELOW):
-            self.page.set_viewport_size({"width": width, "height": min(height + below, _LONGEST)})
+            self.page.set_viewport_size(
+                {"width": width, "height": min(height + below, _MAX_HEIGHT)}
+            )
 
     def of(self, test_id: str) -> Any:
         return self.page.get_by_test_id(test_id)

@@ -46,19 +46,19 @@ def play(home: Path) -> Past:
         return Past(lesson.lesson, group, program, *first_and_last, _play_real(lesson))
 
 
-def _play_real(later: PastLesson) -> Real:
+def _play_real(lesson: PastLesson) -> Real:
     """Writes a lesson of another class, on a real robot that somebody pushes once; a third class has had none."""
-    store = later.store
-    later.at(120)
-    later.classroom = store.classrooms.create("8º C").id
-    later.lesson = store.lessons.open(later.classroom, "Robô de verdade", None).id
+    store = lesson.store
+    lesson.at(120)
+    lesson.classroom = store.classrooms.create("8º C").id
+    lesson.lesson = store.lessons.open(lesson.classroom, "Robô de verdade", None).id
     store.classrooms.create("6º D")
-    group = later.group("Botos")
+    group = lesson.group("Botos")
     version = group.edit(*SQUARE)
     pushed = [None] * N_USUAL + [(5, -20.0)]
-    runs = [filmed(later, group, version, 121 + place, one) for place, one in enumerate(pushed)]
+    runs = [filmed(lesson, group, version, 121 + place, one) for place, one in enumerate(pushed)]
     measured = measured_pattern(store, version_id=version)
-    return Real(later.lesson, measured[0], runs[-1])
+    return Real(lesson.lesson, measured[0], runs[-1])
 
 
 def _group(
