@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import pinel_desktop
+from pinel_desktop.command_name import command_name
 from pinel_desktop.messages import (
     LANGUAGES,
     SOURCE_LANGUAGE,
@@ -308,3 +309,15 @@ def test_what_was_done_of_a_motion_is_said_without_the_sign_of_its_side(language
     assert "-" not in message
     beside = describe("blocked_beside", {**turn, "away": 0.5}, language).message
     assert "180" not in beside
+
+
+def test_a_measured_length_has_two_decimals_and_a_number_of_the_program_stays_as_written() -> None:
+    motion = {"done": 3.768, "amount": 9.125, "unit": "m"}
+    message = describe("blocked", motion, "pt-BR").message
+    assert "3,77 m" in message
+    assert "9,125 m" in message
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_refused_pin_names_no_command_of_a_terminal(language: str) -> None:
+    assert command_name() not in describe("pin_wrong", {}, language).line

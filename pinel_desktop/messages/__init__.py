@@ -147,7 +147,7 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Localize
     """The message for `code` with its placeholders filled; for an unknown code, the code itself."""
     unknown = {"message": code, "remedy": ""}
     texts = catalogue(language).get(code) or catalogue(SOURCE_LANGUAGE).get(code) or unknown
-    params = _without_sides(params)
+    params = _rounded(_without_sides(params))
 
     def fill(match: re.Match[str]) -> str:
         name = match[1]
@@ -188,6 +188,12 @@ def _without_sides(params: Mapping[str, object]) -> Mapping[str, object]:
         return params
     sides = {name: params[name] for name in ("done", "amount") if name in params}
     return {**params, **{k: -v for k, v in sides.items() if isinstance(v, int | float)}}
+
+
+def _rounded(params: Mapping[str, object]) -> Mapping[str, object]:
+    """Measured lengths in two decimals, as the page shows them; numbers of the program stay as they are written."""
+    measured = {name: params[name] for name in ("done", "away") if name in params}
+    return {**params, **{k: round(v, 2) for k, v in measured.items() if isinstance(v, float)}}
 
 
 def explain(problem: Problem, language: str | None = None) -> LocalizedMessage:

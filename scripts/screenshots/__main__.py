@@ -32,8 +32,9 @@ from scripts.screenshots.camera import (
     application,
 )
 from scripts.screenshots.faults import faults
-from scripts.screenshots.screens import PUPILS, SIGNED_IN, TEACHERS, School, photograph
+from scripts.screenshots.screens import PUPILS, School, photograph
 from scripts.screenshots.sheets import contact_sheets
+from scripts.screenshots.teachers import SIGNED_IN, TEACHERS
 
 
 def readme(browser: Browser, folder: Path) -> None:
@@ -65,7 +66,7 @@ def school(browser: Browser, folder: Path, variants: Variants, *, checks: bool) 
             yield School(camera, seeded, past)
 
 
-def inspect(found: School, wanted: str) -> None:
+def inspect(found: School, wanted: tuple[str, ...]) -> None:
     """Takes every screen in every variant, for inspection."""
     camera = found.camera
     for language in camera.variants.languages:
@@ -94,7 +95,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--size", action="append", choices=SIZES, help="only this size")
     parser.add_argument("--theme", action="append", choices=THEMES, help="only this theme")
     parser.add_argument("--language", action="append", help="only this language")
-    parser.add_argument("--screens", default="", help="only screens whose name begins so")
+    parser.add_argument("--screens", action="append", help="only screens whose name begins so")
     parser.add_argument("--check", action="store_true", help="look for faults in each picture")
     return parser.parse_args()
 
@@ -114,7 +115,7 @@ def main() -> None:
             readme(browser, chosen.folder)
         else:
             with school(browser, chosen.folder, variants, checks=chosen.check) as found:
-                inspect(found, chosen.screens)
+                inspect(found, tuple(chosen.screens or [""]))
             sheets(chosen.folder, variants)
         browser.close()
 

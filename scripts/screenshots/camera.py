@@ -34,6 +34,11 @@ SIZES = {
 }
 THEMES = ("light", "dark", "contrast")
 _MAIN_SIZE = "1366x768"
+# the pixels of a page that are scrolled out of its window
+_HIDDEN_BELOW = """() => Math.max(0, ...[...document.querySelectorAll('.teacher__part, main.screen')]
+  .filter((one) => getComputedStyle(one).overflowY !== 'visible')
+  .map((one) => one.scrollHeight - one.clientHeight))"""
+_MAX_HEIGHT = 2_400
 PIN = "314159"
 
 
@@ -121,6 +126,14 @@ class Photographer:
         width, height = SIZES[size]
         self.page.set_viewport_size({"width": width, "height": height})
 
+    def _unroll(self, size: str) -> None:
+        """Makes the window as high as the page, whose lower part a picture would lack."""
+        width, height = SIZES[size]
+        if below := self.page.evaluate(_HIDDEN_BELOW):
+            self.page.set_viewport_size(
+                {"width": width, "height": min(height + below, _MAX_HEIGHT)}
+            )
+
     def of(self, test_id: str) -> Any:
         return self.page.get_by_test_id(test_id)
 
@@ -130,16 +143,18 @@ class Photographer:
         self.page.screenshot(path=self.folder / f"{name}.png")
 
     def round(self, name: str) -> None:
-        """Takes the page as it is in each size and theme, and looks for faults in each."""
+        """Takes the whole page as it is in each size and theme, and looks for faults in each."""
         sizes, themes, _ = self.variants
         for theme in themes:
             self.theme(theme)
             for size in sizes:
                 self.resize(size)
                 picture = f"{name}-{size}-{theme}-{self.language}"
-                self.save(picture)
+                self.page.wait_for_timeout(350)
                 for fault in self.find(self.page, size == _MAIN_SIZE):
                     self.note(f"{picture}: {fault}")
+                self._unroll(size)
+                self.save(picture)
         self.resize(_MAIN_SIZE)
 
     def call(self, method: str, path: str, body: object = None) -> Any:

@@ -1,13 +1,23 @@
-"""A finished lesson, and the teacher's pictures of README and manual."""
+"""A finished lesson, runs on a real robot, and the teacher's pictures of README and manual."""
 
 from pathlib import Path
 from typing import NamedTuple
 
 from scripts.screenshots.camera import PIN, Photographer
+from tests.calibration.recorded_runs import measured_pattern
 from tests.e2e.past_lesson import SQUARE, PastLesson, Step, past_lesson
+from tests.e2e.test_unusual_runs import N_USUAL, filmed
 
 TRIED: list[Step] = [("move_forward", 1), ("turn", 80)] * 4
 FAR: list[Step] = [("move_forward", 9)]
+
+
+class Real(NamedTuple):
+    """A lesson with a real robot, a run of it that was measured, and one that is out of the ordinary."""
+
+    lesson: str
+    measured: str
+    unusual: str
 
 
 class Past(NamedTuple):
@@ -18,6 +28,7 @@ class Past(NamedTuple):
     program: str
     versions: tuple[str, str]
     runs: tuple[str, str]
+    real: Real
 
 
 def play(home: Path) -> Past:
@@ -31,7 +42,23 @@ def play(home: Path) -> Past:
         versions, runs = first
         program = lesson.store.versions.get(versions[0]).program_id
         group = lesson.store.programs.get(program).group_id
-        return Past(lesson.lesson, group, program, (versions[0], versions[-1]), (runs[0], runs[-1]))
+        first_and_last = (versions[0], versions[-1]), (runs[0], runs[-1])
+        return Past(lesson.lesson, group, program, *first_and_last, _play_real(lesson))
+
+
+def _play_real(lesson: PastLesson) -> Real:
+    """Writes a lesson of another class, on a real robot that somebody pushes once; a third class has had none."""
+    store = lesson.store
+    lesson.at(120)
+    lesson.classroom = store.classrooms.create("8º C").id
+    lesson.lesson = store.lessons.open(lesson.classroom, "Robô de verdade", None).id
+    store.classrooms.create("6º D")
+    group = lesson.group("Botos")
+    version = group.edit(*SQUARE)
+    pushed = [None] * N_USUAL + [(5, -20.0)]
+    runs = [filmed(lesson, group, version, 121 + place, one) for place, one in enumerate(pushed)]
+    measured = measured_pattern(store, version_id=version)
+    return Real(lesson.lesson, measured[0], runs[-1])
 
 
 def _group(

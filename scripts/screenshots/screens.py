@@ -26,8 +26,8 @@ class School(NamedTuple):
 Reach = Callable[[School], object]
 
 
-def photograph(school: School, screens: dict[str, Reach], wanted: str) -> None:
-    """Takes each screen whose name begins with `wanted`; one that is not reached is noted as a fault."""
+def photograph(school: School, screens: dict[str, Reach], wanted: tuple[str, ...]) -> None:
+    """Takes each screen whose name begins with one of `wanted`; one that is not reached is noted as a fault."""
     camera = school.camera
     for name, reach in screens.items():
         if not name.startswith(wanted):
@@ -39,10 +39,11 @@ def photograph(school: School, screens: dict[str, Reach], wanted: str) -> None:
         except Error as error:
             camera.note(f"{name}: not reached: {error.message.splitlines()[0]}")
         camera.page.unroute_all()
+        camera.page.emulate_media(media="screen")
         camera.stop()
 
 
-def _at(address: str, shows: str) -> Reach:
+def at(address: str, shows: str) -> Reach:
     """A screen with an address, complete when it shows an element."""
 
     def reach(school: School) -> None:
@@ -54,7 +55,7 @@ def _at(address: str, shows: str) -> Reach:
     return reach
 
 
-def _then(reach: Reach, *presses: str) -> Reach:
+def then(reach: Reach, *presses: str) -> Reach:
     """A screen, after elements were pressed: test ids, or selectors."""
 
     def further(school: School) -> None:
@@ -110,24 +111,19 @@ def _mission(blocks: dict[str, Any]) -> Reach:
 def _sign(school: School) -> None:
     _program("Letra B")(school)
     school.camera.press_run()
-    _hand(school)
+    hand(school)
 
 
-def _hand(school: School) -> None:
+def hand(school: School) -> None:
     """Waits until the webcam shows a hand."""
     page = school.camera.page
     page.locator("[data-testid=camera-picture][data-state=on]").wait_for()
     page.locator(".skeleton__hand").first.wait_for()
 
 
-def _camera(school: School) -> None:
-    school.camera.go("#/teacher/camera")
-    _hand(school)
-
-
 def _practice(school: School) -> None:
     school.camera.go("#/practice")
-    _hand(school)
+    hand(school)
 
 
 def _world(school: School) -> None:
@@ -166,100 +162,57 @@ def _flat(school: School) -> None:
     school.camera.page.locator('[data-testid=floor-view][data-value="false"]').first.click()
 
 
-def _presented(address: str) -> Reach:
-    def reach(school: School) -> None:
-        _at(address, "presentation")(school)
-        for _ in range(3):
-            school.camera.page.keyboard.press("PageDown")
-
-    return reach
-
-
 def _lost(school: School) -> None:
     """The server no longer answers."""
-    _at("work/{seeded.group}", "program-card")(school)
+    at("work/{seeded.group}", "program-card")(school)
     school.camera.page.route("**/api/**", lambda route: route.abort())
     school.camera.press("open-activities")
 
 
-def _merged(school: School) -> None:
-    _at("teacher/files", "merge-files")(school)
-    school.camera.press("merge-files")
-    school.camera.of("merge-results").wait_for()
-    school.camera.of("merge-results").scroll_into_view_if_needed()
-
-
-_START = _at("", "group-card")
-_WORK = _at("work/{seeded.group}", "program-card")
-_REPLAY = _at("run/{past.runs[1]}", "replay-slider")
-_COMPARE = _at("compare/{past.runs[0]}/{past.runs[1]}", "compare-side")
-_ACTIVITIES = _at("teacher/activities", "making-new")
+_START = at("", "group-card")
+WORK = at("work/{seeded.group}", "program-card")
+_REPLAY = at("run/{past.runs[1]}", "replay-slider")
 
 PUPILS: dict[str, Reach] = {
     "start": _START,
-    "start-new": _then(_START, "create-group"),
-    "group": _WORK,
-    "group-edit": _then(_WORK, "group-edit"),
-    "group-runs": _at("work/{past.group}", "run-card"),
-    "album": _at("album/{past.group}", "album-place"),
-    "album-empty": _at("album/{seeded.group}", "album-place"),
-    "activities": _at("activities/{seeded.group}", "activity-card"),
+    "start-new": then(_START, "create-group"),
+    "group": WORK,
+    "group-edit": then(WORK, "group-edit"),
+    "group-runs": at("work/{past.group}", "run-card"),
+    "album": at("album/{past.group}", "album-place"),
+    "album-empty": at("album/{seeded.group}", "album-place"),
+    "activities": at("activities/{seeded.group}", "activity-card"),
     "studio-empty": lambda school: school.camera.open_program(school.seeded.empty),
     "studio-program": _program("Quadrado"),
     "studio-running": _running("Estrela"),
     "studio-debug": _debug,
-    "studio-text": _then(_program("Quadrado"), "ir-toggle"),
-    "studio-plots": _then(_running("Quadrado"), "plots-toggle"),
-    "studio-tools": _then(_program("Quadrado"), "scene-tools"),
-    "studio-fault": _then(_program("Com um erro"), "[data-does=run]"),
-    "studio-help": _then(_program("Quadrado"), "help"),
-    "mission-sheet": _then(_at("activities/{seeded.group}", "activity-card"), "activity-card"),
+    "studio-text": then(_program("Quadrado"), "ir-toggle"),
+    "studio-plots": then(_running("Quadrado"), "plots-toggle"),
+    "studio-tools": then(_program("Quadrado"), "scene-tools"),
+    "studio-fault": then(_program("Com um erro"), "[data-does=run]"),
+    "studio-help": then(_program("Quadrado"), "help"),
+    "mission-sheet": then(at("activities/{seeded.group}", "activity-card"), "activity-card"),
     "mission-failed": _mission(workspace_of(TRIED)),
     "mission-passed": _mission(SQUARE),
     "mission-short": _mission(workspace_of([("move_forward", 1)])),
     "sign": _sign,
     "practice": _practice,
-    "practice-game": _then(_practice, "[data-testid=practice-mode] >> nth=1"),
+    "practice-game": then(_practice, "[data-testid=practice-mode] >> nth=1"),
     "world": _world,
     "world-full": _furnished,
     "world-fault": _world_fault,
     "replay": _REPLAY,
-    "replay-failed": _at("run/{past.runs[0]}", "replay-slider"),
-    "versions": _at("versions/{past.program}", "version-shown"),
-    "differences": _at(
+    "replay-failed": at("run/{past.runs[0]}", "replay-slider"),
+    "versions": at("versions/{past.program}", "version-shown"),
+    "differences": at(
         "differences/{past.program}/{past.versions[0]}/{past.versions[1]}", "difference"
     ),
     "3d-replay": _solid(_REPLAY),
     "3d-studio": _solid(_program("Quadrado")),
     "flat": _flat,
-    "manuals": _at("manuals", "manuals"),
-    "manual": _at("manuals/teacher", "manual-section"),
-    "notices": _at("notices", "notices-back"),
-    "error-program": _at("program/none", "not-loaded"),
+    "manuals": at("manuals", "manuals"),
+    "manual": at("manuals/teacher", "manual-section"),
+    "notices": at("notices", "notices-back"),
+    "error-program": at("program/none", "not-loaded"),
     "error-lost": _lost,
-}
-TEACHERS: dict[str, Reach] = {
-    "teacher-pin": _at("teacher", "pin"),
-}
-SIGNED_IN: dict[str, Reach] = {
-    "teacher-lessons": _at("teacher/lessons", "lesson-row"),
-    "teacher-plan": _at("teacher/plan", "plan"),
-    "teacher-activities": _ACTIVITIES,
-    "teacher-making": _then(_ACTIVITIES, "making-new"),
-    "teacher-classes": _at("teacher/classes", "class-group"),
-    "teacher-camera": _camera,
-    "teacher-group": _WORK,
-    "teacher-robot": _at("teacher/robot", "robots-find"),
-    "teacher-files": _at("teacher/files", "merge-files"),
-    "teacher-files-merged": _merged,
-    "teacher-computer": _at("teacher/computer", "computer-name"),
-    "review": _at("lesson/{past.lesson}", "review-group"),
-    "review-group": _then(_at("lesson/{past.lesson}", "review-group"), "review-open"),
-    "review-note": _then(_at("run/{past.runs[0]}", "note-open"), "note-open"),
-    "review-runs": _at("runs", "compare-choose"),
-    "review-compare": _COMPARE,
-    "cards": _at("cards", "card"),
-    "presentation-program": _presented("present/same/program/{past.program}"),
-    "presentation": _presented("present/same/{past.runs[1]}"),
-    "presentation-pair": _presented("present/same/{past.runs[0]}/{past.runs[1]}"),
 }

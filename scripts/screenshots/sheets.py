@@ -27,9 +27,16 @@ def _sheet(pictures: Sequence[Path], variant: str, columns: int) -> Picture:
     cells = [
         _cell(one, one.stem.removesuffix(f"-{variant}"), _WIDTH // columns) for one in pictures
     ]
-    blank = np.full_like(cells[0], 255)
-    rows = [np.hstack([*row, *[blank] * (columns - len(row))]) for row in _batches(cells, columns)]
-    return np.vstack(rows)
+    return np.vstack([_row(row, columns) for row in _batches(cells, columns)])
+
+
+def _row(cells: Sequence[Picture], columns: int) -> Picture:
+    """Cells side by side, as high as the highest, on white."""
+    width = cells[0].shape[1]
+    row = np.full((max(len(one) for one in cells), width * columns, 3), 255, np.uint8)
+    for place, one in enumerate(cells):
+        row[: len(one), place * width : (place + 1) * width] = one
+    return row
 
 
 def _batches(all_: Sequence[T], size: int) -> list[Sequence[T]]:

@@ -86,7 +86,7 @@ def test_failed_run_ends_with_1_and_says_why_in_words() -> None:
     status, printed = run_json(str(PROGRAMS / "into_the_wall.json"), "--no-store")
     assert status == 1
     assert (printed["state"], printed["reason"]) == ("failed", "blocked")
-    assert "2.768 m of 6 m" in printed["message"]
+    assert "2.77 m of 6 m" in printed["message"]
 
 
 def test_program_with_faults_ends_with_2_and_prints_them() -> None:

@@ -45,6 +45,7 @@ def test_the_plan_opens_its_activities_for_the_class_in_one_lesson(teacher: Teac
     teacher.go("teacher/plan")
     expect(teacher["plan-step"]).to_have_count(8)
     assert violations(teacher.studio, "plan-step") == []
+    assert _on_paper(teacher, "dark") == ["rgb(255, 255, 255)", "rgb(0, 0, 0)"]
     opens = teacher["plan-open"]
     expect(opens).to_have_text(
         [
@@ -61,6 +62,18 @@ def test_the_plan_opens_its_activities_for_the_class_in_one_lesson(teacher: Teac
     expect(opens.nth(1)).to_have_attribute("aria-pressed", "true")
     expect(opens.first).to_have_attribute("aria-pressed", "false")
     assert activity_of_class(teacher.studio) == ["Aula de duas horas", "letter"]
+
+
+def _on_paper(teacher: Teacher, theme: str) -> list[str]:
+    """The colours of paper and ink while the page has a theme."""
+    teacher["theme"].click()
+    expect(teacher.page.locator("html")).to_have_attribute("data-theme", theme)
+    teacher.page.emulate_media(media="print")
+    colours: list[str] = teacher.page.evaluate(
+        "[getComputedStyle(document.body).backgroundColor, getComputedStyle(document.body).color]"
+    )
+    teacher.page.emulate_media(media="screen")
+    return colours
 
 
 def test_cards_are_real_blocks_with_blanks_and_fit_on_paper(teacher: Teacher) -> None:

@@ -1,12 +1,14 @@
 """Runs and programs on the projector: readable from the last row, stepped by keys, with or without names of groups."""
 
 import re
+from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
+from tests.e2e.blocks import box_of
 from tests.e2e.review_school import LONG_NAME, Past, Teacher
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
@@ -183,6 +185,8 @@ def test_a_program_without_a_run_is_shown_and_stepped_block_by_block(teacher: Te
     teacher.studio.wait_for_screen("lesson-row")
     teacher.go(f"work/{bees['id']}")
     teacher.studio.wait_for_screen("program-card")
+    buttons = [box_of(teacher[one].first)["width"] for one in ("throw-away", "present")]
+    assert abs(buttons[0] - buttons[1]) < 2, "two rows of two"
     teacher["present"].click()
     expect(teacher["presentation"]).to_be_visible()
     expect(teacher["presentation-group"]).to_have_text("Abelhas")
@@ -222,6 +226,38 @@ def test_it_opens_from_review_replay_and_comparison_and_leads_back(teacher: Teac
     _there_and_back(teacher, f"{passed}$", "replay-slider")
     teacher.go(f"compare/{crashed}/{passed}")
     _there_and_back(teacher, f"{crashed}/{passed}$", "compare-page")
+
+
+def test_a_second_screen_shows_it_while_the_teacher_stays_at_the_review(teacher: Teacher) -> None:
+    """The PC's second window, which the app opens (tests/desktop), is a second page here."""
+    passed = teacher.past.runs[2]
+    asked: list[tuple[str, Any]] = []
+
+    def second_window(route: Route) -> None:
+        asked.append((route.request.method, route.request.post_data_json))
+        if route.request.method == "PUT":
+            route.fulfill(json={"has_window": True})
+        else:
+            route.fulfill(status=200, json={})
+
+    teacher.page.context.route("**/api/projector", second_window)
+    teacher.open_lesson()
+    teacher.row(LONG_NAME).get_by_test_id("review-open").click()
+    teacher.page.locator(f"[data-testid=present][data-run='{passed}']").click()
+    teacher.studio.eventually(lambda: asked, [("PUT", {"runs": [passed]})])
+    expect(teacher["lesson-page"]).to_be_visible()
+    expect(teacher["presentation"]).to_have_count(0)
+
+    screen = teacher.page.context.new_page()
+    screen.goto(f"{teacher.studio.origin}/#/present/second/{passed}")
+    expect(screen.get_by_test_id("presentation-keys")).to_be_visible()
+    screen.keyboard.press("PageDown")
+    shown = screen.get_by_test_id("presentation")
+    expect(shown.locator(".pinelRunning")).to_have_attribute("data-id", "turn0")
+    screen.keyboard.press("Escape")
+    teacher.studio.eventually(lambda: [method for method, _ in asked], ["PUT", "DELETE"])
+    screen.close()
+    expect(teacher["lesson-page"]).to_be_visible()
 
 
 def _there_and_back(teacher: Teacher, runs: str, origin: str) -> None:

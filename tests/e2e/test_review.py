@@ -144,10 +144,13 @@ def test_the_report_on_paper_has_no_buttons_and_says_what_it_counts(teacher: Tea
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     for hidden in ("lesson-print", "lesson-table", "lesson-time", "home"):
         expect(teacher[hidden].first).to_be_hidden()
+    expect(teacher["lesson-summary"].get_by_role("link")).to_have_count(0)
     expect(teacher["lesson-explained"]).to_contain_text("Impresso em")
     assert _not_whole(teacher.row(LONG_NAME)) == []
     assert box_of(teacher.row(LONG_NAME).locator(".line"))["width"] < A4_PX
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+    page.set_viewport_size({"width": A4_PX, "height": 1000})
+    assert page.evaluate("document.documentElement.scrollWidth") <= A4_PX, "no number is cut"
     # without its colour, the number of a chip says nothing
     words = page.locator(".chip--small > .visually-hidden").first
     expect(words).to_have_text(re.compile("blocos? em uso"))

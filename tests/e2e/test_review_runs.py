@@ -159,10 +159,20 @@ def test_blocks_that_differ_are_marked_on_both_sides_and_read_in_words(teacher: 
             assert box["height"] >= 350, f"{place}: room for ten blocks"
         assert cut(teacher.studio, "compare-side") == [], place
         assert violations(teacher.studio, "compare-side") == [], place
+    _assert_sides_are_level(first, second)
 
     teacher.go(f"compare/{crashed}/{stopped}")
     expect(teacher.page.get_by_text("Os blocos das duas são iguais.")).to_be_visible()
     expect(teacher.page.locator(".pinelSign")).to_have_count(0)
+
+
+def _assert_sides_are_level(first: Locator, second: Locator) -> None:
+    """Both sentences are whole, the blocks begin at one height, and two blocks need no scroll bars."""
+    assert len({box_of(side.locator(".injectionDiv"))["y"] for side in (first, second)}) == 1
+    assert box_of(first.locator(".compare__program"))["width"] > 80
+    sentence = first.locator(".status__text")
+    assert sentence.evaluate("(one) => one.scrollHeight <= one.clientHeight + 1")
+    expect(first.locator(".blocklyScrollbarHandle:visible")).to_have_count(0)
 
 
 def test_a_note_that_was_not_left_is_there_still_and_says_so(teacher: Teacher) -> None:

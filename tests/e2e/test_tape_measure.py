@@ -64,6 +64,9 @@ def measure(studio: Studio) -> None:
     expect(form.get_by_role("alert")).to_contain_text("fora da sala")
     assert violations(studio, "tape-form") == []
     assert cut(studio, "tape-form") == []
+    studio.page.set_viewport_size({"width": 683, "height": 768})
+    assert form.evaluate("(one) => one.scrollWidth <= one.clientWidth"), "both sides are in reach"
+    studio.page.set_viewport_size({"width": 1366, "height": 768})
     studio["tape-forward"].fill("52")
     studio["tape-save"].click()
     expect(form).to_have_count(0)

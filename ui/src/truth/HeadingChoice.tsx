@@ -19,7 +19,7 @@ export function HeadingChoice({ headingDeg, model, onTurn, onType }: HeadingChoi
   return (
     <fieldset class="tape__heading">
       <legend class="labelled__label">{truth.heading}</legend>
-      <div class="row middle gap-2">
+      <div class="row wrap middle gap-2">
         <Button
           icon={RotateCcw}
           label={truth.turnLeft}

@@ -3,7 +3,7 @@ import { Check, Trash } from "lucide-preact";
 import { useEffect, useId, useRef } from "preact/hooks";
 import type { TruthList } from "../api/model";
 import { truthsApi } from "../api/real_runs";
-import { texts } from "../i18n";
+import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";
 import { RadioGroup } from "../kit/RadioGroup";
@@ -28,7 +28,7 @@ interface TapeFormProps {
 export function TapeForm({ run, model, truths, onSaved, onClose }: TapeFormProps) {
   const { truth: words } = texts.value;
   const before = truths.truths.find(({ source }) => source === "tape")?.poses.at(-1) ?? null;
-  const entry = useSignal(entryOf(before, truths.believed));
+  const entry = useSignal(entryOf(before, truths.believed, language.peek()));
   const { busy, fault, act } = useAction();
   const pose = poseOf(entry.value);
   const put = (poses: NonNullable<typeof pose>[]) =>
@@ -45,7 +45,7 @@ export function TapeForm({ run, model, truths, onSaved, onClose }: TapeFormProps
       onKeyDown={({ key }) => key === "Escape" && onClose()}
     >
       <h2 class="tape__title">{words.title}</h2>
-      <div class="row middle gap-3">
+      <div class="row wrap middle gap-3">
         <TruthPicture believed={truths.believed} measured={pose} model={model} />
         <Legend isMeasured={pose !== null} />
       </div>
@@ -161,7 +161,7 @@ function Measure({ name, label, sides, value, onValue }: MeasureProps) {
       <label class="labelled__label" for={id}>
         {label}
       </label>
-      <div class="row middle gap-2">
+      <div class="row wrap middle gap-2">
         <input
           id={id}
           class="field tape__number"

@@ -4,7 +4,7 @@ import { entryOf, isWrong, poseOf, type TapeEntry, turned } from "./tape";
 const BELIEVED = { x_m: 1.05, y_m: -0.02, heading_rad: 1.5 };
 
 const entry = (part: Partial<TapeEntry> = {}): TapeEntry => ({
-  ...entryOf(null, BELIEVED),
+  ...entryOf(null, BELIEVED, "pt-BR"),
   ...part,
 });
 const distance = (text: string, isNegative = false) => ({ text, isNegative });
@@ -41,11 +41,12 @@ describe("what was measured with a tape", () => {
 
   it("is shown again as it was typed", () => {
     const typed = entry({
-      forward: distance("102.5"),
+      forward: distance("102,5"),
       sideways: distance("3", true),
       headingDeg: -12,
     });
-    expect(entryOf(poseOf(typed), BELIEVED)).toEqual(typed);
+    expect(entryOf(poseOf(typed), BELIEVED, "pt-BR")).toEqual(typed);
+    expect(entryOf(poseOf(typed), BELIEVED, "en").forward.text).toBe("102.5");
   });
 });
 

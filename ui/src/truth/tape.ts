@@ -1,5 +1,6 @@
 import type { BelievedPose, TruePose } from "../api/model";
-import { headingDegrees } from "../i18n/format";
+import type { Language } from "../i18n";
+import { formatNumber, headingDegrees } from "../i18n/format";
 import { numberIn } from "../kit/NumberField";
 
 /** Longest distance that the form accepts, cm; the server also compares with the room. */
@@ -62,10 +63,14 @@ function metres(distance: Distance): number | null {
 }
 
 /** What the form shows first: what was measured before, else nothing and the sides and the heading as believed. */
-export function entryOf(measured: TruePose | null, believed: BelievedPose | null): TapeEntry {
+export function entryOf(
+  measured: TruePose | null,
+  believed: BelievedPose | null,
+  language: Language,
+): TapeEntry {
   const from = measured ?? believed ?? { x_m: 0, y_m: 0, heading_rad: 0 };
   const distance = (value: number): Distance => ({
-    text: measured ? String(Math.round(Math.abs(value) * 1000) / 10) : "",
+    text: measured ? formatNumber(Math.round(Math.abs(value) * 1000) / 10, language) : "",
     isNegative: Math.round(value * 100) < 0,
   });
   const heading = headingDegrees(from.heading_rad);

@@ -50,19 +50,21 @@ export function LessonNow({ lesson, activities, isNew, onClosed }: LessonNowProp
         <strong class="lesson-now__title">{lesson.title}</strong>
         {activity && activity.title !== lesson.title && <span>{activity.title}</span>}
       </p>
-      <LinkButton
-        kind="main"
-        elementRef={review}
-        iconEnd={ArrowRight}
-        href={hashOf({ screen: "lesson", lesson: lesson.id })}
-        label={labels.reviewOf({ title: lesson.title })}
-        testId="lesson-now-review"
-      >
-        {labels.review}
-      </LinkButton>
-      <Button filled icon={Square} testId="close-lesson" onPress={() => act(close)}>
-        {labels.close}
-      </Button>
+      <div class="row wrap gap-4">
+        <LinkButton
+          kind="main"
+          elementRef={review}
+          iconEnd={ArrowRight}
+          href={hashOf({ screen: "lesson", lesson: lesson.id })}
+          label={labels.reviewOf({ title: lesson.title })}
+          testId="lesson-now-review"
+        >
+          {labels.review}
+        </LinkButton>
+        <Button filled icon={Square} testId="close-lesson" onPress={() => act(close)}>
+          {labels.close}
+        </Button>
+      </div>
       <FaultLine fault={fault} />
     </div>
   );

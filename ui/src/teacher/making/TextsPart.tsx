@@ -128,7 +128,7 @@ function LevelAndTime({ editor }: { editor: ActivityEditor }) {
           {labels.texts.levelTooLow({ level: levelNames()[needed] })}
         </p>
       )}
-      <label class="making__choice row wrap middle gap-2">
+      <label class="making__choice row middle gap-2">
         <input
           type="checkbox"
           checked={editor.showsPath.value}

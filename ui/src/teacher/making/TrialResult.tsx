@@ -7,7 +7,6 @@ import { FaultLine } from "../../kit/requests/FaultLine";
 export function TrialResult({ trials: { faults, trials } }: { trials: Trials }) {
   const { trial: labels } = texts.value.making;
   const isRight = faults.length === 0 && trials.every((one) => one.is_right);
-  const key = trials.every((one) => one.is_right || one.preset !== "ideal") ? "onlyIdeal" : "wrong";
   return (
     <div role="status" data-testid="making-trials" data-right={isRight}>
       {faults.map((fault) => (
@@ -18,9 +17,16 @@ export function TrialResult({ trials: { faults, trials } }: { trials: Trials }) 
           <TrialRow key={`${one.program} ${one.preset}`} trial={one} />
         ))}
       </ul>
-      {faults.length === 0 && <p>{isRight ? labels.right : labels[key]}</p>}
+      {faults.length === 0 && <p>{isRight ? labels.right : labels[whatIsWrong(trials)]}</p>}
     </div>
   );
+}
+
+/** The text for trials of which not all are right. */
+function whatIsWrong(trials: readonly Trial[]): "onlyIdeal" | "emptyPasses" | "wrong" {
+  const wrong = trials.filter((one) => !one.is_right);
+  if (wrong.every(({ program }) => program !== "solution")) return "emptyPasses";
+  return wrong.every(({ preset }) => preset !== "ideal") ? "onlyIdeal" : "wrong";
 }
 
 function TrialRow({ trial }: { trial: Trial }) {

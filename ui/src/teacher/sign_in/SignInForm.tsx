@@ -56,7 +56,7 @@ export function SignInForm({ again }: SignInFormProps) {
             {labels.back}
           </Button>
         </div>
-        {fault === null && <ForgottenPin text={labels.forgotten} />}
+        <ForgottenPin text={labels.forgotten} />
       </Form>
     </main>
   );
