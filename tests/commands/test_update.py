@@ -243,8 +243,8 @@ def test_a_program_that_another_account_has_open_is_named(
     monkeypatch.setattr(running, "_CLOSING_S", 0.1)
     monkeypatch.setattr(running, "_ask", lambda end: None)  # as without the right to end it
     shutil.copy("/bin/dash", folder / "programa" / "pinel")
-    command = [folder / "programa" / "pinel", "-c", "read line; :"]
-    with subprocess.Popen(command, stdin=subprocess.PIPE) as process:
+    program = folder / "programa" / "pinel"
+    with subprocess.Popen([program, "-c", "read line; :"], stdin=subprocess.PIPE) as process:
         done = run(release(_NEW))
         assert f"still open, perhaps in another account (process {process.pid})" in done.output
         assert process.poll() is None
@@ -282,7 +282,7 @@ def package(folder: Path, version: str) -> Path:
     control.write_text(f"{fields}Maintainer: PINEL <p@localhost>\nDescription: test\n", "utf-8")
     (folder / "root" / "data").write_bytes(random.Random(1).randbytes(100_000))
     file = folder / f"pinel-desktop_{version}_amd64.deb"
-    command = ["dpkg-deb", "--build", folder / "root", file]
+    command = ["dpkg-deb", "--build", str(folder / "root"), str(file)]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     return file
 

@@ -113,10 +113,11 @@ def _version_of_package(file: Path) -> str:
     """Returns the version of a package for Debian. Raises PinelError `update_damaged`."""
     try:
         subprocess.run(["dpkg-deb", "--contents", file], capture_output=True, check=True)
-        question = ["dpkg-deb", "--field", file, "Version"]
-        return subprocess.run(question, capture_output=True, text=True, check=True).stdout.strip()
+        question = ["dpkg-deb", "--field", str(file), "Version"]
+        done = subprocess.run(question, capture_output=True, text=True, check=True)
     except (OSError, subprocess.CalledProcessError) as error:
         raise PinelError("update_damaged", path=str(file)) from error
+    return done.stdout.strip()
 
 
 def _require_not_older(file: Path, version: str) -> None:
