@@ -1,4 +1,4 @@
-"""`pinel update` of the real portable version: the archive of this release over a copy of its package, with older work."""
+"""`pinel update` of the real portable version: this release over a copy of its package, with older work."""
 
 import os
 import random
