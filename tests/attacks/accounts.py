@@ -75,7 +75,7 @@ class Session:
 
 
 @contextmanager
-def session(account: int, home: Path, **environment: str) -> Iterator[Session]:
+def session(account: int, home: Path, umask: int = 0o022, **environment: str) -> Iterator[Session]:
     """PINEL in an account; skips where this user may not play others."""
     if os.geteuid():
         pytest.skip("only root can play other accounts")
@@ -90,7 +90,7 @@ def session(account: int, home: Path, **environment: str) -> Iterator[Session]:
             user=account,
             group=account,
             extra_groups=[CLASS],
-            umask=0o002,
+            umask=umask,
         )
         assert process.stdout is not None
         address = re.match(r"http://127\S+", process.stdout.readline())

@@ -1,6 +1,5 @@
 """`pinel update` of the real portable version: this release over a copy of its package, with older work."""
 
-import os
 import random
 import re
 import shutil
@@ -27,7 +26,7 @@ class Stick:
     def __init__(self, folder: Path) -> None:
         self.folder = folder / "PEN DRIVE ção" / "PINEL"
         self.program = self.folder / "programa" / "pinel"
-        shutil.copytree(_PACKAGE, self.program.parent, copy_function=os.link)
+        shutil.copytree(_PACKAGE, self.program.parent)
         archived_files.unpack("database", self.folder / "pinel-data")
         self._home = folder / "home"
         self._home.mkdir()
