@@ -131,6 +131,6 @@ def library_without_locks(folder: Path) -> Path:
     source.write_text(_NO_LOCKS, "utf-8")
     if shutil.which("cc") is None:
         pytest.skip("no compiler of C")
-    command = ["cc", "-shared", "-fPIC", "-o", library, source, "-ldl"]
+    command = ["cc", "-shared", "-fPIC", "-o", str(library), str(source), "-ldl"]
     subprocess.run(command, check=True, capture_output=True)
     return library

@@ -91,13 +91,13 @@ def test_killed_updates_leave_a_program_that_starts_and_the_work(stick: Stick) -
         first.send_signal(signal.SIGINT)
         first.communicate(timeout=_TIMEOUT_S)
     groups = stick.groups()
-    began = time.monotonic()
+    started_s = time.monotonic()
     with stick.update() as update:
         update.communicate(timeout=_TIMEOUT_S)
-    takes_s = time.monotonic() - began
+    duration_s = time.monotonic() - started_s
     for _ in range(5):
         with stick.update() as update:
-            time.sleep(chance.uniform(0.5, 1) * takes_s)
+            time.sleep(chance.uniform(0.5, 1) * duration_s)
             update.kill()
         with stick.start("--version") as program:
             assert "version" in program.communicate(timeout=_TIMEOUT_S)[0]

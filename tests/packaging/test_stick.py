@@ -113,11 +113,14 @@ def test_an_update_needs_room_for_the_new_program_beside_the_old_one(pc: Pc) -> 
     index.write_text("Package: pinel-desktop\nVersion: 1\nInstalled-Size: 280000\n\n", "utf-8")
     reseal(pc.stick)
     assert "são precisos 330 MB, e há 300 MB livres" in pc.install(SAID=said).stderr
+    nothing = "0 upgraded, 0 newly installed, 0 to remove and 0 not upgraded."
+    assert pc.install(SAID=nothing).returncode == 0
 
 
 def test_what_a_power_cut_left_is_configured_first_and_nothing_is_removed(pc: Pc) -> None:
     assert pc.install().returncode == 0
-    install = "argument --fix-broken\nargument --no-remove\nargument install\n"
+    install = "argument -y\nargument --fix-broken\nargument --no-remove\nargument install\n"
+    assert pc.calls.count("argument -y\n") == 1  # the question about the room changes nothing
     assert pc.calls.index("dpkg --configure -a\n") < pc.calls.index(install)
 
 

@@ -1,5 +1,6 @@
 """Finds and ends the processes of the installed program, other than this one."""
 
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -7,6 +8,7 @@ from pathlib import Path
 import psutil
 
 _CLOSING_S = 10
+_PERIOD_S = 0.1
 
 
 def running(program: Path) -> list[psutil.Process]:
@@ -21,9 +23,9 @@ def close(processes: list[psutil.Process]) -> list[psutil.Process]:
     for one in processes:
         if _parent(one) not in pids:  # it ends its own children
             _ask(one.terminate)
-    for one in psutil.wait_procs(processes, _CLOSING_S)[1]:
+    for one in _wait(processes):
         _ask(one.kill)
-    return psutil.wait_procs(processes, _CLOSING_S)[1]
+    return _wait(processes)
 
 
 def _is_of(process: psutil.Process, program: Path) -> bool:
@@ -40,6 +42,21 @@ def _command(process: psutil.Process) -> str:
         return next(iter(process.cmdline()), "")
     except psutil.Error:
         return ""
+
+
+def _wait(processes: list[psutil.Process]) -> list[psutil.Process]:
+    """Waits for the end of processes; returns those that still run. One that its parent has not read yet has ended."""
+    deadline = time.monotonic() + _CLOSING_S
+    while (left := [one for one in processes if _is_alive(one)]) and time.monotonic() < deadline:
+        time.sleep(_PERIOD_S)
+    return left
+
+
+def _is_alive(process: psutil.Process) -> bool:
+    try:
+        return process.is_running() and process.status() != psutil.STATUS_ZOMBIE
+    except psutil.Error:
+        return False
 
 
 def _parent(process: psutil.Process) -> int | None:
