@@ -5,6 +5,7 @@ import re
 import shutil
 import signal
 import subprocess
+import threading
 import time
 from pathlib import Path
 
@@ -72,6 +73,7 @@ def test_the_open_program_is_closed_and_replaced_and_older_work_opens(stick: Sti
     with stick.start("serve") as opened:
         assert opened.stdout is not None
         assert opened.stdout.readline()
+        threading.Thread(target=opened.wait).start()
         with stick.update() as update:
             said, _ = update.communicate(timeout=_TIMEOUT_S)
         assert update.returncode == 0, said

@@ -47,12 +47,12 @@ def _command(process: psutil.Process) -> str:
 def _wait(processes: list[psutil.Process]) -> list[psutil.Process]:
     """Waits for the end of processes; returns those that still run. One that its parent has not read yet has ended."""
     deadline = time.monotonic() + _CLOSING_S
-    while (left := [one for one in processes if _is_alive(one)]) and time.monotonic() < deadline:
+    while (left := [one for one in processes if _is_running(one)]) and time.monotonic() < deadline:
         time.sleep(_PERIOD_S)
     return left
 
 
-def _is_alive(process: psutil.Process) -> bool:
+def _is_running(process: psutil.Process) -> bool:
     try:
         return process.is_running() and process.status() != psutil.STATUS_ZOMBIE
     except psutil.Error:
