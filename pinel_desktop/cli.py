@@ -22,6 +22,7 @@ _COMMANDS = {
     "gestures": "Recognise letters of Libras in pictures.",
     "pin": "Choose another PIN for the teacher.",
     "setup": "Set up this PC by a file.",
+    "update": "Update this PINEL by the file of a newer release.",
     "doctor": "Say what this PC has and lacks.",
 }
 _SUBMODULES = {
@@ -30,6 +31,7 @@ _SUBMODULES = {
     "salvage": "recovery.salvage",
     "setup": "pc.setup",
     "sweep": "batch.sweep",
+    "update": "pc.update",
 }
 _SUPERVISED = ("camera", "cloud", "engine", "judge", "kiosk", "window")
 _HIDDEN = {name: f"owned.{name}" for name in _SUPERVISED} | {"app": "app"}

@@ -14,11 +14,11 @@ def command_name() -> str:
     """Returns `pinel` if a terminal finds this program under that name, else its path, quoted for a terminal."""
     program = _program()
     if program is None:
-        return f"{_quoted(sys.executable)} -m pinel_desktop"
+        return f"{quoted(sys.executable)} -m pinel_desktop"
     found = shutil.which(_NAME)
     if found and os.path.realpath(found) == os.path.realpath(program):
         return _NAME
-    return _quoted(str(program))
+    return quoted(str(program))
 
 
 def _program() -> Path | None:
@@ -29,5 +29,6 @@ def _program() -> Path | None:
     return script if script.is_file() else None
 
 
-def _quoted(path: str) -> str:
+def quoted(path: str) -> str:
+    """Returns a path as a person types it in a terminal of this PC."""
     return subprocess.list2cmdline([path]) if sys.platform == "win32" else shlex.quote(path)

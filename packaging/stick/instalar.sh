@@ -65,14 +65,37 @@ else
 fi
 
 apt() {
-    DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends -o Dpkg::Use-Pty=0 \
+    DEBIAN_FRONTEND=noninteractive apt-get -q --no-install-recommends -o Dpkg::Use-Pty=0 \
         -o DPkg::Lock::Timeout=120 -o APT::Sandbox::User=root -o Dir::Etc::SourceList="$private/sources.list" \
         -o Dir::Etc::SourceParts=/dev/null -o Dir::State::Lists="$private/lists" "$@"
 }
 
+# Prints how many kB the new files take: what apt says, or in an update the new program beside the old one.
+needed() {
+    program=$(sed -n '/^Package: pinel-desktop$/,/^$/s/^Installed-Size: //p' "$folder/Packages")
+    # shellcheck disable=SC2086 # one argument for each package
+    (export LC_ALL=C && apt --assume-no --fix-broken install $packages || true) | awk -v program="${program:-0}" '
+        BEGIN { size["kB"] = 1; size["MB"] = 1000; size["GB"] = 1000000 }
+        /^After this operation/ {
+            gsub(",", "", $4)
+            more = /will be used/ ? int($4 * size[$5]) : 0
+            print (more > program + 0) ? more : program
+        }'
+}
+
 apt update
+# what a power cut in the middle of an installation left
+DEBIAN_FRONTEND=noninteractive dpkg --configure -a >/dev/null 2>&1 || true
+needed_kb=$(needed)
+needed_mb=$((${needed_kb:-0} / 1000 + 50))
+free_mb=$(df -Pk /usr/lib | awk 'NR == 2 { print int($4 / 1000) }')
+[ "$free_mb" -ge "$needed_mb" ] || fail \
+    "O disco não tem espaço: são precisos $needed_mb MB, e há $free_mb MB livres. Libere espaço e repita; nada foi mudado." \
+    "The disk has no room: $needed_mb MB are needed, and $free_mb MB are free. Free some and repeat; nothing was changed." \
+    "El disco no tiene lugar: hacen falta $needed_mb MB, y hay $free_mb MB libres. Libere espacio y repita; nada cambió." \
+    "Le disque n'a pas de place : il faut $needed_mb Mo, et $free_mb Mo sont libres. Libérez de la place et recommencez ; rien n'a changé."
 # shellcheck disable=SC2086 # one argument for each package
-apt install $packages || fail \
+apt -y --fix-broken --no-remove install $packages || fail \
     "A instalação não terminou. As linhas acima dizem por quê; nada dos grupos foi mexido." \
     "The installation did not finish. The lines above say why; nothing of the groups was touched." \
     "La instalación no terminó. Las líneas de arriba dicen por qué; nada de los grupos se tocó." \

@@ -16,6 +16,7 @@ for one in "$@"; do echo "argument $one" >>"$CALLS"; done
 for one in "$@"; do case "$one" in
     Dir::Etc::SourceList=*) cat "${one#*=}" >>"$CALLS" ;;
 esac; done
+echo "${SAID:-}"
 exit "${STATUS:-0}"
 """
 
@@ -28,12 +29,20 @@ class Pc:
         self.stick.mkdir(parents=True)
         shutil.copy(ROOT / "packaging" / "stick" / "instalar.sh", self.stick)
         (self.stick / "pinel-desktop_1_amd64.deb").write_bytes(b"package")
+        (self.stick / "Packages").touch()
         self._programs = folder / "programs"
         self._programs.mkdir()
         self._write_program("apt-get", _FAKE_APT)
+        self._write_program("dpkg", '#!/bin/sh\necho "dpkg $*" >>"$CALLS"\n')
         self._write_program("id", "#!/bin/sh\necho ${UID_OF_TEST:-0}\n")
         self._calls = folder / "calls"
         self._calls.touch()
+        self.free(10_000)
+
+    def free(self, free_mb: int) -> None:
+        """Leaves so much room on the disk."""
+        line = f"/dev/sda1 9 9 {free_mb}000 9% /"
+        self._write_program("df", f"#!/bin/sh\necho Filesystem; echo {line!r}\n")
 
     def install(self, *options: str, **environment: str) -> "subprocess.CompletedProcess[str]":
         path = f"{self._programs}:{os.environ['PATH']}"
@@ -48,6 +57,11 @@ class Pc:
     @property
     def calls(self) -> str:
         return self._calls.read_text("utf-8")
+
+    @property
+    def n_installations(self) -> int:
+        """How often apt-get was called to install, also only to ask."""
+        return self.calls.count("argument install\n")
 
     def _write_program(self, name: str, text: str) -> None:
         (self._programs / name).write_text(text, "utf-8")
@@ -70,6 +84,44 @@ def test_apt_reads_the_stick_only(pc: Pc) -> None:
     sources = {line for line in pc.calls.splitlines() if line.startswith("deb ")}
     place = "".join(letter if letter == "/" else _escaped(letter) for letter in str(pc.stick))
     assert sources == {f"deb [trusted=yes] file:{place} ./"}
+
+
+@pytest.mark.parametrize(("free_mb", "is_enough"), [(863, False), (915, True)])
+def test_a_disk_without_room_is_named_before_anything_is_installed(
+    free_mb: int, is_enough: bool, pc: Pc
+) -> None:
+    pc.free(free_mb)
+    done = pc.install(SAID="After this operation, 862 MB of additional disk space will be used.")
+    assert done.returncode == (0 if is_enough else 1), done.stderr
+    said = f"O disco não tem espaço: são precisos 912 MB, e há {free_mb} MB livres."
+    assert (said in done.stderr) is not is_enough
+    assert pc.n_installations == (2 if is_enough else 1)  # the first only asks apt
+
+
+def reseal(folder: Path) -> None:
+    (folder / "SHA256SUMS").unlink()
+    stick.write_checksums(folder)
+
+
+def test_an_update_needs_room_for_the_new_program_beside_the_old_one(pc: Pc) -> None:
+    pc.free(300)
+    index = pc.stick / "Packages"
+    index.write_text("Package: other\nInstalled-Size: 9\n\n", "utf-8")
+    reseal(pc.stick)
+    said = "After this operation, 1,024 kB of additional disk space will be used."
+    assert pc.install(SAID=said).returncode == 0
+    index.write_text("Package: pinel-desktop\nVersion: 1\nInstalled-Size: 280000\n\n", "utf-8")
+    reseal(pc.stick)
+    assert "são precisos 330 MB, e há 300 MB livres" in pc.install(SAID=said).stderr
+    nothing = "0 upgraded, 0 newly installed, 0 to remove and 0 not upgraded."
+    assert pc.install(SAID=nothing).returncode == 0
+
+
+def test_what_a_power_cut_left_is_configured_first_and_nothing_is_removed(pc: Pc) -> None:
+    assert pc.install().returncode == 0
+    install = "argument -y\nargument --fix-broken\nargument --no-remove\nargument install\n"
+    assert pc.calls.count("argument -y\n") == 1  # the question about the room changes nothing
+    assert pc.calls.index("dpkg --configure -a\n") < pc.calls.index(install)
 
 
 def test_the_kiosk_session_is_installed_from_the_stick_with_its_option(pc: Pc) -> None:

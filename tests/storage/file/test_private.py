@@ -71,6 +71,15 @@ def test_a_folder_that_is_shared_on_purpose_stays_so(shown: Path, is_own: bool, 
     assert (mode(shown.parent), mode(shown)) == (bits, 0o664)
 
 
+def test_in_a_folder_of_a_group_its_accounts_may_write_what_sqlite_made(shown: Path) -> None:
+    shown.parent.chmod(0o2770)
+    for file in (shown, shown.with_name("pinel.db-wal"), shown.parent / "backups"):
+        file.chmod(0o755 if file.is_dir() else 0o644)
+    restrict_permissions(shown, is_own_folder=False)
+    assert (mode(shown), mode(shown.with_name("pinel.db-wal"))) == (0o664, 0o664)
+    assert (mode(shown.parent / "backups"), mode(shown.parent / "other")) == (0o775, 0o664)
+
+
 def test_a_folder_that_is_made_is_private(tmp_path: Path, opened: Callable[..., Store]) -> None:
     store = opened(tmp_path / "new" / "pinel.db")
     restrict_permissions(store.path, is_own_folder=False)
