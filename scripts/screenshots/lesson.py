@@ -4,9 +4,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from scripts.screenshots.camera import PIN, Photographer
+from tests.calibration.recorded_runs import measured_pattern
 from tests.e2e.past_lesson import SQUARE, PastLesson, Step, past_lesson
 
 TRIED: list[Step] = [("move_forward", 1), ("turn", 80)] * 4
+CALIBRATED = "Pioneer da sala 3"
 FAR: list[Step] = [("move_forward", 9)]
 
 
@@ -18,6 +20,7 @@ class Past(NamedTuple):
     program: str
     versions: tuple[str, str]
     runs: tuple[str, str]
+    measured: list[str]
 
 
 def play(home: Path) -> Past:
@@ -31,7 +34,15 @@ def play(home: Path) -> Past:
         versions, runs = first
         program = lesson.store.versions.get(versions[0]).program_id
         group = lesson.store.programs.get(program).group_id
-        return Past(lesson.lesson, group, program, (versions[0], versions[-1]), (runs[0], runs[-1]))
+        measured = measured_pattern(lesson.store)
+        return Past(
+            lesson.lesson,
+            group,
+            program,
+            (versions[0], versions[-1]),
+            (runs[0], runs[-1]),
+            measured,
+        )
 
 
 def _group(
@@ -69,6 +80,13 @@ def enter(camera: Photographer) -> None:
     else:
         camera.call("PUT", "/api/teacher/pin", {"pin": PIN})
     camera.page.reload()
+
+
+def calibrate(camera: Photographer, past: Past) -> None:
+    """Makes a calibrated robot of the measured runs of a real one, for the groups to choose."""
+    enter(camera)
+    camera.call("POST", "/api/calibrated-robots", {"runs": past.measured, "title": CALIBRATED})
+    camera.call("POST", "/api/teacher/leave")
 
 
 def share(camera: Photographer, stick: Path) -> None:
