@@ -11,6 +11,7 @@ import { RENDERER, registerRenderer, setRing } from "../renderer";
 import { dimLooseBlocks, ensureStartBlock } from "../start_block";
 import { blocklyTheme, showTheme, type ThemeName } from "../themes";
 import { Minimap } from "../viewport/minimap";
+import { ScrollBars } from "../viewport/scroll_bars";
 import { patchAriaUpdates, withoutEvents } from "../without_events";
 import { addZoomControls } from "../zoom_controls";
 import { addDifferenceBadge, BADGE_PATHS, type Difference } from "./difference_badge";
@@ -44,6 +45,7 @@ export class BlocksViewer {
   private readonly pointed: Highlight;
   private readonly failed: Highlight;
   private readonly minimap: Minimap;
+  private readonly scrollBars: ScrollBars;
   private readonly zoom: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
   private marked: [string, readonly Difference[]][] = [];
@@ -72,6 +74,7 @@ export class BlocksViewer {
     this.pointed = new Highlight(this.workspace);
     this.failed = new Highlight(this.workspace, "advice");
     this.minimap = new Minimap(this.workspace);
+    this.scrollBars = new ScrollBars(this.workspace);
     this.zoom = addZoomControls(this.workspace, () => this.workspace.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
@@ -171,6 +174,7 @@ export class BlocksViewer {
     this.sizes.disconnect();
     this.zoom.remove();
     this.minimap.dispose();
+    this.scrollBars.dispose();
     this.workspace.dispose();
   }
 
@@ -184,6 +188,7 @@ export class BlocksViewer {
       dimLooseBlocks(this.workspace);
     });
     this.minimap.refresh();
+    this.scrollBars.refresh();
   }
 
   private clearDifferences(): void {
@@ -223,6 +228,7 @@ export class BlocksViewer {
     Blockly.svgResize(this.workspace);
     if (this.minTextPx) this.showLarge();
     this.minimap.refresh();
+    this.scrollBars.refresh();
   }
 
   /** After a resize: the program in its size for the new window, with the decorated block in view. */
