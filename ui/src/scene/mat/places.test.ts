@@ -1,5 +1,4 @@
 import { describe, expect, test } from "vitest";
-import furnished from "../../../../sim/worlds/furnished_room.json";
 import neighbourhood from "../../../../sim/worlds/neighbourhood.json";
 import type { World } from "../../api/model";
 import { areaOf } from "../areas";
@@ -74,12 +73,4 @@ test("all names of the town are shown on a floor of usual size; on a tiny one no
       expect(dx >= (one.width + other.width) / 2 || dy >= one.depth).toBe(true);
     }
   }
-});
-
-test("a name whose usual side has another name moves to a free side", () => {
-  const room = { title: "", ...furnished } as unknown as World;
-  const named = ["sala", "mesa"];
-  const zones = room.zones.filter(({ name }) => named.includes(name));
-  const wide = platesOf({ ...room, zones }, () => 1.9, 0.28); // as long as with a translation
-  expect(wide.map(({ zone }) => zone.name)).toEqual(named);
 });

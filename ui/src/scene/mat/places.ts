@@ -72,8 +72,7 @@ export function platesOf(
   const placed: { zone: Zone; plate: Plate }[] = [];
   for (const zone of world.zones ?? []) {
     if (!isPictured(world, zone)) continue;
-    const others = placed.map(({ plate }) => plate);
-    const plate = plateOf(world, zone, widthOf(zone), depth, others);
+    const plate = plateOf(world, zone, widthOf(zone), depth);
     if (!placed.some((other) => overlap(plate, other.plate))) placed.push({ zone, plate });
   }
   return placed;
@@ -122,14 +121,8 @@ export function translationOf(name: string): string | null {
   return known === name ? null : known;
 }
 
-/** Where a plate lies: beside its field, off the plates that are placed, where it covers least. */
-export function plateOf(
-  world: World,
-  zone: Zone,
-  width: number,
-  depth: number,
-  placed: readonly Plate[] = [],
-): Plate {
+/** Where a plate lies: beside its field, where it covers least. */
+export function plateOf(world: World, zone: Zone, width: number, depth: number): Plate {
   const field = areaOf(zone);
   const [down, across] = [(field.depth + depth) / 2 + GAP_M, (field.width + width) / 2 + GAP_M];
   const aside = Math.abs(field.width - width) / 2;
@@ -143,7 +136,6 @@ export function plateOf(
   const streets = (world.prints ?? []).filter(({ kind }) => kind === "street").map(areaOf);
   const cost = (plate: Plate) =>
     (isInside(world, plate) ? 0 : 100) +
-    (placed.some((other) => overlap(plate, other)) ? 1000 : 0) +
     10 * obstacles.filter((area) => isOn(plate, area)).length +
     streets.filter((area) => isOn(plate, area)).length;
   const costs = plates.map(cost);
