@@ -18,12 +18,14 @@ from pinel_desktop.messages import (
     decimal_sign,
     describe,
 )
+from pinel_desktop.messages.content import place_name
 from pinel_desktop.program.model import action_names
 
 TextByLanguage = dict[str, str]
 # `{{name}}` in the catalogue, `{name}` in an activity
 _PLACEHOLDER = re.compile(r"\{?\{(\w+)\}\}?")
 _UNITS = ("_m", "_deg", "_s")
+_OF_PLACES = ("zone", "zones", "visited")
 _QUOTED = re.compile('[“«"]([^”»"]+)[”»"]')
 # the names of these blocks are everyday words, which name a block only in quotation marks
 _EVERYDAY = frozenset(
@@ -78,6 +80,8 @@ def formatted_values(values: Mapping[str, Any], language: str) -> dict[str, Any]
     for name, value in values.items():
         if isinstance(value, Command):
             texts[name] = block_label(value, language)
+        elif name in _OF_PLACES:
+            texts[name] = _places_named(value, language)
         elif name == "name":
             texts[name] = short_name(str(value), language)
         elif isinstance(value, bool) or not isinstance(value, int | float):
@@ -85,6 +89,13 @@ def formatted_values(values: Mapping[str, Any], language: str) -> dict[str, Any]
         else:
             texts |= _forms(name, float(value), language)
     return texts
+
+
+def _places_named(places: Any, language: str) -> Any:
+    """Returns the name of a place, or of each in a list, with its translation."""
+    if isinstance(places, str):
+        return place_name(places, language)
+    return [place_name(one, language) for one in places]
 
 
 def _forms(name: str, value: float, language: str) -> dict[str, str]:

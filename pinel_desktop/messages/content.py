@@ -28,6 +28,19 @@ def world_titles(language: str) -> dict[str, str]:
     return texts_by_language("worlds")[language]
 
 
+def place_name(name: str, language: str) -> str:
+    """Returns the name of a place as its plate on the floor has it: with a translation, where one is known."""
+    translation = _places(language).get(name, name)
+    return name if translation == name else f"{name} · {translation}"
+
+
+@cache
+def _places(language: str) -> dict[str, str]:
+    texts = json.loads((_CATALOGUE / language / "page" / "places.json").read_text("utf-8"))
+    places: dict[str, str] = texts["places"]
+    return places
+
+
 def titled(world: Mapping[str, Any]) -> dict[str, Any]:
     """Returns the document of a shipped world with its title in every language."""
     texts = texts_by_language("worlds")

@@ -62,6 +62,7 @@ def school(browser: Browser, folder: Path, variants: Variants, *, checks: bool) 
             camera.of("group-card").first.wait_for()
             seeded = pupils.seed(camera)
             lesson.share(camera, Path(stick))
+            lesson.calibrate(camera, past)
             camera.page.reload()
             yield School(camera, seeded, past)
 

@@ -188,6 +188,12 @@ class Photographer:
             stop.click()
             self.page.wait_for_timeout(500)
 
+    def end_tour(self) -> None:
+        """Leaves the guided first drive, which later screens would show."""
+        leave = self.of("tour-skip")
+        if leave.is_visible():
+            leave.click()
+
     def wait_for_phase(self, *phases: str) -> None:
         selector = ", ".join(f"[data-testid=scene][data-phase={phase}]" for phase in phases)
         self.page.locator(selector).wait_for(timeout=60_000)

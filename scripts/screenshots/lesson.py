@@ -9,14 +9,15 @@ from tests.e2e.past_lesson import SQUARE, PastLesson, Step, past_lesson
 from tests.e2e.test_unusual_runs import N_USUAL, filmed
 
 TRIED: list[Step] = [("move_forward", 1), ("turn", 80)] * 4
+CALIBRATED = "Pioneer da sala 3"
 FAR: list[Step] = [("move_forward", 9)]
 
 
 class Real(NamedTuple):
-    """A lesson with a real robot, a run of it that was measured, and one that is out of the ordinary."""
+    """A lesson with a real robot, runs of it that were measured, and one that is out of the ordinary."""
 
     lesson: str
-    measured: str
+    measured: list[str]
     unusual: str
 
 
@@ -58,7 +59,7 @@ def _play_real(lesson: PastLesson) -> Real:
     pushed = [None] * N_USUAL + [(5, -20.0)]
     runs = [filmed(lesson, group, version, 121 + place, one) for place, one in enumerate(pushed)]
     measured = measured_pattern(store, version_id=version)
-    return Real(lesson.lesson, measured[0], runs[-1])
+    return Real(lesson.lesson, measured, runs[-1])
 
 
 def _group(
@@ -96,6 +97,13 @@ def enter(camera: Photographer) -> None:
     else:
         camera.call("PUT", "/api/teacher/pin", {"pin": PIN})
     camera.page.reload()
+
+
+def calibrate(camera: Photographer, past: Past) -> None:
+    """Makes a calibrated robot of the measured runs of a real one, for the groups to choose."""
+    enter(camera)
+    camera.call("POST", "/api/calibrated-robots", {"runs": past.real.measured, "title": CALIBRATED})
+    camera.call("POST", "/api/teacher/leave")
 
 
 def share(camera: Photographer, stick: Path) -> None:

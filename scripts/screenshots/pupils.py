@@ -3,7 +3,7 @@
 from typing import Any, NamedTuple
 
 from scripts.screenshots.camera import PIN, Photographer
-from scripts.screenshots.programs import FAULTY, SIGNS, SQUARE, STAR, TRIANGLE, WALL
+from scripts.screenshots.programs import FAULTY, SIGNS, SQUARE, STAR, TRIANGLE, WALL, WEAK
 
 
 class Seed(NamedTuple):
@@ -34,6 +34,7 @@ def seed(camera: Photographer) -> Seed:
             "Até a parede": WALL,
             "Letra B": SIGNS,
             "Com um erro": FAULTY,
+            "Até a esquina": WEAK,
         }.items()
     }
     empty = camera.call("POST", f"/api/groups/{group}/programs", {"name": "Programa 7"})["id"]

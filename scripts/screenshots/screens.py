@@ -5,9 +5,9 @@ from typing import Any, NamedTuple
 
 from playwright.sync_api import Error
 
-from scripts.screenshots import pupils
+from scripts.screenshots import pupils, real_robot
 from scripts.screenshots.camera import Photographer
-from scripts.screenshots.lesson import TRIED, Past
+from scripts.screenshots.lesson import CALIBRATED, TRIED, Past
 from scripts.screenshots.programs import SQUARE
 from scripts.screenshots.pupils import Seed
 from tests.e2e.past_lesson import workspace_of
@@ -40,6 +40,7 @@ def photograph(school: School, screens: dict[str, Reach], wanted: tuple[str, ...
             camera.note(f"{name}: not reached: {error.message.splitlines()[0]}")
         camera.page.unroute_all()
         camera.page.emulate_media(media="screen")
+        camera.end_tour()
         camera.stop()
 
 
@@ -146,6 +147,74 @@ def _world_fault(school: School) -> None:
     school.camera.of("world-fault-note").wait_for()
 
 
+def _robots(school: School) -> None:
+    """All 50 robots have driven."""
+    _program("Até a esquina")(school)
+    camera = school.camera
+    camera.of("level").select_option("3")
+    camera.press("cloud")
+    camera.page.locator("[data-testid=cloud-line][data-state=over]").wait_for(timeout=60_000)
+
+
+def _calibrated(school: School) -> None:
+    _program("Triângulo")(school)
+    camera = school.camera
+    camera.of("level").select_option("3")
+    camera.of("robot-model").select_option(label=CALIBRATED)
+
+
+def _example(name: str) -> Reach:
+    def reach(school: School) -> None:
+        _EXAMPLES(school)
+        camera = school.camera
+        camera.page.locator(f"[data-testid=example-card][data-example={name}]").click()
+        camera.of("run").wait_for()
+
+    return reach
+
+
+def _board(school: School) -> None:
+    """The board game waits for the sign of X."""
+    _example("board_game")(school)
+    school.camera.press_run()
+    school.camera.of("capture").wait_for()
+
+
+def _board_question(school: School) -> None:
+    _board(school)
+    school.camera.page.locator("[data-testid=capture-letter][data-letter=A]").click()
+    school.camera.of("question-text").wait_for(timeout=60_000)
+
+
+def _real_run(school: School) -> None:
+    real_robot.drive(school.camera, school.seeded)
+
+
+def _real_tape(school: School) -> None:
+    _real_run(school)
+    real_robot.measure(school.camera)
+
+
+def _real_replay(school: School) -> None:
+    """The newest run, and no real robot for the screens after it."""
+    camera = school.camera
+    real_robot.forget(camera)
+    runs = camera.call("GET", f"/api/groups/{school.seeded.group}/runs?limit=1")["runs"]
+    at(f"run/{runs[0]['id']}", "replay-slider")(school)
+    camera.press("prediction-toggle")
+
+
+def _late(reach: Reach) -> Reach:
+    """A replay shortly before its end."""
+
+    def further(school: School) -> None:
+        reach(school)
+        slider = school.camera.of("replay-slider")
+        slider.fill(str(int(int(slider.get_attribute("max")) * 0.9)))
+
+    return further
+
+
 def _solid(reach: Reach) -> Reach:
     def further(school: School) -> None:
         reach(school)
@@ -172,6 +241,7 @@ def _lost(school: School) -> None:
 _START = at("", "group-card")
 WORK = at("work/{seeded.group}", "program-card")
 _REPLAY = at("run/{past.runs[1]}", "replay-slider")
+_EXAMPLES = then(at("activities/{seeded.group}", "example-card"), "to-examples")
 
 PUPILS: dict[str, Reach] = {
     "start": _START,
@@ -182,6 +252,16 @@ PUPILS: dict[str, Reach] = {
     "album": at("album/{past.group}", "album-place"),
     "album-empty": at("album/{seeded.group}", "album-place"),
     "activities": at("activities/{seeded.group}", "activity-card"),
+    "examples": _EXAMPLES,
+    "tour": then(
+        lambda school: school.camera.open_program(school.seeded.empty), "help", "help-tour"
+    ),
+    "tour-move": then(
+        lambda school: school.camera.open_program(school.seeded.empty),
+        "help",
+        "help-tour",
+        "tour-go",
+    ),
     "studio-empty": lambda school: school.camera.open_program(school.seeded.empty),
     "studio-program": _program("Quadrado"),
     "studio-running": _running("Estrela"),
@@ -195,7 +275,11 @@ PUPILS: dict[str, Reach] = {
     "mission-failed": _mission(workspace_of(TRIED)),
     "mission-passed": _mission(SQUARE),
     "mission-short": _mission(workspace_of([("move_forward", 1)])),
+    "cloud": _robots,
+    "calibrated": _calibrated,
     "sign": _sign,
+    "board": _board,
+    "board-question": _board_question,
     "practice": _practice,
     "practice-game": then(_practice, "[data-testid=practice-mode] >> nth=1"),
     "world": _world,
@@ -207,9 +291,19 @@ PUPILS: dict[str, Reach] = {
     "differences": at(
         "differences/{past.program}/{past.versions[0]}/{past.versions[1]}", "difference"
     ),
-    "3d-replay": _solid(_REPLAY),
+    "3d-replay": then(_solid(_REPLAY), "[data-testid=floor-camera][data-value=orbit]"),
+    "3d-path": _solid(_late(_REPLAY)),
     "3d-studio": _solid(_program("Quadrado")),
+    "3d-eye": then(_solid(_late(_REPLAY)), "[data-testid=floor-camera][data-value=eye]"),
     "flat": _flat,
+    "real": lambda school: real_robot.choose(school.camera, school.seeded),
+    "real-check": then(
+        lambda school: real_robot.choose(school.camera, school.seeded), "[data-does=run]"
+    ),
+    "real-asked": _real_run,
+    "real-tape": _real_tape,
+    "real-told": then(_real_tape, "tape-save"),
+    "real-replay": _real_replay,
     "manuals": at("manuals", "manuals"),
     "manual": at("manuals/teacher", "manual-section"),
     "notices": at("notices", "notices-back"),

@@ -134,7 +134,7 @@ _CLASSES = _class("9º A", at("teacher/classes", "class-chip"))
 _REVIEW = at("lesson/{past.lesson}", "review-group")
 _PLAN = at("teacher/plan", "plan")
 _CARDS = at("cards", "card")
-_TAPE = at("run/{past.real.measured}", "replay-slider")
+_TAPE = at("run/{past.real.measured[0]}", "replay-slider")
 
 TEACHERS: dict[str, Reach] = {
     "teacher-pin": at("teacher", "pin"),
@@ -171,10 +171,10 @@ SIGNED_IN: dict[str, Reach] = {
     "review-runs": at("runs", "compare-choose"),
     "review-compare": _COMPARE,
     "review-apart": then(_COMPARE, "[data-testid=compare-view] >> nth=0"),
-    "real-review": then(at("lesson/{past.real.lesson}", "review-group"), "review-open"),
-    "real-tape": _TAPE,
-    "real-tape-form": then(_TAPE, "tape-open"),
-    "real-unusual": at("run/{past.real.unusual}", "replay-slider"),
+    "review-real": then(at("lesson/{past.real.lesson}", "review-group"), "review-open"),
+    "review-tape": _TAPE,
+    "review-tape-form": then(_TAPE, "tape-open"),
+    "review-unusual": at("run/{past.real.unusual}", "replay-slider"),
     "album-printed": _printed(at("album/{past.group}", "album-place")),
     "cards": _CARDS,
     "cards-printed": _printed(_CARDS),

@@ -103,7 +103,7 @@ def test_what_was_touched_stays_touched() -> None:
     lists = followed("to_the_bakery", read("robot.move_forward(30)\n"))
     assert states_of("Touch nothing", lists) == ["met", "broken"]
     assert lists[-1][1][1].startswith("touched at ")
-    assert states_of("End in “padaria”", lists) == ["open", "met", "open", "broken"]
+    assert states_of("End in “padaria · bakery”", lists) == ["open", "met", "open", "broken"]
 
 
 def test_what_the_program_lacks_is_said_before_the_robot_has_moved_far() -> None:

@@ -9,7 +9,14 @@ import pytest
 from pinel_desktop.activities.commands import Command
 from pinel_desktop.activities.diagnosis import _FACTS
 from pinel_desktop.activities.model import NUMBER_FACTS, TEXT_FACTS
-from pinel_desktop.activities.wording import block_label, interpolate, length, number, short_name
+from pinel_desktop.activities.wording import (
+    block_label,
+    formatted_values,
+    interpolate,
+    length,
+    number,
+    short_name,
+)
 from pinel_desktop.messages import LANGUAGES, catalogue
 from pinel_desktop.program.model import action_names
 
@@ -106,6 +113,14 @@ def test_numbers_have_sensible_digits() -> None:
     assert number(3.82905218142, "pt-BR") == "3,83"
     assert number(3.0, "en") == "3"
     assert number(-0.0001, "es") == "0"
+
+
+@pytest.mark.parametrize(
+    ("language", "text"), [("pt-BR", "“padaria”"), ("en", "“padaria · bakery”")]
+)
+def test_a_place_is_named_as_on_its_plate_on_the_floor(language: str, text: str) -> None:
+    assert interpolate("“{zone}”", {"zone": "padaria"}, language) == text
+    assert formatted_values({"zones": ["meu canto"]}, language) == {"zones": ["meu canto"]}
 
 
 def test_a_text_that_names_what_there_is_not_stays_as_it_is() -> None:

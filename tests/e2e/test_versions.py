@@ -372,6 +372,8 @@ def test_history_bin_and_letters_have_names_and_contrast(studio: Studio) -> None
 
     open_history(studio)
     found["versions"] = violations(studio, "version-shown")
+    # the blocks fit
+    expect(studio.page.locator(".blocklyScrollbarHandle:visible")).to_have_count(0)
     studio["version-compare"].click()
     expect(studio["difference"]).to_have_count(1)
     studio["difference"].click()

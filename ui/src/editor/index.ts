@@ -32,6 +32,7 @@ import { addTrashClosing } from "./toolbox/trash";
 import { interceptEmptyUndo, undoInto } from "./undo";
 import { Minimap } from "./viewport/minimap";
 import { ScrollBars } from "./viewport/scroll_bars";
+import { scrollToStart, showFromTheStart } from "./viewport/start_view";
 import { withoutEvents } from "./without_events";
 import { addZoomControls } from "./zoom_controls";
 
@@ -41,9 +42,6 @@ export type { Editor, Fault };
  * Minimum width of the editor for an open flyout: categories, flyout, and a turn block in a loop.
  */
 const MIN_WIDTH_WITH_FLYOUT_PX = 730;
-
-/** Distance from the workspace's corner to the start block, in pixels. */
-const MARGIN = 32;
 
 /** Creates an editor without any block; only `load` adds the start block. */
 export function createEditor(options: EditorOptions): Editor {
@@ -72,6 +70,7 @@ class BlockEditor implements Editor {
   private offered: OfferedActions;
   private language: Language;
   private isRunning = false;
+  private isPinned = false;
   private disposed = false;
 
   constructor(private readonly options: EditorOptions) {
@@ -108,7 +107,7 @@ class BlockEditor implements Editor {
     this.running.show(null);
     this.clearDecorations();
     this.replace(workspace);
-    this.showFromTheStart();
+    showFromTheStart(this.workspace);
     this.offerFlyout();
     this.workspace.clearUndo();
     this.known = this.fingerprint();
@@ -223,8 +222,11 @@ class BlockEditor implements Editor {
   }
 
   resize(): void {
+    const { isPinned } = this;
     Blockly.svgResize(this.workspace);
     this.pinFlyout();
+    if (this.isPinned !== isPinned) scrollToStart(this.workspace);
+    for (const marks of [this.faults, this.advice]) marks.placeBubbles();
     this.minimap.refresh();
     this.scrollBars.refresh();
   }
@@ -294,9 +296,9 @@ class BlockEditor implements Editor {
   private pinFlyout(): void {
     const blocklyToolbox = this.workspace.getToolbox();
     const hasRoom = this.options.container.clientWidth >= MIN_WIDTH_WITH_FLYOUT_PX;
-    const isPinned = this.level === 1 && hasRoom && !this.workspace.isReadOnly();
-    this.options.container.classList.toggle("pinelPaletteStays", isPinned);
-    if (blocklyToolbox instanceof PinelToolbox) blocklyToolbox.setPinned(isPinned);
+    this.isPinned = this.level === 1 && hasRoom && !this.workspace.isReadOnly();
+    this.options.container.classList.toggle("pinelPaletteStays", this.isPinned);
+    if (blocklyToolbox instanceof PinelToolbox) blocklyToolbox.setPinned(this.isPinned);
   }
 
   private clearDecorations(): void {
@@ -336,14 +338,6 @@ class BlockEditor implements Editor {
     this.scrollBars.refresh();
     this.breakpoints?.refresh();
     this.refreshHint();
-  }
-
-  /** Shows the program at full size, with its start block in the upper left corner. */
-  private showFromTheStart(): void {
-    const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
-    this.workspace.setScale(1);
-    const { x, y } = start?.getRelativeToSurfaceXY() ?? { x: 0, y: 0 };
-    this.workspace.scroll(MARGIN - x, MARGIN - y);
   }
 
   private onEvent(event: Blockly.Events.Abstract): void {

@@ -2,6 +2,7 @@ import * as Blockly from "blockly/core";
 import { syncCalls } from "../blocks/shapes/function_sync";
 import { type OfferedActions, registerFlyouts, toolbox } from "../blocks/toolbox/toolbox";
 import { patchOrphans, WRAPPING_PLUGINS } from "./dragging/wrapping";
+import { patchFieldEditors } from "./field_editors";
 import { adaptMenus } from "./menus";
 import type { EditorOptions } from "./options";
 import { RENDERER, registerRenderer } from "./renderer";
@@ -28,6 +29,7 @@ export function injectWorkspace(
   Blockly.dialog.setConfirm((_message, answer) => answer(true));
   adaptMenus();
   patchAriaUpdates();
+  patchFieldEditors();
   patchFlyoutClicks();
   patchFlyoutRoles();
   patchOrphans();

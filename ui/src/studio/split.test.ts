@@ -9,7 +9,7 @@ test("both panes keep the width that they need", () => {
   }
 });
 
-test("in a window that is too narrow for both, the line stays at its default", () => {
-  expect(clampedPart(20, 683)).toBe(DEFAULT_PART);
-  expect(clampedPart(90, 683)).toBe(DEFAULT_PART);
+test("in a window that is too narrow for both, the line is in the middle", () => {
+  expect(clampedPart(20, 683)).toBe(50);
+  expect(clampedPart(90, 683)).toBe(50);
 });

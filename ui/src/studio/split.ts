@@ -3,6 +3,8 @@ import { choose, setting } from "../shell/settings";
 
 /** Width of the blocks, as a percentage of the studio. */
 export const DEFAULT_PART = 58;
+/** The same in a window in which neither pane has the width that it needs. */
+const NARROW_PART = 50;
 
 /** Widths that the panes need at least; pixels. */
 const BLOCKS_PX = 420;
@@ -13,11 +15,11 @@ const stored = setting("pinel_split");
 /** Width of the blocks now, as a percentage of the studio, also while the line is dragged. */
 export const blocksPart = signal(Number(stored.peek()) || DEFAULT_PART);
 
-/** The nearest percentage with which both panes have the width that they need; in a narrow window, the default. */
+/** The nearest percentage with which both panes have the width that they need; in a narrow window, half. */
 export function clampedPart(part: number, width: number): number {
   const least = (BLOCKS_PX / width) * 100;
   const most = 100 - (FLOOR_PX / width) * 100;
-  return least > most ? DEFAULT_PART : Math.min(most, Math.max(least, part));
+  return least > most ? NARROW_PART : Math.min(most, Math.max(least, part));
 }
 
 /** `blocksPart` within what this window allows: another window, or another screen, may have stored it. */

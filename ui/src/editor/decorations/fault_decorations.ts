@@ -97,6 +97,15 @@ export class FaultDecorations {
       bringBoundsIntoView(this.workspace, around(block, bubble));
   }
 
+  /** Places the open bubbles again, where the workspace has another size. */
+  placeBubbles(): void {
+    for (const id of this.marked.keys()) {
+      const block = this.workspace.getBlockById(id);
+      const icon = block?.getIcons().find(hasBubble);
+      if (block && icon) positionBubble(block, icon.getBubble());
+    }
+  }
+
   private dress(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
     if (this.kind === "fault" || !(bubble instanceof Blockly.bubbles.TextBubble)) return;
     const isFaulty = block.getSvgRoot().classList.contains("pinelFault");

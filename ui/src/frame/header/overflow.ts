@@ -14,6 +14,7 @@ const LEFT_OUT = [
   "albumLink",
   "robot",
   "lesson",
+  "saved",
 ] as const;
 
 /** Hides parts of the header while its contents are too wide. Names are shortened last. */

@@ -10,8 +10,8 @@ import { jointOf, Ribbon, TrailRibbon } from "./ribbon";
 
 /** Heights of the layers over the floor, metres, in the order of the drawing from above. */
 const Z = { ideal: 0.002, path: 0.003, edge: 0.004, pen: 0.005, markEdge: 0.006, mark: 0.007 };
-const PATH_M = 0.045;
-const IDEAL_M = 0.016;
+const PATH_M = 0.08;
+const IDEAL_M = 0.025;
 const EDGE_M = 0.012;
 
 /** Everything that a run leaves on the floor: its path, the ideal path, strokes of the pen and marks. */

@@ -90,7 +90,7 @@ function ShowBlock({ control }: { control: StudioControl }) {
   return (
     <Button
       kind="plain"
-      class="rigid"
+      class="mission__show rigid"
       icon={LocateFixed}
       testId="advice-block"
       onPress={() => control.goToAdvice()}
