@@ -70,7 +70,11 @@ def test_a_run_may_begin_elsewhere_and_with_another_setting(
 def test_one_of_the_50_robots_starts_and_reads_as_they_did(
     browser: Browser, engine: FakeEngine, group: dict[str, Any], program: dict[str, Any]
 ) -> None:
-    version = {"workspace": {}, "document": ASKS, "setup": {"world": "empty_room", "activity": "polygon"}}
+    version = {
+        "workspace": {},
+        "document": ASKS,
+        "setup": {"world": "empty_room", "activity": "polygon"},
+    }
     saved = browser.post(f"/api/programs/{program['id']}/versions", version).data
     request = {"version_id": saved["id"], "world": "empty_room", "seed": 7, "preset": "realistic"}
     browser.post("/api/runs", {**request, "cloud": {"case": 3}})
