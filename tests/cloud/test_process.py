@@ -105,7 +105,9 @@ def test_a_mission_judges_each_robot(lasting: Clouds) -> None:
 def test_in_a_case_of_a_mission_they_start_there_and_the_sentence_names_the_case(
     lasting: Clouds,
 ) -> None:
-    lasting.begin(solution_of("stop_before_wall"), "stop_before_wall")
+    solution = solution_of("stop_before_wall")
+    assert solution is not None
+    lasting.begin(solution, "stop_before_wall")
     rows, end = lasting.to_the_end()
     start = choose_activity("stop_before_wall").cases[-1].start
     assert start is not None

@@ -58,8 +58,10 @@ class SweepPlan:
     def jobs(self) -> Iterator[Job]:
         """Yields the jobs in their order."""
         seeds = range(self.n_seeds)
-        more = {"inputs": self.inputs, "activity": self.activity}
-        jobs = make_jobs(self.programs, self.worlds, self.setting, seeds, **more)
+        activity, inputs = self.activity, self.inputs
+        jobs = make_jobs(
+            self.programs, self.worlds, self.setting, seeds, inputs=inputs, activity=activity
+        )
         return varied(jobs, self.ranges) if self.ranges else jobs
 
     @property
