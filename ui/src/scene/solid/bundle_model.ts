@@ -4,13 +4,13 @@ import type { Bundle, BundlePath } from "../bundle/bundle";
 import type { Colours } from "../colours";
 import { Ribbon } from "./ribbon";
 
-/** Heights over the floor, metres, below the lines of a run, in the order of the drawing from above. */
-const Z = { well: 0.0012, badly: 0.0013, rim: 0.0014, end: 0.0015 };
-const LINE_M = 0.014;
-const DOT_M = 0.035;
-const CROSS_M = 0.045;
-const CROSS_LINE_M = 0.022;
-const RIM_M = 0.012;
+/** Heights over the floor, metres: nearer to it, the depth of a frame could not tell them from it. */
+const Z = { well: 0.004, badly: 0.005, rim: 0.006, end: 0.007 };
+const LINE_M = 0.024;
+const DOT_M = 0.055;
+const CROSS_M = 0.07;
+const CROSS_LINE_M = 0.035;
+const RIM_M = 0.014;
 const ROUND = 12;
 
 /** Paths of many robots as thin flat lines, and their ends; world frame. A path that arrives costs only itself. */

@@ -50,7 +50,7 @@ function Cases({ control, chosen }: { control: StudioControl; chosen: number }) 
       testId="cloud-case"
       disabled={control.cloud.isRunning.value}
       value={chosen}
-      options={cases.map((given, index) => [index + 1, cloud.with({ given })] as const)}
+      options={cases.map((given, index) => [index + 1, given] as const)}
       onChange={(number) => control.startCloud(number)}
     />
   );
