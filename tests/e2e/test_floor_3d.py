@@ -1,14 +1,11 @@
 """The floor in 3D: live, in the replay, three cameras, themes; and 2D where the browser cannot draw it."""
 
 import gzip
-import io
 import re
 from collections.abc import Iterator
 
-import numpy as np
 import pytest
-from PIL import Image
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Browser, expect
 
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
@@ -71,28 +68,6 @@ def test_three_js_is_loaded_only_with_the_first_floor_in_3d() -> None:
     for page in STATIC.glob("index*.html"):
         assert with_three[0] not in page.read_text("utf-8")
     assert len(gzip.compress(chunks[with_three[0]].encode())) < MAX_CHUNK_BYTES
-
-
-def n_pixels_of_paths(floor: Locator) -> int:
-    """How many pixels of a floor have the colour of paths."""
-    with Image.open(io.BytesIO(floor.screenshot())) as picture:
-        pixels = np.asarray(picture.convert("RGB"), dtype=int)
-    colour = floor.evaluate(
-        "() => getComputedStyle(document.documentElement).getPropertyValue('--floor-path').trim()"
-    )
-    path = np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)])
-    return int(np.count_nonzero(np.abs(pixels - path).sum(axis=2) < 12))
-
-
-def test_the_50_robots_leave_paths_and_ends_in_3d(studio: Studio) -> None:
-    enter_made_group(studio, [("move_forward", 1), ("turn", 90), ("move_forward", 1)])
-    floor = open_3d(studio)
-    before = n_pixels_of_paths(floor)
-    studio["cloud"].click()
-    expect(studio["cloud-line"]).to_have_attribute("data-state", "over", timeout=60_000)
-    studio.eventually(lambda: n_pixels_of_paths(floor) > before + 50, True)
-    studio["cloud-close"].click()
-    studio.eventually(lambda: n_pixels_of_paths(floor) <= before + 50, True)
 
 
 def test_a_run_is_watched_in_3d_and_replayed_there(studio: Studio) -> None:
