@@ -10,7 +10,7 @@ from pinel_desktop.activities.checking import (
     judge_run,
     path_of,
 )
-from pinel_desktop.activities.diagnosis import Advice, input_text
+from pinel_desktop.activities.diagnosis import Advice, case_texts, input_text
 from pinel_desktop.activities.examples import (
     EXAMPLES,
     example,
@@ -67,6 +67,7 @@ __all__ = [
     "block_text",
     "case_of_real_run",
     "case_of_run",
+    "case_texts",
     "check_files",
     "check_program",
     "choose_activity",

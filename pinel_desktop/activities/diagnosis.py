@@ -353,6 +353,11 @@ def input_text(cases: Sequence[Case], number: int, language: str) -> str:
     return ", ".join(one or none for one in given)
 
 
+def case_texts(cases: Sequence[Case], language: str) -> list[str]:
+    """Returns the text of each case."""
+    return [input_text(cases, number, language) for number in range(1, len(cases) + 1)]
+
+
 def _moved_start(start: Start, first: Start, language: str) -> str:
     """Returns where a start lies, seen from the first case's start; "" if it is the same."""
     heading = math.radians(first.heading_deg)

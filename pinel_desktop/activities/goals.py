@@ -13,7 +13,6 @@ from pinel_desktop.program.reading import ParseResult
 from pinel_desktop.robot import Pose2D
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
-from storage.runs.simplify_path import outline_of_trail
 
 GOAL_FILE = "goal.json"
 _DECIMALS = 2
@@ -122,6 +121,8 @@ def _sign(case: Case) -> str | None:
 
 
 def _points(trail: list[float]) -> list[tuple[float, float]]:
+    from storage.runs.simplify_path import outline_of_trail  # noqa: PLC0415 - slow, and no job needs it
+
     return [(_rounded(x), _rounded(y)) for x, y in outline_of_trail(trail)]
 
 

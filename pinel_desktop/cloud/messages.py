@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import Any
 
 from pinel_desktop.robot import SimulationConfig, robot_parameters_from
+from pinel_desktop.runs.fixed_inputs import FixedInputs
 
 N_ROBOTS = 50
 STOP = "cloud_stop"
@@ -21,8 +22,9 @@ class CloudRequest:
         world: the world's document with the start of the robot.
         model: name of the robot's model.
         robot_parameters: the errors of a calibrated robot; empty for the preset's.
-        activity: the activity as JSON, which judges each run; None without one.
-        gestures, answers: what the program reads; None for those of the activity's first case.
+        activity: the activity as JSON with one case, by which it judges each run; None without one.
+        case: what this case gives to the program, as text; "" without an activity, or if it has one case only.
+        inputs: what the program reads.
         language: language of the sentence for the group.
     """
 
@@ -32,8 +34,8 @@ class CloudRequest:
     model: str
     robot_parameters: Mapping[str, float]
     activity: str | None
-    gestures: tuple[str, ...] | None
-    answers: tuple[str, ...] | None
+    case: str
+    inputs: FixedInputs
     language: str
 
     def as_message(self) -> dict[str, Any]:
@@ -43,7 +45,8 @@ class CloudRequest:
     @classmethod
     def from_message(cls, message: Mapping[str, Any]) -> "CloudRequest":
         """Reads the request from plain data."""
-        return cls(**{name: message[name] for name in cls.__slots__})
+        parts = {name: message[name] for name in cls.__slots__}
+        return cls(**{**parts, "inputs": FixedInputs.from_message(message["inputs"])})
 
     @property
     def setting(self) -> SimulationConfig:

@@ -13,16 +13,23 @@ _MAX_REASONS = 2
 
 
 def sentence_of(
-    summary: Summary, document: Mapping[str, Any], language: str, *, is_judged: bool
+    summary: Summary,
+    document: Mapping[str, Any],
+    language: str,
+    *,
+    is_judged: bool,
+    case: str = "",
 ) -> str:
     """Returns the sentence.
 
     Args:
         document: the program's document, for the labels of its blocks.
         is_judged: whether an activity judged the runs.
+        case: what the case of the activity gives to the program; "" for the only case.
     """
-    code, n_good = "cloud_passed" if is_judged else "cloud_together", n_good_of(summary, is_judged)
-    parts = [describe(code, {"good": n_good, "all": summary.n_runs}, language).message]
+    code = ("cloud_passed_case" if case else "cloud_passed") if is_judged else "cloud_together"
+    values = {"good": n_good_of(summary, is_judged), "all": summary.n_runs, "case": case}
+    parts = [describe(code, values, language).message]
     # several checks of one activity may fail at one block
     counts: Counter[tuple[str, str | None]] = Counter()
     for reason, n in summary.reasons:

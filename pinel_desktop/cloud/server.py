@@ -13,7 +13,7 @@ from pinel_desktop.activities import Activity
 from pinel_desktop.cloud.messages import N_ROBOTS, STOP, CloudRequest
 from pinel_desktop.cloud.sentence import n_good_of, sentence_of
 from pinel_desktop.processes.messages import PING, PONG, Message, read_messages, write_message
-from pinel_desktop.sweep import Inputs, Job, Row, make_jobs, new_pool, rows_of, summary_of
+from pinel_desktop.sweep import Job, Row, make_jobs, new_pool, rows_of, summary_of
 
 _log = logging.getLogger(__name__)
 _MAX_WORKERS = 4
@@ -37,15 +37,12 @@ def _priority() -> int:
 def jobs_of(request: CloudRequest) -> Iterator[Job]:
     """Yields the jobs of a cloud, one for each robot. Raises what `make_jobs` raises."""
     activity = Activity.model_validate_json(request.activity) if request.activity else None
-    inputs = None
-    if request.gestures is not None and request.answers is not None:
-        inputs = Inputs(tuple(request.gestures), tuple(request.answers))
     return make_jobs(
         [("", request.document)],
         [("", request.world)],
         request.setting,
         range(1, N_ROBOTS + 1),
-        inputs=inputs,
+        inputs=request.inputs,
         activity=activity,
         limit_s=None if activity else _LIMIT_S,
         n_poses=_N_POSES,
@@ -121,7 +118,9 @@ def _plain(row: Row) -> dict[str, Any]:
 
 def _end(request: CloudRequest, rows: list[Row]) -> dict[str, Any]:
     summary, is_judged = summary_of(rows), request.activity is not None
-    text = sentence_of(summary, request.document, request.language, is_judged=is_judged)
+    text = sentence_of(
+        summary, request.document, request.language, is_judged=is_judged, case=request.case
+    )
     block = next((reason.block for reason, _ in summary.reasons if reason.block), None)
     n_good = n_good_of(summary, is_judged)
     return {"n_done": len(rows), "n_good": n_good, "text": text, "block": block}

@@ -1,7 +1,6 @@
 """`pinel run FILE`: executes a program in this process and prints its result (docs/program-document.md)."""
 
 import contextlib
-import csv
 import json
 from collections.abc import Sequence
 from pathlib import Path
@@ -24,6 +23,7 @@ from pinel_desktop.commands.robots.real_robot import (
     robot_options,
     stopped_by_signals,
 )
+from pinel_desktop.commands.typed_inputs import input_options, typed_answers, typed_gestures
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.event_sequencer import EventSequencer
@@ -128,19 +128,13 @@ _INVALID_REASONS = (
     show_default=True,
     help="Seed of the run's random numbers.",
 )
-@click.option("--gestures", metavar="B,A,...", default="", help="Results of captures, in order.")
 @click.option(
     "--camera",
     metavar="SOURCE",
     help="Who answers captures: the number of a webcam (0 is the first), a video file, a folder of pictures.",
 )
 @recognizer_option
-@click.option(
-    "--answers",
-    metavar="3,Ana,...",
-    multiple=True,
-    help="Answers to questions, in order; quote an answer with a comma: '3,\"1,5\"'.",
-)
+@input_options
 @click.option(
     "--plot",
     type=click.Path(dir_okay=False),
@@ -254,9 +248,9 @@ def _world(robot: RobotProfile | None, options: dict[str, Any]) -> ChosenWorld:
 
 def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContextManager[RunInputs]:
     """Returns the inputs for captures and questions: a camera, as a context manager, or scripted lists."""
-    answers = _answers(options["answers"])
+    answers = typed_answers(options["answers"])
     if options["camera"] is None:
-        return contextlib.nullcontext(ScriptedInputs(_results(options["gestures"]), answers))
+        return contextlib.nullcontext(ScriptedInputs(typed_gestures(options["gestures"]), answers))
 
     def print_camera_problem(state: CameraState) -> None:
         if state.problem:
@@ -294,8 +288,8 @@ def _spec(
 
 def _record(spec: RunSpec, world: ChosenWorld, options: dict[str, Any]) -> RunStart:
     inputs = {
-        "gestures": _results(options["gestures"]),
-        "answers": _answers(options["answers"]),
+        "gestures": typed_gestures(options["gestures"]),
+        "answers": typed_answers(options["answers"]),
     }
     more = {"pace": spec.pace, **inputs}
     return record_of(spec, world_name=world.name, app_version=__version__, more=more)
@@ -315,21 +309,6 @@ def _start_failure_object(error: PinelError, language: str) -> dict[str, Any]:
         explain(error, language).line,
         [_fault_object(fault, language) for fault in faults],
     )
-
-
-def _results(text: str) -> list[str]:
-    return [part.strip() for part in text.split(",")] if text else []
-
-
-def _answers(texts: tuple[str, ...]) -> list[str]:
-    """Returns the answers in order; each text is a CSV row, or one answer if it is not valid CSV."""
-    found: list[str] = []
-    for text in texts:
-        try:
-            found += next(csv.reader([text], skipinitialspace=True), [""])
-        except csv.Error:  # the text contains line breaks
-            found.append(text)
-    return found
 
 
 class _Recording:

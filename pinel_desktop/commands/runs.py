@@ -3,6 +3,7 @@
 import json
 import re
 from dataclasses import asdict
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
@@ -78,6 +79,11 @@ def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
 )
 @worker_options()
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object per run.")
+@click.option(
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="With --all: new file for one JSON object per run; the same command goes on after a kill.",
+)
 @click.pass_context
 def verify(
     ctx: click.Context,
@@ -86,21 +92,24 @@ def verify(
     workers: int | None,
     dask: str | None,
     as_json: bool,
+    out: Path | None,
 ) -> None:
     """Repeat a recorded run and compare all recorded data.
 
     RUN is as for `show`. Exit status: 0 equal, 1 different, changed, or not repeatable; of all runs, 1 if one is
-    different, changed or damaged, 2 if a cluster cannot be used, 130 ended by Ctrl-C.
+    different, changed or damaged, 2 if a cluster or the file cannot be used, 130 ended by Ctrl-C.
     """
     if (run is None) is not is_all:
         raise click.UsageError("give RUN or --all")
+    if out and not is_all:
+        raise click.UsageError("--out needs --all")
     chosen = chosen_workers(workers, dask)
     if run is not None:
         _verify_one(ctx, run, as_json)
     from pinel_desktop.commands.batch.verify_all import verify_all  # noqa: PLC0415 - imports the simulator
 
     with opened_for_reading(chosen_database(ctx)) as store:
-        ctx.exit(verify_all(store, chosen, as_json=as_json))
+        ctx.exit(verify_all(store, chosen, as_json=as_json, out=out))
 
 
 def _verify_one(ctx: click.Context, run: str, as_json: bool) -> NoReturn:

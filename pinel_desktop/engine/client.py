@@ -4,7 +4,7 @@ import math
 import threading
 import time
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.engine.commands import (
     KEEPALIVE,
@@ -23,6 +23,9 @@ from pinel_desktop.processes.supervisor import ProcessState, Supervisor
 from pinel_desktop.robot.robot_profile import RobotProfile
 from pinel_desktop.runs.robots import AT_START, HALT, JOG, ROBOT_STATE, WATCH
 from pinel_desktop.runs.spec import RunSpec
+
+if TYPE_CHECKING:
+    from pinel_desktop.runs.fixed_inputs import FixedInputs
 
 EventSink = Callable[[dict[str, Any]], None]
 
@@ -103,14 +106,21 @@ class EngineClient:
         """Ends the process and waits for its exit; the process sends zero velocity first."""
         self._process.close()
 
-    def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None:
-        """Starts a live run, which takes its inputs from a person.
+    def run(
+        self,
+        run_id: str,
+        spec: RunSpec,
+        commands: Sequence[Command] = (),
+        inputs: "FixedInputs | None" = None,
+    ) -> None:
+        """Starts a live run, whatever inputs its spec has.
 
         Raises PinelError `run_in_progress`, `robot_held_by_keys`, `engine_not_ready`, `engine_silent`.
 
         Args:
             commands: applied before the first block starts: for example breakpoints, a speed, or a step that pauses
                 at the first block.
+            inputs: what the program reads; None if a person gives it.
         """
         if self.state == "starting":
             self.wait_until_ready(_READY_S)
@@ -124,7 +134,9 @@ class EngineClient:
             if self.state != "ready":
                 raise PinelError("engine_not_ready")
             first = [dict(command) for command in commands]
-            self._send({"run": run_id, "spec": spec.as_message(), "commands": first})
+            given = inputs and inputs.as_message()
+            message = {"run": run_id, "spec": spec.as_message(), "inputs": given}
+            self._send({**message, "commands": first})
             self._live, self._next_seq, self._tick = run_id, 0, 0
             self._is_real = spec.robot is not None
         if spec.robot is not None:

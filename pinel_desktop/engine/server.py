@@ -23,6 +23,7 @@ from pinel_desktop.processes.messages import (
     write_message,
 )
 from pinel_desktop.robot.robot_profile import RobotProfile, profile_from
+from pinel_desktop.runs.fixed_inputs import FixedInputs
 from pinel_desktop.runs.robots import ROBOT_MESSAGES
 from pinel_desktop.runs.spec import spec_from
 from pinel_desktop.runs.start import start
@@ -72,7 +73,9 @@ class _LiveRun:
 
     def _execute(self) -> None:
         try:
-            spec = spec_from(self._message["spec"], self.control.inputs)
+            given = self._message.get("inputs")
+            inputs = FixedInputs.from_message(given).source() if given else self.control.inputs
+            spec = spec_from(self._message["spec"], inputs)
             if spec.robot is None:
                 start(spec, self._observe, self.control)
                 return

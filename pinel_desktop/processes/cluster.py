@@ -4,11 +4,13 @@ Whoever keeps the cluster starts it (docs/district.md). This process connects to
 """
 
 import logging
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import time
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from functools import partial
 from itertools import islice
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 from urllib.parse import urlsplit
 
 from pinel_desktop.errors import PinelError
@@ -22,9 +24,18 @@ T = TypeVar("T")
 R = TypeVar("R")
 _CONNECT_S = 5  # until a cluster without scheduler or workers is named
 _RESULT_TIMEOUT_S = 20  # without a result, until the cluster is asked whether it has workers
-# Submitted tasks: at least so many, and so many for each thread of the workers. None is idle while a result travels,
+# Submitted batches: at least so many, and so many for each thread of the workers. None is idle while a result travels,
 # and a million tasks need no memory.
 _MIN_SUBMITTED, _SUBMITTED_PER_THREAD = 64, 8
+# Dask needs about a millisecond for whatever it is given, so that short tasks come in batches of about this duration.
+_BATCH_S, _MAX_BATCH = 0.2, 16
+
+
+class _Results(NamedTuple, Generic[R]):
+    """The results of a batch, and how long it took."""
+
+    each: list[R]
+    duration_s: float
 
 
 class Cluster(Generic[T, R]):
@@ -50,6 +61,7 @@ class Cluster(Generic[T, R]):
             raise
         self._call = partial(_call, function, versions())
         self._n_submitted = max(_MIN_SUBMITTED, _SUBMITTED_PER_THREAD * n_threads)
+        self._batch_size = 1
 
     def _require_same_versions(self) -> None:
         try:
@@ -63,22 +75,29 @@ class Cluster(Generic[T, R]):
     def results(self, tasks: Iterable[T]) -> Iterator[tuple[T, R | ProcessDied]]:
         """Yields each task with its result, in order of completion.
 
-        Dask gives the tasks of a lost worker to others; a task that has lost several workers has died. Closing the
-        generator cancels the tasks that wait.
+        Dask gives the tasks of a lost worker to others; a task that has lost several workers has died. Of a batch that
+        has lost several, each task is tried alone. Closing the generator cancels the tasks that wait.
 
         Raises:
             PinelError: `cluster_lost`; `cluster_other_version` for a worker that joined later; `cluster_failed`.
         """
-        waiting = iter(tasks)
-        submitted: dict[Future[R], T] = {}
+        waiting, lost = iter(tasks), deque[T]()
+        submitted: dict[Future[_Results[R]], list[T]] = {}
         try:
             while True:
-                for task in islice(waiting, self._n_submitted - len(submitted)):
-                    submitted[self._client.submit(self._call, task, pure=False)] = task
+                while len(submitted) < self._n_submitted and (batch := self._batch(lost, waiting)):
+                    submitted[self._client.submit(self._call, batch, pure=False)] = batch
                 if not submitted:
                     return
-                for future, result in self._done(list(submitted)):
-                    yield submitted.pop(future), result
+                for future, results in self._done(list(submitted)):
+                    batch = submitted.pop(future)
+                    if not isinstance(results, ProcessDied):
+                        self._batch_size = _batch_size(results)
+                        yield from zip(batch, results.each, strict=True)
+                    elif len(batch) == 1:
+                        yield batch[0], results
+                    else:
+                        lost.extend(batch)
         except (OSError, CancelledError) as error:  # the scheduler has ended
             raise PinelError("cluster_lost", address=self._address) from error
         finally:
@@ -89,7 +108,13 @@ class Cluster(Generic[T, R]):
         """Ends the connection; tasks that wait are cancelled, the cluster goes on."""
         self._client.close(timeout=_CONNECT_S)
 
-    def _done(self, futures: "list[Future[R]]") -> "list[tuple[Future[R], R | ProcessDied]]":
+    def _batch(self, lost: deque[T], waiting: Iterator[T]) -> list[T]:
+        """Returns the next tasks to submit together; none at the end."""
+        return [lost.popleft()] if lost else list(islice(waiting, self._batch_size))
+
+    def _done(
+        self, futures: "list[Future[_Results[R]]]"
+    ) -> "list[tuple[Future[_Results[R]], _Results[R] | ProcessDied]]":
         """Waits for results and returns those that exist; after a long time without any, returns none."""
         from distributed import wait  # noqa: PLC0415 - the extra `cluster`
 
@@ -126,13 +151,22 @@ def _connected(address: str) -> "Client":
         raise PinelError("cluster_unreachable", address=address) from error
 
 
-def _call(function: Callable[[T], R], expected: Mapping[str, str], task: T) -> R:
+def _call(
+    function: Callable[[T], R], expected: Mapping[str, str], batch: Sequence[T]
+) -> _Results[R]:
     """Runs on a worker, which may have joined after the versions were compared."""
     if versions() != expected:
         from distributed import get_worker  # noqa: PLC0415 - the extra `cluster`
 
         _require_same(get_worker().address, expected, versions())
-    return function(task)
+    begin = time.perf_counter()
+    each = [function(task) for task in batch]
+    return _Results(each, time.perf_counter() - begin)
+
+
+def _batch_size(results: _Results[R]) -> int:
+    each_s = results.duration_s / len(results.each)
+    return max(1, min(_MAX_BATCH, round(_BATCH_S / max(each_s, 1e-9))))
 
 
 def _require_same(worker: str, own: Mapping[str, str], found: Mapping[str, str]) -> None:
@@ -147,7 +181,7 @@ def _require_same(worker: str, own: Mapping[str, str], found: Mapping[str, str])
             )
 
 
-def _died(future: "Future[R]") -> ProcessDied:
+def _died(future: "Future[_Results[R]]") -> ProcessDied:
     """Returns the result of a task that lost several workers; raises what failed otherwise."""
     from distributed import KilledWorker  # noqa: PLC0415 - the extra `cluster`
 

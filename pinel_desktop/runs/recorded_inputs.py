@@ -37,7 +37,7 @@ T = TypeVar("T")
 
 
 class _Input(NamedTuple, Generic[T]):
-    """A recorded result or answer, and its tick."""
+    """A recorded result or answer, and its tick: of the run, or of its wait for another run."""
 
     event_index: int
     tick: int
@@ -45,11 +45,16 @@ class _Input(NamedTuple, Generic[T]):
 
 
 class RecordedInputs:
-    """Inputs and requests of a recorded run, for its replay.
+    """Inputs and requests of a recorded run, for its replay, or its inputs alone for another run.
+
+    Another robot or a changed program asks at other ticks: it gets each input after as many ticks of waiting as in the
+    record, without the record's pauses and its stop. Past the last input its run fails.
 
     Args:
-        events: events of the recorded run in their order, in wire format; telemetry may be missing.
+        events: events of the recorded run in their order, in wire format; telemetry may be missing. `input_events` are
+            enough for another run.
         until_tick: the tick at which the replay stops; None for no limit.
+        is_replay: whether the recorded run is replayed; else its inputs are for another run.
 
     Raises PinelError `run_not_repeatable` if the record lacks the tick of a stop or the command of a pause,
     `run_damaged` if an event is malformed.
@@ -57,8 +62,15 @@ class RecordedInputs:
 
     is_live = False
 
-    def __init__(self, events: Iterable[WireEvent], until_tick: int | None = None) -> None:
-        self.gestures = _Recorded[Capture](self)
+    def __init__(
+        self,
+        events: Iterable[WireEvent],
+        until_tick: int | None = None,
+        *,
+        is_replay: bool = True,
+    ) -> None:
+        self.is_replay = is_replay
+        self.gestures = _Recorded[Capture](self, self._gesture_missing)
         self.answers = _Recorded[str](self, self._answer_missing)
         self.tick = 0
         self._control = RunControl()
@@ -102,8 +114,12 @@ class RecordedInputs:
         else:
             self._control.pause()
 
+    def _gesture_missing(self, _question: str) -> None:
+        if not self.is_replay:
+            raise RunFailureError("no_more_gestures")
+
     def _answer_missing(self, question: str) -> None:
-        if self._ended.get("reason") == "answer_missing":
+        if not self.is_replay or self._ended.get("reason") == "answer_missing":
             raise RunFailureError("answer_missing", question=question)
 
     def _observe(self, tick: int, event: Event) -> None:
@@ -123,17 +139,22 @@ class RecordedInputs:
         for place, event in enumerate(events):
             moment.follow(place, event)
             match event["type"]:
-                case "run_state" if event["state"] == "paused":
+                case "run_state" if event["state"] == "paused" and self.is_replay:
                     self._requests.append(_pause(place, event, moment))
                 case "gesture_result" if event["source"] == "capture":
-                    self.gestures.recorded.append(_Input(place, event["tick"], capture_of(event)))
+                    due = self._due(event, moment)
+                    self.gestures.recorded.append(_Input(place, due, capture_of(event)))
                 case "answered":
                     answer = typed_answer(event["value"])
-                    self.answers.recorded.append(_Input(place, event["tick"], answer))
-                case "run_ended":
+                    self.answers.recorded.append(_Input(place, self._due(event, moment), answer))
+                case "run_ended" if self.is_replay:
                     self._ended = event
                     if event["state"] == "stopped":
                         self._requests.append(_stop(place, event, moment))
+
+    def _due(self, event: WireEvent, moment: "_RecordCursor") -> int:
+        """Returns the tick of an input; for another run, counted from the begin of its wait."""
+        return int(event["tick"]) if self.is_replay else moment.n_waited
 
     def _request(self) -> None:
         """Makes the next recorded request if it is due."""
@@ -153,11 +174,12 @@ class RecordedInputs:
             self._control.stop()
 
 
-def given_inputs(events: Iterable[WireEvent]) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Returns the signs and the answers of a recorded run, in their order. Raises what `RecordedInputs` raises."""
-    inputs = RecordedInputs(events)
-    gestures = tuple(one.given.label for one in inputs.gestures.recorded)
-    return gestures, tuple(one.given for one in inputs.answers.recorded)
+_INPUT_EVENTS = ("capture_started", "gesture_result", "asked", "answered", "run_state")
+
+
+def input_events(events: Iterable[WireEvent]) -> list[WireEvent]:
+    """Returns the events of a recorded run that say which inputs it got, and how long it waited for each."""
+    return [event for event in events if event["type"] in _INPUT_EVENTS]
 
 
 class _Recorded(Generic[T]):
@@ -173,15 +195,16 @@ class _Recorded(Generic[T]):
         self, run: RecordedInputs, at_end: Callable[[str], None] = lambda question: None
     ) -> None:
         self._run, self._at_end, self._question = run, at_end, ""
-        self._has_waited = False
+        self._has_waited, self._since = False, 0
         self.recorded: deque[_Input[T]] = deque()
 
     def begin(self, question: str) -> None:
         self._question, self._has_waited = question, False
+        self._since = 0 if self._run.is_replay else self._run.tick
 
     def poll(self) -> T | Pending:
         run = self._run
-        is_due = bool(self.recorded) and self.recorded[0].tick <= run.tick
+        is_due = bool(self.recorded) and self.recorded[0].tick <= run.tick - self._since
         is_requested = run.is_requested_before(self.recorded[0].event_index if is_due else math.inf)
         if not self._has_waited:
             self._has_waited = True
@@ -227,13 +250,14 @@ class _RecordCursor:
         awaited_at: the tick at which the run began to wait for an input; None while it did not wait.
         answered_at, answered_index: tick and event index of the last input; the tick is None if ticks passed in the
             wait.
+        n_waited: how many ticks the wait for the last input took.
     """
 
     def __init__(self) -> None:
         self.paused = False
         self.awaited_at: int | None = None
         self.answered_at: int | None = None
-        self.answered_index = 0
+        self.answered_index = self.n_waited = 0
 
     def follow(self, place: int, event: WireEvent) -> None:
         kind, tick = event["type"], event["tick"]
@@ -244,6 +268,7 @@ class _RecordCursor:
         elif kind in ("capture_started", "asked"):
             self.awaited_at = tick
         elif kind == "answered" or (kind == "gesture_result" and event["source"] == "capture"):
+            self.n_waited = 0 if self.awaited_at is None else tick - self.awaited_at
             self.answered_at = tick if tick == self.awaited_at else None
             self.answered_index, self.awaited_at = place, None
 

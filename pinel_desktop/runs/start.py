@@ -54,7 +54,7 @@ def start(
         observer=all_of(observer, spec.inputs.attach(control)),
         clock=_clock(spec, link, control, wall),
         control=control,
-        wall=wall if spec.inputs.is_live else _NO_TIME,
+        wall=wall if spec.inputs.is_live or spec.pace == "live" else _NO_TIME,
         inputs=spec.inputs,
         seed=spec.seed,
         robot=_model(spec),

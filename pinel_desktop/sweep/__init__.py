@@ -2,12 +2,11 @@
 
 from pinel_desktop.sweep.executors import new_pool, rows_of, run_jobs
 from pinel_desktop.sweep.gather import Reason, Summary, summary_of
-from pinel_desktop.sweep.jobs import Inputs, Job, make_jobs, run_job, worlds_of
+from pinel_desktop.sweep.jobs import Job, make_jobs, run_job, worlds_of
 from pinel_desktop.sweep.rows import Cause, Row
 
 __all__ = [
     "Cause",
-    "Inputs",
     "Job",
     "Reason",
     "Row",

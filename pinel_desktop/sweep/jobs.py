@@ -4,7 +4,7 @@ import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -17,9 +17,9 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.control import RunControl
-from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.program.reading import ParseResult, read_document
 from pinel_desktop.robot import SimulationConfig
+from pinel_desktop.runs.fixed_inputs import FixedInputs
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
 from pinel_desktop.sweep.rows import TOO_LONG, Row
@@ -30,14 +30,7 @@ DEFAULT_LIMIT_S = 300.0  # as that of an activity
 Named = tuple[str, Mapping[str, Any]]  # a program or a world: its name and its document
 
 
-class Inputs(NamedTuple):
-    """What a program reads: signs in their order, and answers. Past the end of either, a run fails."""
-
-    gestures: tuple[str, ...] = ()
-    answers: tuple[str, ...] = ()
-
-
-_NONE = Inputs()
+_NONE = FixedInputs()
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +55,7 @@ class Job:
     floor: str
     setting: SimulationConfig
     seed: int
-    inputs: Inputs = _NONE
+    inputs: FixedInputs = _NONE
     activity: str | None = None
     limit_s: float = DEFAULT_LIMIT_S
     n_poses: int = 0
@@ -74,7 +67,7 @@ def make_jobs(
     setting: SimulationConfig,
     seeds: Sequence[int],
     *,
-    inputs: Inputs | None = None,
+    inputs: FixedInputs | None = None,
     activity: Activity | None = None,
     limit_s: float | None = None,
     n_poses: int = 0,
@@ -92,7 +85,7 @@ def make_jobs(
     """
     case = activity.cases[0] if activity else None
     if inputs is None:
-        inputs = Inputs(tuple(case.gestures), tuple(case.answers)) if case else Inputs()
+        inputs = FixedInputs(tuple(case.gestures), tuple(case.answers)) if case else _NONE
     limit_s = limit_s or (activity.limit_s if activity else DEFAULT_LIMIT_S)
     places = [(name, *_judged(activity, floor, limit_s)) for name, floor in worlds]
     index = 0
@@ -183,7 +176,7 @@ def _run(job: Job, reading: ParseResult, floor: dict[str, Any]) -> RunLog:
         world=floor,
         setting=job.setting,
         seed=job.seed,
-        inputs=ScriptedInputs(job.inputs.gestures, job.inputs.answers, all_gestures=True),
+        inputs=job.inputs.source(),
         program=reading.program,
     )
     start(spec, observe, control, step_limit=STEP_LIMIT)

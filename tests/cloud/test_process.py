@@ -12,9 +12,10 @@ from uuid import uuid4
 import psutil
 import pytest
 
-from pinel_desktop.activities import choose_activity
+from pinel_desktop.activities import choose_activity, solution_of, world_of
 from pinel_desktop.cloud.client import CloudClient
 from pinel_desktop.cloud.messages import N_ROBOTS, CloudRequest
+from pinel_desktop.runs.fixed_inputs import FixedInputs
 from sim.world import world_document
 
 pytestmark = pytest.mark.waits
@@ -40,17 +41,20 @@ class Clouds:
     def begin(
         self, document: Event, activity: str | None = None, errors: dict[str, float] | None = None
     ) -> str:
+        """Starts a cloud; with an activity in its last case."""
         cloud = str(uuid4())
+        judge = choose_activity(activity) if activity else None
+        last = judge and judge.model_copy(update={"cases": judge.cases[-1:]})
         self.client.begin(
             CloudRequest(
                 cloud=cloud,
                 document=document,
-                world=world_document("empty_room"),
+                world=world_of(last) if last else world_document("empty_room"),
                 model="pioneer_3dx",
                 robot_parameters=errors or {},
-                activity=choose_activity(activity).model_dump_json() if activity else None,
-                gestures=() if activity is None else None,
-                answers=() if activity is None else None,
+                activity=last.model_dump_json(exclude_none=True) if last else None,
+                case="a partida de lá" if judge and judge.cases[1:] else "",
+                inputs=FixedInputs(),
                 language="pt-BR",
             )
         )
@@ -96,6 +100,19 @@ def test_a_mission_judges_each_robot(lasting: Clouds) -> None:
     assert end["n_good"] == sum(row["well"] for row in rows)
     assert f"{end['n_good']} de 50 robôs" in end["text"]
     assert "missão" in end["text"]
+
+
+def test_in_a_case_of_a_mission_they_start_there_and_the_sentence_names_the_case(
+    lasting: Clouds,
+) -> None:
+    solution = solution_of("stop_before_wall")
+    assert solution is not None
+    lasting.begin(solution, "stop_before_wall")
+    rows, end = lasting.to_the_end()
+    start = choose_activity("stop_before_wall").cases[-1].start
+    assert start is not None
+    assert all(row["path"][0] == [start.x_m, start.y_m] for row in rows)
+    assert end["text"].startswith(f"Com a partida de lá: {end['n_good']} de 50 robôs fazem")
 
 
 def test_stop_ends_a_cloud_and_says_how_many_came(lasting: Clouds) -> None:

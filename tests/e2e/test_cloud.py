@@ -1,5 +1,7 @@
 """50 robots at once: how firm a program is, seen on the floor and said in a sentence."""
 
+from typing import Any
+
 import pytest
 from playwright.sync_api import Position, expect
 
@@ -75,16 +77,18 @@ def test_one_of_the_robots_drives_as_a_run_of_its_own_by_the_list_and_by_a_click
     studio.wait_for_phase("finished")
     # all paths begin at the robot's start and end 1 m ahead of it
     studio["scene"].click(position=middle_of_the_path(studio))
-    group = studio.api(f"/programs/{studio.program_id}")["group_id"]
-
-    def states() -> list[str]:
-        return [run["state"] for run in studio.api(f"/groups/{group}/runs")["runs"]]
-
-    studio.eventually(states, ["finished", "finished"])
-    clicked, chosen = studio.api(f"/groups/{group}/runs")["runs"]
+    studio.eventually(lambda: [run["state"] for run in runs_of(studio)], ["finished", "finished"])
+    clicked, chosen = runs_of(studio)
     assert chosen["seed"] == 7
     assert 1 <= clicked["seed"] <= 50
     assert chosen["closing_error_m"] != clicked["closing_error_m"] or clicked["seed"] == 7
+
+
+def runs_of(studio: Studio) -> list[dict[str, Any]]:
+    """The runs of the group, newest first."""
+    group = studio.api(f"/programs/{studio.program_id}")["group_id"]
+    runs: list[dict[str, Any]] = studio.api(f"/groups/{group}/runs")["runs"]
+    return runs
 
 
 def middle_of_the_path(studio: Studio) -> Position:
@@ -138,6 +142,26 @@ def test_a_program_that_asks_needs_one_run_whose_answers_the_robots_use(
     studio["answer"].press("Enter")
     studio.wait_for_phase("finished")
     assert drive_50(studio) == 50
+    studio["cloud-see"].select_option("7")
+    studio.eventually(lambda: [run["state"] for run in runs_of(studio)], ["finished", "finished"])
+    assert runs_of(studio)[0]["seed"] == 7  # nobody was asked again
+
+
+def test_in_a_mission_with_several_starts_they_drive_from_the_one_that_is_chosen(
+    studio: Studio,
+) -> None:
+    enter_made_group(studio, [("move_forward", 1)], speed=10, activity="stop_before_wall")
+    drive_50(studio)
+    line = studio["cloud-text"]
+    expect(line).to_contain_text("Com a partida de sempre:")
+    studio["cloud-case"].select_option("2")
+    expect(line).to_contain_text("Com a partida 1,75 m", timeout=WAIT_MS)
+    expect(studio["cloud-case"]).to_have_value("2")
+    expect(line).not_to_contain_text("Antes:")
+    studio["cloud-see"].select_option("3")
+    studio.eventually(lambda: [run["state"] for run in runs_of(studio)], ["finished"])
+    (run,) = runs_of(studio)
+    assert studio.api(f"/runs/{run['id']}")["world_document"]["start"]["x_m"] == -1.25
 
 
 def test_a_mission_counts_who_passes_it_and_does_not_judge_a_robot_that_is_watched(
@@ -149,7 +173,6 @@ def test_a_mission_counts_who_passes_it_and_does_not_judge_a_robot_that_is_watch
     expect(studio["cloud-text"]).to_contain_text(f"{passing} de 50 robôs cumprem a missão.")
     studio["cloud-see"].select_option("3")
     studio.wait_for_phase("finished")
-    group = studio.api(f"/programs/{studio.program_id}")["group_id"]
-    (run,) = studio.api(f"/groups/{group}/runs")["runs"]
+    (run,) = runs_of(studio)
     studio.eventually(lambda: studio.api(f"/runs/{run['id']}")["not_judged"] is not None, True)
     assert studio.api(f"/runs/{run['id']}")["passed"] is None

@@ -189,6 +189,28 @@ def test_task_that_kills_its_workers_has_died_and_the_others_are_done(
             connected.end()
 
 
+def test_of_a_batch_only_the_task_that_kills_its_workers_has_died(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES", "0")
+    with dask_cluster(tmp_path, 4) as brief:
+        with_all_workers(brief)
+        connected = Cluster(kill_this_worker, brief.address)
+        connected._batch_size = 3
+        try:
+            found = dict(connected.results(["a", "kill", "b"]))
+        finally:
+            connected.end()
+    assert found == {"a": "a", "kill": ProcessDied(None), "b": "b"}
+
+
+def test_short_tasks_come_in_batches_and_long_ones_alone() -> None:
+    def size(each_s: float) -> int:
+        return cluster._batch_size(cluster._Results([None] * 4, 4 * each_s))
+
+    assert [size(each_s) for each_s in (0.0, 0.02, 0.1, 5.0)] == [16, 10, 2, 1]
+
+
 def kill_this_worker(task: str) -> str:
     """A task of tests."""
     if task == "kill":

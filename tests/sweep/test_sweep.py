@@ -4,6 +4,8 @@ import json
 import multiprocessing
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -115,6 +117,11 @@ def test_a_faulty_job_is_a_row_that_says_so() -> None:
     job = replace(jobs_of("square", "empty_room", 1)[0], document='[{"action": "fly"}]')
     assert run_job(job).reason == "invalid_program"
     assert run_job(replace(job, floor="{}")).state == "failed"
+
+
+def test_a_process_of_a_pool_loads_no_storage_which_would_delay_its_first_job() -> None:
+    loaded = "import sys, pinel_desktop.sweep.jobs; sys.exit('storage' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", loaded], check=False).returncode == 0
 
 
 def kill_every_process() -> None:

@@ -8,6 +8,7 @@ from pinel_desktop.engine.commands import Command, Evaluate
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes.supervisor import ProcessState
 from pinel_desktop.robot.robot_profile import RobotProfile
+from pinel_desktop.runs.fixed_inputs import FixedInputs
 from pinel_desktop.runs.spec import RunSpec
 
 Event = dict[str, Any]
@@ -29,16 +30,23 @@ class FakeEngine(EngineClient):
         self.commands: list[Command] = []
         self.start_spec: dict[str, Any] = {}
         self.first: list[Command] = []
+        self.inputs: FixedInputs | None = None
 
     def start(self) -> None:
         self.state = "ready"
 
-    def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None:
+    def run(
+        self,
+        run_id: str,
+        spec: RunSpec,
+        commands: Sequence[Command] = (),
+        inputs: FixedInputs | None = None,
+    ) -> None:
         if self.state != "ready":
             raise PinelError("engine_not_ready")
         self.live_run = run_id
         self.start_spec = {"run": run_id, **spec.as_message()}
-        self.first = list(commands)
+        self.first, self.inputs = list(commands), inputs
 
     def contact(self, robot: RobotProfile) -> dict[str, Any]:
         if self.state != "ready":

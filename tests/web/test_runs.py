@@ -20,10 +20,13 @@ from pinel_desktop.engine.commands import (
     Stop,
     Subscribe,
 )
+from pinel_desktop.runs.fixed_inputs import FixedInputs
 from storage.sqlite import sqlite3
 from tests.storage.sample_runs import block_started, ended, sample, square
 from tests.web.browser import ApiResponse, Browser
 from tests.web.fake_engine import FakeEngine
+
+ASKS = {"pinel_ir": 1, "commands": [{"action": "ask", "question": "?", "variable": "n"}]}
 
 
 def test_a_run_begins_in_the_engine_and_in_the_list(
@@ -62,6 +65,24 @@ def test_a_run_may_begin_elsewhere_and_with_another_setting(
     assert engine.start_spec["setting"]["feedback"] == "odometry"
     recorded = browser.get(f"/api/runs/{answer.data['id']}").data
     assert recorded["world_document"]["start"] == start
+
+
+def test_one_of_the_50_robots_starts_and_reads_as_they_did(
+    browser: Browser, engine: FakeEngine, group: dict[str, Any], program: dict[str, Any]
+) -> None:
+    version = {
+        "workspace": {},
+        "document": ASKS,
+        "setup": {"world": "empty_room", "activity": "polygon"},
+    }
+    saved = browser.post(f"/api/programs/{program['id']}/versions", version).data
+    request = {"version_id": saved["id"], "world": "empty_room", "seed": 7, "preset": "realistic"}
+    browser.post("/api/runs", {**request, "cloud": {"case": 3}})
+    assert engine.inputs == FixedInputs(answers=("8",))
+    assert engine.start_spec["setting"]["preset"] == "realistic"
+    engine.live_run = None
+    browser.post("/api/runs", request)
+    assert engine.inputs is None
 
 
 def test_an_unknown_robot_is_refused_with_those_there_are(

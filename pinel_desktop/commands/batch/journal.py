@@ -1,15 +1,16 @@
-"""Rows of an unfinished sweep: a file beside the table, to which each row is appended when its run is done.
+"""Rows of unfinished work on many runs: a file beside the result, to which each row is appended when its run is done.
 
-The first line names the sweep; each further line is a row, as JSON. After a kill the last line may be torn: its run is
+The first line names the work; each further line is a row, as JSON. After a kill the last line may be torn: its run is
 done again.
 """
 
 import errno
 import json
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.sweep import Row
@@ -17,25 +18,32 @@ from pinel_desktop.sweep import Row
 _HEAD = "pinel_sweep"
 _FIELDS = frozenset(field.name for field in fields(Row))
 
+Key = TypeVar("Key")
+Done = TypeVar("Done")
 
-class Journal:
-    """The rows of one sweep on disk.
+
+class Journal(Generic[Key, Done]):
+    """The rows of one work on disk.
 
     Attributes:
-        rows: the rows that are done, by index.
+        rows: the rows that are done, by key.
 
     Args:
         path: the file.
-        sweep: fingerprint of everything that decides the rows.
+        fingerprint: of everything that decides the rows.
+        read: returns key and row of a line; raises TypeError, ValueError if it is none.
 
     Raises:
-        PinelError: `sweep_other`, if the file has rows of another sweep; `sweep_unwritable`.
+        PinelError: `sweep_other`, if the file has rows of other work; `sweep_unwritable`.
     """
 
-    def __init__(self, path: Path, sweep: str) -> None:
+    def __init__(
+        self, path: Path, fingerprint: str, read: Callable[[Any], tuple[Key, Done]]
+    ) -> None:
         self.path = path
-        self.rows: dict[int, Row] = {}
-        head = json.dumps({_HEAD: sweep}).encode() + b"\n"
+        self.rows: dict[Key, Done] = {}
+        self._row_of = read
+        head = json.dumps({_HEAD: fingerprint}).encode() + b"\n"
         try:
             content = path.read_bytes() if path.exists() else b""
             if not content.startswith(head) and not head.startswith(content):
@@ -55,17 +63,17 @@ class Journal:
             with suppress(
                 ValueError, TypeError
             ):  # a line that a disk has damaged: its run is done again
-                row = _row_from(json.loads(line))
-                self.rows[row.index] = row
+                key, row = self._row_of(json.loads(line))
+                self.rows[key] = row
 
-    def add(self, row: Row) -> None:
-        """Appends a row. Raises PinelError `sweep_unwritable`."""
-        plain = {name: value for name, value in row.as_plain().items() if name != "path"}
+    def add(self, plain: Any) -> None:
+        """Appends a row as plain data. Raises PinelError `sweep_unwritable`."""
         try:
             self._append(json.dumps(plain, ensure_ascii=False).encode() + b"\n")
         except OSError as error:
             raise self._unwritable(error) from error
-        self.rows[row.index] = row
+        key, row = self._row_of(plain)
+        self.rows[key] = row
 
     def _append(self, line: bytes) -> None:
         if self._file.write(line) != len(line):  # a disk that is nearly full takes a part
@@ -79,7 +87,7 @@ class Journal:
         self._file.close()
 
     def delete(self) -> None:
-        """Deletes the file of a sweep whose table is complete."""
+        """Deletes the file of work whose result is complete."""
         self.close()
         self.path.unlink(missing_ok=True)
 
@@ -89,9 +97,23 @@ def unwritable(path: Path, error: OSError) -> PinelError:
     return PinelError("sweep_unwritable", path=str(path), problem=error.strerror or str(error))
 
 
-def _row_from(plain: dict[str, Any]) -> Row:
-    """Reads a row. Raises TypeError, ValueError if it is none."""
+def sweep_journal(out: Path, fingerprint: str) -> Journal[int, Row]:
+    """Returns the journal of a sweep, beside its table. Raises what `Journal` raises."""
+    return Journal(journal_path(out), fingerprint, _row_from)
+
+
+def journal_path(out: Path) -> Path:
+    """Returns the journal of a result."""
+    return out.with_name(f"{out.name}.rows")
+
+
+def plain_of(row: Row) -> dict[str, Any]:
+    """Returns the line of a row: all but its path."""
+    return {name: value for name, value in row.as_plain().items() if name != "path"}
+
+
+def _row_from(plain: dict[str, Any]) -> tuple[int, Row]:
     if not isinstance(plain, dict) or plain.keys() | {"path"} != _FIELDS:
         raise ValueError("no row")
     end = plain["end"]
-    return Row(**{**plain, "end": end and tuple(end)})
+    return plain["index"], Row(**{**plain, "end": end and tuple(end)})

@@ -9,18 +9,19 @@ from typing import Any
 
 import click
 
-from pinel_desktop.commands.batch.journal import Journal
+from pinel_desktop.commands.batch.journal import Journal, plain_of, sweep_journal
 from pinel_desktop.commands.batch.summary import summary_lines, summary_object
 from pinel_desktop.commands.batch.sweep_plan import SweepPlan, planned
 from pinel_desktop.commands.batch.table import require_new_table, write_table
 from pinel_desktop.commands.batch.workers import chosen_workers, worker_options
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import print_faults
+from pinel_desktop.commands.typed_inputs import input_options
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import language_of_system
 from pinel_desktop.processes.workers import Workers
 from pinel_desktop.robot import FEEDBACKS, PRESETS, ROBOTS
-from pinel_desktop.sweep import run_jobs
+from pinel_desktop.sweep import Row, run_jobs
 from storage import StoreError
 
 _MAX_SEEDS = 1_000_000
@@ -86,6 +87,7 @@ def _plan_options(command: Callable[..., Any]) -> Callable[..., Any]:
 @click.command()
 @click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
 @_plan_options
+@input_options
 @click.option(
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
@@ -115,7 +117,7 @@ def command(
     try:
         require_new_table(out)
         plan = planned(**options)
-        journal = Journal(out.with_name(f"{out.name}.rows"), plan.fingerprint)
+        journal = sweep_journal(out, plan.fingerprint)
     except (PinelError, StoreError) as error:
         _print(error, language)
         ctx.exit(_UNUSABLE)
@@ -135,7 +137,10 @@ def command(
 
 
 def _end_unfinished(
-    plan: SweepPlan, journal: Journal, error: PinelError | KeyboardInterrupt, language: str
+    plan: SweepPlan,
+    journal: Journal[int, Row],
+    error: PinelError | KeyboardInterrupt,
+    language: str,
 ) -> int:
     """Says how to go on, and returns the exit status."""
     if not journal.rows:
@@ -147,7 +152,7 @@ def _end_unfinished(
     return _UNFINISHED if isinstance(error, PinelError) else _INTERRUPTED
 
 
-def _run(plan: SweepPlan, journal: Journal, workers: Workers) -> None:
+def _run(plan: SweepPlan, journal: Journal[int, Row], workers: Workers) -> None:
     """Runs what the journal lacks. Prints the progress to stderr."""
     if len(journal.rows) == plan.n_runs:
         return
@@ -158,7 +163,7 @@ def _run(plan: SweepPlan, journal: Journal, workers: Workers) -> None:
     ):
         progress.update(len(journal.rows))
         for row in rows:
-            journal.add(row)
+            journal.add(plain_of(row))
             progress.update(1)
 
 

@@ -11,11 +11,13 @@ from pinel_desktop.activities.faults import require_fulfillable
 from pinel_desktop.commands.batch.parameter_ranges import chosen_ranges
 from pinel_desktop.commands.batch.robot_parameters import chosen_parameters
 from pinel_desktop.commands.program_file import read_file
+from pinel_desktop.commands.typed_inputs import typed_answers, typed_gestures
 from pinel_desktop.commands.world_file import choose_world
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes.versions import versions
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.robot import Feedback, Preset, RobotModel, SimulationConfig
+from pinel_desktop.runs.fixed_inputs import FixedInputs
 from pinel_desktop.runs.robot_checks import missing_on_model
 from pinel_desktop.sweep import Job, make_jobs, worlds_of
 from pinel_desktop.sweep.jobs import Named
@@ -37,6 +39,7 @@ class SweepPlan:
     """Everything that decides the rows of a sweep.
 
     Attributes:
+        inputs: what all runs read; None for what the activity gives.
         ranges: parameters that differ from seed to seed.
     """
 
@@ -46,6 +49,7 @@ class SweepPlan:
     setting: SimulationConfig
     n_seeds: int
     ranges: Sequence[ParameterRange]
+    inputs: FixedInputs | None
 
     @property
     def n_runs(self) -> int:
@@ -54,7 +58,10 @@ class SweepPlan:
     def jobs(self) -> Iterator[Job]:
         """Yields the jobs in their order."""
         seeds = range(self.n_seeds)
-        jobs = make_jobs(self.programs, self.worlds, self.setting, seeds, activity=self.activity)
+        activity, inputs = self.activity, self.inputs
+        jobs = make_jobs(
+            self.programs, self.worlds, self.setting, seeds, inputs=inputs, activity=activity
+        )
         return varied(jobs, self.ranges) if self.ranges else jobs
 
     @property
@@ -69,6 +76,7 @@ class SweepPlan:
             self.setting.as_parameters(),
             self.n_seeds,
             self.ranges,
+            self.inputs and self.inputs.as_message(),
         )
         return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
@@ -80,6 +88,8 @@ def planned(
     worlds: Sequence[str],
     seeds: int,
     vary: Sequence[str],
+    gestures: str,
+    answers: Sequence[str],
     **robot: Any,
 ) -> SweepPlan:
     """Returns the plan of the options, named as those of `pinel sweep`.
@@ -95,7 +105,9 @@ def planned(
     if setting.preset == "ideal" and ranges:
         raise PinelError("robot_parameters_ideal")
     documents = [(file, _document(file, setting.robot)) for file in programs]
-    plan = SweepPlan(documents, _worlds(worlds, judge, setting), judge, setting, seeds, ranges)
+    places = _worlds(worlds, judge, setting)
+    inputs = _inputs(gestures, answers)
+    plan = SweepPlan(documents, places, judge, setting, seeds, ranges, inputs)
     next(plan.jobs())  # names what does not suit the activity, before the journal begins
     return plan
 
@@ -114,6 +126,13 @@ def _setting(
     return SimulationConfig(
         robot or usual.model, preset, feedback or usual.feedback, chosen_parameters(parameters)
     )
+
+
+def _inputs(gestures: str, answers: Sequence[str]) -> FixedInputs | None:
+    """Returns what the options say; None without them."""
+    if not gestures and not answers:
+        return None
+    return FixedInputs(tuple(typed_gestures(gestures)), tuple(typed_answers(answers)))
 
 
 def _document(file: str, model: RobotModel) -> dict[str, Any]:

@@ -62,6 +62,7 @@ def list_examples() -> Response:
 def get_activity(path: ActivityPath) -> Response:
     """An activity with the texts of its card."""
     from pinel_desktop.activities import (  # noqa: PLC0415 - heavy
+        case_texts,
         initial_check_list,
         not_judgeable_notice,
     )
@@ -74,6 +75,7 @@ def get_activity(path: ActivityPath) -> Response:
             criteria=mission.criteria.of(language) if mission.criteria else "",
             checks=[line.criterion for line in initial_check_list(mission, language)],
             n_cases=len(mission.cases),
+            cases=case_texts(mission.cases, language),
             hints=[hint.of(language) for hint in mission.hints],
             question=mission.question.of(language) if mission.question else "",
             blocks=mission.blocks,

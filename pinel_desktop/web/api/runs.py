@@ -24,6 +24,7 @@ from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.runs import (
+    CloudInputs,
     CommandAnswer,
     NewRun,
     Run,
@@ -40,6 +41,7 @@ from storage import CALIBRATED_ROBOT, SIMULATOR, RunRow, RunSummary, StoreError,
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity
     from pinel_desktop.program.faults import Fault
+    from pinel_desktop.runs.fixed_inputs import FixedInputs
 
 api = Resource("runs", "Runs: live and recorded.", __name__)
 
@@ -74,6 +76,7 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
         "robot_not_set_up",
         "calibrated_robot_not_found",
         "calibrated_robot_deleted",
+        "cloud_needs_inputs",
         *WRITES,
     ),
 )
@@ -87,7 +90,9 @@ def begin_run(body: NewRun) -> Response:
     parts = services()
     version = parts.store.versions.get(body.version_id)
     activity = activity_of(version)
-    spec = spec_for(version, activity, body, parts)
+    staged = in_case(activity, body.cloud.case) if activity and body.cloud else activity
+    spec = spec_for(version, staged, body, parts)
+    inputs = cloud_inputs(spec.document, staged, body.cloud, parts) if body.cloud else None
     if parts.engine.live_run is not None:
         raise PinelError("run_in_progress")
     record = record_of(
@@ -103,7 +108,7 @@ def begin_run(body: NewRun) -> Response:
     if not body.cloud:
         _prepare_judge(row, activity, version, parts)
     try:
-        parts.engine.run(row.id, spec, _first_commands(body))
+        parts.engine.run(row.id, spec, _first_commands(body), inputs)
     except PinelError:
         parts.store.runs.discard(row.id)
         raise
@@ -194,8 +199,26 @@ def activity_of(version: VersionRow) -> "Activity | None":
     return None
 
 
+def in_case(activity: "Activity", number: int) -> "Activity":
+    """Returns an activity with one of its cases only; the last one if a teacher has deleted cases meanwhile."""
+    case = activity.cases[min(number, len(activity.cases)) - 1]
+    return activity.model_copy(update={"cases": [case]})
+
+
+def cloud_inputs(
+    document: object, activity: "Activity | None", cloud: CloudInputs, parts: Services
+) -> "FixedInputs":
+    """Returns what the robots of a cloud read. Raises what `inputs_of` raises; StoreError `run_not_found`."""
+    from pinel_desktop.cloud.inputs import inputs_of  # noqa: PLC0415 - heavy
+
+    assert isinstance(document, dict)
+    run_id = cloud.run_id
+    recorded = (lambda: parts.store.runs.events(run_id)) if run_id else None
+    return inputs_of(document, activity, recorded)
+
+
 def _stage(activity: "Activity") -> tuple[dict[str, object], SimulationConfig]:
-    """Returns world and robot setting of all runs of an activity, whatever the request names."""
+    """Returns world and robot setting of all runs of an activity in its first case, whatever the request names."""
     from pinel_desktop.activities import world_of  # noqa: PLC0415 - heavy
 
     setting = SimulationConfig(activity.model, activity.preset, activity.feedback)

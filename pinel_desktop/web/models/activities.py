@@ -61,6 +61,9 @@ class Activity(ActivityChoice):
         list[str], Field(description="what counts, check by check; of cases what all of them share")
     ]
     n_cases: Annotated[int, Field(ge=1, description="in how many cases a program is tried")]
+    cases: Annotated[
+        list[str], Field(description="what each case gives to a program: signs, answers or a start")
+    ]
     hints: list[str]
     question: str
     blocks: Annotated[

@@ -107,6 +107,17 @@ class RunPage(RequestModel):
     limit: Annotated[int, Field(ge=1, le=200)] = 50
 
 
+class CloudInputs(RequestModel):
+    """What all robots of a cloud read, and where they start."""
+
+    run_id: Annotated[
+        Id | None, Field(description="the run whose signs and answers the robots read")
+    ] = None
+    case: Annotated[
+        int, Field(ge=1, le=100, description="number of the activity's case that the robots drive")
+    ] = 1
+
+
 class NewRun(RequestModel):
     """A version to run, with world, robot and debugging options."""
 
@@ -128,11 +139,11 @@ class NewRun(RequestModel):
     ] = SIMULATOR
     slow: Annotated[bool, Field(description="a real robot at half of its speeds")] = False
     cloud: Annotated[
-        bool,
+        CloudInputs | None,
         Field(
             description="one robot of a cloud, by its seed: an activity neither judges it nor chooses its preset"
         ),
-    ] = False
+    ] = None
     paused: Annotated[bool, Field(description="hold before the first block")] = False
 
 
@@ -149,7 +160,7 @@ class RunEvents(ResponseModel):
     events: list[Event]
 
 
-class NewCloud(RequestModel):
+class NewCloud(CloudInputs):
     """A version for many robots, with its world, as for a run."""
 
     id: Annotated[
@@ -164,9 +175,6 @@ class NewCloud(RequestModel):
         Id | None, Field(description="a robot with a real one's errors, instead of the model")
     ] = None
     robot: Annotated[str, Field(max_length=20, description="`sim`; others are refused")] = SIMULATOR
-    run_id: Annotated[
-        Id | None, Field(description="the run whose signs and answers the robots read")
-    ] = None
 
 
 class Cloud(ResponseModel):

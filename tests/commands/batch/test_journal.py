@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.commands.batch.journal import Journal
+from pinel_desktop.commands.batch.journal import plain_of, sweep_journal
 from pinel_desktop.errors import PinelError
 from pinel_desktop.sweep import Row
 
@@ -14,22 +14,22 @@ def row(index: int) -> Row:
 
 
 def test_rows_after_a_torn_line_are_rows(tmp_path: Path) -> None:
-    file = tmp_path / "runs.csv.rows"
+    out, file = tmp_path / "runs.csv", tmp_path / "runs.csv.rows"
     for index in range(3):
-        journal = Journal(file, "a sweep")
+        journal = sweep_journal(out, "a sweep")
         assert journal.rows == {earlier: row(earlier) for earlier in range(index)}
-        journal.add(row(index))
+        journal.add(plain_of(row(index)))
         journal.close()
         with file.open("ab") as torn:
             torn.write(b'{"index": 9, "prog')
 
 
 def test_torn_head_is_written_again_and_another_file_is_refused(tmp_path: Path) -> None:
-    file = tmp_path / "runs.csv.rows"
+    out, file = tmp_path / "runs.csv", tmp_path / "runs.csv.rows"
     file.write_bytes(b'{"pinel_sw')
-    Journal(file, "a sweep").close()
+    sweep_journal(out, "a sweep").close()
     assert file.read_bytes() == b'{"pinel_sweep": "a sweep"}\n'
     file.write_bytes(b"somebody's notes")
     with pytest.raises(PinelError) as caught:
-        Journal(file, "a sweep")
+        sweep_journal(out, "a sweep")
     assert (caught.value.code, file.read_bytes()) == ("sweep_other", b"somebody's notes")

@@ -19,7 +19,7 @@ from pinel_desktop.runs.start import start
 from pinel_desktop.sweep import Job, Row, run_job
 from pinel_desktop.sweep.variation import ParameterRange
 from sim.world import world_document
-from tests.commands.typed import PROGRAMS, SQUARE, pinel
+from tests.commands.typed import PROGRAMS, SQUARE, pinel, run_json
 
 HIT = str(PROGRAMS / "into_the_wall.json")
 COLUMNS = [
@@ -86,6 +86,22 @@ def test_activity_judges_each_run_in_its_world(tmp_path: Path) -> None:
     assert done.exit_code == 0
     assert [line["passed"] for line in table(out)] == ["true", "true", "false", "false"]
     assert [line["cause"] for line in table(out)] == ["", "", "check", "check"]
+
+
+def test_every_run_reads_the_signs_and_answers_that_were_typed(tmp_path: Path) -> None:
+    asks = tmp_path / "asks.json"
+    ask = {"action": "ask", "question": "?", "variable": "d"}
+    sign = {"action": "classify_gestures", "timeout": 1}
+    drive = {"action": "move_forward", "distance": {"var": "d"}}
+    asks.write_text(json.dumps([ask, drive, sign]), "utf-8")
+    typed = ("--answers", "0.5", "--gestures", "B")
+    out = tmp_path / "runs.csv"
+    sweep(out, str(asks), "--seeds", "2", *typed)
+    alone = run_json(str(asks), "--preset", "realistic", "--seed", "1", "--no-store", *typed)[1]
+    assert [line["state"] for line in table(out)] == ["finished", "finished"]
+    assert table(out)[1]["telemetry_sha256"] == alone["telemetry_sha256"]
+    sweep(tmp_path / "fewer.csv", str(asks), "--seeds", "2", "--answers", "0.5")
+    assert [line["reason"] for line in table(tmp_path / "fewer.csv")] == ["no_more_gestures"] * 2
 
 
 def test_runs_without_movement_are_lines_too(tmp_path: Path) -> None:

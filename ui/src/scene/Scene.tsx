@@ -64,7 +64,7 @@ interface SceneProps {
   whole?: ReadonlySignal<RunView>;
   /** A second run drawn on the same floor. */
   companion?: ReadonlySignal<Companion | null>;
-  /** Paths of many robots on the same floor, in 2D. */
+  /** Paths of many robots on the same floor. */
   bundle?: ReadonlySignal<Bundle | null>;
   /** Called with the id of the path of the bundle that is clicked. */
   onPath?(id: number): void;

@@ -250,10 +250,10 @@ export class StudioControl {
     else await this.drive({ paused });
   }
 
-  /** Drives the program in many robots at once, and tells about faults as `run` does. */
-  async startCloud(): Promise<void> {
+  /** Drives the program in many robots at once, in a case of the mission, and tells about faults as `run` does. */
+  async startCloud(number?: number): Promise<void> {
     if (this.busy || isLive(robot.live.value) || this.cannotStart()) return;
-    await this.whileBusy(() => this.cloud.begin());
+    await this.whileBusy(() => this.cloud.begin(number));
   }
 
   readonly runRobot = (seed: number): void => void this.cloud.runOne(seed);

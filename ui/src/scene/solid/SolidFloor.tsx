@@ -7,6 +7,7 @@ import { listen } from "../../kit/listen";
 import { showBeeps } from "../../run/beep_sign";
 import type { Pose, RunView } from "../../run/reducer";
 import { prefersStill, theme } from "../../shell/theme";
+import type { Bundle } from "../bundle/bundle";
 import type { Companion } from "../companion";
 import type { Livery } from "../livery/livery";
 import type { Measurements } from "../ranges_view";
@@ -30,6 +31,8 @@ interface SolidFloorProps {
   poseAt(now: number): Pose;
   whole?: ReadonlySignal<RunView> | undefined;
   companion?: ReadonlySignal<Companion | null> | undefined;
+  /** Paths of many robots on the same floor. */
+  bundle?: ReadonlySignal<Bundle | null> | undefined;
   playing?: ReadonlySignal<boolean> | undefined;
   ranges?: ReadonlySignal<Measurements | null> | undefined;
   magnification?: (() => number) | undefined;
@@ -80,7 +83,7 @@ function useSolidView(
   onLevel: (level: number) => void,
 ): RefObject<SolidView> {
   const solid = useRef<SolidView | null>(null);
-  const { view, poseAt, whole, companion, playing, ranges, floor, onView } = props;
+  const { view, poseAt, whole, companion, bundle, playing, ranges, floor, onView } = props;
   useEffect(() => {
     const element = canvas.current;
     const scene = element && openView(element, props, onLevel);
@@ -104,6 +107,7 @@ function useSolidView(
       }),
       effect(() => scene.setRanges(ranges?.value ?? null)),
       effect(() => scene.setCompanion(companion?.value ?? null)),
+      effect(() => scene.setBundle(bundle?.value ?? null)),
       effect(() => scene.setCamera(cameraMode.value)),
       showBeeps(
         view,
@@ -120,7 +124,7 @@ function useSolidView(
       solid.current = null;
       scene.dispose();
     };
-  }, [view, poseAt, whole, companion, playing, ranges, antialias]);
+  }, [view, poseAt, whole, companion, bundle, playing, ranges, antialias]);
   return solid;
 }
 

@@ -3,6 +3,7 @@ import type { Robot, World } from "../../api/model";
 import { IDLE, type Pose, type RunView } from "../../run/reducer";
 import type { Point } from "../../run/trail";
 import { BoxInterpolator } from "../box_interpolator";
+import type { Bundle } from "../bundle/bundle";
 import type { Colours } from "../colours";
 import type { Companion } from "../companion";
 import { startOf, toWorld } from "../frames";
@@ -12,6 +13,7 @@ import type { Livery } from "../livery/livery";
 import type { Measurements } from "../ranges_view";
 import type { CameraMode } from "../tools/view_mode";
 import { Belief } from "./belief";
+import { BundleModel } from "./bundle_model";
 import { Cameras } from "./cameras";
 import { Fans } from "./fans";
 import { FloorModel } from "./floor_model";
@@ -67,6 +69,7 @@ export class SolidView {
   private view: RunView = IDLE;
   private whole: RunView = IDLE;
   private companion: Companion | null = null;
+  private bundle: Bundle | null = null;
   private ranges: Measurements | null = null;
   private mode: CameraMode = "orbit";
   private level: number;
@@ -74,6 +77,7 @@ export class SolidView {
   private floor: FloorModel | null = null;
   private runner: Runner | null = null;
   private ghost: Runner | null = null;
+  private bundleModel: BundleModel | null = null;
   private fans: Fans | null = null;
   private belief: Belief | null = null;
   private beep: Sprite | null = null;
@@ -131,6 +135,12 @@ export class SolidView {
     this.isFramed = false;
     if (isOther) this.rebuild();
     else this.requestRedraw();
+  }
+
+  setBundle(bundle: Bundle | null): void {
+    this.bundle = bundle;
+    this.bundleModel?.show(bundle);
+    this.requestRedraw();
   }
 
   setRanges(ranges: Measurements | null): void {
@@ -303,6 +313,9 @@ export class SolidView {
     this.surface.setAtmosphere(atmosphere);
     this.floor = new FloorModel(world, robot, colours, atmosphere, qualityOf(this.level));
     this.surface.scene.add(this.floor.group);
+    this.bundleModel = new BundleModel(colours);
+    this.bundleModel.show(this.bundle);
+    this.surface.scene.add(this.bundleModel.group);
     this.runner = this.runnerOf({ world, robot, livery: this.livery }, false);
     const { companion } = this;
     this.ghost = companion && this.runnerOf(companion, true);
@@ -346,7 +359,7 @@ export class SolidView {
   private clear(): void {
     if (this.beep) disposeSprite(this.beep);
     this.beep = null;
-    for (const part of [this.floor, this.fans, this.belief]) part?.dispose();
+    for (const part of [this.floor, this.bundleModel, this.fans, this.belief]) part?.dispose();
     for (const runner of [this.runner, this.ghost]) {
       runner?.trails.dispose();
       runner?.shadow?.dispose();

@@ -3,10 +3,12 @@ import type { CloudRow } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Select } from "../../kit/Select";
+import type { StudioControl } from "../studio_control";
 import type { CloudControl } from "./cloud_control";
 
-/** What the 50 robots did, in a sentence, and the choice of one of them; nothing while none were asked for. */
-export function CloudLine({ of }: { of: CloudControl }) {
+/** What the 50 robots did, in a sentence, and what can be chosen; nothing while none were asked for. */
+export function CloudLine({ control }: { control: StudioControl }) {
+  const { cloud: of } = control;
   const { value: now } = of.now;
   const { cloud } = texts.value;
   if (!now) return null;
@@ -26,9 +28,31 @@ export function CloudLine({ of }: { of: CloudControl }) {
       </p>
       {/* the sentence at the end only: a reader would otherwise read every robot */}
       <output class="visually-hidden">{of.isRunning.value ? "" : sentenceOf(of)}</output>
-      {isOver && now.rows.length > 0 && <Robots of={of} rows={now.rows} />}
+      <div class="column gap-1 rigid">
+        <Cases control={control} chosen={now.reads.case} />
+        {isOver && now.rows.length > 0 && <Robots of={of} rows={now.rows} />}
+      </div>
       <Button icon={X} tip={cloud.close} testId="cloud-close" onPress={() => of.close()} />
     </section>
+  );
+}
+
+/** Chooses what a mission gives to the robots, where it tries a program with several signs, answers or starts. */
+function Cases({ control, chosen }: { control: StudioControl; chosen: number }) {
+  const { cloud } = texts.value;
+  const cases = control.open.mission.value?.cases ?? [];
+  if (cases.length < 2) return null;
+  return (
+    <Select
+      class="cloud-line__choice"
+      label={cloud.case}
+      tip={cloud.caseHelp}
+      testId="cloud-case"
+      disabled={control.cloud.isRunning.value}
+      value={chosen}
+      options={cases.map((given, index) => [index + 1, given] as const)}
+      onChange={(number) => control.startCloud(number)}
+    />
   );
 }
 
@@ -53,7 +77,7 @@ function Robots({ of, rows }: { of: CloudControl; rows: readonly CloudRow[] }) {
     cause ? `✕ ${cloud[cause]({ n: seed })}` : `● ${cloud.well({ n: seed })}`;
   return (
     <Select
-      class="cloud-line__see rigid"
+      class="cloud-line__choice"
       label={cloud.see}
       tip={cloud.seeHelp}
       testId="cloud-see"

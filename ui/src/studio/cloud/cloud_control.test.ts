@@ -2,6 +2,8 @@ import { signal } from "@preact/signals";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cloudsApi } from "../../api/clouds";
 import type { CloudProgressEvent, CloudRow } from "../../api/model";
+import { live } from "../../run/live";
+import { IDLE } from "../../run/reducer";
 import { cloud as newest } from "../../shell/session";
 import { CloudControl } from "./cloud_control";
 
@@ -52,6 +54,7 @@ let stop = () => {};
 
 beforeEach(() => {
   newest.value = null;
+  live.value = IDLE;
   vi.spyOn(cloudsApi, "begin").mockResolvedValue({ id: "", n: 50 });
   vi.spyOn(cloudsApi, "stop").mockResolvedValue({});
 });
@@ -123,6 +126,32 @@ test("the next ones know how many did it before", async () => {
   expect(studio.control.now.value?.before).toBe(31);
 });
 
+test("the case that was chosen stays, and only counts of one case are compared", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  ended(await started(studio), 31);
+  studio.savedVersion.mockResolvedValue({ id: "v", faults: [] });
+  await studio.control.begin(3);
+  expect(studio.control.now.value?.before).toBeNull();
+  ended(studio.control.now.value?.id ?? "", 20);
+  await studio.control.begin();
+  expect(cloudsApi.begin).toHaveBeenLastCalledWith(expect.objectContaining({ case: 3 }));
+  expect(studio.control.now.value?.before).toBe(20);
+});
+
+test("they read what people gave in the last run, also after one of them was watched", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  live.value = { ...IDLE, run: "asked" };
+  ended(await started(studio), 31);
+  studio.drive.mockImplementationOnce(async () => {
+    live.value = { ...IDLE, run: "watched" };
+  });
+  await studio.control.runOne(2);
+  await started(studio);
+  expect(cloudsApi.begin).toHaveBeenLastCalledWith(expect.objectContaining({ run_id: "asked" }));
+});
+
 test("a program with faults keeps what is on the floor", async () => {
   const studio = studioOf();
   stop = studio.control.listen();
@@ -137,7 +166,8 @@ test("one of them drives by its seed, as the realistic robot", async () => {
   stop = studio.control.listen();
   ended(await started(studio), 31);
   await studio.control.runOne(2);
-  const expected = { seed: 2, cloud: true, preset: "realistic", feedback: "odometry" };
+  const cloud = { case: 1, run_id: null };
+  const expected = { seed: 2, cloud, preset: "realistic", feedback: "odometry" };
   expect(studio.drive).toHaveBeenCalledWith(expect.objectContaining(expected));
 });
 

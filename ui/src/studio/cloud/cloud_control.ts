@@ -12,6 +12,8 @@ import { REALISM_PRESETS } from "../program/setup";
 import type { StartChoice } from "../start_choice";
 import type { WorldControl } from "../world_control";
 
+type CloudInputs = Required<NonNullable<RunOptions["cloud"]>>;
+
 /** What a cloud needs of the studio. */
 interface Studio {
   readonly open: OpenProgram;
@@ -33,8 +35,10 @@ export interface Cloud {
   readonly rows: readonly CloudRow[];
   /** The last event; null while robots are under way. */
   readonly end: CloudProgressEvent | null;
-  /** How many did it in the cloud before; null without one. */
+  /** How many did it in the cloud before, with the same case; null without one. */
   readonly before: number | null;
+  /** The mission's case that they drive, and the run whose signs and answers they read. */
+  readonly reads: CloudInputs;
 }
 
 const N_ROBOTS = 50;
@@ -64,6 +68,9 @@ export class CloudControl {
 
   /** The request that starts the cloud; a stop that overtook it would stop nothing. */
   private started: Promise<unknown> = Promise.resolve();
+  /** The last run in which people gave signs and answers, and the last one of a robot, which was given them. */
+  private answered: string | null = null;
+  private watched: string | null = null;
 
   constructor(private readonly studio: Studio) {}
 
@@ -89,22 +96,25 @@ export class CloudControl {
     }
   }
 
-  async begin(): Promise<void> {
+  /** Drives the robots in a case of the mission: at first in that of the group's own runs, then in the one chosen. */
+  async begin(chosen?: number): Promise<void> {
     const { studio } = this;
-    const before = this.now.peek()?.end ?? null;
+    const last = this.now.peek();
+    const number = chosen ?? last?.reads.case ?? 1;
     const version = await studio.savedVersion();
     if (!version) return;
     const id = crypto.randomUUID();
-    const last = robot.live.peek().run;
+    const run = robot.live.peek().run;
+    if (studio.mine.peek() && run !== this.watched) this.answered = run;
     const start = studio.start.start.peek();
-    const n = N_ROBOTS;
     this.now.value = {
       id,
       of: this.subject(),
-      n,
+      n: N_ROBOTS,
       rows: [],
       end: null,
-      before: before?.n_good ?? null,
+      before: last?.reads.case === number ? (last.end?.n_good ?? null) : null,
+      reads: { case: number, run_id: this.answered },
     };
     try {
       this.started = cloudsApi.begin({
@@ -113,7 +123,7 @@ export class CloudControl {
         world: studio.worlds.name.peek(),
         ...this.robot(),
         ...(start ? { start } : {}),
-        ...(last && studio.mine.peek() ? { run_id: last } : {}),
+        ...this.now.value.reads,
       });
       await this.started;
     } catch (error) {
@@ -140,9 +150,14 @@ export class CloudControl {
   }
 
   /** Runs the program with the wheels of one of the robots. */
-  runOne(seed: number): Promise<void> {
-    if (this.isStale.peek() || this.isRunning.peek()) return Promise.resolve();
-    return this.studio.drive({ ...REALISM_PRESETS.wheels, ...this.robot(), seed, cloud: true });
+  async runOne(seed: number): Promise<void> {
+    const now = this.now.peek();
+    if (!now?.end || this.isStale.peek()) return;
+    const cloud = now.reads;
+    const before = robot.live.peek().run;
+    await this.studio.drive({ ...REALISM_PRESETS.wheels, ...this.robot(), seed, cloud });
+    const { run } = robot.live.peek();
+    if (run !== before) this.watched = run;
   }
 
   private receive(event: CloudProgressEvent): void {

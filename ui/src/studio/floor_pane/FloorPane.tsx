@@ -51,7 +51,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <Controls control={control} />
       <Status control={control} />
       <Predicted control={control} />
-      <CloudLine of={control.cloud} />
+      <CloudLine control={control} />
       <BeforeRun control={control} />
       {control.mine.value && chosenRobot.value && <AfterRun />}
       <Forgotten control={control} />
