@@ -6,9 +6,9 @@ from importlib import resources
 
 from pinel_desktop.activities.goals import GOAL_FILE, Goal
 from pinel_desktop.activities.model import Activity
-from pinel_desktop.messages.content import with_texts
+from pinel_desktop.messages.content import program_in_language, with_texts
 from pinel_desktop.program.python_text import read_python
-from pinel_desktop.program.reading import ParseResult
+from pinel_desktop.program.reading import ParseResult, read_document
 
 _CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "example_catalogue"
 
@@ -41,16 +41,11 @@ def example(name: str) -> Activity:
 
 @cache
 def program_of_example(name: str, language: str) -> ParseResult:
-    """Returns the program of an example.
-
-    Its names and texts are in `language` if the example ships in that language, else in Portuguese.
-    """
-    folder = _CATALOGUE / name
-    of_language = folder / f"program.{language}.py"
-    file = of_language if of_language.is_file() else folder / "program.py"
-    reading = read_python(file.read_text("utf-8")).result
-    assert reading.document is not None, f"{file}: {reading.faults}"
-    return reading
+    """Returns the program of an example, with names and texts in `language`."""
+    file = _CATALOGUE / name / "program.py"
+    source = read_python(file.read_text("utf-8")).result
+    assert source.document is not None, f"{file}: {source.faults}"
+    return read_document(program_in_language(source.document, language))
 
 
 @cache
