@@ -24,6 +24,11 @@ export const SPEED: Limits = { min: 0.01, precision: 0.01 };
 export const POSITION: Limits = { min: 1, max: MAX_LIST, precision: 1 };
 export const TIMES: Limits = { min: 0, max: MAX_REPEATS, precision: 1 };
 
+/** The type of a block that generates the command of that name. */
+export function command<T extends string>(type: T) {
+  return { type, makes: { action: type } } as const;
+}
+
 /** An input for a number, with a number as its placeholder. */
 export function numberInput(name: string, key: string, start: number, limits: Limits = {}) {
   return {

@@ -1,5 +1,5 @@
 import type { BlockDefinition } from "../definition";
-import { anything, nameField, numberInput, POSITION } from "./arguments";
+import { anything, command, nameField, numberInput, POSITION } from "./arguments";
 
 const valueSought = { type: "input_value", name: "VALUE", shadow: { textKey: "WORD" } } as const;
 
@@ -25,10 +25,9 @@ export const lists = [
     hidden: true,
   },
   {
-    type: "append",
+    ...command("append"),
     style: "lists",
     level: 3,
-    makes: { action: "append" },
     icon: "listPlus",
     previousStatement: null,
     nextStatement: null,
@@ -38,10 +37,9 @@ export const lists = [
     ],
   },
   {
-    type: "replace_item",
+    ...command("replace_item"),
     style: "lists",
     level: 3,
-    makes: { action: "replace_item" },
     icon: "replace",
     previousStatement: null,
     nextStatement: null,
