@@ -67,14 +67,20 @@ export function choice(name: string, key: string, options: Options) {
   return { type: "field_dropdown", name, key, options } as const;
 }
 
-export const sides = {
-  type: "field_dropdown",
-  name: "DIRECTION",
-  options: [
-    ["%{BKY_PINEL_LEFT}", "LEFT"],
-    ["%{BKY_PINEL_RIGHT}", "RIGHT"],
-  ],
-} as const;
+/** A field whose value the generator of its block reads. */
+export function dropdown(name: string, options: Options) {
+  return { type: "field_dropdown", name, options } as const;
+}
+
+/** The type of a block that generates an operation of one operator. */
+export function operation<T extends string>(type: T, op: string = type) {
+  return { type, makes: { op: [op] } } as const;
+}
+
+export const sides = dropdown("DIRECTION", [
+  ["%{BKY_PINEL_LEFT}", "LEFT"],
+  ["%{BKY_PINEL_RIGHT}", "RIGHT"],
+]);
 
 export const COLOURS = [
   "blue",
