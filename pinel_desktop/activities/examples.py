@@ -6,6 +6,7 @@ from importlib import resources
 
 from pinel_desktop.activities.goals import GOAL_FILE, Goal
 from pinel_desktop.activities.model import Activity
+from pinel_desktop.activities.reading import solution_of
 from pinel_desktop.messages.content import program_in_language, with_texts
 from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import ParseResult, read_document
@@ -27,6 +28,8 @@ EXAMPLES = (
     "board_game",
     "board_game_alone",
 )
+# examples whose program is the solution of a mission
+_SOLUTIONS = {"board_game": "two_teams"}
 
 
 @cache
@@ -42,10 +45,12 @@ def example(name: str) -> Activity:
 @cache
 def program_of_example(name: str, language: str) -> ParseResult:
     """Returns the program of an example, with names and texts in `language`."""
-    file = _CATALOGUE / name / "program.py"
-    source = read_python(file.read_text("utf-8")).result
-    assert source.document is not None, f"{file}: {source.faults}"
-    return read_document(program_in_language(source.document, language))
+    if name in _SOLUTIONS:
+        source = solution_of(_SOLUTIONS[name])
+    else:
+        source = read_python((_CATALOGUE / name / "program.py").read_text("utf-8")).result.document
+    assert source is not None, name
+    return read_document(program_in_language(source, language))
 
 
 @cache
