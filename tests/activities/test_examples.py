@@ -67,7 +67,7 @@ def test_every_word_for_shipped_programs_stands_in_one(language: str) -> None:
     ]
     shipped = json.dumps(programs, ensure_ascii=False)
     words = texts_by_language("programs")[language]
-    assert [word for word in words if json.dumps(word, ensure_ascii=False) not in shipped] == []
+    assert [one for one in words if json.dumps(one, ensure_ascii=False) not in shipped] == []
 
 
 def test_the_names_of_a_program_are_in_the_language_also_where_it_calls_a_function() -> None:
