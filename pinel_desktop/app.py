@@ -6,7 +6,7 @@
 import contextlib
 import logging
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -38,7 +38,7 @@ from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.settings import CAMERA, Settings
 from pinel_desktop.web.application import create_app
 from pinel_desktop.web.early_server import EarlyServer
-from pinel_desktop.web.services import DatabaseState, ReadDocument, Services, WindowLink
+from pinel_desktop.web.services import DatabaseState, Services, WindowLink
 from sim.world import list_worlds
 from storage import Notice as StoreNotice
 from storage import RunRecorder, StoreError, warm_up
@@ -47,8 +47,6 @@ from storage.maintenance import Maintenance
 
 if TYPE_CHECKING:
     from pinel_desktop.judge.messages import RunStartInfo
-    from pinel_desktop.program.faults import Fault
-    from pinel_desktop.program.reading import ParseResult
     from pinel_desktop.web.legacy.api import BridgeChoice, LegacyApi
 
 Event = dict[str, Any]
@@ -86,8 +84,6 @@ class App:
         engine_after_s: float = 0.0,
         window: WindowLink | None = None,
         make_engine: Callable[..., EngineClient] = EngineClient,
-        read: ReadDocument | None = None,
-        worlds: Sequence[dict[str, Any]] | None = None,
         camera: str | None = None,
         recognizer: str | None = None,
         bridge: "BridgeChoice | None" = None,
@@ -100,8 +96,6 @@ class App:
         self._engine_after_s = engine_after_s
         self._window = window
         self._make_engine = make_engine
-        self._read = read or _read_document
-        self._worlds = [titled(world) for world in list_worlds()] if worlds is None else worlds
         self._camera_source, self._recognizer = camera, recognizer
         self._bridge = bridge
         self._opened = opened
@@ -289,9 +283,7 @@ class App:
             status_feed=self._status_feed,
             predictions=Predictions(self._store, lambda: self._grader.judge),
             opened_file=OpenedFile(self._hub.publish, self._opened),
-            read_document=self._read,
-            read_world=_read_world,
-            worlds=self._worlds,
+            worlds=[titled(world) for world in list_worlds()],
             database_state=self._database_state,
             window=self._window,
             flush_recording=self._flush_recording,
@@ -382,20 +374,6 @@ class App:
         text = describe(code, params, self._settings.language)
         event = Notice(code=code, message=text.message, remedy=text.remedy, details=text.details)
         self._hub.publish(event.to_wire())
-
-
-def _read_document(document: dict[str, object] | list[object]) -> "ParseResult":
-    from pinel_desktop.program.reading import read_document  # noqa: PLC0415 - see above
-
-    return read_document(document)
-
-
-def _read_world(
-    source: Any, *, robot: str | None = None
-) -> tuple[dict[str, Any] | None, "Sequence[Fault]"]:
-    from pinel_desktop.worlds import read_own_world  # noqa: PLC0415 - see above
-
-    return read_own_world(source, robot=robot)
 
 
 def _warm_up() -> None:

@@ -10,7 +10,6 @@ from storage.recording import RunRecorder, warm_up
 from storage.row_types import (
     CALIBRATED_ROBOT,
     SIMULATOR,
-    CalibratedRobotRow,
     ClassroomRow,
     FaultRow,
     GroupRow,
@@ -29,20 +28,12 @@ from storage.row_types import (
 )
 from storage.runs.history import HistoryEntry, RunFilter
 from storage.store import Store, open_for_reading, open_store
-from storage.work.lesson_history import (
-    EditSummary,
-    GroupHistory,
-    GroupSummary,
-    LessonHistory,
-    LessonRun,
-)
+from storage.work.lesson_history import GroupHistory, GroupSummary, LessonHistory, LessonRun
 
 __all__ = [
     "CALIBRATED_ROBOT",
     "SIMULATOR",
-    "CalibratedRobotRow",
     "ClassroomRow",
-    "EditSummary",
     "FaultRow",
     "GroupHistory",
     "GroupRow",

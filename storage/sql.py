@@ -126,7 +126,8 @@ def require(db: sqlite3.Connection, table: str, key: str) -> None:
 
 def not_found(table: str, key: str) -> StoreError:
     """Returns the error for a missing row."""
-    return StoreError(f"{table.removesuffix('s')}_not_found", id=key)
+    kind = f"{table[:-3]}y" if table.endswith("ies") else table.removesuffix("s")
+    return StoreError(f"{kind}_not_found", id=key)
 
 
 def insert(db: sqlite3.Connection, table: str, row: Mapping[str, object]) -> None:

@@ -1,26 +1,13 @@
 """Activities: missions as data, and the checks that decide whether a program passes."""
 
 from pinel_desktop.activities.batch import check_files
-from pinel_desktop.activities.checking import (
-    CaseReport,
-    CheckReport,
-    RecordedRun,
-    Report,
-    check_program,
-    judge_run,
-    path_of,
-)
-from pinel_desktop.activities.diagnosis import Advice, case_texts, input_text
-from pinel_desktop.activities.examples import (
-    EXAMPLES,
-    example,
-    example_picture,
-    program_of_example,
-)
+from pinel_desktop.activities.checking import RecordedRun, Report, check_program, judge_run, path_of
+from pinel_desktop.activities.diagnosis import case_texts, input_text
+from pinel_desktop.activities.examples import EXAMPLES, example, example_picture, program_of_example
 from pinel_desktop.activities.faults import ActivityError, world_of
 from pinel_desktop.activities.goals import Goal, goal_of, shipped_goal
 from pinel_desktop.activities.live import CheckStatus, LiveEvaluation, initial_check_list
-from pinel_desktop.activities.making import Proposal, Trial, proposal_for, trials
+from pinel_desktop.activities.making import proposal_for, trials
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.activities.reading import (
     PATHS,
@@ -50,18 +37,13 @@ __all__ = [
     "PATHS",
     "Activity",
     "ActivityError",
-    "Advice",
-    "CaseReport",
-    "CheckReport",
     "CheckStatus",
     "Goal",
     "LiveEvaluation",
-    "Proposal",
     "RecordedRun",
     "Report",
     "RunLog",
     "RunLogBuilder",
-    "Trial",
     "activity_names",
     "activity_titles",
     "block_text",

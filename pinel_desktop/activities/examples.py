@@ -6,9 +6,10 @@ from importlib import resources
 
 from pinel_desktop.activities.goals import GOAL_FILE, Goal
 from pinel_desktop.activities.model import Activity
-from pinel_desktop.messages.content import with_texts
+from pinel_desktop.activities.reading import solution_of
+from pinel_desktop.messages.content import program_in_language, with_texts
 from pinel_desktop.program.python_text import read_python
-from pinel_desktop.program.reading import ParseResult
+from pinel_desktop.program.reading import ParseResult, read_document
 
 _CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "example_catalogue"
 
@@ -27,6 +28,8 @@ EXAMPLES = (
     "board_game",
     "board_game_alone",
 )
+# examples whose program is the solution of a mission
+_SOLUTIONS = {"board_game": "two_teams"}
 
 
 @cache
@@ -41,16 +44,13 @@ def example(name: str) -> Activity:
 
 @cache
 def program_of_example(name: str, language: str) -> ParseResult:
-    """Returns the program of an example.
-
-    Its names and texts are in `language` if the example ships in that language, else in Portuguese.
-    """
-    folder = _CATALOGUE / name
-    of_language = folder / f"program.{language}.py"
-    file = of_language if of_language.is_file() else folder / "program.py"
-    reading = read_python(file.read_text("utf-8")).result
-    assert reading.document is not None, f"{file}: {reading.faults}"
-    return reading
+    """Returns the program of an example, with names and texts in `language`."""
+    if name in _SOLUTIONS:
+        source = solution_of(_SOLUTIONS[name])
+    else:
+        source = read_python((_CATALOGUE / name / "program.py").read_text("utf-8")).result.document
+    assert source is not None, name
+    return read_document(program_in_language(source, language))
 
 
 @cache

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from pinel_desktop.activities.faults import ActivityError, schema_faults, semantic_faults
 from pinel_desktop.activities.model import FORMAT, Activity, PathName
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages.content import titled, with_texts, world_titles
+from pinel_desktop.messages.content import program_in_language, titled, with_texts, world_titles
 from pinel_desktop.program.duplicates import duplicate_key_faults
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.python_text import read_python
@@ -60,7 +60,11 @@ def shipped_activity(name: str) -> Activity:
 @cache
 def solution_of(activity_name: str) -> dict[str, Any] | None:
     """Returns a program that passes a shipped activity, as a document; None if none ships."""
-    file = _CATALOGUE / activity_name / "solution.py"
+    return _shipped_program(activity_name, "solution.py")
+
+
+def _shipped_program(activity_name: str, file_name: str) -> dict[str, Any] | None:
+    file = _CATALOGUE / activity_name / file_name
     if activity_name not in _shipped() or not file.is_file():
         return None
     return read_python(file.read_text("utf-8")).result.document
@@ -70,15 +74,10 @@ def solution_of(activity_name: str) -> dict[str, Any] | None:
 def start_of(activity_name: str, language: str) -> dict[str, Any] | None:
     """Returns the program with which groups begin a shipped activity, as a document; None if it begins without blocks.
 
-    Its names and texts are in `language` if it ships in that language, else in Portuguese.
+    Its names and texts are in `language`.
     """
-    if activity_name not in _shipped():
-        return None
-    folder = _CATALOGUE / activity_name
-    for file in (folder / f"start.{language}.py", folder / "start.py"):
-        if file.is_file():
-            return read_python(file.read_text("utf-8")).result.document
-    return None
+    document = _shipped_program(activity_name, "start.py")
+    return document and program_in_language(document, language)
 
 
 def activity_titles(language: str) -> dict[str, str]:

@@ -3,7 +3,6 @@
 import contextlib
 import json
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import click
@@ -12,10 +11,10 @@ from pinel_desktop import __version__
 from pinel_desktop.camera.client import CameraState
 from pinel_desktop.camera.inputs import WRONG_RECOGNIZER, WRONG_SOURCE, CameraInputs
 from pinel_desktop.commands.batch.robot_parameters import chosen_parameters
-from pinel_desktop.commands.database import require_location
 from pinel_desktop.commands.options import chosen_database, database_option, recognizer_option
 from pinel_desktop.commands.printing import metric_lines, print_problem
 from pinel_desktop.commands.program_file import location_of, read_file
+from pinel_desktop.commands.recording import Recording, open_recording
 from pinel_desktop.commands.robots.real_robot import (
     ROBOT_OPTIONS,
     announce_waiting,
@@ -26,9 +25,6 @@ from pinel_desktop.commands.robots.real_robot import (
 from pinel_desktop.commands.typed_inputs import input_options, typed_answers, typed_gestures
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.event_sequencer import EventSequencer
-from pinel_desktop.events.model import Event
-from pinel_desktop.events.types import RECORDED, URGENT
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_object
@@ -44,7 +40,7 @@ from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.robot_checks import missing_on_model, missing_on_real_robots
 from pinel_desktop.runs.spec import RunInputs, RunSpec
 from pinel_desktop.runs.start import all_of, start
-from storage import RunRecorder, RunStart, Store, StoreError, open_store
+from storage import RunStart
 
 _MAX_VALUE_LENGTH = 200  # of a variable in the text output; --json has the full value
 _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
@@ -163,7 +159,7 @@ def command(
     else:
         for warning in reading.warnings:
             print_problem(warning, language, place=warning.pointer)
-        recording = None if no_store else _open_recording(chosen_database(ctx), language)
+        recording = None if no_store else open_recording(chosen_database(ctx), language)
         summary = _run(reading, recording, language, **options)
     click.echo(
         json.dumps(summary, ensure_ascii=False) if as_json else "\n".join(_lines(summary, language))
@@ -215,7 +211,7 @@ def _fault_object(fault: Fault, language: str) -> dict[str, Any]:
 
 
 def _run(
-    reading: ParseResult, recording: "_Recording | None", language: str, **options: Any
+    reading: ParseResult, recording: Recording | None, language: str, **options: Any
 ) -> dict[str, Any]:
     curves = Curves() if options["plot"] else None
     try:
@@ -309,55 +305,6 @@ def _start_failure_object(error: PinelError, language: str) -> dict[str, Any]:
         explain(error, language).line,
         [_fault_object(fault, language) for fault in faults],
     )
-
-
-class _Recording:
-    """Records a run in the database. Errors are printed and do not end the run."""
-
-    def __init__(self, store: Store, language: str) -> None:
-        self._store, self._language = store, language
-        self._recorder: RunRecorder | None = None
-        self._stamp = EventSequencer("")
-        self._start: RunStart | None = None
-
-    def expect(self, start: RunStart) -> None:
-        """Records the run from its first event; a run that cannot start leaves no record."""
-        self._start = start
-
-    def observe(self, tick: int, event: Event) -> None:
-        if self._start is not None:
-            self._begin(self._start)
-            self._start = None
-        if self._recorder is not None:
-            self._recorder(self._stamp.wire(tick, event))
-
-    def _begin(self, start: RunStart) -> None:
-        try:
-            self._stamp = EventSequencer(self._store.runs.begin(start).id)
-        except StoreError as error:
-            print_problem(error, self._language, place="pinel")
-            return
-        self._recorder = RunRecorder(self._store, recorded=RECORDED, urgent=URGENT)
-
-    def close(self) -> str | None:
-        """Finishes writing. Returns the run's id, None if it could not be recorded."""
-        problem = self._recorder.problem if self._recorder else None
-        self._store.close()
-        if problem is not None:
-            print_problem(problem, self._language, place="pinel")
-        return self._stamp.run if self._recorder and problem is None else None
-
-
-def _open_recording(database: Path, language: str) -> _Recording | None:
-    try:
-        require_location(database)
-        store = open_store(database)
-    except (PinelError, StoreError) as error:
-        print_problem(error, language, place="pinel")
-        return None
-    if store.notice is not None:
-        print_problem(store.notice, language, place="pinel")
-    return _Recording(store, language)
 
 
 def _lines(summary: dict[str, Any], language: str) -> list[str]:

@@ -174,16 +174,6 @@ class SignClassifier:
         weights = _ridge_weights(points, members, len(signs))
         return replace(self, signs=signs, points=points, members=members, weights=weights)
 
-    def without_sign(self, sign: str) -> "SignClassifier":
-        """Returns a classifier without one sign and all its samples."""
-        i = self.signs.index(sign)
-        retained = self.members != i
-        signs, members = self.signs[:i] + self.signs[i + 1 :], self.members[retained]
-        members = members - (members > i)
-        points = self.points[retained]
-        weights = _ridge_weights(points, members, len(signs))
-        return replace(self, signs=signs, points=points, members=members, weights=weights)
-
     def score(self, features: Features) -> ClassScores:
         """Returns the scores of n hands with features (n, d)."""
         points = self.projection(features)

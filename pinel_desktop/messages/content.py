@@ -1,4 +1,4 @@
-"""Texts of the worlds, activities and examples that ship: `catalogue/LANGUAGE/content/AREA.json`, by name."""
+"""Texts of the worlds, activities, examples and programs that ship: `catalogue/LANGUAGE/content/AREA.json`, by name."""
 
 import json
 from collections.abc import Mapping
@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from pinel_desktop.messages import LANGUAGES
 
-Area = Literal["missions", "examples", "worlds"]
+Area = Literal["missions", "examples", "worlds", "programs"]
 _CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "catalogue"
 
 
@@ -76,3 +76,20 @@ def with_texts(document: Mapping[str, Any], area: Area) -> dict[str, Any]:
         **{key: localized(key) for key in own},
         **({"hints": hints} if hints else {}),
     }
+
+
+def program_in_language(document: Mapping[str, Any], language: str) -> dict[str, Any]:
+    """Returns the document of a shipped program with its names and texts in a language.
+
+    The shipped program has those of the source language; they are the keys of the catalogue.
+    """
+    words = texts_by_language("programs")[language]
+
+    def translated(node: Any) -> Any:
+        if isinstance(node, list):
+            return [translated(one) for one in node]
+        if isinstance(node, Mapping):
+            return {words.get(key, key): translated(one) for key, one in node.items()}
+        return words.get(node, node) if isinstance(node, str) else node
+
+    return dict(translated(document))

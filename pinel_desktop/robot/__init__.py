@@ -2,15 +2,7 @@
 
 from pinel_desktop.robot.geometry import STANDSTILL, Pose2D, Twist2D, wrap_angle
 from pinel_desktop.robot.link import RobotLink, RobotState
-from pinel_desktop.robot.models import (
-    PIONEER_3DX,
-    ROBOTS,
-    SMALL_ROBOT,
-    Direction,
-    Laser,
-    RobotModel,
-    Sonar,
-)
+from pinel_desktop.robot.models import PIONEER_3DX, ROBOTS, SMALL_ROBOT, Laser, RobotModel, Sonar
 from pinel_desktop.robot.robot_parameters import BOUNDS, RobotParameters, robot_parameters_from
 from pinel_desktop.robot.sensors import Segment, Sensors
 from pinel_desktop.robot.simulation_config import (
@@ -30,7 +22,6 @@ __all__ = [
     "ROBOTS",
     "SMALL_ROBOT",
     "STANDSTILL",
-    "Direction",
     "Feedback",
     "Laser",
     "Pose2D",

@@ -30,22 +30,6 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.school.teacher import TeacherSessions
     from storage import Store
 
-ReadDocument = Callable[[dict[str, object] | list[object]], "ParseResult"]
-
-
-class ReadWorld(Protocol):
-    """Reads a world document; returns its normal form, or None, and its faults."""
-
-    def __call__(
-        self, source: Any, *, robot: str | None = None
-    ) -> tuple[dict[str, Any] | None, Sequence[Fault]]:
-        """
-        Args:
-            robot: name of the model that must fit at the start pose; None is the largest.
-        """
-        ...
-
-
 # "restart" closes the window and opens it again, in kiosk mode or without it, as the setting says
 WindowRequest = Literal["show", "allow_print", "close", "restart"]
 
@@ -104,8 +88,6 @@ class Services:
     status_feed: RobotStatusFeed
     predictions: Predictions
     opened_file: OpenedFile
-    read_document: ReadDocument
-    read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]
     database_state: Callable[[], DatabaseState]
     window: WindowLink | None
@@ -124,3 +106,19 @@ class Services:
 def services() -> Services:
     """The services of the app that answers the current request."""
     return cast(Services, current_app.extensions["pinel"])
+
+
+def read_document(document: dict[str, object] | list[object]) -> ParseResult:
+    """Reads a program, as `program.reading.read_document`."""
+    from pinel_desktop.program import reading  # noqa: PLC0415 - needed by few requests
+
+    return reading.read_document(document)
+
+
+def read_world(
+    source: Any, *, robot: str | None = None
+) -> tuple[dict[str, Any] | None, Sequence[Fault]]:
+    """Reads a world, as `worlds.read_own_world`."""
+    from pinel_desktop.worlds import read_own_world  # noqa: PLC0415 - needed by few requests
+
+    return read_own_world(source, robot=robot)

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from storage.errors import StoreError
 from storage.file.connection import Timestamp
 from storage.file.repository import Repository
-from storage.file.row_checksums import OF_RUNS
 from storage.row_types import SIMULATOR, Json, RunRow, RunStart, RunSummary
 from storage.run_validity import confirmation_status, counted, masking_damage
 from storage.sql import insert, not_found, require, rows_of, selected
@@ -155,10 +154,6 @@ class Runs(Repository):
         with self._database.read_connection() as db:
             require(db, "runs", run_id)
             return _telemetry(db, run_id)
-
-    def damaged_parts(self, run_id: str) -> list[str]:
-        """Returns the parts, of `runs`, `events` and `telemetry`, that are damaged and cannot be repaired."""
-        return [part for part in OF_RUNS if not self._is_intact(part, run_id)]
 
     def _require_intact(self, part: str, run_id: str) -> None:
         if not self._is_intact(part, run_id):

@@ -1,10 +1,19 @@
 """The examples: each runs to its end, in every language, as far and as long as is known of it."""
 
+import json
+
 import pytest
 
-from pinel_desktop.activities import EXAMPLES, example, program_of_example
+from pinel_desktop.activities import (
+    EXAMPLES,
+    activity_names,
+    example,
+    program_of_example,
+    start_of,
+)
 from pinel_desktop.activities.checking import spec_of
-from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE
+from pinel_desktop.messages.content import texts_by_language
 from pinel_desktop.runs.start import start
 
 # path in m, robot time in s: of the first case, by the ideal robot
@@ -48,3 +57,22 @@ def test_an_example_says_what_it_shows_in_every_language(name: str) -> None:
     for language in LANGUAGES:
         assert shown.title.of(language)
         assert shown.story.of(language).endswith(".")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_word_for_shipped_programs_stands_in_one(language: str) -> None:
+    programs = [
+        *(program_of_example(name, SOURCE_LANGUAGE).document for name in EXAMPLES),
+        *(start_of(name, SOURCE_LANGUAGE) for name in activity_names()),
+    ]
+    shipped = json.dumps(programs, ensure_ascii=False)
+    words = texts_by_language("programs")[language]
+    assert [one for one in words if json.dumps(one, ensure_ascii=False) not in shipped] == []
+
+
+def test_the_names_of_a_program_are_in_the_language_also_where_it_calls_a_function() -> None:
+    document = start_of("two_teams", "en")
+    assert document is not None
+    bring = next(one for one in document["functions"] if one["name"] == "bring the mark")
+    call = document["commands"][-1]["commands"][0]
+    assert (call["function"], list(call["arguments"])) == (bring["name"], bring["parameters"])

@@ -84,19 +84,6 @@ def test_a_person_s_own_way_is_taught_to_a_known_sign() -> None:
     }
 
 
-def test_what_was_taught_is_forgotten_without_a_trace() -> None:
-    forgotten = TRAINED.with_samples(cloud("3", 4)).without_sign("3")
-    assert forgotten.signs == TRAINED.signs
-    assert np.array_equal(forgotten.points, TRAINED.points)
-    assert forgotten.weights == pytest.approx(TRAINED.weights, abs=1e-6)
-
-
-def test_a_sign_in_the_middle_is_forgotten_and_the_others_keep_their_names() -> None:
-    forgotten = TRAINED.without_sign("B")
-    assert forgotten.signs == ("A", "T")
-    assert signs_of(forgotten, cloud("T", 20, seed=8)) == {"T"}
-
-
 def test_an_answer_needs_score_margin_and_likeness() -> None:
     scores = np.array([[0.9, 0.1], [0.4, 0.0], [0.9, 0.8], [0.9, 0.1]])
     judged = ClassScores(scores, np.array([0.0, 0.0, 0.0, 9.0]))

@@ -7,6 +7,7 @@ import pytest
 
 from pinel_desktop.app import App
 from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.program import reading
 from pinel_desktop.program.reading import ParseResult
 from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
@@ -191,14 +192,16 @@ def test_no_document_makes_an_answer_that_cannot_be_written(
 
 
 def test_faults_that_hold_what_nothing_can_write_are_answered_all_the_same(
-    start_app: Callable[..., App],
+    start_app: Callable[..., App], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     values = {"value": 10**400, "min": -(10**400), "max": float("inf"), "name": ["\ud800"]}
 
     class Wild:
         code, pointer, block, params = "times_out_of_range", "/\ud800", "\ud800", values
 
-    browser = Browser.signed_in(start_app(read=lambda source: ParseResult(None, (Wild(),))).address)  # type: ignore[arg-type]
+    wild = ParseResult(None, (Wild(),))  # type: ignore[arg-type]
+    monkeypatch.setattr(reading, "read_document", lambda source: wild)
+    browser = Browser.signed_in(start_app().address)
     (fault,) = browser.post("/api/check", {"document": {}}).data["faults"]
     assert (fault["pointer"], fault["block"]) == ("/\ufffd", "\ufffd")
     assert fault["params"] == {"value": "1e400", "min": "-1e400", "max": "inf", "name": ["\ufffd"]}

@@ -9,7 +9,6 @@ from pinel_desktop.execution.inputs.sources import (
     LiveInputs,
     Pending,
     PersonInput,
-    Script,
     ScriptedInputs,
     number_of,
 )
@@ -23,7 +22,6 @@ __all__ = [
     "LiveInputs",
     "Pending",
     "PersonInput",
-    "Script",
     "ScriptedInputs",
     "number_of",
 ]

@@ -1,17 +1,10 @@
 """Review of a group's work: differences of two versions, events of a lesson. PURE: no IO, thread or clock."""
 
-from pinel_desktop.school.review.advice import Advice, advice_of_cases, advice_of_report
+from pinel_desktop.school.review.advice import advice_of_cases, advice_of_report
 from pinel_desktop.school.review.blocks import BlocksInUse, blocks_in_use
-from pinel_desktop.school.review.difference import (
-    Change,
-    ChangedBlock,
-    Counts,
-    Difference,
-    difference,
-)
+from pinel_desktop.school.review.difference import Change, Counts, Difference, difference
 from pinel_desktop.school.review.group_timeline import TimelineEntry
 from pinel_desktop.school.review.lesson import (
-    GroupMetrics,
     GroupReview,
     LessonReview,
     review_group,
@@ -21,23 +14,19 @@ from pinel_desktop.school.review.lesson import (
 from pinel_desktop.school.review.lesson_events import Edit, GroupWork, Run
 from pinel_desktop.school.review.spreadsheet import spreadsheet
 from pinel_desktop.school.review.status import GroupStatus, status_of
-from pinel_desktop.school.review.summary import CommonMistake, Need, Summary, summary
+from pinel_desktop.school.review.summary import CommonMistake, Summary, summary
 
 __all__ = [
-    "Advice",
     "BlocksInUse",
     "Change",
-    "ChangedBlock",
     "CommonMistake",
     "Counts",
     "Difference",
     "Edit",
-    "GroupMetrics",
     "GroupReview",
     "GroupStatus",
     "GroupWork",
     "LessonReview",
-    "Need",
     "Run",
     "Summary",
     "TimelineEntry",

@@ -28,7 +28,7 @@ from pinel_desktop.web.models.work import (
 from pinel_desktop.web.models.worlds import World
 from pinel_desktop.web.presets import prepare_program
 from pinel_desktop.web.responses import MAX_FAULTS, describe_faults, json_response, json_safe
-from pinel_desktop.web.services import Services, services
+from pinel_desktop.web.services import Services, read_document, services
 from storage import FaultRow, ProgramRow, VersionRow
 from storage import VersionSummary as VersionSummaryRow
 
@@ -103,7 +103,7 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
     parts = services()
     document, faults = None, []
     if body.document is not None:
-        reading = parts.read_document(body.document)
+        reading = read_document(body.document)
         document = None if reading.faults else reading.document
         faults = [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]]
     world = None if body.world is None else _world_to_save(path.id, body.world, parts)
@@ -188,7 +188,7 @@ def restore_program(path: IdPath) -> Response:
 def check_document(body: DocumentToCheck) -> Response:
     """All faults of a document, with messages."""
     parts = services()
-    faults = parts.read_document(body.document).faults
+    faults = read_document(body.document).faults
     return json_response(CheckedDocument(faults=describe_faults(faults, parts.settings.language)))
 
 

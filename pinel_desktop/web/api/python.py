@@ -11,7 +11,7 @@ from pinel_desktop.web.models.python import (
     WrittenPython,
 )
 from pinel_desktop.web.responses import describe_faults, json_response
-from pinel_desktop.web.services import services
+from pinel_desktop.web.services import read_document, services
 
 api = Resource("python", "Programs as Python text.", __name__)
 
@@ -23,7 +23,7 @@ def write(body: DocumentToWrite) -> Response:
     from pinel_desktop.program.python_text import write_python  # noqa: PLC0415
 
     parts = services()
-    reading = parts.read_document(body.document)
+    reading = read_document(body.document)
     if reading.document is None:
         faults = describe_faults(reading.faults, parts.settings.language)
         return json_response(WrittenPython(text=None, lines=[], faults=faults))

@@ -35,7 +35,7 @@ from pinel_desktop.web.models.runs import (
 )
 from pinel_desktop.web.models.worlds import Start, World
 from pinel_desktop.web.responses import describe_faults, json_response
-from pinel_desktop.web.services import Services, services
+from pinel_desktop.web.services import Services, read_world, services
 from storage import CALIBRATED_ROBOT, SIMULATOR, RunRow, RunSummary, StoreError, VersionRow
 
 if TYPE_CHECKING:
@@ -252,7 +252,7 @@ def _moved(
 ) -> dict[str, object]:
     """Returns the world with another start pose. Raises PinelError with the first fault of that pose."""
     moved = {**world, "start": start.model_dump()}
-    _, faults = parts.read_world(moved, robot=robot)
+    _, faults = read_world(moved, robot=robot)
     for fault in faults:
         if fault.pointer.startswith("/start"):
             raise PinelError(fault.code, **fault.params)

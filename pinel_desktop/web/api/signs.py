@@ -15,6 +15,14 @@ from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 
 api = Resource("signs", "Signs that the camera knows, and that classes teach it.", __name__)
+_RECORDING = (
+    "classroom_not_found",
+    "name_empty",
+    "sign_name_wrong",
+    "sign_taught_enough",
+    "signs_too_many",
+    *WRITES,
+)
 
 
 @api.get("/signs", responses=responses(SignList))
@@ -36,35 +44,13 @@ def choose_classroom_of_camera(body: ClassroomOfCamera) -> Response:
     return _signs(body.classroom_id)
 
 
-@api.post(
-    "/classrooms/<id>/signs/<sign>/samples",
-    responses=responses(
-        SignName,
-        "classroom_not_found",
-        "name_empty",
-        "sign_name_wrong",
-        "sign_taught_enough",
-        "signs_too_many",
-        *WRITES,
-    ),
-)
+@api.post("/classrooms/<id>/signs/<sign>/samples", responses=responses(SignName, *_RECORDING))
 def record_sign(path: SignPath) -> Response:
     """Starts to record hands as a sign of the class. `sign_recording` events report each detected hand."""
     return json_response(SignName(name=services().signs.record(path.id, path.sign)))
 
 
-@api.post(
-    "/classrooms/<id>/signs/<sign>/movements",
-    responses=responses(
-        SignName,
-        "classroom_not_found",
-        "name_empty",
-        "sign_name_wrong",
-        "sign_taught_enough",
-        "signs_too_many",
-        *WRITES,
-    ),
-)
+@api.post("/classrooms/<id>/signs/<sign>/movements", responses=responses(SignName, *_RECORDING))
 def record_moving_sign(path: SignPath) -> Response:
     """Starts to record movements as a sign of the class. `sign_recording` events report each movement."""
     name = services().signs.record(path.id, path.sign, is_moving=True)

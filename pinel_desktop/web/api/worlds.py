@@ -10,7 +10,7 @@ from pinel_desktop.web.errors import InvalidWorldError
 from pinel_desktop.web.models.robots import Robot, RobotList
 from pinel_desktop.web.models.worlds import CheckedWorld, World, WorldList, WorldToCheck
 from pinel_desktop.web.responses import describe_faults, json_response
-from pinel_desktop.web.services import services
+from pinel_desktop.web.services import read_world, services
 
 api = Resource("worlds", "Worlds of runs, and robot models of the simulator.", __name__)
 
@@ -25,14 +25,14 @@ def list_worlds() -> Response:
 def check_world(body: WorldToCheck) -> Response:
     """All faults of a world, with messages."""
     parts = services()
-    _, faults = parts.read_world(body.world)
+    _, faults = read_world(body.world)
     return json_response(CheckedWorld(faults=describe_faults(faults, parts.settings.language)))
 
 
 def valid_world(document: dict[str, Any]) -> dict[str, Any]:
     """Returns the world document in its normal form. Raises InvalidWorldError with its faults."""
     parts = services()
-    sound, faults = parts.read_world(document)
+    sound, faults = read_world(document)
     if sound is None:
         raise InvalidWorldError(describe_faults(faults, parts.settings.language))
     return sound

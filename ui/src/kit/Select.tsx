@@ -65,6 +65,19 @@ export function Select<T extends Value>(props: SelectProps<T>) {
   );
 }
 
+/** A select with its label above. */
+export function LabelledSelect<T extends Value>({
+  label,
+  ...select
+}: SelectProps<T> & { label: string }) {
+  return (
+    <label class="labelled">
+      <span class="labelled__label">{label}</span>
+      <Select {...select} />
+    </label>
+  );
+}
+
 function Options<T extends Value>({ of }: { of: readonly SelectOption<T>[] }) {
   return of.map(([value, text, more]) => (
     <option key={written(value)} {...more} value={written(value)}>

@@ -2,7 +2,7 @@ import type { Robot, World } from "../api/model";
 import type { Pose, RunView } from "../run/reducer";
 import { points } from "../run/trail";
 import type { Colours } from "./colours";
-import { startOf } from "./frames";
+import { toStartFrame } from "./frames";
 import type { Viewport } from "./framing/viewport";
 import type { Livery } from "./livery/livery";
 import { drawRobot } from "./robot";
@@ -25,11 +25,9 @@ export function drawCompanion(
   colours: Colours,
   ratio: number,
 ): void {
-  const start = startOf(world);
   const here = pose();
   ctx.save();
-  ctx.translate(start.x, start.y);
-  ctx.rotate(start.yaw);
+  toStartFrame(ctx, world);
   ctx.beginPath();
   for (const point of points(view.path)) ctx.lineTo(...point);
   if (view.run) ctx.lineTo(here.x, here.y);

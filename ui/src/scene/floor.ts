@@ -2,7 +2,7 @@ import type { World } from "../api/model";
 import type { BoxPoses } from "../run/reducer";
 import { WALL_M } from "./areas";
 import type { Colours } from "./colours";
-import { roomOf, startOf, toStart, toWorld } from "./frames";
+import { roomOf, startOf, toStart, toStartFrame, toWorld } from "./frames";
 import { EDGE, type Size, toScreen, type Viewport } from "./framing/viewport";
 import { drawPaint, drawZones } from "./ground";
 import { drawAppearance, drawGround, drawPrints, hasGround } from "./mat/draw";
@@ -72,10 +72,8 @@ function spanOf(world: World | null): [left: number, right: number, bottom: numb
 const GRID_ON_PRINT = 0.45;
 
 function drawTiles(ctx: Ctx, world: World | null, colours: Colours, scale: number): void {
-  const start = startOf(world);
   const [left, right, bottom, top] = spanOf(world);
-  ctx.translate(start.x, start.y);
-  ctx.rotate(start.yaw);
+  toStartFrame(ctx, world);
   ctx.fillStyle = colours.otherTile;
   const isPrinted = hasGround(world, colours);
   for (let x = left; x < right && !isPrinted; x++) {

@@ -28,6 +28,13 @@ export function startOf(world: World | null): StartPose {
   return { x: x_m, y: y_m, yaw: (heading_deg * Math.PI) / 180 };
 }
 
+/** Moves the canvas from the world frame to the start frame. */
+export function toStartFrame(ctx: CanvasRenderingContext2D, world: World | null): void {
+  const start = startOf(world);
+  ctx.translate(start.x, start.y);
+  ctx.rotate(start.yaw);
+}
+
 /** Transforms a point from the start frame to the world frame. */
 export function toWorld(start: StartPose, x: number, y: number): XY {
   const cos = Math.cos(start.yaw);

@@ -6,7 +6,7 @@ import { type Bundle, type BundlePath, drawBundle, pathAt } from "./bundle/bundl
 import { type Colours, readColours } from "./colours";
 import { type Companion, drawCompanion } from "./companion";
 import { drawMovableBoxes, drawRulers } from "./floor";
-import { HANDLE_M, startOf, toWorld, type XY } from "./frames";
+import { HANDLE_M, startOf, toStartFrame, toWorld, type XY } from "./frames";
 import { contentBounds } from "./framing/content_bounds";
 import { FramedViewport, type Framing } from "./framing/framed_viewport";
 import { hasRulers, type Size, toScreen, type Viewport, viewportFor } from "./framing/viewport";
@@ -373,10 +373,4 @@ function onFloor(
   ctx.translate(-viewport.x, -viewport.y);
   draw();
   ctx.restore();
-}
-
-function toStartFrame(ctx: CanvasRenderingContext2D, world: World | null): void {
-  const start = startOf(world);
-  ctx.translate(start.x, start.y);
-  ctx.rotate(start.yaw);
 }

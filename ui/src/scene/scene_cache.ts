@@ -5,7 +5,7 @@ import { lastPoint, type Point, type Trail } from "../run/trail";
 import type { Colours } from "./colours";
 import { drawMarks, drawStroke } from "./drawings";
 import { drawFloor } from "./floor";
-import { startOf } from "./frames";
+import { toStartFrame } from "./frames";
 import type { Size, Viewport } from "./framing/viewport";
 import { drawStart } from "./robot";
 
@@ -150,7 +150,7 @@ export class SceneCache {
     ctx.fillRect(0, 0, canvas.width, canvas.height);
     this.toWorldFrame(ctx, input);
     drawFloor(ctx, world, colours, viewport.scale, false);
-    this.toStart(ctx, input);
+    toStartFrame(ctx, input.world);
     if (robot) drawStart(ctx, robot, colours, viewport.scale);
     if (this.strokeCtx) this.drawMarks(this.strokeCtx, input);
     this.drawFull(ctx, input);
@@ -161,7 +161,7 @@ export class SceneCache {
   /** Marks lie above the path, which often leads over them. */
   private drawMarks(ctx: Ctx, input: CacheInput): void {
     this.toWorldFrame(ctx, input);
-    this.toStart(ctx, input);
+    toStartFrame(ctx, input.world);
     drawMarks(ctx, input.view.output.marks, input.colours);
   }
 
@@ -175,7 +175,7 @@ export class SceneCache {
     this.input = input;
     if (isFull) return;
     this.toWorldFrame(ctx, input);
-    this.toStart(ctx, input);
+    toStartFrame(ctx, input.world);
     this.drawFull(ctx, input);
   }
 
@@ -200,7 +200,7 @@ export class SceneCache {
   private drawFullStrokes(ctx: Ctx, input: CacheInput, pixel: number): void {
     const { view, colours } = input;
     this.toWorldFrame(ctx, input);
-    this.toStart(ctx, input);
+    toStartFrame(ctx, input.world);
     for (const stroke of view.output.strokes.slice(this.strokes)) {
       drawStroke(ctx, stroke, null, colours, pixel);
       this.pen = { chunks: 0, length: 0 };
@@ -211,12 +211,6 @@ export class SceneCache {
       drawStroke(ctx, restOf(pen, this.pen.chunks, false), null, colours, pixel);
       this.pen = { chunks: pen.trail.chunks.length, length: 0 };
     }
-  }
-
-  private toStart(ctx: Ctx, { world }: CacheInput): void {
-    const start = startOf(world);
-    ctx.translate(start.x, start.y);
-    ctx.rotate(start.yaw);
   }
 
   /** Draws the newest part of each path, which is not in the cache yet. The canvas is in the start frame. */

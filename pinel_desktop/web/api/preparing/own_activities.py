@@ -31,7 +31,7 @@ from pinel_desktop.web.models.own_activities import (
 )
 from pinel_desktop.web.models.work import Program
 from pinel_desktop.web.responses import describe_faults, json_response, notice
-from pinel_desktop.web.services import services
+from pinel_desktop.web.services import read_document, services
 from pinel_desktop.web.teaching import require_teacher
 from storage import OwnActivityRow
 
@@ -126,7 +126,7 @@ def measure_solution(body: Stage) -> Response:
 
     require_teacher()
     parts = services()
-    reading = parts.read_document(body.solution)
+    reading = read_document(body.solution)
     activity, faults = _read({**_stage(body), "checks": [_FINISHED]})
     if activity is None or faults or reading.faults:
         found = [*reading.faults, *faults]

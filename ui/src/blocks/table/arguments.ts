@@ -24,6 +24,11 @@ export const SPEED: Limits = { min: 0.01, precision: 0.01 };
 export const POSITION: Limits = { min: 1, max: MAX_LIST, precision: 1 };
 export const TIMES: Limits = { min: 0, max: MAX_REPEATS, precision: 1 };
 
+/** The type of a block that generates the command of that name. */
+export function command<T extends string>(type: T) {
+  return { type, makes: { action: type } } as const;
+}
+
 /** An input for a number, with a number as its placeholder. */
 export function numberInput(name: string, key: string, start: number, limits: Limits = {}) {
   return {
@@ -62,14 +67,20 @@ export function choice(name: string, key: string, options: Options) {
   return { type: "field_dropdown", name, key, options } as const;
 }
 
-export const sides = {
-  type: "field_dropdown",
-  name: "DIRECTION",
-  options: [
-    ["%{BKY_PINEL_LEFT}", "LEFT"],
-    ["%{BKY_PINEL_RIGHT}", "RIGHT"],
-  ],
-} as const;
+/** A field whose value the generator of its block reads. */
+export function dropdown(name: string, options: Options) {
+  return { type: "field_dropdown", name, options } as const;
+}
+
+/** The type of a block that generates an operation of one operator. */
+export function operation<T extends string>(type: T, op: string = type) {
+  return { type, makes: { op: [op] } } as const;
+}
+
+export const sides = dropdown("DIRECTION", [
+  ["%{BKY_PINEL_LEFT}", "LEFT"],
+  ["%{BKY_PINEL_RIGHT}", "RIGHT"],
+]);
 
 export const COLOURS = [
   "blue",

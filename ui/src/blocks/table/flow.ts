@@ -1,5 +1,14 @@
 import type { BlockDefinition } from "../definition";
-import { body, conditionInput, nameField, numberInput, SECONDS, TIMEOUT, TIMES } from "./arguments";
+import {
+  body,
+  command,
+  conditionInput,
+  nameField,
+  numberInput,
+  SECONDS,
+  TIMEOUT,
+  TIMES,
+} from "./arguments";
 
 const statement = { style: "flow", previousStatement: null, nextStatement: null } as const;
 const condition = conditionInput("CONDITION", "condition");
@@ -8,55 +17,22 @@ export const flow = [
   {
     ...statement,
     ...body,
-    type: "repeat",
+    ...command("repeat"),
     level: 1,
-    makes: { action: "repeat" },
     icon: "repeat",
     args0: [numberInput("TIMES", "times", 4, TIMES)],
   },
   {
     ...statement,
-    type: "wait",
+    ...command("wait"),
     level: 1,
-    makes: { action: "wait" },
     icon: "clock",
     args0: [numberInput("SECONDS", "seconds", 1, SECONDS)],
   },
-  {
-    ...statement,
-    ...body,
-    type: "forever",
-    level: 2,
-    makes: { action: "forever" },
-    icon: "infinity",
-    args0: [],
-  },
-  {
-    ...statement,
-    ...body,
-    type: "while",
-    level: 2,
-    makes: { action: "while" },
-    icon: "refresh",
-    args0: [condition],
-  },
-  {
-    ...statement,
-    ...body,
-    type: "until",
-    level: 2,
-    makes: { action: "until" },
-    icon: "refresh",
-    args0: [condition],
-  },
-  {
-    ...statement,
-    type: "wait_until",
-    level: 2,
-    makes: { action: "wait_until" },
-    icon: "hourglass",
-    args0: [condition],
-  },
+  { ...statement, ...body, ...command("forever"), level: 2, icon: "infinity", args0: [] },
+  { ...statement, ...body, ...command("while"), level: 2, icon: "refresh", args0: [condition] },
+  { ...statement, ...body, ...command("until"), level: 2, icon: "refresh", args0: [condition] },
+  { ...statement, ...command("wait_until"), level: 2, icon: "hourglass", args0: [condition] },
   {
     ...statement,
     type: "wait_until_timeout",
@@ -68,9 +44,8 @@ export const flow = [
   {
     ...statement,
     ...body,
-    type: "for",
+    ...command("for"),
     level: 2,
-    makes: { action: "for" },
     icon: "hash",
     args0: [
       nameField("VARIABLE", "variable"),
@@ -79,20 +54,6 @@ export const flow = [
       numberInput("BY", "by", 1),
     ],
   },
-  {
-    ...statement,
-    type: "break",
-    level: 2,
-    makes: { action: "break" },
-    icon: "logOut",
-    args0: [],
-  },
-  {
-    ...statement,
-    type: "continue",
-    level: 3,
-    makes: { action: "continue" },
-    icon: "skip",
-    args0: [],
-  },
+  { ...statement, ...command("break"), level: 2, icon: "logOut", args0: [] },
+  { ...statement, ...command("continue"), level: 3, icon: "skip", args0: [] },
 ] as const satisfies readonly BlockDefinition[];

@@ -1,5 +1,5 @@
 import type { BlockDefinition } from "../definition";
-import { anything } from "./arguments";
+import { anything, command } from "./arguments";
 
 const statement = { style: "functions", previousStatement: null, nextStatement: null } as const;
 
@@ -17,9 +17,8 @@ export const functions = [
   },
   {
     ...statement,
-    type: "call",
+    ...command("call"),
     level: 3,
-    makes: { action: "call" },
     icon: "puzzle",
     args0: [{ type: "field_label", name: "NAME", text: "" }],
     mutator: "pinel_call",
@@ -41,12 +40,5 @@ export const functions = [
     icon: "corner",
     args0: [{ type: "input_value", name: "VALUE", key: "value", shadow: { number: 0 } }],
   },
-  {
-    ...statement,
-    type: "return",
-    level: 3,
-    makes: { action: "return" },
-    icon: "corner",
-    args0: [],
-  },
+  { ...statement, ...command("return"), level: 3, icon: "corner", args0: [] },
 ] as const satisfies readonly BlockDefinition[];

@@ -1,14 +1,13 @@
 import type { BlockDefinition } from "../definition";
-import { numberInput, TEXT_LITERAL, TIMEOUT } from "./arguments";
+import { command, numberInput, TEXT_LITERAL, TIMEOUT } from "./arguments";
 
 const statement = { style: "gestures", previousStatement: null, nextStatement: null } as const;
 
 export const gestures = [
   {
     ...statement,
-    type: "classify_gestures",
+    ...command("classify_gestures"),
     level: 1,
-    makes: { action: "classify_gestures" },
     icon: "hand",
     args0: [numberInput("TIMEOUT", "timeout", 10, TIMEOUT)],
   },
@@ -30,9 +29,8 @@ export const gestures = [
   },
   {
     ...statement,
-    type: "read_number",
+    ...command("read_number"),
     level: 1,
-    makes: { action: "read_number" },
     icon: "hand",
     args0: [numberInput("TIMEOUT", "timeout", 10, TIMEOUT)],
   },
@@ -46,9 +44,8 @@ export const gestures = [
   },
   {
     ...statement,
-    type: "set_gesture_result",
+    ...command("set_gesture_result"),
     level: 1,
-    makes: { action: "set_gesture_result" },
     icon: "pencil",
     args0: [
       {

@@ -1,5 +1,5 @@
 import type { BlockDefinition } from "../definition";
-import { anything, nameField, numberInput, POSITION } from "./arguments";
+import { anything, command, nameField, numberInput, operation, POSITION } from "./arguments";
 
 const valueSought = { type: "input_value", name: "VALUE", shadow: { textKey: "WORD" } } as const;
 
@@ -25,10 +25,9 @@ export const lists = [
     hidden: true,
   },
   {
-    type: "append",
+    ...command("append"),
     style: "lists",
     level: 3,
-    makes: { action: "append" },
     icon: "listPlus",
     previousStatement: null,
     nextStatement: null,
@@ -38,10 +37,9 @@ export const lists = [
     ],
   },
   {
-    type: "replace_item",
+    ...command("replace_item"),
     style: "lists",
     level: 3,
-    makes: { action: "replace_item" },
     icon: "replace",
     previousStatement: null,
     nextStatement: null,
@@ -52,10 +50,9 @@ export const lists = [
     ],
   },
   {
-    type: "item",
+    ...operation("item"),
     style: "lists",
     level: 3,
-    makes: { op: ["item"] },
     args0: [
       {
         type: "input_value",
@@ -69,26 +66,23 @@ export const lists = [
     ...anything,
   },
   {
-    type: "contains",
+    ...operation("contains"),
     style: "lists",
     level: 3,
-    makes: { op: ["contains"] },
     args0: [{ type: "input_value", name: "LIST", check: "Array" }, valueSought],
     output: "Boolean",
   },
   {
-    type: "position_of",
+    ...operation("position_of"),
     style: "lists",
     level: 3,
-    makes: { op: ["position_of"] },
     args0: [valueSought, { type: "input_value", name: "LIST", check: "Array" }],
     output: "Number",
   },
   {
-    type: "length",
+    ...operation("length"),
     style: "lists",
     level: 3,
-    makes: { op: ["length"] },
     args0: [{ type: "input_value", name: "A", check: ["String", "Array"] }],
     output: "Number",
   },

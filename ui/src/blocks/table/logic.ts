@@ -1,5 +1,5 @@
 import type { BlockDefinition, ValueType } from "../definition";
-import { BOOLEAN_LITERAL } from "./arguments";
+import { BOOLEAN_LITERAL, dropdown, operation } from "./arguments";
 
 const logicValue = { style: "logic", output: "Boolean" } as const;
 const side = (name: string, check?: ValueType) => ({
@@ -31,18 +31,14 @@ export const logic = [
     makes: { op: COMPARISONS },
     args0: [
       side("A"),
-      {
-        type: "field_dropdown",
-        name: "OPERATOR",
-        options: [
-          ["=", "=="],
-          ["≠", "!="],
-          ["<", "<"],
-          ["≤", "<="],
-          [">", ">"],
-          ["≥", ">="],
-        ],
-      },
+      dropdown("OPERATOR", [
+        ["=", "=="],
+        ["≠", "!="],
+        ["<", "<"],
+        ["≤", "<="],
+        [">", ">"],
+        ["≥", ">="],
+      ]),
       side("B"),
     ],
   },
@@ -53,14 +49,10 @@ export const logic = [
     makes: { op: ["and", "or"] },
     args0: [
       side("A", "Boolean"),
-      {
-        type: "field_dropdown",
-        name: "OPERATOR",
-        options: [
-          ["%{BKY_PINEL_AND}", "and"],
-          ["%{BKY_PINEL_OR}", "or"],
-        ],
-      },
+      dropdown("OPERATOR", [
+        ["%{BKY_PINEL_AND}", "and"],
+        ["%{BKY_PINEL_OR}", "or"],
+      ]),
       side("B", "Boolean"),
     ],
     variadic: { check: "Boolean", min: 2, start: 2, shadow: null },
@@ -68,9 +60,8 @@ export const logic = [
   },
   {
     ...logicValue,
-    type: "not",
+    ...operation("not"),
     level: 2,
-    makes: { op: ["not"] },
     args0: [side("A", "Boolean")],
   },
   {
@@ -80,14 +71,10 @@ export const logic = [
     makes: { expression: "literal" },
     output: BOOLEAN_LITERAL,
     args0: [
-      {
-        type: "field_dropdown",
-        name: "BOOL",
-        options: [
-          ["%{BKY_PINEL_TRUE}", "TRUE"],
-          ["%{BKY_PINEL_FALSE}", "FALSE"],
-        ],
-      },
+      dropdown("BOOL", [
+        ["%{BKY_PINEL_TRUE}", "TRUE"],
+        ["%{BKY_PINEL_FALSE}", "FALSE"],
+      ]),
     ],
   },
 ] as const satisfies readonly BlockDefinition[];

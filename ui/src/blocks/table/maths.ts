@@ -1,5 +1,5 @@
 import type { BlockDefinition } from "../definition";
-import { NUMBER_LITERAL } from "./arguments";
+import { dropdown, NUMBER_LITERAL, operation } from "./arguments";
 
 const result = { style: "maths", output: "Number" } as const;
 const operand = (name: string, start: number) =>
@@ -21,32 +21,26 @@ export const maths = [
     makes: { op: ["+", "-", "*", "/", "**"] },
     args0: [
       operand("A", 1),
-      {
-        type: "field_dropdown",
-        name: "OPERATOR",
-        options: [
-          ["+", "+"],
-          ["−", "-"],
-          ["×", "*"],
-          ["÷", "/"],
-          ["^", "**"],
-        ],
-      },
+      dropdown("OPERATOR", [
+        ["+", "+"],
+        ["−", "-"],
+        ["×", "*"],
+        ["÷", "/"],
+        ["^", "**"],
+      ]),
       operand("B", 1),
     ],
   },
   {
     ...result,
-    type: "random_int",
+    ...operation("random_int"),
     level: 2,
-    makes: { op: ["random_int"] },
     args0: [operand("A", 1), operand("B", 6)],
   },
   {
     ...result,
-    type: "remainder",
+    ...operation("remainder", "%"),
     level: 3,
-    makes: { op: ["%"] },
     args0: [operand("A", 7), operand("B", 2)],
   },
   {
@@ -55,14 +49,13 @@ export const maths = [
     level: 3,
     makes: { op: ["round", "abs", "sqrt", "sin", "cos", "tan"] },
     args0: [
-      {
-        type: "field_dropdown",
-        name: "OPERATOR",
-        options: ["round", "abs", "sqrt", "sin", "cos", "tan"].map((op) => [
+      dropdown(
+        "OPERATOR",
+        ["round", "abs", "sqrt", "sin", "cos", "tan"].map((op) => [
           `%{BKY_PINEL_MATH_${op.toUpperCase()}}`,
           op,
         ]),
-      },
+      ),
       operand("A", 9),
     ],
   },
@@ -72,14 +65,10 @@ export const maths = [
     level: 3,
     makes: { op: ["min", "max"] },
     args0: [
-      {
-        type: "field_dropdown",
-        name: "OPERATOR",
-        options: [
-          ["%{BKY_PINEL_MATH_MIN}", "min"],
-          ["%{BKY_PINEL_MATH_MAX}", "max"],
-        ],
-      },
+      dropdown("OPERATOR", [
+        ["%{BKY_PINEL_MATH_MIN}", "min"],
+        ["%{BKY_PINEL_MATH_MAX}", "max"],
+      ]),
     ],
     variadic: { check: "Number", min: 1, start: 2, shadow: { number: 1 } },
     mutator: "pinel_variadic",

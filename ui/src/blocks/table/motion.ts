@@ -1,5 +1,5 @@
 import type { BlockDefinition } from "../definition";
-import { ANGLE, choice, DISTANCE, numberInput, PLACE, SPEED, sides } from "./arguments";
+import { ANGLE, choice, command, DISTANCE, numberInput, PLACE, SPEED, sides } from "./arguments";
 
 const statement = { style: "motion", previousStatement: null, nextStatement: null } as const;
 const routes = choice("AVOID", "avoid", [
@@ -9,44 +9,21 @@ const routes = choice("AVOID", "avoid", [
 const distance = numberInput("DISTANCE", "distance", 1, DISTANCE);
 
 export const motion = [
+  { ...statement, ...command("move_forward"), level: 1, icon: "arrowUp", args0: [distance] },
+  { ...statement, ...command("move_backward"), level: 1, icon: "arrowDown", args0: [distance] },
   {
     ...statement,
-    type: "move_forward",
+    ...command("turn"),
     level: 1,
-    makes: { action: "move_forward" },
-    icon: "arrowUp",
-    args0: [distance],
-  },
-  {
-    ...statement,
-    type: "move_backward",
-    level: 1,
-    makes: { action: "move_backward" },
-    icon: "arrowDown",
-    args0: [distance],
-  },
-  {
-    ...statement,
-    type: "turn",
-    level: 1,
-    makes: { action: "turn" },
     icon: "rotateLeft",
     args0: [sides, numberInput("ANGLE", "angle", 90, ANGLE)],
     extensions: ["turn_arrow"],
   },
+  { ...statement, ...command("stop"), level: 1, icon: "stop", args0: [] },
   {
     ...statement,
-    type: "stop",
-    level: 1,
-    makes: { action: "stop" },
-    icon: "stop",
-    args0: [],
-  },
-  {
-    ...statement,
-    type: "arc",
+    ...command("arc"),
     level: 2,
-    makes: { action: "arc" },
     icon: "spline",
     args0: [
       sides,
@@ -56,17 +33,15 @@ export const motion = [
   },
   {
     ...statement,
-    type: "go_to",
+    ...command("go_to"),
     level: 2,
-    makes: { action: "go_to" },
     icon: "mapPin",
     args0: [numberInput("X", "x", 1, PLACE), numberInput("Y", "y", 0, PLACE), routes],
   },
   {
     ...statement,
-    type: "go_to_place",
+    ...command("go_to_place"),
     level: 2,
-    makes: { action: "go_to_place" },
     icon: "mapPin",
     args0: [
       {
@@ -97,9 +72,8 @@ export const motion = [
   },
   {
     ...statement,
-    type: "set_speed",
+    ...command("set_speed"),
     level: 3,
-    makes: { action: "set_speed" },
     icon: "gauge",
     args0: [
       numberInput("LINEAR", "linear", 0.4, SPEED),
@@ -108,9 +82,8 @@ export const motion = [
   },
   {
     ...statement,
-    type: "drive",
+    ...command("drive"),
     level: 2,
-    makes: { action: "drive" },
     icon: "chevronsUp",
     args0: [numberInput("LINEAR", "linear", 0.2), numberInput("ANGULAR", "angular", 0)],
   },

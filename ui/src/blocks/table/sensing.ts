@@ -1,5 +1,5 @@
 import type { BlockArgument, BlockDefinition } from "../definition";
-import { colourOptions, TEXT_LITERAL } from "./arguments";
+import { colourOptions, dropdown, TEXT_LITERAL } from "./arguments";
 import { SENSOR_ROWS } from "./sensor_rows";
 
 type SensorRow = (typeof SENSOR_ROWS)[number];
@@ -17,11 +17,10 @@ function argumentsOfSensor({ sensors, asked }: SensorRow): BlockArgument[] {
   const choice: BlockArgument[] =
     sensors.length > 1
       ? [
-          {
-            type: "field_dropdown",
-            name: CHOSEN_SENSOR,
-            options: sensors.map((name) => [name, name]),
-          },
+          dropdown(
+            CHOSEN_SENSOR,
+            sensors.map((name) => [name, name]),
+          ),
         ]
       : [];
   if (!asked) return choice;
@@ -53,7 +52,7 @@ const colour = {
   style: "sensing",
   level: 2,
   makes: { expression: "literal" },
-  args0: [{ type: "field_dropdown", name: "COLOUR", options: colourOptions }],
+  args0: [dropdown("COLOUR", colourOptions)],
   output: TEXT_LITERAL,
 } as const;
 

@@ -1,25 +1,17 @@
 import type { BlockDefinition } from "../definition";
-import { choice, colourOptions, nameField, textInput } from "./arguments";
+import { choice, colourOptions, command, nameField, textInput } from "./arguments";
 
 const statement = { style: "show", previousStatement: null, nextStatement: null } as const;
 
 export const show = [
   {
     ...statement,
-    type: "say",
+    ...command("say"),
     level: 1,
-    makes: { action: "say" },
     icon: "message",
     args0: [textInput("TEXT", "text", "HELLO")],
   },
-  {
-    ...statement,
-    type: "beep",
-    level: 1,
-    makes: { action: "beep" },
-    icon: "volume",
-    args0: [],
-  },
+  { ...statement, ...command("beep"), level: 1, icon: "volume", args0: [] },
   {
     ...statement,
     type: "pen_down",
@@ -39,9 +31,8 @@ export const show = [
   },
   {
     ...statement,
-    type: "mark",
+    ...command("mark"),
     level: 2,
-    makes: { action: "mark" },
     icon: "crosshair",
     args0: [
       choice("SYMBOL", "symbol", [
@@ -68,9 +59,8 @@ export const show = [
   },
   {
     ...statement,
-    type: "ask",
+    ...command("ask"),
     level: 2,
-    makes: { action: "ask" },
     icon: "question",
     args0: [
       {

@@ -1,5 +1,5 @@
 import type { BlockDefinition } from "../definition";
-import { TEXT_LITERAL } from "./arguments";
+import { operation, TEXT_LITERAL } from "./arguments";
 
 export const text = [
   {
@@ -11,10 +11,9 @@ export const text = [
     output: TEXT_LITERAL,
   },
   {
-    type: "join",
+    ...operation("join"),
     style: "text",
     level: 2,
-    makes: { op: ["join"] },
     args0: [],
     output: "String",
     variadic: { check: null, min: 1, start: 2, shadow: { textKey: "WORD" } },

@@ -1,14 +1,13 @@
 import type { BlockDefinition } from "../definition";
-import { anything, nameField, numberInput } from "./arguments";
+import { anything, command, nameField, numberInput } from "./arguments";
 
 const statement = { style: "variables", previousStatement: null, nextStatement: null } as const;
 
 export const variables = [
   {
     ...statement,
-    type: "set_variable",
+    ...command("set_variable"),
     level: 2,
-    makes: { action: "set_variable" },
     icon: "box",
     args0: [
       nameField("NAME", "name"),
@@ -17,9 +16,8 @@ export const variables = [
   },
   {
     ...statement,
-    type: "change_variable",
+    ...command("change_variable"),
     level: 2,
-    makes: { action: "change_variable" },
     icon: "diff",
     args0: [nameField("NAME", "name"), numberInput("BY", "by", 1)],
   },

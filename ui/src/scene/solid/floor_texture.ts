@@ -2,7 +2,7 @@ import type { Robot, World } from "../../api/model";
 import { areaOf, trace, WALL_M } from "../areas";
 import type { Colours } from "../colours";
 import { drawFlat } from "../floor";
-import { roomOf, startOf } from "../frames";
+import { roomOf, toStartFrame } from "../frames";
 import { drawStart } from "../robot";
 
 type Ctx = CanvasRenderingContext2D;
@@ -31,9 +31,7 @@ export function drawGroundTexture(
   drawFlat(ctx, world, colours, LINES_PX_PER_M, false);
   if (world) drawShadows(ctx, world, colours, scale);
   if (robot) {
-    const start = startOf(world);
-    ctx.translate(start.x, start.y);
-    ctx.rotate(start.yaw);
+    toStartFrame(ctx, world);
     drawStart(ctx, robot, colours, LINES_PX_PER_M);
   }
   return canvas;

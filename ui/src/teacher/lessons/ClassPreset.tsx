@@ -4,7 +4,7 @@ import { type ActivityChoice, type ClassPreset as Preset, worldTitle } from "../
 import { language, texts } from "../../i18n";
 import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
-import { Select, type SelectOption } from "../../kit/Select";
+import { LabelledSelect, type SelectOption } from "../../kit/Select";
 import { LEVELS, levelNames } from "../../shell/level";
 import { worlds } from "../../shell/session";
 import { SWAP_MINUTES, type SwapMinutes } from "../../shell/swap_timer";
@@ -31,21 +31,21 @@ export function ClassPreset({ classroom, preset, activities, onChanged }: ClassP
       <h2>{labels.title}</h2>
       <p class="teacher__hint">{labels.hint}</p>
       <div class="teacher__row">
-        <Part
+        <LabelledSelect
           label={labels.level}
           value={preset.level ?? null}
           testId="preset-level"
           options={[[null, labels.free], ...LEVELS.map((one) => [one, levelNames()[one]] as const)]}
           onChange={(level) => change({ level })}
         />
-        <Part
+        <LabelledSelect
           label={labels.world}
           value={preset.world ?? null}
           testId="preset-world"
           options={[[null, labels.free], ...worldOptions(activities, labels.worldOf)]}
           onChange={(world) => change({ world })}
         />
-        <Part
+        <LabelledSelect
           label={labels.activity}
           value={preset.activity ?? null}
           testId="preset-activity"
@@ -76,7 +76,7 @@ function Swap({ minutes, onChange }: SwapProps) {
   const { making, teacher } = texts.value;
   const labelOf = (one: SwapMinutes) => teacher.computer.turnsEvery[one];
   return (
-    <Part
+    <LabelledSelect
       label={making.preset.swap}
       value={minutes}
       testId="preset-swap"
@@ -98,7 +98,7 @@ interface AlbumProps {
 function Album({ isOff, onChange }: AlbumProps) {
   const labels = texts.value.album.ofClass;
   return (
-    <Part
+    <LabelledSelect
       label={labels.label}
       value={isOff ? "off" : null}
       testId="preset-album"
@@ -122,27 +122,4 @@ function worldOptions(
     ...worlds.value.map((one): SelectOption<string> => [one.name, worldTitle(one, language.value)]),
     ...own.map(({ name, title }): SelectOption<string> => [name, worldOf({ title })]),
   ];
-}
-
-interface PartProps<T extends string | number> {
-  label: string;
-  value: T | null;
-  options: readonly SelectOption<T | null>[];
-  testId: string;
-  onChange(value: T | null): unknown;
-}
-
-function Part<T extends string | number>({
-  label,
-  value,
-  options,
-  testId,
-  onChange,
-}: PartProps<T>) {
-  return (
-    <label class="labelled">
-      <span class="labelled__label">{label}</span>
-      <Select value={value} options={options} testId={testId} onChange={onChange} />
-    </label>
-  );
 }

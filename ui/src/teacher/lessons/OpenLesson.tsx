@@ -9,7 +9,7 @@ import { Field } from "../../kit/Field";
 import { Form } from "../../kit/Form";
 import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
-import { Select, type SelectOption } from "../../kit/Select";
+import { LabelledSelect, type SelectOption } from "../../kit/Select";
 import { GoalPicture } from "../../scene/small/GoalPicture";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { useDraft } from "../useDraft";
@@ -51,16 +51,14 @@ export function OpenLesson(props: OpenLessonProps) {
           data-testid="lesson-title"
           {...field("title")}
         />
-        <label class="labelled">
-          <span class="labelled__label">{labels.activity}</span>
-          <Select
-            value={activity}
-            testId="lesson-activity"
-            options={[["", labels.noActivity]]}
-            groups={groupsOf(activities)}
-            onChange={(name) => setActivity(name)}
-          />
-        </label>
+        <LabelledSelect
+          label={labels.activity}
+          value={activity}
+          testId="lesson-activity"
+          options={[["", labels.noActivity]]}
+          groups={groupsOf(activities)}
+          onChange={(name) => setActivity(name)}
+        />
         <Button submit kind="main" icon={Play} busy={busy} testId="open-lesson">
           {labels.go}
         </Button>

@@ -10,7 +10,7 @@ import { useAction } from "../../kit/requests/action";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
-import { Select, type SelectOption } from "../../kit/Select";
+import { LabelledSelect, Select, type SelectOption } from "../../kit/Select";
 import { go } from "../../shell/route";
 import { worlds } from "../../shell/session";
 import { asTeacher } from "../../shell/teacher/teacher_session";
@@ -36,17 +36,15 @@ export function SolutionPart({ editor, groups }: SolutionPartProps) {
       <h2>{labels.solution.title}</h2>
       <p class="teacher__hint">{labels.solution.hint}</p>
       <div class="teacher__row">
-        <label class="labelled">
-          <span class="labelled__label">{labels.solution.group}</span>
-          <Select
-            value={group.value}
-            testId="making-group"
-            options={[["", editor.id ? labels.solution.kept : labels.solution.choose], ...options]}
-            onChange={(id) => {
-              group.value = id;
-            }}
-          />
-        </label>
+        <LabelledSelect
+          label={labels.solution.group}
+          value={group.value}
+          testId="making-group"
+          options={[["", editor.id ? labels.solution.kept : labels.solution.choose], ...options]}
+          onChange={(id) => {
+            group.value = id;
+          }}
+        />
         <BuildButton />
         {group.value && <Programs key={group.value} group={group.value} editor={editor} />}
       </div>
@@ -132,15 +130,13 @@ function WorldAndInputs({ editor }: { editor: ActivityEditor }) {
   });
   return (
     <div class="teacher__row">
-      <label class="labelled">
-        <span class="labelled__label">{labels.world}</span>
-        <Select
-          value={shown}
-          testId="making-world"
-          options={[...own, ...shipped]}
-          onChange={(name) => name && act(() => editor.setWorld(name))}
-        />
-      </label>
+      <LabelledSelect
+        label={labels.world}
+        value={shown}
+        testId="making-world"
+        options={[...own, ...shipped]}
+        onChange={(name) => name && act(() => editor.setWorld(name))}
+      />
       <Field {...input("gestures")} />
       <Field {...input("answers")} />
       <FaultLine fault={fault} />

@@ -3,7 +3,7 @@ import { blockText, type TextKey } from "../../blocks/texts";
 import { texts } from "../../i18n";
 import { Field } from "../../kit/Field";
 import { NumberField } from "../../kit/NumberField";
-import { Select } from "../../kit/Select";
+import { LabelledSelect } from "../../kit/Select";
 import { LEVELS, levelNames } from "../../shell/level";
 import type { ActivityEditor } from "./activity_editor";
 import { criteriaOf } from "./criteria";
@@ -103,16 +103,14 @@ function LevelAndTime({ editor }: { editor: ActivityEditor }) {
   return (
     <>
       <div class="teacher__row">
-        <label class="labelled">
-          <span class="labelled__label">{labels.texts.level}</span>
-          <Select
-            value={level}
-            options={LEVELS.map((one) => [one, levelNames()[one]])}
-            onChange={(one) => {
-              editor.level.value = one;
-            }}
-          />
-        </label>
+        <LabelledSelect
+          label={labels.texts.level}
+          value={level}
+          options={LEVELS.map((one) => [one, levelNames()[one]])}
+          onChange={(one) => {
+            editor.level.value = one;
+          }}
+        />
         <NumberField
           label={labels.texts.minutes}
           value={editor.minutes.value}
