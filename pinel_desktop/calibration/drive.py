@@ -39,9 +39,19 @@ class Drive:
         Args:
             track_m: the track with which the robot computes its odometry.
         """
-        steps = np.diff(self.odometry, axis=0)
-        turned = np.mod(steps[:, 2] + math.pi, 2.0 * math.pi) - math.pi
-        middle = self.odometry[:-1, 2] + turned / 2.0
-        ahead = steps[:, 0] * np.cos(middle) + steps[:, 1] * np.sin(middle)
-        half = turned * track_m / 2.0
-        return np.column_stack((ahead - half, ahead + half))
+        return rolled_distances(self.odometry, track_m)
+
+
+def rolled_distances(odometry: Floats, track_m: float) -> Floats:
+    """Returns the distances in m that the left and the right wheel counted between poses of an odometry, (n, 2).
+
+    Args:
+        odometry: (n + 1, 3) poses.
+        track_m: the track with which the robot computes its odometry.
+    """
+    steps = np.diff(odometry, axis=0)
+    turned = np.mod(steps[:, 2] + math.pi, 2.0 * math.pi) - math.pi
+    middle = odometry[:-1, 2] + turned / 2.0
+    ahead = steps[:, 0] * np.cos(middle) + steps[:, 1] * np.sin(middle)
+    half = turned * track_m / 2.0
+    return np.column_stack((ahead - half, ahead + half))

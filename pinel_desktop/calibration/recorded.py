@@ -30,12 +30,15 @@ def calibrate_runs(store: Store, rows: Sequence[RunRow]) -> CalibrationReport:
     """
     if not rows:
         raise PinelError("calibration_without_runs")
-    if len({_robot_of(row) for row in rows}) > 1:
+    robots = {_robot_of(row) for row in rows}
+    if len(robots) > 1:
         raise PinelError("calibration_two_robots")
     truths = [truths_of(store.truths.of_run(row.id)) for row in rows]
     drives = [drive_of(store, row, of_run) for row, of_run in zip(rows, truths, strict=True)]
     sources = sorted({one.source for of_run in truths for one in _used(of_run)})
-    return report_of(drives, _model_of(rows[0]), [row.id for row in rows], sources)
+    link, address, _ = robots.pop()
+    runs = [row.id for row in rows]
+    return report_of(drives, _model_of(rows[0]), runs, sources, (link, address))
 
 
 def drive_of(store: Store, row: RunRow, truths: Sequence[Truth]) -> Drive:
