@@ -9,6 +9,7 @@ import numpy.typing as npt
 from pinel_desktop.runs.truth import TruePose
 
 Floats = npt.NDArray[np.float64]
+_STANDSTILL = np.array([0.002, 0.002, 0.005])  # m, m, rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,9 +30,12 @@ class Drive:
 
     @property
     def end(self) -> TruePose | None:
-        """The true pose after the run, or at its last tick; None for neither."""
+        """The true pose after the run, or the last one along the way if the robot has stood still since; else None."""
         last = self.truth[-1] if self.truth else None
-        return last if last and last.tick in (None, len(self.odometry) - 1) else None
+        if last is None or last.tick is None:
+            return last
+        moved = np.abs(self.odometry[-1] - self.odometry[last.tick])
+        return last if np.all(moved < _STANDSTILL) else None
 
     def wheel_distances(self, track_m: float) -> Floats:
         """Returns the distances in m that the left and the right wheel counted in each tick, (n, 2).

@@ -77,12 +77,15 @@ def _at_end(truths: Sequence[Truth]) -> list[Truth]:
 
 
 def _true_poses(truths: Sequence[Truth], n_ticks: int) -> list[TruePose]:
-    """Returns the poses along the way, not more often than needed, then the pose at the end."""
+    """Returns the poses along the way, not more often than needed and the last one, then the pose at the end."""
     found: list[TruePose] = []
     along, end = best_during_run(truths), best_at_end(_at_end(truths))
     next_tick = _TRUTH_EACH_TICKS
-    for one in along.during_run if along else ():
-        if one.tick is not None and next_tick <= one.tick <= n_ticks:
+    seen = [
+        one for one in (along.during_run if along else ()) if one.tick and one.tick <= n_ticks
+    ]
+    for one in seen:
+        if one.tick is not None and (one.tick >= next_tick or one is seen[-1]):
             found.append(one)
             next_tick = one.tick + _TRUTH_EACH_TICKS
     return [*found, end.end] if end else found

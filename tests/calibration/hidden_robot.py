@@ -76,7 +76,7 @@ def _measured(
     if not by:
         return []
     sd_m, sd_rad = (TAPE_M, TAPE_RAD) if by == "tape" else (CAMERA_M, CAMERA_RAD)
-    ticks = range(CAMERA_EACH_TICKS, len(rows) + 1, CAMERA_EACH_TICKS)
+    ticks = sorted({*range(CAMERA_EACH_TICKS, len(rows), CAMERA_EACH_TICKS), len(rows)})
     found = []
     for tick in [len(rows)] if by == "tape" else ticks:
         row = rows[tick - 1]

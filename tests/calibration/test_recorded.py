@@ -79,7 +79,7 @@ def test_a_camera_during_run_is_used_with_the_tape_at_the_end(store: Store) -> N
     store.truths.record(run, "tape", [(None, 1.8, 0.0, 0.0, 0.01, 0.03)])
     drive = drive_of(store, store.runs.get(run), truths_of(store.truths.of_run(run)))
     ticks = [one.tick for one in drive.truth]
-    assert ticks == [*range(15, len(rows) + 1, 15), None]
+    assert ticks == [*range(15, len(rows), 15), len(rows), None]
     assert len(drive.odometry) == len(rows) + 1
     assert drive.odometry[-1, 0] == pytest.approx(1.8, abs=0.01)
     assert {one.sources for one in report_of(store, run).parameters if one.is_known} == {
