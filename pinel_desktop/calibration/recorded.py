@@ -81,9 +81,7 @@ def _true_poses(truths: Sequence[Truth], n_ticks: int) -> list[TruePose]:
     found: list[TruePose] = []
     along, end = best_during_run(truths), best_at_end(_at_end(truths))
     next_tick = _TRUTH_EACH_TICKS
-    seen = [
-        one for one in (along.during_run if along else ()) if one.tick and one.tick <= n_ticks
-    ]
+    seen = [one for one in (along.during_run if along else ()) if one.tick and one.tick <= n_ticks]
     for one in seen:
         if one.tick is not None and (one.tick >= next_tick or one is seen[-1]):
             found.append(one)

@@ -1,7 +1,7 @@
 """One class from end to end: 50 robots, a real robot that turns less, its calibration, and its prediction.
 
-A group watches its 50 robots, changes its program, and drives the double of a real robot; the teacher calibrates by three
-measured runs; the next group chooses the calibrated robot, and a fourth run ends within the error that is stated.
+A group watches its 50 robots, changes its program, and drives the double of a real robot; the teacher calibrates by
+three measured runs; the next group chooses the calibrated robot, and a fourth run ends within the error that is stated.
 """
 
 import pytest
