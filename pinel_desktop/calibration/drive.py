@@ -9,6 +9,7 @@ import numpy.typing as npt
 from pinel_desktop.runs.truth import TruePose
 
 Floats = npt.NDArray[np.float64]
+_STANDSTILL = np.array([0.002, 0.002, 0.005])  # m, m, rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,9 +30,12 @@ class Drive:
 
     @property
     def end(self) -> TruePose | None:
-        """The true pose after the run, or at its last tick; None for neither."""
+        """The true pose after the run, or the last one along the way if the robot has stood still since; else None."""
         last = self.truth[-1] if self.truth else None
-        return last if last and last.tick in (None, len(self.odometry) - 1) else None
+        if last is None or last.tick is None:
+            return last
+        moved = np.abs(self.odometry[-1] - self.odometry[last.tick])
+        return last if np.all(moved < _STANDSTILL) else None
 
     def wheel_distances(self, track_m: float) -> Floats:
         """Returns the distances in m that the left and the right wheel counted in each tick, (n, 2).
@@ -39,9 +43,19 @@ class Drive:
         Args:
             track_m: the track with which the robot computes its odometry.
         """
-        steps = np.diff(self.odometry, axis=0)
-        turned = np.mod(steps[:, 2] + math.pi, 2.0 * math.pi) - math.pi
-        middle = self.odometry[:-1, 2] + turned / 2.0
-        ahead = steps[:, 0] * np.cos(middle) + steps[:, 1] * np.sin(middle)
-        half = turned * track_m / 2.0
-        return np.column_stack((ahead - half, ahead + half))
+        return rolled_distances(self.odometry, track_m)
+
+
+def rolled_distances(odometry: Floats, track_m: float) -> Floats:
+    """Returns the distances in m that the left and the right wheel counted between poses of an odometry, (n, 2).
+
+    Args:
+        odometry: (n + 1, 3) poses.
+        track_m: the track with which the robot computes its odometry.
+    """
+    steps = np.diff(odometry, axis=0)
+    turned = np.mod(steps[:, 2] + math.pi, 2.0 * math.pi) - math.pi
+    middle = odometry[:-1, 2] + turned / 2.0
+    ahead = steps[:, 0] * np.cos(middle) + steps[:, 1] * np.sin(middle)
+    half = turned * track_m / 2.0
+    return np.column_stack((ahead - half, ahead + half))

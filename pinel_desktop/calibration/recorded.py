@@ -30,12 +30,15 @@ def calibrate_runs(store: Store, rows: Sequence[RunRow]) -> CalibrationReport:
     """
     if not rows:
         raise PinelError("calibration_without_runs")
-    if len({_robot_of(row) for row in rows}) > 1:
+    robots = {_robot_of(row) for row in rows}
+    if len(robots) > 1:
         raise PinelError("calibration_two_robots")
     truths = [truths_of(store.truths.of_run(row.id)) for row in rows]
     drives = [drive_of(store, row, of_run) for row, of_run in zip(rows, truths, strict=True)]
     sources = sorted({one.source for of_run in truths for one in _used(of_run)})
-    return report_of(drives, _model_of(rows[0]), [row.id for row in rows], sources)
+    link, address, _ = robots.pop()
+    runs = [row.id for row in rows]
+    return report_of(drives, _model_of(rows[0]), runs, sources, (link, address))
 
 
 def drive_of(store: Store, row: RunRow, truths: Sequence[Truth]) -> Drive:
@@ -74,12 +77,13 @@ def _at_end(truths: Sequence[Truth]) -> list[Truth]:
 
 
 def _true_poses(truths: Sequence[Truth], n_ticks: int) -> list[TruePose]:
-    """Returns the poses along the way, not more often than needed, then the pose at the end."""
+    """Returns the poses along the way, not more often than needed and the last one, then the pose at the end."""
     found: list[TruePose] = []
     along, end = best_during_run(truths), best_at_end(_at_end(truths))
     next_tick = _TRUTH_EACH_TICKS
-    for one in along.during_run if along else ():
-        if one.tick is not None and next_tick <= one.tick <= n_ticks:
+    seen = [one for one in (along.during_run if along else ()) if one.tick and one.tick <= n_ticks]
+    for one in seen:
+        if one.tick is not None and (one.tick >= next_tick or one is seen[-1]):
             found.append(one)
             next_tick = one.tick + _TRUTH_EACH_TICKS
     return [*found, end.end] if end else found

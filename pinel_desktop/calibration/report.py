@@ -8,6 +8,7 @@ from pinel_desktop.calibration.drive import Drive
 from pinel_desktop.calibration.estimate import Estimate, unknown
 from pinel_desktop.calibration.held_out import HeldOut, held_out
 from pinel_desktop.calibration.robot import Calibration, calibrate
+from pinel_desktop.calibration.stated_error import CalibratedWheels
 from pinel_desktop.calibration.umbmark import SquareErrors, umbmark_of
 from pinel_desktop.robot import RobotModel
 from sim.realistic import REALISTIC
@@ -43,6 +44,9 @@ class CalibrationReport:
         values: the parameters of the simulated robot, by names of `RobotParameters`.
         held_out: predictions of runs by the other ones; `place` counts in `runs`.
         squares: UMBmark's figures, if there are squares in both directions.
+        wheels: what tells the error that a prediction states (`stated_error.CalibratedWheels`); None if the runs do not
+            tell the wheels.
+        robot: link and address of the real robot.
     """
 
     model: str
@@ -51,6 +55,8 @@ class CalibrationReport:
     parameters: tuple[ReportedParameter, ...]
     held_out: tuple[HeldOut, ...]
     squares: SquareErrors | None
+    wheels: dict[str, Any] | None
+    robot: tuple[str, str]
 
     def as_record(self) -> dict[str, Any]:
         """Returns plain JSON data for the store."""
@@ -63,25 +69,33 @@ class CalibrationReport:
 
 
 def report_of(
-    drives: Sequence[Drive], model: RobotModel, runs: Sequence[str], sources: Sequence[str]
+    drives: Sequence[Drive],
+    model: RobotModel,
+    runs: Sequence[str],
+    sources: Sequence[str],
+    robot: tuple[str, str],
 ) -> CalibrationReport:
     """Calibrates a robot.
 
     Args:
         drives: the runs; `runs` are their ids.
         sources: the sources of truth of the runs.
+        robot: link and address.
 
     Raises:
         PinelError: `calibration_without_motion`; `robot_parameter_range` for an absurd result.
     """
     found = calibrate(drives, model)
+    predictions = held_out(drives, found.wheels, model.track_m)
     return CalibrationReport(
         model.name,
         tuple(runs),
         found.parameters.changes,
         tuple(_parameters(found, model, sources)),
-        tuple(held_out(drives, model.track_m)),
-        umbmark_of(drives, model.track_m),
+        tuple(predictions),
+        umbmark_of(drives, model.track_m, predictions),
+        CalibratedWheels(found.wheels, model.track_m).as_record(),
+        robot,
     )
 
 

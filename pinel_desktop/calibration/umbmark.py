@@ -2,7 +2,8 @@
 
 J. Borenstein and L. Feng, "Measurement and correction of systematic odometry errors in mobile robots" (1996). The
 robot drives squares by its odometry, in each direction several times; the centres of the two clusters of ends tell
-both errors. PINEL uses it to check a calibration, which needs no squares.
+both errors. PINEL uses it to check a calibration, which needs no squares: the centres of the same clusters, from where
+the calibrated robot is predicted to end, are what a calibration leaves.
 """
 
 import math
@@ -12,7 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from pinel_desktop.calibration.drive import Drive
+from pinel_desktop.calibration.held_out import HeldOut
 
+MIN_SQUARES, SQUARES = 3, 5  # in each direction: what tells enough, and what the paper drives
 _TOLERANCE = 0.1  # of the shape of a square, relative to its side, and of one turn in rad times two
 
 
@@ -22,12 +25,19 @@ class SquareErrors(NamedTuple):
     Attributes:
         difference: relative difference of the two wheels, right minus left.
         track_ratio: true track divided by the one that the robot believes.
-        worst_m: distance of the farther cluster's centre from the start, UMBmark's measure of accuracy.
+        worst_m: distance of the farther cluster's centre from where the odometry ends, UMBmark's measure of accuracy
+            (E_max,syst).
+        left_over_m: the same from where the calibrated robot is predicted to end, each run by the others; None if that
+            cannot be told in both directions.
+        n_left, n_right: number of squares in each direction.
     """
 
     difference: float
     track_ratio: float
     worst_m: float
+    left_over_m: float | None = None
+    n_left: int = 0
+    n_right: int = 0
 
 
 End = tuple[float, float]
@@ -39,7 +49,8 @@ def umbmark(
     """Returns the errors to first order, as the paper does.
 
     Args:
-        left, right: ends (x, y in m, start frame) of squares that turn to the left and to the right.
+        left, right: true ends (x, y in m, start frame) of squares that turn to the left and to the right, from where
+            the odometry ends.
         side_m: length of a side.
         track_m: the track that the robot believes.
     """
@@ -56,15 +67,42 @@ def umbmark(
     )
 
 
-def umbmark_of(drives: Sequence[Drive], track_m: float) -> SquareErrors | None:
-    """Returns the errors by the runs that are squares; None without squares of one size in both directions."""
-    squares = [(_square_side(drive, track_m), drive.end) for drive in drives]
-    sides = [abs(side) for side, end in squares if side and end]
-    if not sides or max(sides) - min(sides) > _TOLERANCE * max(sides):
+def umbmark_of(
+    drives: Sequence[Drive], track_m: float, predictions: Sequence[HeldOut] = ()
+) -> SquareErrors | None:
+    """Returns the errors by the runs that are squares; None without squares of one size in both directions.
+
+    Args:
+        predictions: of runs by the others; `place` counts in `drives`.
+    """
+    sides = {
+        place: side
+        for place, drive in enumerate(drives)
+        if drive.end and (side := _square_side(drive, track_m))
+    }
+    lengths = [abs(side) for side in sides.values()]
+    if not sides or max(lengths) - min(lengths) > _TOLERANCE * max(lengths):
         return None
-    left = [end.pose[:2] for side, end in squares if side > 0 and end]
-    right = [end.pose[:2] for side, end in squares if side < 0 and end]
-    return umbmark(left, right, float(np.mean(sides)), track_m) if left and right else None
+    turns = [[place for place, side in sides.items() if side * sign > 0] for sign in (1, -1)]
+    if not all(turns):
+        return None
+    left, right = ([_end_off(drives[place]) for place in places] for places in turns)
+    found = umbmark(left, right, float(np.mean(lengths)), track_m)
+    off = {one.place: one.off_m for one in predictions}
+    rests = [[off[place] for place in places if place in off] for places in turns]
+    left_over_m = max(map(_centre_m, rests)) if all(rests) else None
+    return found._replace(left_over_m=left_over_m, n_left=len(left), n_right=len(right))
+
+
+def _end_off(drive: Drive) -> End:
+    assert drive.end is not None
+    x, y = (np.array(drive.end.pose[:2]) - drive.odometry[-1, :2]).tolist()
+    return x, y
+
+
+def _centre_m(ends: Sequence[End]) -> float:
+    x, y = np.mean(ends, axis=0).tolist()
+    return math.hypot(x, y)
 
 
 def _square_side(drive: Drive, track_m: float) -> float:

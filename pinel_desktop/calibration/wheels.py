@@ -22,6 +22,7 @@ from pinel_desktop.runs.truth import TruePose
 _NOISE_RANGE = (1e-3, 0.2)
 _TYPICAL_NOISE = 0.02
 _N_NOISE_STEPS = 12
+_NEARBY = np.array([0.67, 1.0, 1.5])  # values around the likeliest one, for a closer look
 _MIN_DEGREES_OF_FREEDOM = 3
 _NOISE_PRIOR = 0.7  # standard deviation of the noise's logarithm around the typical value
 # a parameter with a larger standard deviation is not told by the runs
@@ -44,6 +45,7 @@ class WheelCalibration:
         wheel_noise: relative error of a wheel's distance in a tick, one standard deviation.
         noise_is_known: whether the true poses were enough to tell the noise.
         n_poses: number of true poses.
+        covariance: of scale, difference and track, (3, 3).
     """
 
     scale: Estimate
@@ -52,30 +54,55 @@ class WheelCalibration:
     wheel_noise: float
     noise_is_known: bool
     n_poses: int
+    covariance: Floats
+
+    @property
+    def is_known(self) -> bool:
+        """Whether the runs tell all three parameters."""
+        return self.scale.is_known and self.difference.is_known and self.track_m.is_known
+
+    @property
+    def parameters(self) -> Floats:
+        """Scale, difference and track, (3,)."""
+        return np.array([self.scale.value, self.difference.value, self.track_m.value])
+
+    @property
+    def n_free(self) -> int:
+        """Degrees of freedom."""
+        return 3 * self.n_poses - _N_PARAMETERS
 
 
-def calibrate_wheels(drives: Sequence[Drive], track_m: float) -> WheelCalibration:
+def calibrate_wheels(
+    drives: Sequence[Drive], track_m: float, noise: float | None = None
+) -> WheelCalibration:
     """Returns the parameters that explain the true poses best.
 
     Args:
         drives: runs of one robot; without true poses nothing is known.
         track_m: the track with which the robot computes its odometry.
+        noise: `wheel_noise` if it is known already.
     """
     counted = [(drive.wheel_distances(track_m), drive.truth) for drive in drives]
     n_poses = sum(len(truth) for _, truth in counted)
     nominal = np.array([1.0, 0.0, track_m])
     if n_poses == 0:
         scale, difference, track = (unknown(float(value)) for value in nominal)
-        return WheelCalibration(scale, difference, track, _TYPICAL_NOISE, False, 0)
-    noise_is_known = 3 * n_poses - _N_PARAMETERS >= _MIN_DEGREES_OF_FREEDOM
-    noise = _TYPICAL_NOISE
-    best, slopes = _fit(counted, nominal, nominal, noise)
-    for _ in range(3 if noise_is_known else 0):
-        noise = _likeliest_noise(counted, best)
-        best, slopes = _fit(counted, nominal, best, noise)
+        return WheelCalibration(
+            scale, difference, track, _TYPICAL_NOISE, False, 0, np.zeros((3, 3))
+        )
     n_free = 3 * n_poses - _N_PARAMETERS
-    scale, difference, track = _estimates(best, slopes, nominal, n_free)
-    return WheelCalibration(scale, difference, track, noise, noise_is_known, n_poses)
+    noise_is_known = n_free >= _MIN_DEGREES_OF_FREEDOM
+    tried = np.geomspace(*_NOISE_RANGE, _N_NOISE_STEPS)
+    n_searches = 3 if noise_is_known and noise is None else 0
+    noise = noise or _TYPICAL_NOISE
+    best, slopes = _fit(counted, nominal, nominal, noise)
+    for _ in range(n_searches):
+        noise = _likeliest_noise(counted, best, tried)
+        best, slopes = _fit(counted, nominal, best, noise)
+        tried = noise * _NEARBY
+    covariance = np.asarray(np.linalg.inv(slopes.T @ slopes), dtype=np.float64)
+    scale, difference, track = _estimates(best, covariance, nominal, n_free)
+    return WheelCalibration(scale, difference, track, noise, noise_is_known, n_poses, covariance)
 
 
 _Counted = tuple[Floats, tuple[TruePose, ...]]
@@ -91,16 +118,15 @@ def _fit(
     return levenberg_marquardt(residuals, start, _STEPS)
 
 
-def _likeliest_noise(counted: Sequence[_Counted], parameters: Floats) -> float:
+def _likeliest_noise(counted: Sequence[_Counted], parameters: Floats, tried: Floats) -> float:
     """Returns the likeliest noise, by restricted maximum likelihood: fitted parameters make residuals too small."""
-    tried = np.geomspace(*_NOISE_RANGE, _N_NOISE_STEPS)
     costs = [_noise_cost(counted, parameters, float(noise)) for noise in tried]
     place = int(np.argmin(costs))
     if place in (0, len(tried) - 1):
-        return float(tried[place])
+        return float(np.clip(tried[place], *_NOISE_RANGE))
     around = np.log(tried[place - 1 : place + 2])
     a, b, _ = np.polyfit(around, costs[place - 1 : place + 2], 2)
-    return math.exp(-b / (2.0 * a))
+    return float(np.clip(math.exp(-b / (2.0 * a)), *_NOISE_RANGE))
 
 
 def _noise_cost(counted: Sequence[_Counted], parameters: Floats, noise: float) -> float:
@@ -116,8 +142,10 @@ def _noise_cost(counted: Sequence[_Counted], parameters: Floats, noise: float) -
     return float(values @ values) + log_determinant + lost + prior
 
 
-def _estimates(best: Floats, slopes: Floats, nominal: Floats, n_free: int) -> Iterator[Estimate]:
-    sds = np.sqrt(np.diag(np.linalg.inv(slopes.T @ slopes)))
+def _estimates(
+    best: Floats, covariance: Floats, nominal: Floats, n_free: int
+) -> Iterator[Estimate]:
+    sds = np.sqrt(np.diag(covariance))
     for value, sd, default, unit in zip(best, sds, nominal, _units(nominal), strict=True):
         too_wide = sd > _MAX_SD * unit
         yield unknown(float(default)) if too_wide else estimate(value, sd, n_free)
@@ -161,15 +189,27 @@ def _filtered(
         covariance = (covariance + covariance.T) / 2.0
 
 
-def predicted_end(drive: Drive, wheels: WheelCalibration, track_m: float) -> tuple[Floats, Floats]:
+def predicted_end(distances: Floats, wheels: WheelCalibration) -> tuple[Floats, Floats]:
     """Returns the pose at the end of a run by its odometry and calibrated wheels, and its covariance by slip.
 
     Args:
-        track_m: the track with which the robot computes its odometry.
+        distances: (n, 2) what the wheels counted in each tick, in m.
     """
-    parameters = np.array([wheels.scale.value, wheels.difference.value, wheels.track_m.value])
-    distances = drive.wheel_distances(track_m)
-    return _predicted(np.zeros(3), np.zeros((3, 3)), distances, parameters, wheels.wheel_noise)
+    return _end(distances, wheels.parameters, wheels.wheel_noise)
+
+
+def end_uncertainty(distances: Floats, wheels: WheelCalibration) -> Floats:
+    """Returns the covariance of the predicted end by the uncertainty of the calibration, (3, 3)."""
+
+    def end(parameters: Floats) -> Floats:
+        return _end(distances, parameters, wheels.wheel_noise)[0]
+
+    slopes = jacobian(end, wheels.parameters, _STEPS)
+    return slopes @ wheels.covariance @ slopes.T
+
+
+def _end(distances: Floats, parameters: Floats, noise: float) -> tuple[Floats, Floats]:
+    return _predicted(np.zeros(3), np.zeros((3, 3)), distances, parameters, noise)
 
 
 def _predicted(

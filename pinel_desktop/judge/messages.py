@@ -162,6 +162,7 @@ class PredictionRequest:
 
     Attributes:
         spec: the run's spec as `RunSpec.as_message`, with the profile of its robot.
+        predictor: record of the calibrated robot that predicts (`school.calibrated_robots`); None for the ideal one.
         events: all events but telemetry so far, in wire format.
         columns: the robot's own poses by column, each of shape (n,): `x_m`, `y_m`, `yaw_rad`.
         truths: sources of truth, each with its poses as the store has them.
@@ -169,6 +170,7 @@ class PredictionRequest:
     """
 
     spec: Mapping[str, Any]
+    predictor: Mapping[str, Any] | None
     events: Sequence[Mapping[str, Any]]
     columns: Mapping[str, NDArray[np.float64]]
     truths: Sequence[tuple[Any, Any]]
@@ -178,6 +180,7 @@ class PredictionRequest:
         """Returns the request as plain data."""
         return {
             "predict": dict(self.spec),
+            "predictor": self.predictor and dict(self.predictor),
             "events": [dict(event) for event in self.events],
             "columns": {name: _packed(column) for name, column in self.columns.items()},
             "truths": [list(truth) for truth in self.truths],
@@ -189,7 +192,8 @@ class PredictionRequest:
         """Reads the request from plain data."""
         columns = {name: _unpacked(text) for name, text in message["columns"].items()}
         truths, is_whole = message["truths"], message["is_whole"]
-        return cls(message["predict"], message["events"], columns, truths, is_whole)
+        spec, predictor = message["predict"], message["predictor"]
+        return cls(spec, predictor, message["events"], columns, truths, is_whole)
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,13 +201,17 @@ class PredictedRun:
     """The prediction of a run, and the run beside it; as plain data.
 
     Attributes:
-        path: every third pose of the prediction and the last one, as `[tick, x_m, y_m, yaw_rad]`, in the start frame;
-            the heading has no jumps.
+        robot: name of the calibrated robot that predicts; None for the ideal one.
+        within_m: distance from the predicted end within which 95 of 100 runs end; None if the robot does not state it.
+        path: every third true pose of the prediction and the last one, as `[tick, x_m, y_m, yaw_rad]`, in the start
+            frame; the heading has no jumps.
         steps: the steps of the prediction (`runs.prediction.Step`).
         awaits_input, is_cut, reads_sensors, knows_room: as in `runs.prediction.Prediction`.
         difference: `runs.difference.Difference`.
     """
 
+    robot: str | None
+    within_m: float | None
     path: list[tuple[float, ...]]
     steps: list[dict[str, Any]]
     awaits_input: bool

@@ -112,6 +112,7 @@ class Difference:
 
     Attributes:
         source: source of the poses that were compared along the way.
+        is_whole: whether `at_end` is after the whole run, and the prediction did the same steps.
         ate_m: absolute trajectory error: root mean square of the distances between the two paths (Sturm et al., A
             Benchmark for the Evaluation of RGB-D SLAM Systems, IROS 2012). They are aligned at the start, not over the
             whole path. None if less than two poses can be compared.
@@ -122,6 +123,7 @@ class Difference:
     source: Source
     steps: list[StepDifference]
     at_end: EndDifference | None
+    is_whole: bool
     ate_m: float | None
     parted: str | None
     findings: list[Finding]
@@ -153,7 +155,8 @@ def difference(
     matched = _matched(prediction.steps, steps)
     parted = _parted(prediction.steps, steps)
     path = measured.path
-    found = [_step_difference(ours, theirs, prediction.path, path) for ours, theirs in matched]
+    predicted = _predicted_for(measured.source, prediction)
+    found = [_step_difference(ours, theirs, predicted, path) for ours, theirs in matched]
     is_same = is_whole and not (prediction.awaits_input or prediction.is_cut)
     is_same = is_same and len(matched) == len(prediction.steps) == len(steps)
     at_end = _at_end(prediction, measured, path, matched, is_same=is_same)
@@ -162,8 +165,19 @@ def difference(
         sigma_deg = math.degrees(measured.end_sigma_rad)
         findings = [*_on_average(found, at_end, sigma_deg, tolerance), *findings]
     return Difference(
-        measured.source, found, at_end, _ate(prediction.path, measured, matched), parted, findings
+        measured.source,
+        found,
+        at_end,
+        is_same,
+        _ate(predicted, measured, matched),
+        parted,
+        findings,
     )
+
+
+def _predicted_for(source: Source, prediction: Prediction) -> Path:
+    """Returns what is predicted of the poses of a source: a calibrated robot's odometry misses its errors, too."""
+    return prediction.odometry if source == "odometry" else prediction.path
 
 
 _Matched = list[tuple[Step, Step]]  # a predicted and a real step, both with their ends
@@ -255,13 +269,14 @@ def _at_end(
     """The difference after the run; of a run that did not come to its end, after its last step."""
     if is_same and measured.end is not None:
         source, end = measured.end_source or measured.source, np.array(measured.end)
-        predicted = prediction.path[-1]
+        predicted = _predicted_for(source, prediction)[-1]
     elif is_same and len(path):
-        source, end, predicted = measured.source, _pose_at(path, len(path) - 1), prediction.path[-1]
+        source, end = measured.source, _pose_at(path, len(path) - 1)
+        predicted = _predicted_for(source, prediction)[-1]
     elif matched:
         ours, theirs = matched[-1]
         source, end = measured.source, _pose_at(path, theirs.end or 0)
-        predicted = _at(prediction.path, ours.end or 0)
+        predicted = _at(_predicted_for(source, prediction), ours.end or 0)
     else:
         return None
     off = end - predicted

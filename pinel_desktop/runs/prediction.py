@@ -1,7 +1,8 @@
-"""What the ideal simulated robot does with the spec of a real robot's run: the prediction of that run.
+"""What a simulated robot does with the spec of a real robot's run: the prediction of that run.
 
-The program, the room, the seed, the model, the limits and the goal tolerances of the run are the same, and so are the
-inputs that people gave. What they have not given yet ends the prediction.
+The program, the room, the seed, the limits and the goal tolerances of the run are the same, and so are the inputs that
+people gave. What they have not given yet ends the prediction. The robot is that of the spec's setting without its
+chance: the ideal one, or a calibrated one, whose true path and odometry differ.
 """
 
 from collections import deque
@@ -20,6 +21,7 @@ from pinel_desktop.execution.executor import Observer
 from pinel_desktop.execution.inputs import Capture, Pending
 from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.program.sensors import SENSORS
+from pinel_desktop.robot import SimulationConfig
 from pinel_desktop.runs.recorded_inputs import WireEvent, capture_of, typed_answer
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
@@ -29,6 +31,17 @@ T = TypeVar("T")
 
 EMPTY_ROOM = "empty_room"
 MAX_TICKS = 600 * TICK_HZ
+_NO_CHANCE = dict.fromkeys(
+    (
+        "wheel_bias_sd",
+        "wheel_noise",
+        "pose_noise_m",
+        "pose_noise_rad",
+        "sonar_noise",
+        "lidar_noise_m",
+    ),
+    0.0,
+)
 # a program that only calculates ends soon: the judge's process answers other requests, too
 _STEP_LIMIT = StepLimit(at_rest=100_000, total=300_000)
 
@@ -55,7 +68,8 @@ class Prediction:
     """The predicted run.
 
     Attributes:
-        path: poses in the start frame, shape (n + 1, 3), m and rad; row i is tick i, the heading has no jumps.
+        path: true poses in the start frame, shape (n + 1, 3), m and rad; row i is tick i, the heading has no jumps.
+        odometry: what the robot believes meanwhile, in the same form; of the ideal robot the same.
         steps: the executed steps.
         awaits_input: whether it ends at an input that nobody has given yet.
         is_cut: whether it ends because it is longer than `MAX_TICKS`.
@@ -64,6 +78,7 @@ class Prediction:
     """
 
     path: Path
+    odometry: Path
     steps: list[Step]
     awaits_input: bool
     is_cut: bool
@@ -166,30 +181,48 @@ def predict(spec: RunSpec, events: Iterable[WireEvent]) -> Prediction:
         PinelError: what `start` raises before the robot moves, and `GivenInputs`.
     """
     inputs = GivenInputs(events)
-    ideal = replace(spec, link="sim", pace="max", inputs=inputs)
+    exact = replace(
+        spec, link="sim", pace="max", inputs=inputs, setting=without_chance(spec.setting)
+    )
     log = _PredictionLog()
     knows_room = True
     try:
-        start(ideal, log.observe, log.control, step_limit=_STEP_LIMIT)
+        start(exact, log.observe, log.control, step_limit=_STEP_LIMIT)
     except PinelError as error:
         if error.code not in ("world_invalid", "unknown_world"):
             raise
         knows_room = False
-        start(replace(ideal, world=EMPTY_ROOM), log.observe, log.control, step_limit=_STEP_LIMIT)
+        start(replace(exact, world=EMPTY_ROOM), log.observe, log.control, step_limit=_STEP_LIMIT)
     return Prediction(
-        log.path(), log.steps, inputs.is_missing, log.is_cut, reads_world(spec.document), knows_room
+        unwrapped(np.array(log.true)),
+        unwrapped(np.array(log.believed)),
+        log.steps,
+        inputs.is_missing,
+        log.is_cut,
+        reads_world(spec.document),
+        knows_room,
     )
+
+
+def without_chance(setting: SimulationConfig) -> SimulationConfig:
+    """Returns the setting of a robot with the same systematic errors, and none by chance."""
+    if setting.preset == "ideal":
+        return setting
+    return replace(setting, parameters=replace(setting.parameters, **_NO_CHANCE))
 
 
 class _PredictionLog(StepLog):
     def __init__(self) -> None:
         super().__init__()
         self.control, self.is_cut = RunControl(), False
-        self._poses = [(0.0, 0.0, 0.0)]
+        self.believed = [(0.0, 0.0, 0.0)]
+        self.true = [(0.0, 0.0, 0.0)]
 
     def observe(self, tick: int, event: Event) -> None:
         if type(event) is Telemetry:
-            self._poses.append((event.x_m, event.y_m, event.yaw_rad))
+            believed = (event.x_m, event.y_m, event.yaw_rad)
+            self.believed.append(believed)
+            self.true.append(_true_pose(event) or believed)
             if tick >= MAX_TICKS and not self.is_cut:
                 self.is_cut = True
                 self.control.stop()
@@ -198,8 +231,11 @@ class _PredictionLog(StepLog):
         elif type(event) is BlockEnded:
             self.end(tick, event.pointer)
 
-    def path(self) -> Path:
-        return unwrapped(np.array(self._poses))
+
+def _true_pose(event: Telemetry) -> tuple[float, float, float] | None:
+    if event.true_x_m is None or event.true_y_m is None or event.true_yaw_rad is None:
+        return None
+    return event.true_x_m, event.true_y_m, event.true_yaw_rad
 
 
 def unwrapped(poses: Path) -> Path:

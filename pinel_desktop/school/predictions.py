@@ -12,6 +12,7 @@ from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.robot.robot_profile import ROOM, RobotProfile, profile_from
 from pinel_desktop.runs.record import spec_of
 from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.school.calibrated_robots import PREDICTOR
 from storage import SIMULATOR, RunFilter, RunRow, Store, StoreError
 
 if TYPE_CHECKING:
@@ -39,23 +40,30 @@ class Predictions:
     def of_run(self, run_id: str) -> "PredictedRun":
         """Predicts a run of a real robot, live or recorded, and compares it with its prediction.
 
+        The calibrated robot that was recorded with the run predicts it, else the ideal one.
+
         Raises:
             PinelError: `prediction_simulated` for a run in the simulator, `prediction_no_robot` for a record of an
                 earlier release without the robot's limits, `run_not_repeatable` for one without its program,
                 `run_newer`, `run_damaged`, and `judge_lost`.
             StoreError: `run_not_found`, `run_damaged`.
         """
+        row = self._store.runs.get(run_id)
+        predictor = row.parameters.get(PREDICTOR)
+        return self._predicted(row, predictor if isinstance(predictor, dict) else None)
+
+    def _predicted(self, row: RunRow, predictor: Mapping[str, Any] | None) -> "PredictedRun":
         from pinel_desktop.judge.messages import PredictionRequest  # noqa: PLC0415 - heavy
 
-        row = self._store.runs.get(run_id)
         spec = self._spec(row)
-        telemetry = self._store.runs.telemetry(run_id)
+        telemetry = self._store.runs.telemetry(row.id)
         return self._judge().predict(
             PredictionRequest(
                 spec=spec.as_message(),
-                events=self._store.runs.events(run_id),
+                predictor=predictor,
+                events=self._store.runs.events(row.id),
                 columns={name: telemetry.column(name) for name in ("x_m", "y_m", "yaw_rad")},
-                truths=[(truth.source, truth.poses) for truth in self._store.truths.of_run(run_id)],
+                truths=[(truth.source, truth.poses) for truth in self._store.truths.of_run(row.id)],
                 is_whole=row.state == "finished",
             )
         )
@@ -100,7 +108,11 @@ class Predictions:
         return robots
 
     def _difference(self, run_id: str) -> "Difference | None":
-        """The difference of an ended run, from memory if it was asked for before; None without a prediction."""
+        """The difference of an ended run from the ideal robot's; None without a prediction.
+
+        From memory if it was asked for before. The runs of a robot are compared with each other, some of them from
+        before its calibration: the ideal robot predicts all of them.
+        """
         from pinel_desktop.runs.difference import Difference  # noqa: PLC0415 - heavy
 
         truths = self._store.truths.of_run(run_id)
@@ -108,7 +120,8 @@ class Predictions:
         if key not in self._differences:
             found = None
             with suppress(PinelError, StoreError):
-                found = Difference.from_message(self.of_run(run_id).difference)
+                row = self._store.runs.get(run_id)
+                found = Difference.from_message(self._predicted(row, None).difference)
             self._differences[key] = found
             while len(self._differences) > _MAX_STORED:
                 self._differences.popitem(last=False)

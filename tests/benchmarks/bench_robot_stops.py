@@ -106,7 +106,7 @@ def predicting() -> Iterator[None]:
     """Meanwhile the judge's process predicts a run each second; the page asks once, and once for each answer."""
     run, judge, ending = drive(), JudgeClient(), threading.Event()
     poses = dict(zip(("x_m", "y_m", "yaw_rad"), run.odometry[1:].T, strict=True))
-    request = PredictionRequest(run.spec.as_message(), run.events, poses, [], is_whole=True)
+    request = PredictionRequest(run.spec.as_message(), None, run.events, poses, [], is_whole=True)
     judge.predict(request)
 
     def ask() -> None:

@@ -19,6 +19,8 @@ LINE = "robot.move_forward(1.8)\n"
 SQUARE_LEFT = "for i in range(4):\n    robot.move_forward(1.2)\n    robot.turn(90)\n"
 SQUARE_RIGHT = SQUARE_LEFT.replace("90", "-90")
 PATTERN = (LINE, SQUARE_LEFT, SQUARE_RIGHT)
+# UMBmark, with the fewest runs that can be checked by one another
+OFFERED = (LINE, *(SQUARE_LEFT, SQUARE_RIGHT) * 3)
 CAMERA_EACH_TICKS = 15
 TAPE_M, TAPE_RAD = 0.01, math.radians(2.0)
 CAMERA_M, CAMERA_RAD = 0.01, math.radians(1.0)
@@ -74,7 +76,7 @@ def _measured(
     if not by:
         return []
     sd_m, sd_rad = (TAPE_M, TAPE_RAD) if by == "tape" else (CAMERA_M, CAMERA_RAD)
-    ticks = range(CAMERA_EACH_TICKS, len(rows) + 1, CAMERA_EACH_TICKS)
+    ticks = sorted({*range(CAMERA_EACH_TICKS, len(rows), CAMERA_EACH_TICKS), len(rows)})
     found = []
     for tick in [len(rows)] if by == "tape" else ticks:
         row = rows[tick - 1]

@@ -2,6 +2,7 @@
 
 import math
 import random
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -69,6 +70,6 @@ def measured_run(store: Store, program: str, seed: int, **more: Any) -> str:
     return run
 
 
-def measured_pattern(store: Store, **more: Any) -> list[str]:
-    """Records the offered pattern, measured with a tape; returns the ids."""
-    return [measured_run(store, program, seed, **more) for seed, program in enumerate(PATTERN, 1)]
+def measured_pattern(store: Store, pattern: Sequence[str] = PATTERN, **more: Any) -> list[str]:
+    """Records runs of a pattern, measured with a tape; returns the ids."""
+    return [measured_run(store, program, seed, **more) for seed, program in enumerate(pattern, 1)]

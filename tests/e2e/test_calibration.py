@@ -1,4 +1,4 @@
-"""A teacher calibrates the real robot from three measured runs; a group chooses it in the simulator."""
+"""A teacher calibrates the real robot from measured runs; a group chooses it in the simulator."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -7,6 +7,7 @@ import pytest
 from playwright.sync_api import expect
 
 from storage import open_store
+from tests.calibration.hidden_robot import OFFERED
 from tests.calibration.recorded_runs import measured_pattern
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
@@ -20,19 +21,21 @@ NAME = "Pioneer da sala 3"
 
 @pytest.fixture
 def app(tmp_path: Path) -> Iterator[AppProcess]:
-    """The app on a folder with three runs of a robot with hidden errors, each measured with a tape at its end."""
+    """The app on a folder with UMBmark's runs of a robot with hidden errors, each measured with a tape at its end."""
     app = AppProcess(tmp_path)
     with open_store(app.database) as store:
-        measured_pattern(store)
+        measured_pattern(store, OFFERED)
     app.start()
     yield app
     app.stop()
 
 
-def test_three_measured_runs_become_a_robot_that_a_group_chooses(studio: Studio) -> None:
+def test_measured_runs_become_a_robot_that_a_group_chooses(studio: Studio) -> None:
     prepare(studio)
     to_part(studio, "robot")
-    expect(studio["real-run"]).to_have_count(3)
+    expect(studio["real-run"]).to_have_count(len(OFFERED))
+    # the programs of the pattern need a real robot with its room
+    expect(studio["pattern"]).to_contain_text("salve primeiro o robô de verdade")
     expect(studio["calibrate"]).to_be_disabled()
     for run in studio["real-run"].all():
         expect(run).to_contain_text("medida: fita")
@@ -41,7 +44,10 @@ def test_three_measured_runs_become_a_robot_that_a_group_chooses(studio: Studio)
     result = studio["calibration-result"]
     expect(result).to_contain_text("A roda esquerda é")
     expect(result).to_contain_text("a menos")
-    expect(result).to_contain_text("Rodadas previstas pelas outras")
+    expect(studio["calibration-held-out"]).to_contain_text("Rodadas previstas pelas outras")
+    squares = studio["calibration-squares"]
+    expect(squares).to_contain_text("3 quadrados para a esquerda e 3 para a direita")
+    expect(squares).to_contain_text("Com o robô calibrado, sobram")
     assert not violations(studio, "calibration-result")
     studio["calibration-name"].fill(NAME)
     studio["calibration-save"].click()

@@ -43,7 +43,8 @@ def test_three_real_runs_become_a_robot_of_the_simulator(app: App, teacher: Brow
     track = report["parameters"][0]
     assert (track["name"], track["sources"], track["is_known"]) == ("track_m", ["tape"], True)
     assert track["low"] < report["values"]["track_m"] == track["value"] < track["high"]
-    assert len(report["held_out"]) == 2
+    assert report["held_out"] == []
+    assert [one["shape"] for one in listed] == ["line", "right", "left", "line"]
     made = teacher.post("/api/calibrated-robots", {"runs": runs, "title": NAME}).data
     assert made["title"] == NAME
     row = app._store.calibrated_robots.get(made["id"])

@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.robot.robot_profile import profile_from
 from tests.links.aurora import free_port
 from tests.live_runs import saved
 from tests.runs.hidden_errors import PROFILE, SQUARE, TURN, Driven, drive
@@ -35,8 +36,8 @@ def teacher(app: App) -> Browser:
     return teacher
 
 
-def begin(browser: Browser, document: Any = SQUARE, robot: str = "bridge") -> str:
-    body = {"version_id": saved(browser, document), "world": "empty_room", "robot": robot}
+def begin(browser: Browser, document: Any = SQUARE, robot: str = "bridge", **more: Any) -> str:
+    body = {"version_id": saved(browser, document), "world": "empty_room", "robot": robot, **more}
     return str(browser.post("/api/runs", body).data["id"])
 
 
@@ -70,11 +71,7 @@ def test_a_recorded_run_is_compared_by_odometry_and_by_a_tape_measure_once_it_is
     assert [one["kind"] for one in found["difference"]["findings"]] == []
     assert [step["block"] for step in found["steps"]] == ["ahead", "turn"] * 4
     assert found["path"][-1][1:] == pytest.approx([0, 0, math.tau], abs=0.01)
-    tick, pose, sigma_m, sigma_rad = double.tape
-    names = ("tick", "x_m", "y_m", "heading_rad", "sigma_m", "sigma_rad")
-    measured = dict(zip(names, (tick, *pose, sigma_m, sigma_rad), strict=True))
-    put = browser.put(f"/api/runs/{run}/truths/tape", {"poses": [measured]})
-    assert put.status == 200, put.data
+    measured(browser, run, double)
     (finding, *_) = of(browser, run)["difference"]["findings"]
     assert (finding["source"], finding["how"], finding["n"]) == ("tape", "average", 4)
     assert finding["difference"] == pytest.approx(-3.1, abs=0.3)
@@ -129,6 +126,71 @@ def test_the_unusual_run_of_a_robot_is_listed_for_the_teacher(
     assert (found["source"], found["n_runs"]) == ("camera", 5)
     assert found["difference"] == pytest.approx(-22.7, abs=1.0)
     assert found["usual"] == pytest.approx(-2.7, abs=0.5)
+
+
+def calibrated(app: App, **more: Any) -> str:
+    """A calibrated robot that turns 10 degrees less in a turn than it believes, and states how sure it is."""
+    wheels = {
+        "believed_track_m": 0.33,
+        "parameters": [1.0, 0.0, 0.33 * 360 / 350],
+        "covariance": [[1e-5, 0.0, 0.0], [0.0, 1e-6, 0.0], [0.0, 0.0, 1e-6]],
+        "wheel_noise": 0.02,
+        "n_poses": 9,
+    }
+    parameters = {"track_m": 0.33 * 360 / 350, "wheel_noise": 0.02, "lag_s": 0.06}
+    report = {"wheels": wheels, **more}
+    robot = app._store.calibrated_robots.create("Pioneer", "pioneer_3dx", parameters, report)
+    return robot.id
+
+
+def measured(browser: Browser, run: str, double: Driven) -> None:
+    tick, pose, sigma_m, sigma_rad = double.tape
+    names = ("tick", "x_m", "y_m", "heading_rad", "sigma_m", "sigma_rad")
+    row = dict(zip(names, (tick, *pose, sigma_m, sigma_rad), strict=True))
+    put = browser.put(f"/api/runs/{run}/truths/tape", {"poses": [row]})
+    assert put.status == 200, put.data
+
+
+def test_the_chosen_calibrated_robot_predicts_and_states_its_error_also_when_it_was_deleted(
+    app: App, browser: Browser, teacher: Browser, engine: FakeEngine
+) -> None:
+    robot = calibrated(app)
+    run = begin(browser, calibrated_robot=robot)
+    double = drive(run=run, turns=350 / 360)
+    for event in double.wire:
+        engine.send(event)
+    found = of(browser, run)
+    assert found["robot"] == "Pioneer"
+    assert 0.03 < found["within_m"] < 0.2
+    # truly it turns less; its odometry does not know, and is as predicted
+    assert found["path"][-1][3] == pytest.approx(math.radians(350), abs=0.02)
+    assert found["difference"]["source"] == "odometry"
+    assert found["difference"]["findings"] == []
+    measured(browser, run, double)
+    teacher.delete(f"/api/calibrated-robots/{robot}")
+    whole = of(browser, run)
+    end = whole["difference"]["at_end"]
+    assert whole["difference"]["is_whole"]
+    assert end["source"] == "tape"
+    assert end["distance_m"] <= whole["within_m"]
+    assert abs(end["heading_deg"]) < 2.0
+
+
+def test_without_a_choice_the_robot_that_was_calibrated_from_this_one_predicts(
+    app: App, browser: Browser, teacher: Browser, engine: FakeEngine
+) -> None:
+    others, _ = driven(browser, engine)
+    assert of(browser, others)["robot"] is None
+    profile = profile_from(app._store.runs.get(others).parameters["robot"])
+    calibrated(app, robot=["bridge", "another place"])
+    run, _ = driven(browser, engine)
+    assert of(browser, run)["robot"] is None
+    calibrated(app, robot=[profile.link, profile.address])
+    run, _ = driven(browser, engine)
+    assert of(browser, run)["robot"] == "Pioneer"
+    # a chosen robot that is not there is no reason to keep a real robot from driving
+    run = begin(browser, calibrated_robot="0199e4a0-0000-7fff-bfff-ffffffffffff")
+    assert "predicted_by" not in app._store.runs.get(run).parameters
 
 
 def filmed(browser: Browser, run: str, double: Driven) -> None:

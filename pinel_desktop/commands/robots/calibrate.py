@@ -46,12 +46,14 @@ def _lines(report: "CalibrationReport") -> "Iterator[str]":
             f" (noise floor {one.expected_m * 100:.1f} cm, not calibrated {one.nominal_m * 100:.1f} cm)"
         )
     if not report.held_out:
-        yield "no run was held out: it takes one more than what tells the wheels, with a true pose at the end"
+        yield "no run was held out: only a run that others are like can be predicted by them; drive each program again"
     if squares := report.squares:
         yield (
             f"UMBmark: wheels differ by {squares.difference * 100:.2f} %, track is {squares.track_ratio:.4f} of the"
-            f" nominal one, worst error {squares.worst_m * 100:.1f} cm"
+            f" nominal one, E_max,syst {squares.worst_m * 100:.1f} cm"
         )
+        if squares.left_over_m is not None:
+            yield f"UMBmark: with the calibrated robot {squares.left_over_m * 100:.1f} cm of E_max,syst are left"
 
 
 def _line(one: "ReportedParameter") -> str:

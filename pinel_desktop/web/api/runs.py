@@ -15,7 +15,7 @@ from pinel_desktop.robot import RobotModel, SimulationConfig
 from pinel_desktop.robot.robot_profile import ROOM
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
-from pinel_desktop.school.calibrated_robots import calibrated_setting
+from pinel_desktop.school.calibrated_robots import PREDICTOR, calibrated_setting, predictor_of
 from pinel_desktop.school.grading import NOT_JUDGED, start_info_of
 from pinel_desktop.school.own_activities import known_activity
 from pinel_desktop.web.api import OCTETS, WRITES, Resource, responses
@@ -239,8 +239,13 @@ def _setting(body: NewRun, parts: Services) -> SimulationConfig:
 
 
 def _for_people(spec: RunSpec, body: NewRun, parts: Services) -> dict[str, object]:
-    """Returns what a record says besides the spec: why nobody judges the run, the name of its calibrated robot."""
+    """Returns what a record says besides the spec.
+
+    That is why nobody judges the run, the name of its calibrated robot, the robot that predicts a real one's run.
+    """
     more: dict[str, object] = {NOT_JUDGED: "cloud"} if body.cloud else {}
+    if spec.robot and (by := predictor_of(parts.store, body.calibrated_robot, spec.robot)):
+        more[PREDICTOR] = by
     if body.calibrated_robot and spec.setting.parameters.changes:
         robot = parts.store.calibrated_robots.get(body.calibrated_robot)
         more[CALIBRATED_ROBOT] = robot.title

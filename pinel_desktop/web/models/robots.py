@@ -182,6 +182,10 @@ class RealRun(ResponseModel):
     started_at: Time
     duration_s: float | None
     sources: list[Source]
+    shape: Annotated[
+        Literal["line", "left", "right"] | None,
+        Field(description="a part of the offered pattern: a line, or a square to this side"),
+    ]
 
 
 class RealRunList(ResponseModel):
@@ -224,6 +228,9 @@ class Prediction(ResponseModel):
     error_m: float
     expected_m: float
     nominal_m: Annotated[float, Field(description="error without calibration")]
+    off_m: Annotated[
+        tuple[float, float], Field(description="x and y of the true end from the predicted one")
+    ]
 
 
 class Squares(ResponseModel):
@@ -231,7 +238,13 @@ class Squares(ResponseModel):
 
     difference: float
     track_ratio: float
-    worst_m: float
+    worst_m: Annotated[float, Field(description="E_max,syst")]
+    left_over_m: Annotated[
+        float | None,
+        Field(description="the same from where the calibrated robot is predicted to end"),
+    ]
+    n_left: int
+    n_right: int
 
 
 class Calibration(ResponseModel):

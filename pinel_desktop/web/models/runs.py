@@ -130,7 +130,10 @@ class NewRun(RequestModel):
     feedback: Feedback = "pose"
     calibrated_robot: Annotated[
         Id | None,
-        Field(description="a robot with a real one's errors, instead of model and preset"),
+        Field(
+            description="a robot with a real one's errors, instead of model and preset; of a real robot's run, the one"
+            " that predicts it"
+        ),
     ] = None
     breakpoints: BlockIds = Field(default_factory=list)
     speed: SpeedFactor = 1.0

@@ -1,7 +1,7 @@
 import type { RunPrediction } from "../api/model";
 import { language, texts } from "../i18n";
 import { isPredictionShown } from "./shown";
-import { notesOf, predictionText } from "./words";
+import { notesOf, predictionText, robotText } from "./words";
 
 interface PredictionLineProps {
   prediction: RunPrediction;
@@ -21,8 +21,22 @@ export function PredictionLine({ prediction }: PredictionLineProps) {
       <Swatch />
       <span>
         <b>{texts.value.prediction.open}:</b> {predictionText(prediction, voice)}
+        <RobotText prediction={prediction} />
       </span>
     </p>
+  );
+}
+
+/** Which calibrated robot predicts; nothing for the ideal one. */
+export function RobotText({ prediction }: PredictionLineProps) {
+  const text = robotText(prediction, { texts: texts.value, language: language.value });
+  const end = prediction.difference.at_end?.distance_m;
+  return (
+    text && (
+      <span data-testid="prediction-robot" data-within={prediction.within_m} data-off={end}>
+        {` ${text}`}
+      </span>
+    )
   );
 }
 

@@ -1,6 +1,7 @@
 import type { Finding, RunPrediction } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
+import { RobotText } from "./PredictionLine";
 import { type DifferenceRow, rowsOf } from "./rows";
 import { angle, commandText, length, notesOf, predictionText } from "./words";
 
@@ -18,6 +19,11 @@ export function PredictionPanel({ prediction, onTick }: PredictionPanelProps) {
   return (
     <section class="prediction card column gap-2" aria-label={words.label} data-testid="prediction">
       <p class="prediction__sentence">{predictionText(prediction, voice)}</p>
+      {prediction.robot !== null && (
+        <p>
+          <RobotText prediction={prediction} />
+        </p>
+      )}
       <Whole prediction={prediction} />
       <table class="prediction__table">
         <caption>{words.by({ source: words.sources[prediction.difference.source] })}</caption>

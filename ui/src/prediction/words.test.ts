@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import type { Finding, RunPrediction, StepDifference, UnusualRun } from "../api/model";
 import { textsOf } from "../i18n";
 import { rowsOf } from "./rows";
-import { notesOf, predictionText, unusualText } from "./words";
+import { notesOf, predictionText, robotText, unusualText } from "./words";
 
 const VOICE = { texts: textsOf("pt-BR"), language: "pt-BR" } as const;
 const TURN = { block: "t", action: "turn", amount: 90, tick: 30 };
@@ -23,6 +23,8 @@ const STEP: StepDifference = {
 };
 
 const prediction = (findings: Finding[], more: Partial<RunPrediction> = {}): RunPrediction => ({
+  robot: null,
+  within_m: null,
   path: [],
   steps: [],
   awaits_input: false,
@@ -33,6 +35,7 @@ const prediction = (findings: Finding[], more: Partial<RunPrediction> = {}): Run
     source: "odometry",
     steps: [STEP],
     at_end: null,
+    is_whole: true,
     ate_m: null,
     parted: null,
     findings,
@@ -95,4 +98,27 @@ test("rows have the mean of all executions of a block", () => {
     ["t", 3, "turn"],
   ]);
   expect(rows[1]?.measured).toBe(88);
+});
+
+test("a calibrated robot is named, with how far off it says it may be and whether the run agrees", () => {
+  const robot = "Pioneer da sala 3";
+  const by = (
+    within_m: number | null,
+    distance_m: number,
+    source: "tape" | "odometry" = "tape",
+  ) => {
+    const whole = prediction([], { robot, within_m });
+    const at_end = { source, distance_m, heading_deg: 0 };
+    return robotText({ ...whole, difference: { ...whole.difference, at_end } }, VOICE);
+  };
+  expect(robotText(prediction([]), VOICE)).toBeNull();
+  expect(by(null, 0.04)).toBe("Previsto com Pioneer da sala 3.");
+  expect(by(0.06, 0.04, "odometry")).toContain("para a até 6,0\u00a0cm do lugar previsto");
+  expect(by(0.06, 0.04)).toContain(
+    "parou a 4,0\u00a0cm do lugar previsto, pela fita, dentro dos 6,0",
+  );
+  expect(by(0.06, 0.08)).toContain("a previsão anuncia até 6,0\u00a0cm. Uma roda patinou");
+  expect(notesOf(prediction([], { robot }), VOICE).join(" ")).toContain(
+    "A odometria não percebe os",
+  );
 });

@@ -62,12 +62,30 @@ export function predictionText({ difference }: RunPrediction, voice: Voice): str
   return words.fits({ source: words.sources[difference.source] });
 }
 
+/** Which calibrated robot predicts, how surely, and whether the run agrees; null for the ideal robot. */
+export function robotText(prediction: RunPrediction, { texts, language }: Voice): string | null {
+  const { robot, within_m: within, difference } = prediction;
+  const { prediction: words } = texts;
+  if (robot === null) return null;
+  if (within === null) return words.robot({ robot });
+  const stated = length(within, language);
+  const end = difference.is_whole ? difference.at_end : null;
+  if (!end || end.source === "odometry") return words.robotWithin({ robot, within: stated });
+  const distance = length(end.distance_m, language);
+  const source = words.sources[end.source];
+  const say = end.distance_m <= within ? words.robotInside : words.robotOutside;
+  return say({ robot, distance, source, within: stated });
+}
+
 /** What limits the comparison. */
 export function notesOf(prediction: RunPrediction, { texts }: Voice): string[] {
   const { prediction: words } = texts;
   const { difference } = prediction;
   return [
     words.sourceHints[difference.source],
+    prediction.robot !== null &&
+      difference.source === "odometry" &&
+      words.robotPath({ robot: prediction.robot }),
     difference.parted !== null && words.parted,
     prediction.awaits_input && words.noInput,
     prediction.is_cut && words.cut,

@@ -48,7 +48,9 @@ export function ReplayFloor({ recordedRun, predicted }: ReplayFloorProps) {
           <div class="floor__scene grows shrinks shrinks-down">
             <RecordedFloor recordedRun={recordedRun} predicted={predicted} />
             <div class="floor__corner">
-              {predicted.prediction.value && <PredictionSwitch />}
+              {predicted.prediction.value && (
+                <PredictionSwitch robot={predicted.prediction.value.robot} />
+              )}
               <MuteButton view={playback.view} />
             </div>
           </div>

@@ -47,10 +47,16 @@ def list_calibrated_robots() -> Response:
 @api.get("/real-runs", responses=responses(RealRunList, *TEACHER))
 def list_real_runs() -> Response:
     """The newest runs on real robots that have ended. For the teacher."""
+    from pinel_desktop.calibration.pattern import shape_of  # noqa: PLC0415 - heavy, by its package
+
     require_teacher()
     store = services().store
     found = [
-        RealRun.of(row, sources=[truth.source for truth in store.truths.of_run(row.id)])
+        RealRun.of(
+            row,
+            sources=[truth.source for truth in store.truths.of_run(row.id)],
+            shape=shape_of(row.path) if row.state == "finished" else None,
+        )
         for row in store.runs.newest_real(_MAX_RUNS)
     ]
     return json_response(RealRunList(runs=found))
@@ -60,7 +66,9 @@ def list_real_runs() -> Response:
 def calibrate(body: RunsOfRobot) -> Response:
     """What runs tell about a real robot. Stores nothing. For the teacher."""
     require_teacher()
-    return json_response(Calibration.model_validate(_report(body).as_record()))
+    record = _report(body).as_record()
+    shown = {name: record[name] for name in Calibration.model_fields}
+    return json_response(Calibration.model_validate(shown))
 
 
 @api.post(

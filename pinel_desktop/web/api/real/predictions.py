@@ -26,7 +26,7 @@ api = Resource("predictions", "Predictions of runs on real robots.", __name__)
     ),
 )
 def get_prediction(path: IdPath) -> Response:
-    """What the ideal simulated robot does with the spec of a real robot's run, and the run beside it.
+    """What the calibrated robot of the run, or else the ideal one, does with its spec, and the run beside it.
 
     During the run the prediction ends at an input that nobody has given yet.
     """

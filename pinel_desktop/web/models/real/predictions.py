@@ -71,6 +71,10 @@ class RunDifference(ResponseModel):
     source: Source
     steps: list[StepDifference]
     at_end: EndDifference | None
+    is_whole: Annotated[
+        bool,
+        Field(description="`at_end` is after the whole run, and the prediction did the same steps"),
+    ]
     ate_m: Annotated[
         float | None,
         Field(
@@ -87,11 +91,21 @@ class RunDifference(ResponseModel):
 
 
 class RunPrediction(ResponseModel):
-    """What the ideal simulated robot does with the spec of a real robot's run, and the run beside it."""
+    """What a simulated robot does with the spec of a real robot's run, and the run beside it."""
 
+    robot: Annotated[
+        str | None,
+        Field(description="name of the calibrated robot that predicts; null for the ideal one"),
+    ]
+    within_m: Annotated[
+        float | None,
+        Field(
+            description="distance from the predicted end within which 95 of 100 runs end; null if nobody can tell"
+        ),
+    ]
     path: Annotated[
         list[tuple[float, float, float, float]],
-        Field(description="tick, x (m), y (m), heading (rad, without jumps); start frame"),
+        Field(description="tick, true x (m), y (m), heading (rad, without jumps); start frame"),
     ]
     steps: list[PredictedStep]
     awaits_input: Annotated[bool, Field(description="it ends where an input is not given yet")]

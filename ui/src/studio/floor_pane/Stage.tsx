@@ -4,7 +4,7 @@ import { worldTitle } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { liveSource } from "../../plots/live_source";
-import { liveGhost } from "../../prediction/live_prediction";
+import { liveGhost, livePrediction } from "../../prediction/live_prediction";
 import { PredictionSwitch } from "../../prediction/PredictionSwitch";
 import { isNow, shown, shownPose } from "../../run/inspected_tick";
 import * as robot from "../../run/live";
@@ -154,7 +154,7 @@ function RoomCorner({ control }: { control: StudioControl }) {
     <div class="floor__corner">
       <RobotChoice />
       <RoomStatus />
-      <PredictionSwitch isSmall />
+      <PredictionSwitch isSmall robot={livePrediction.value?.robot} />
       <MuteButton view={robot.live} expected={control.beeps.value} live />
     </div>
   );

@@ -10,6 +10,7 @@ import { asTeacher } from "../../../shell/teacher/teacher_session";
 import { dateAndTime } from "../../time_format";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { ChooseRuns } from "./ChooseRuns";
+import { PatternPart } from "./PatternPart";
 
 /** The robots of the simulator that learned from a real one, and how to make one from runs. */
 export function CalibrationPart() {
@@ -30,6 +31,7 @@ export function CalibrationPart() {
         {({ runs, robots }) => (
           <>
             <CalibratedRobots robots={robots} onDelete={remove} />
+            <PatternPart runs={runs} />
             <ChooseRuns runs={runs} onSaved={found.reload} />
           </>
         )}

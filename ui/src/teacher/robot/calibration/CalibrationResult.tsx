@@ -9,7 +9,7 @@ import { Form } from "../../../kit/Form";
 import { useAction } from "../../../kit/requests/action";
 import { FaultLine } from "../../../kit/requests/FaultLine";
 import { asTeacher } from "../../../shell/teacher/teacher_session";
-import { findings, heldOutText, interval, unknowns } from "./calibration_texts";
+import { findings, heldOutText, interval, squaresText, unknowns } from "./calibration_texts";
 
 interface CalibrationResultProps {
   of: Calibration;
@@ -33,7 +33,14 @@ export function CalibrationResult({ of: found, onSaved }: CalibrationResultProps
           {labels.unknown({ names: missing.join(", ") })}
         </p>
       )}
-      <p>{heldOutText(found, labels, language.value) ?? labels.notHeldOut}</p>
+      <p data-testid="calibration-held-out">
+        {heldOutText(found, labels, language.value) ?? labels.notHeldOut}
+      </p>
+      {found.squares && (
+        <p data-testid="calibration-squares">
+          {squaresText(found.squares, labels, language.value)}
+        </p>
+      )}
       <Details of={found} />
       <SaveForm runs={found.runs} onSaved={onSaved} />
     </section>

@@ -55,6 +55,17 @@ export function heldOutText(
   });
 }
 
+/** UMBmark's figure before the calibration, and what is left of it. */
+export function squaresText(
+  { n_left: left, n_right: right, worst_m, left_over_m }: NonNullable<Calibration["squares"]>,
+  labels: Labels,
+  language: Language,
+): string {
+  const before = decimal(worst_m * 100, 1, language);
+  if (left_over_m === null) return labels.squaresAlone({ left, right, before });
+  return labels.squares({ left, right, before, after: decimal(left_over_m * 100, 1, language) });
+}
+
 /** A parameter with its interval: in the unit and with the digits that suit it. */
 export function interval(one: CalibratedParameter, labels: Labels, language: Language): string {
   const shown = (value: number) =>
