@@ -28,6 +28,7 @@ import { serverStatus } from "./first_answers";
 import { go, navigationBlocked, ROUTES, route } from "./route";
 import { choose, setting } from "./settings";
 import { openStream } from "./stream";
+import { receiveTruthSource } from "./truth_sources";
 
 /** State of the connection to the server. */
 export type Connection = "opening" | "failed" | "open" | "gone" | "locked";
@@ -200,6 +201,9 @@ function onStream(
       break;
     case "cloud":
       cloud.value = event;
+      break;
+    case "truth_source":
+      receiveTruthSource(event);
       break;
     case "judged":
       judged.value = event;
